@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace etak {
+
+/// A broken or foreign input, or a bad option: what a user can mend. Never thrown for a doubtful material.
+/// what() is one line: "PLACE: FOUND; expected EXPECTED".
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+
+  /// place     file, "file:line" or "file#/json/pointer"; "<stdin>" for standard input, "--option" for options
+  /// found     what is there
+  /// expected  what should be; may be empty
+  static Error at(std::string_view place, std::string_view found, std::string_view expected = {});
+
+  /// The same with a 1-based line number put behind the file name.
+  static Error at_line(std::string_view file, std::size_t line, std::string_view found,
+                       std::string_view expected = {});
+};
+
+/// For quoting foreign bytes in a message: control and non-UTF-8 bytes escaped, cut after `most` bytes.
+std::string printable(std::string_view bytes, std::size_t most = 40);
+
+}  // namespace etak

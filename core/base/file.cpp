@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "core/base/error.h"
+
+namespace etak {
+namespace {
+
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return fd_; }
+  bool close() {
+    const int fd = fd_;
+    fd_ = -1;
+    return fd < 0 || ::close(fd) == 0;
+  }
+
+ private:
+  int fd_;
+};
+
+std::string reason() { return std::strerror(errno); }
+
+std::string too_large(std::size_t most) { return "at most " + std::to_string(most >> 20) + " MiB of text"; }
+
+// Reads up to `wanted` bytes behind the present end of `out`; returns how many came.
+std::size_t read_some(int fd, std::string& out, std::size_t wanted, const std::string& path) {
+  const std::size_t old = out.size();
+  out.resize(old + wanted);
+  for (;;) {
+    const ssize_t got = ::read(fd, out.data() + old, wanted);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw Error::at(path, "cannot be read: " + reason());
+    out.resize(old + static_cast<std::size_t>(got));
+    return static_cast<std::size_t>(got);
+  }
+}
+
+bool write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t wrote = ::write(fd, bytes.data(), bytes.size());
+    if (wrote < 0 && errno != EINTR) return false;
+    if (wrote > 0) bytes.remove_prefix(static_cast<std::size_t>(wrote));
+  }
+  return true;
+}
+
+// Where a symbolic link leads, so that the link stays and its target is replaced.
+std::string target_of(const std::string& path) {
+  std::error_code failure;
+  const auto target = std::filesystem::canonical(path, failure);
+  return failure ? path : target.string();
+}
+
+}  // namespace
+
+void read_file(const std::string& path, std::string& out, std::size_t most) {
+  out.clear();
+  // O_NONBLOCK: a FIFO without a writer must not hang the call; regular files ignore it.
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.get() < 0) throw Error::at(path, "cannot be opened: " + reason());
+  struct stat info {};
+  if (::fstat(file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason());
+  if (S_ISDIR(info.st_mode)) throw Error::at(path, "is a folder", "a file");
+  if (!S_ISREG(info.st_mode)) throw Error::at(path, "is no regular file", "a regular file, or - for standard input");
+  const auto size = static_cast<std::size_t>(info.st_size);
+  if (size > most) throw Error::at(path, "holds " + std::to_string(size >> 20) + " MiB", too_large(most));
+  // One byte more than the size, so that the usual file ends in a single short read.
+  while (read_some(file.get(), out, (out.size() < size ? size - out.size() : 0) + 1, path) != 0) {
+    if (out.size() > most) throw Error::at(path, "grew while it was read", too_large(most));
+    if (out.size() == size) break;
+  }
+}
+
+std::string read_file(const std::string& path, std::size_t most) {
+  std::string out;
+  read_file(path, out, most);
+  return out;
+}
+
+std::string read_stdin(std::size_t most) {
+  std::string out;
+  while (read_some(STDIN_FILENO, out, std::size_t{1} << 16, "<stdin>") != 0)
+    if (out.size() > most) throw Error::at("<stdin>", "does not end", too_large(most));
+  return out;
+}
+
+void write_file(const std::string& path, std::string_view bytes, bool overwrite) {
+  struct stat info {};
+  const bool exists = ::stat(path.c_str(), &info) == 0;
+  if (exists && S_ISDIR(info.st_mode)) throw Error::at(path, "is a folder", "a file to write");
+  if (exists && !S_ISREG(info.st_mode)) {
+    // A device or pipe (/dev/stdout) is written to: a rename would put a file in its place.
+    Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+    if (device.get() < 0 || !write_all(device.get(), bytes) || !device.close())
+      throw Error::at(path, "cannot be written: " + reason());
+    return;
+  }
+  if (exists && !overwrite) throw Error::at(path, "exists already", "a new name, or --force to replace it");
+  const std::string target = exists ? target_of(path) : path;
+  std::string temporary = target + ".tmp-XXXXXX";
+  Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
+  if (file.get() < 0) throw Error::at(path, "cannot be written: " + reason());
+  const auto fail = [&](const char* what) {
+    const std::string why = reason();
+    ::unlink(temporary.c_str());
+    throw Error::at(path, std::string(what) + ": " + why);
+  };
+  if (!write_all(file.get(), bytes)) fail("cannot be written");
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  if (::fchmod(file.get(), (exists ? info.st_mode : 0666 & ~mask) & 07777) != 0) fail("cannot be written");
+  if (::fsync(file.get()) != 0 || !file.close()) fail("cannot be written");
+  if (::rename(temporary.c_str(), target.c_str()) != 0) fail("cannot be put in place");
+}
+
+}  // namespace etak

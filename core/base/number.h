@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace etak {
+
+/// The whole of `text` as a finite decimal number ("1.5", "-2e-3", "+3"); false for anything else, NaN and
+/// infinity included. Locale plays no part.
+bool parse_number(std::string_view text, double& value);
+
+/// Appends `value` with at most `digits` significant digits, as printf's %.{digits}g in the C locale.
+void append_number(std::string& out, double value, int digits);
+
+/// The same as a string of its own.
+std::string number(double value, int digits);
+
+}  // namespace etak
