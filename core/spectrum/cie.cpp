@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/spectrum/cie.h"
+
+namespace etak {
+namespace {
+
+// Rows of resources/cie/*.csv: wavelength first.
+constexpr double observer_rows[][7] = {
+#include "observer_rows.inc"
+};
+constexpr double illuminant_rows[][4] = {
+#include "illuminant_rows.inc"
+};
+constexpr int illuminant_step_nm = 5;
+
+template <std::size_t Rows, std::size_t Columns>
+constexpr bool ascends_evenly(const double (&rows)[Rows][Columns], double step) {
+  for (std::size_t i = 1; i < Rows; ++i)
+    if (rows[i][0] - rows[i - 1][0] != step) return false;
+  return true;
+}
+
+// True when column c sums to `sum` within the last printed digits: a slipped or edited figure does not build.
+template <std::size_t Rows, std::size_t Columns>
+constexpr bool sums_to(const double (&rows)[Rows][Columns], std::size_t c, double sum) {
+  double total = 0;
+  for (const auto& row : rows) total += row[c];
+  const double gap = total - sum;
+  return gap < 1e-7 * sum && gap > -1e-7 * sum;
+}
+
+static_assert(std::size(observer_rows) == grid_size && observer_rows[0][0] == grid_first_nm &&
+              ascends_evenly(observer_rows, 1));
+static_assert(illuminant_rows[0][0] <= grid_first_nm &&
+              illuminant_rows[std::size(illuminant_rows) - 1][0] == grid_last_nm &&
+              ascends_evenly(illuminant_rows, illuminant_step_nm));
+static_assert(sums_to(observer_rows, 1, 106.86546949) && sums_to(observer_rows, 2, 106.85691710) &&
+              sums_to(observer_rows, 3, 106.89225128) && sums_to(observer_rows, 4, 116.64851951) &&
+              sums_to(observer_rows, 5, 116.66187710) && sums_to(observer_rows, 6, 116.67398051));
+static_assert(sums_to(illuminant_rows, 1, 8194.57705) && sums_to(illuminant_rows, 2, 7926.77875) &&
+              sums_to(illuminant_rows, 3, 12155.31843853));
+
+constexpr auto columns_of_observer(std::size_t first) {
+  std::array<std::array<double, 3>, grid_size> out{};
+  for (std::size_t i = 0; i < grid_size; ++i)
+    out[i] = {observer_rows[i][first], observer_rows[i][first + 1], observer_rows[i][first + 2]};
+  return out;
+}
+
+constexpr auto column_of_illuminant(std::size_t column) {
+  std::array<double, grid_size> out{};
+  for (std::size_t i = 0; i < grid_size; ++i) {
+    const int nm = grid_first_nm + static_cast<int>(i), first = static_cast<int>(illuminant_rows[0][0]);
+    const auto row = static_cast<std::size_t>((nm - first) / illuminant_step_nm);
+    const double t = static_cast<double>((nm - first) % illuminant_step_nm) / illuminant_step_nm;
+    out[i] = illuminant_rows[row][column];
+    if (t > 0) out[i] += t * (illuminant_rows[row + 1][column] - illuminant_rows[row][column]);
+  }
+  return out;
+}
+
+constexpr auto equal_energy() {
+  std::array<double, grid_size> out{};
+  out.fill(1);
+  return out;
+}
+
+constexpr auto cie1931 = columns_of_observer(1);
+constexpr auto cie1964 = columns_of_observer(4);
+constexpr auto power_d65 = column_of_illuminant(1);
+constexpr auto power_d50 = column_of_illuminant(2);
+constexpr auto power_a = column_of_illuminant(3);
+constexpr auto power_e = equal_energy();
+
+}  // namespace
+
+std::string_view name(Observer observer) {
+  return observer == Observer::cie1931_2deg ? "1931-2deg" : "1964-10deg";
+}
+
+std::string_view name(Illuminant illuminant) {
+  switch (illuminant) {
+    case Illuminant::d65: return "D65";
+    case Illuminant::d50: return "D50";
+    case Illuminant::a: return "A";
+    case Illuminant::e: break;
+  }
+  return "E";
+}
+
+std::optional<Observer> observer_named(std::string_view text) {
+  for (const Observer o : {Observer::cie1931_2deg, Observer::cie1964_10deg})
+    if (text == name(o)) return o;
+  return std::nullopt;
+}
+
+std::optional<Illuminant> illuminant_named(std::string_view text) {
+  for (const Illuminant i : {Illuminant::d65, Illuminant::d50, Illuminant::a, Illuminant::e})
+    if (text == name(i)) return i;
+  return std::nullopt;
+}
+
+std::span<const std::array<double, 3>, grid_size> matching_functions(Observer observer) {
+  return observer == Observer::cie1931_2deg ? cie1931 : cie1964;
+}
+
+std::span<const double, grid_size> relative_power(Illuminant illuminant) {
+  switch (illuminant) {
+    case Illuminant::d65: return power_d65;
+    case Illuminant::d50: return power_d50;
+    case Illuminant::a: return power_a;
+    case Illuminant::e: break;
+  }
+  return power_e;
+}
+
+}  // namespace etak

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace etak {
+
+/// A quantity tabulated over wavelength: n, k, reflectance, a colour-matching function, an illuminant.
+///   wavelength_nm   vacuum wavelength in nanometres, strictly ascending, positive
+///   value           one per wavelength; what it is and its unit depend on the use
+struct Spectrum {
+  std::vector<double> wavelength_nm;
+  std::vector<double> value;
+
+  std::size_t size() const { return wavelength_nm.size(); }
+  bool empty() const { return wavelength_nm.empty(); }
+  double first_nm() const { return wavelength_nm.front(); }
+  double last_nm() const { return wavelength_nm.back(); }
+  friend bool operator==(const Spectrum&, const Spectrum&) = default;
+};
+
+/// Throws Error (naming `what` and the first offending wavelength) unless the spectrum holds at least one sample,
+/// all numbers are finite and the wavelengths are positive and strictly ascending.
+void validate(const Spectrum& spectrum, std::string_view what);
+
+/// The reference grid: 360, 361, ..., 830 nm.
+inline constexpr int grid_first_nm = 360;
+inline constexpr int grid_last_nm = 830;
+inline constexpr std::size_t grid_size = grid_last_nm - grid_first_nm + 1;
+
+/// The range every F0 result reports on: samples and gaps are counted here.
+inline constexpr double core_first_nm = 400;
+inline constexpr double core_last_nm = 700;
+
+}  // namespace etak
