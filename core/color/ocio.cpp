@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/color/ocio.h"
+
+#include <OpenColorIO/OpenColorIO.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/color/colorspace.h"
+#include "core/color/ocio_config.h"
+
+namespace etak {
+namespace {
+
+namespace ocio = OCIO_NAMESPACE;
+using Config = ocio::ConstConfigRcPtr;
+
+static_assert(OCIO_VERSION_HEX >= 0x02000000, "OpenColorIO 2.0 brought the interchange roles");
+
+// Larger than any config of the ACES series by a factor of fifty.
+constexpr std::uintmax_t max_config_bytes = 16u << 20;
+
+struct OpenConfig {
+  Config config;
+  std::string label;
+};
+
+// OpenColorIO's messages may span lines; etak's are one line.
+std::string one_line(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const bool blank = c == '\n' || c == '\r' || c == '\t' || c == ' ';
+    if (!blank)
+      out.push_back(c);
+    else if (!out.empty() && out.back() != ' ')
+      out.push_back(' ');
+  }
+  while (!out.empty() && (out.back() == ' ' || out.back() == '.')) out.pop_back();
+  return printable(out, 300);
+}
+
+OpenConfig open_config(const std::string& asked) {
+  std::string path = asked;
+  if (path.empty()) {
+    const char* environment = std::getenv("OCIO");
+    if (environment != nullptr) path = environment;
+  }
+  try {
+    if (path.empty()) {
+      std::istringstream text{std::string(ocio_config_text)};
+      return {ocio::Config::CreateFromStream(text), builtin_ocio_config};
+    }
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(path, failure))
+      throw Error::at(path, "no such file", "an OpenColorIO config (--ocio or $OCIO)");
+    if (std::filesystem::file_size(path, failure) > max_config_bytes || failure)
+      throw Error::at(path, "too large for an OpenColorIO config", "at most 16 MB");
+    return {ocio::Config::CreateFromFile(path.c_str()), path};
+  } catch (const ocio::Exception& e) {
+    throw Error::at(path.empty() ? builtin_ocio_config : path,
+                    "not readable as an OpenColorIO config (" + one_line(e.what()) + ")");
+  }
+}
+
+std::vector<std::string> space_names(const ocio::Config& config, ocio::ColorSpaceVisibility visibility) {
+  std::vector<std::string> names;
+  const int count = config.getNumColorSpaces(ocio::SEARCH_REFERENCE_SPACE_ALL, visibility);
+  for (int i = 0; i < count; ++i)
+    names.emplace_back(config.getColorSpaceNameByIndex(ocio::SEARCH_REFERENCE_SPACE_ALL, visibility, i));
+  return names;
+}
+
+// Levenshtein distance, upper and lower case alike.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+// "\"A\", \"B\", \"C\"": the three spaces of the config whose name or alias is nearest.
+std::string nearest_spaces(const ocio::Config& config, const std::string& asked) {
+  std::vector<std::pair<std::size_t, std::string>> ranked;
+  for (const auto& name : space_names(config, ocio::COLORSPACE_ACTIVE)) {
+    std::size_t distance = edit_distance(asked, name);
+    const auto space = config.getColorSpace(name.c_str());
+    for (std::size_t i = 0; i < space->getNumAliases(); ++i)
+      distance = std::min(distance, edit_distance(asked, space->getAlias(i)));
+    ranked.emplace_back(distance, name);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::string out;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, ranked.size()); ++i)
+    out += (i == 0 ? "\"" : ", \"") + printable(ranked[i].second, 80) + "\"";
+  return out;
+}
+
+Xyz white_of(double x, double y) {
+  return {x / y, 1, (1 - x - y) / y};
+}
+
+// A door into the config: the role, and how XYZ under `white` becomes values of the role's space.
+struct Interchange {
+  std::string role;
+  Xyz white;
+  Mat3 from_xyz;
+};
+
+Interchange cie_interchange() {
+  return {"cie_xyz_d65_interchange", white_of(0.3127, 0.3290), identity3};
+}
+
+// ACES2065-1: primaries and white of SMPTE ST 2065-1:2021.
+Interchange aces_interchange() {
+  const Xyz white = white_of(0.32168, 0.33767);
+  return {"aces_interchange", white,
+          inverse(rgb_to_xyz({{{0.7347, 0.2653}, {0, 1}, {0.0001, -0.077}}}, white))};
+}
+
+// A role on the same side (scene or display) as the space needs no view transform between the two, and with
+// it no tone curve; ACES first, for its configs define everything else from it.
+Interchange interchange_for(const OpenConfig& open, const ocio::ColorSpace& space) {
+  const std::array<Interchange, 2> known{aces_interchange(), cie_interchange()};
+  const Interchange* found = nullptr;
+  for (const auto& candidate : known) {
+    const auto role_space = open.config->getColorSpace(candidate.role.c_str());
+    if (!open.config->hasRole(candidate.role.c_str()) || !role_space) continue;
+    if (role_space->getReferenceSpaceType() == space.getReferenceSpaceType()) return candidate;
+    if (found == nullptr) found = &candidate;
+  }
+  if (found == nullptr)
+    throw Error::at(open.label, "no interchange role, so XYZ has no way in",
+                    "role aces_interchange or cie_xyz_d65_interchange");
+  return *found;
+}
+
+}  // namespace
+
+struct OcioSpace::State {
+  std::string config, name;
+  Interchange interchange;
+  ocio::ConstCPUProcessorRcPtr processor;
+};
+
+OcioSpace::OcioSpace(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+
+const std::string& OcioSpace::name() const {
+  return state_->name;
+}
+const std::string& OcioSpace::config() const {
+  return state_->config;
+}
+const std::string& OcioSpace::role() const {
+  return state_->interchange.role;
+}
+
+OcioSpace OcioSpace::open(const std::string& config, const std::string& space) {
+  const OpenConfig open = open_config(config);
+  try {
+    const auto found = space.empty() ? nullptr : open.config->getColorSpace(space.c_str());
+    if (!found)
+      throw Error::at(open.label, "no colour space \"" + printable(space, 80) + "\"",
+                      "one of its spaces, the nearest are " + nearest_spaces(*open.config, space));
+    if (found->isData())
+      throw Error::at(open.label, "space \"" + printable(space, 80) + "\" holds data",
+                      "a space that holds colour");
+    State state;
+    state.config = open.label;
+    state.name = found->getName();
+    state.interchange = interchange_for(open, *found);
+    // Lossless: the default optimisation replaces powers by approximations good to 1e-5 only.
+    state.processor = open.config->getProcessor(state.interchange.role.c_str(), found->getName())
+                          ->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
+    return OcioSpace(std::make_shared<const State>(std::move(state)));
+  } catch (const ocio::Exception& e) {
+    throw Error::at(open.label,
+                    "space \"" + printable(space, 80) + "\" cannot be used (" + one_line(e.what()) + ")");
+  }
+}
+
+LinearRgb OcioSpace::from_xyz(const Xyz& xyz, const Xyz& white) const {
+  const Interchange& door = state_->interchange;
+  const Vec3 in = door.from_xyz * (bradford(white, door.white) * vec(xyz));
+  std::array<float, 3> pixel{static_cast<float>(in[0]), static_cast<float>(in[1]), static_cast<float>(in[2])};
+  state_->processor->applyRGB(pixel.data());
+  return {pixel[0], pixel[1], pixel[2]};
+}
+
+std::vector<OcioSpaceInfo> ocio_spaces(const std::string& config) {
+  const OpenConfig open = open_config(config);
+  std::vector<OcioSpaceInfo> out;
+  for (const auto& name : space_names(*open.config, ocio::COLORSPACE_ACTIVE)) {
+    const auto space = open.config->getColorSpace(name.c_str());
+    if (!space->isData()) out.push_back({name, space->getFamily(), one_line(space->getDescription())});
+  }
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/color/rgb.h"
+
+namespace etak {
+
+/// A colour space of an OpenColorIO config as a target for etak's colours: the one door to that library
+/// (target etak::ocio, only where OpenColorIO is found; not part of etak::core, so that the start-up binary
+/// stays light).
+///
+/// Values enter through an interchange role of the config: aces_interchange (ACES2065-1) or
+/// cie_xyz_d65_interchange, whichever has the same reference (scene or display) as the space asked for.
+class OcioSpace {
+ public:
+  /// Throws Error that names config and space when the config cannot be read, has no such space (the nearest
+  /// names are told), the space holds data and no colour, or the interchange roles are missing.
+  ///   config   path; empty: the file named by $OCIO, or when that is unset etak's own
+  ///   (resources/ocio/config.ocio) space    name, alias or role in the config
+  static OcioSpace open(const std::string& config, const std::string& space);
+
+  /// Colour in this space: linear light or encoded, as the config defines it; never clipped by etak.
+  ///   xyz      under any illuminant
+  ///   white    of the perfect reflector under that illuminant; Bradford takes it to the white of the
+  ///   interchange
+  ///            space, so that it comes out as (1, 1, 1) in every linear RGB space of a well-made config
+  ///   error    OpenColorIO computes in float: 1e-6 for colours in [0, 1] and matrix spaces
+  LinearRgb from_xyz(const Xyz& xyz, const Xyz& white) const;
+
+  const std::string& name() const;    // as the config spells it
+  const std::string& config() const;  // path, or builtin_ocio_config
+  const std::string& role() const;    // the interchange role in use
+
+ private:
+  struct State;
+  explicit OcioSpace(std::shared_ptr<const State> state);
+  std::shared_ptr<const State> state_;
+};
+
+/// How messages and OcioSpace::config() call etak's own config.
+inline constexpr const char* builtin_ocio_config = "<built-in OpenColorIO config>";
+
+/// What a listing of a config shows of one active space.
+struct OcioSpaceInfo {
+  std::string name, family, description;
+  friend bool operator==(const OcioSpaceInfo&, const OcioSpaceInfo&) = default;
+};
+
+/// The active spaces that hold colour, in the config's order. `config` as in OcioSpace::open. Throws Error.
+std::vector<OcioSpaceInfo> ocio_spaces(const std::string& config);
+
+}  // namespace etak

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/color/rgb.h"
+
+namespace etak {
+
+/// The piecewise sRGB curve of IEC 61966-2-1, linear to encoded and back; odd-symmetric below zero is not implied:
+/// negative input stays on the linear toe.
+double srgb_encode(double linear);
+double srgb_decode(double encoded);
+
+/// floor(255 encode(clamp(linear, 0, 1)) + 1/2). NaN is the caller's mistake.
+std::uint8_t srgb_u8(double linear);
+
+/// The same with encode(x) = x^(1/2.2): the codes of Schueler's table.
+std::uint8_t power22_u8(double linear);
+
+Srgb8 srgb_u8(const LinearRgb& linear);
+Srgb8 power22_u8(const LinearRgb& linear);
+LinearRgb srgb_decode(const Srgb8& codes);
+
+/// "#rrggbb", lower case.
+std::string hex(const Srgb8& codes);
+
+/// Reads "#rrggbb", "rrggbb" or "#rgb". Throws Error.
+Srgb8 parse_hex(std::string_view text);
+
+}  // namespace etak

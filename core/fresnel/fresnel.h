@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+namespace etak {
+
+/// The cosine at which edge reflectance is stated: 1/7, 81.8 degrees, where (1/7)(6/7)^6 of Hoffman's F82 term peaks.
+inline constexpr double f82_cosine = 1.0 / 7;
+
+/// The formulas of fresnel.glsl in double: the reference.
+namespace f64 {
+double f0(double n, double k);
+double absorptance0(double n, double k);
+double fresnel_exact(double n, double k, double c);
+double f_schlick(double f0_value, double c);
+
+/// The same over arrays of one length; out may not overlap the inputs.
+void f0(std::span<const double> n, std::span<const double> k, std::span<double> out);
+void fresnel_exact(std::span<const double> n, std::span<const double> k, double c, std::span<double> out);
+}  // namespace f64
+
+/// The same text in float: what a GPU gets.
+namespace f32 {
+float f0(float n, float k);
+float absorptance0(float n, float k);
+float fresnel_exact(float n, float k, float c);
+float f_schlick(float f0_value, float c);
+}  // namespace f32
+
+}  // namespace etak
