@@ -1,0 +1,474 @@
+// SPDX-License-Identifier: Apache-2.0
+// Based on:
+//   CIE 015:2018, "Colorimetry"
+//   Hoffman, "Physically Based Shading": the forbidden zone; Hoffman 2019, "Fresnel Equations Considered Harmful": F82
+//   Kutz et al. 2021, "Novel aspects of the Adobe Standard Material": F82 as a tint of Schlick
+#include "core/material/f0.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/color/srgb.h"
+#include "core/fresnel/fresnel.h"
+#include "core/material/dispersion.h"
+
+namespace etak {
+namespace {
+
+// Below this share of the Y weight a result would be a guess; below the other one a note is due.
+constexpr double refused_below = 0.95;
+constexpr double flagged_below = 0.99;
+constexpr double wide_gap_nm = 20;
+constexpr double visible_absorption = 0.01;
+// Rounding of a perfect reflector is no gamut matter.
+constexpr double gamut_tolerance = 1e-9;
+
+class Stopwatch {
+ public:
+  explicit Stopwatch(bool running) : running_(running) {
+    if (running_) last_ = Clock::now();
+  }
+  void lap(double& total) {
+    if (!running_) return;
+    const auto now = Clock::now();
+    total += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool running_;
+  Clock::time_point last_;
+};
+
+struct Range {
+  double first_nm, last_nm;
+};
+
+Range range_of(const OpticalConstants& optics) {
+  if (const auto* formula = std::get_if<DispersionFormula>(&optics.n)) return {formula->first_nm, formula->last_nm};
+  const auto& table = std::get<Spectrum>(optics.n);
+  return {table.first_nm(), table.last_nm()};
+}
+
+void count_samples(const Spectrum& table, Coverage& coverage) {
+  const auto& w = table.wavelength_nm;
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    if (w[i] >= core_first_nm && w[i] <= core_last_nm) ++coverage.samples_400_700;
+    if (i == 0 || w[i] <= core_first_nm || w[i - 1] >= core_last_nm) continue;
+    const double gap = std::min(w[i], core_last_nm) - std::max(w[i - 1], core_first_nm);
+    coverage.largest_gap_nm = std::max(coverage.largest_gap_nm, gap);
+  }
+}
+
+// Running sums of the three weights over the reference grid; [0] is 0.
+using WeightSums = std::array<std::array<double, 3>, grid_size + 1>;
+
+WeightSums weight_sums(Viewing viewing) {
+  const Quadrature q = make_quadrature(Method::nm1, viewing);
+  WeightSums sums{};
+  for (std::size_t i = 0; i < grid_size; ++i)
+    for (std::size_t c = 0; c < 3; ++c) sums[i + 1][c] = sums[i][c] + q.weight[c][i];
+  return sums;
+}
+
+Coverage coverage_of(Range range, const Spectrum* table, const WeightSums& sums) {
+  Coverage coverage;
+  coverage.first_nm = range.first_nm;
+  coverage.last_nm = range.last_nm;
+  coverage.is_formula = table == nullptr;
+  const auto index = [](double offset) { return static_cast<std::size_t>(std::clamp(offset, 0.0, double{grid_size})); };
+  const std::size_t first = index(std::ceil(range.first_nm - 0.5 - grid_first_nm));
+  const std::size_t last = std::max(first, index(std::floor(range.last_nm + 0.5 - grid_first_nm) + 1));
+  for (std::size_t c = 0; c < 3; ++c)
+    coverage.weight[c] = (sums[last][c] - sums[first][c]) / sums[grid_size][c];
+  if (table) count_samples(*table, coverage);
+  return coverage;
+}
+
+// Two sources at once (axes of a crystal): only what all of them cover counts.
+void intersect(Coverage& a, const Coverage& b) {
+  for (std::size_t c = 0; c < 3; ++c) a.weight[c] = std::min(a.weight[c], b.weight[c]);
+  a.first_nm = std::max(a.first_nm, b.first_nm);
+  a.last_nm = std::min(a.last_nm, b.last_nm);
+  a.largest_gap_nm = std::max(a.largest_gap_nm, b.largest_gap_nm);
+  a.samples_400_700 = a.is_formula ? b.samples_400_700 : b.is_formula ? a.samples_400_700 : std::min(a.samples_400_700, b.samples_400_700);
+  a.is_formula = a.is_formula && b.is_formula;
+}
+
+// All wavelengths at which the optics are not smooth.
+void append_knots(const Optics& optics, std::vector<double>& knots) {
+  const auto add = [&](const Spectrum& s) { knots.insert(knots.end(), s.wavelength_nm.begin(), s.wavelength_nm.end()); };
+  if (const auto* reflectance = std::get_if<Reflectance>(&optics)) return add(reflectance->spectrum);
+  const auto& constants = std::get<OpticalConstants>(optics);
+  if (const auto* formula = std::get_if<DispersionFormula>(&constants.n)) {
+    knots.push_back(formula->first_nm);
+    knots.push_back(formula->last_nm);
+  } else {
+    add(std::get<Spectrum>(constants.n));
+  }
+  if (constants.k) add(*constants.k);
+}
+
+// What solve() needs per thread: kept between calls, so that a database run allocates once.
+struct Scratch {
+  std::vector<double> n, k, r0, r82, mixed0, mixed82;
+  void resize(std::size_t count) {
+    for (auto* v : {&n, &k, &r0, &r82, &mixed0, &mixed82}) v->resize(count);
+  }
+};
+
+}  // namespace
+
+Zone zone_of(double luminance) {
+  if (luminance <= forbidden_zone_first) return Zone::below;
+  return luminance < forbidden_zone_last ? Zone::inside : Zone::above;
+}
+
+std::string_view name(Zone zone) {
+  return zone == Zone::below ? "below" : zone == Zone::inside ? "inside" : "above";
+}
+
+double Coverage::least() const { return std::min({weight[0], weight[1], weight[2]}); }
+
+bool F0Result::out_of_gamut() const { return flags.has(Flag::out_of_gamut); }
+
+std::string space_name(const F0Options& options) {
+  return options.custom_space ? options.custom_space->name : std::string(name(options.space));
+}
+
+std::string policy(const F0Options& o) {
+  std::string text = o.interpolation == Interpolation::linear ? "n and k linear in wavelength"
+                                                              : "n and k by monotone cubic (pchip) in wavelength";
+  text += ", ends held";
+  if (o.method == Method::nm1)
+    text += "; sum at 1 nm";
+  else
+    text.append("; integration ").append(name(o.method));
+  if (samples_rgb(o.method)) {
+    text += " (three samples as red, green, blue)";
+  } else {
+    text += ", 360-830 nm; CIE ";
+    text += o.viewing.observer == Observer::cie1931_2deg ? "1931 2" : "1964 10";
+    text.append("-degree observer; illuminant ").append(name(o.viewing.illuminant));
+    text += "; white is the same sum for R = 1";
+  }
+  text.append("; outside medium ").append(o.outside.label);
+  text.append("; linear ").append(space_name(o));
+  text += "; 8 bit by ";
+  text += o.method == Method::legacy_schueler ? "the power 1/2.2" : "the piecewise sRGB curve";
+  text += ", rounded half up";
+  if (o.allow_extrapolation) text += "; extrapolation allowed";
+  return text;
+}
+
+struct F0Solver::State {
+  F0Options options;
+  WeightSums sums;
+  Quadrature quadrature;        // of every method but exact
+  std::vector<double> outside;  // n of the outside medium at the quadrature's wavelengths; empty: constant
+  double outside_n = 1;
+  Flags outside_flags;
+  Range outside_range{0, 0};
+
+  bool exact() const { return options.method == Method::exact; }
+
+  Quadrature quadrature_for(std::vector<double> knots) const {
+    if (const auto* medium = std::get_if<OpticalConstants>(&options.outside.index)) append_knots(*medium, knots);
+    std::sort(knots.begin(), knots.end());
+    return make_exact_quadrature(options.viewing, knots);
+  }
+
+  // n or k at the nodes of q.
+  void values(const Spectrum& table, const Quadrature& q, std::span<double> out) const {
+    if (options.method == Method::nm1 && options.interpolation == Interpolation::linear)
+      resample_to_grid(table, out.subspan<0, grid_size>());
+    else
+      resample(table, options.interpolation, q.wavelength_nm, out);
+  }
+
+  void index(const OpticalConstants& optics, const Quadrature& q, std::span<double> out) const {
+    if (const auto* formula = std::get_if<DispersionFormula>(&optics.n))
+      evaluate(*formula, q.wavelength_nm, out);
+    else
+      values(std::get<Spectrum>(optics.n), q, out);
+  }
+
+  void divide_by_outside(const Quadrature& q, std::span<double> n, std::span<double> k) const {
+    if (const auto* medium = std::get_if<OpticalConstants>(&options.outside.index)) {
+      std::vector<double> computed;
+      const std::vector<double>* n0 = &outside;
+      if (exact()) {
+        computed.resize(n.size());
+        index(*medium, q, computed);
+        n0 = &computed;
+      }
+      for (std::size_t i = 0; i < n.size(); ++i) {
+        n[i] /= (*n0)[i];
+        k[i] /= (*n0)[i];
+      }
+    } else if (outside_n != 1) {
+      for (std::size_t i = 0; i < n.size(); ++i) {
+        n[i] /= outside_n;
+        k[i] /= outside_n;
+      }
+    }
+  }
+
+  // Reflectance at the nodes, at normal incidence and at cos 1/7; false with a reason where the data do not allow it.
+  bool reflectance(const Optics& optics, const Quadrature& q, Scratch& scratch, std::string& refusal,
+                   Stopwatch& watch, F0Timing& timing) const {
+    if (const auto* table = std::get_if<Reflectance>(&optics)) {
+      values(table->spectrum, q, scratch.r0);
+      watch.lap(timing.interpolate);
+      return true;
+    }
+    const auto& constants = std::get<OpticalConstants>(optics);
+    index(constants, q, scratch.n);
+    if (constants.k)
+      values(*constants.k, q, scratch.k);
+    else
+      std::fill(scratch.k.begin(), scratch.k.end(), 0.0);
+    for (std::size_t i = 0; i < scratch.n.size(); ++i)
+      if (!(scratch.n[i] > 0)) {
+        refusal = "n = " + number(scratch.n[i], 6) + " at " + number(q.wavelength_nm[i], 6) + " nm; n must be above 0";
+        return false;
+      }
+    divide_by_outside(q, scratch.n, scratch.k);
+    watch.lap(timing.interpolate);
+    f64::f0(scratch.n, scratch.k, scratch.r0);
+    f64::fresnel_exact(scratch.n, scratch.k, f82_cosine, scratch.r82);
+    watch.lap(timing.fresnel);
+    return true;
+  }
+
+  void flag_data(const Optics& optics, F0Result& result) const {
+    const Coverage& coverage = result.coverage;
+    if (coverage.first_nm > core_first_nm || coverage.last_nm < core_last_nm || coverage.least() < flagged_below)
+      result.flags.set(Flag::extrapolated);
+    if (coverage.largest_gap_nm > wide_gap_nm) result.flags.set(Flag::gap);
+    const auto* constants = std::get_if<OpticalConstants>(&optics);
+    if (!constants) return;
+    const Range n = range_of(*constants);
+    if (std::holds_alternative<DispersionFormula>(constants->n) && (n.first_nm > grid_first_nm || n.last_nm < grid_last_nm))
+      result.flags.set(Flag::formula_clamped);
+    if (!constants->k)
+      result.flags.set(Flag::k_assumed_0);
+    else if (constants->k->first_nm() > std::max<double>(grid_first_nm, n.first_nm) ||
+             constants->k->last_nm() < std::min<double>(grid_last_nm, n.last_nm))
+      result.flags.set(Flag::k_range_short);
+  }
+
+  static bool is_single_sample(const Optics& optics) {
+    if (const auto* table = std::get_if<Reflectance>(&optics)) return table->spectrum.size() == 1;
+    const auto* table = std::get_if<Spectrum>(&std::get<OpticalConstants>(optics).n);
+    return table && table->size() == 1;
+  }
+
+  // Linear values in the chosen space and in sRGB of a weighted sum.
+  struct Spaces {
+    Xyz white;      // under the illuminant
+    Mat3 to_space, to_srgb, from_srgb;
+    LinearRgb space_white{1, 1, 1};
+  };
+
+  Spaces spaces_for(const Quadrature& q, std::span<const double> knots) const {
+    const Viewing d65{options.viewing.observer, Illuminant::d65};
+    Spaces s;
+    Xyz d65_white;
+    if (samples_rgb(options.method)) {
+      s.white = to_xyz(make_quadrature(Method::nm1, options.viewing).white());
+      d65_white = to_xyz(make_quadrature(Method::nm1, d65).white());
+    } else {
+      s.white = to_xyz(q.white());
+      d65_white = options.viewing == d65 ? s.white
+                  : exact()              ? to_xyz(make_exact_quadrature(d65, knots).white())
+                                         : to_xyz(make_quadrature(options.method, d65).white());
+    }
+    s.to_srgb = xyz_to_rgb(RgbSpace::srgb, s.white, d65_white);
+    s.from_srgb = inverse(s.to_srgb);
+    s.to_space = xyz_to_rgb(options.space, s.white, d65_white);
+    if (options.custom_space)
+      s.space_white = options.custom_space->convert(s.white, s.white);
+    else if (options.space == RgbSpace::xyz)
+      s.space_white = to_rgb(vec(s.white));
+    return s;
+  }
+
+  LinearRgb in_space(const Spaces& s, const Xyz& xyz) const {
+    return options.custom_space ? options.custom_space->convert(xyz, s.white) : to_rgb(s.to_space * vec(xyz));
+  }
+
+  void fill_colour(const Quadrature& q, const Spaces& s, std::span<const double> r0, std::span<const double> r82,
+                   F0Result& result) const {
+    // A point method's sum is linear sRGB already; through XYZ and back it would only gain rounding.
+    const auto colour = [&](std::span<const double> r, Xyz& xyz, LinearRgb& srgb) {
+      const std::array<double, 3> sum = q.integrate(r);
+      if (samples_rgb(options.method)) {
+        srgb = to_rgb(sum);
+        xyz = to_xyz(s.from_srgb * sum);
+        return options.space == RgbSpace::srgb && !options.custom_space ? srgb : in_space(s, xyz);
+      }
+      xyz = to_xyz(sum);
+      srgb = to_rgb(s.to_srgb * sum);
+      return in_space(s, xyz);
+    };
+    result.linear = colour(r0, result.xyz, result.srgb_linear);
+    result.srgb8 = options.method == Method::legacy_schueler ? power22_u8(result.srgb_linear) : srgb_u8(result.srgb_linear);
+    result.luminance = result.xyz.y;
+    result.zone = zone_of(result.luminance);
+    const Vec3 srgb = vec(result.srgb_linear);
+    for (std::size_t c = 0; c < 3; ++c) {
+      result.channel_in_zone[c] = zone_of(srgb[c]) == Zone::inside;
+      if (result.channel_in_zone[c] && result.zone != Zone::inside) result.flags.set(Flag::channel_in_zone);
+    }
+    const Vec3 linear = vec(result.linear), white = vec(s.space_white);
+    const bool has_gamut = options.custom_space || options.space != RgbSpace::xyz;
+    for (std::size_t c = 0; c < 3 && has_gamut; ++c) {
+      const double excess = linear[c] > 1 ? linear[c] - 1 : std::min(linear[c], 0.0);
+      if (std::abs(excess) <= gamut_tolerance) continue;
+      result.gamut_excess[c] = excess;
+      result.flags.set(Flag::out_of_gamut);
+    }
+    if (r82.empty()) return;
+    Xyz xyz82;
+    LinearRgb srgb82;
+    const Vec3 f82 = vec(colour(r82, xyz82, srgb82));
+    result.f82 = to_rgb(f82);
+    Vec3 tint;
+    for (std::size_t c = 0; c < 3; ++c)
+      tint[c] = f82[c] / (white[c] * f64::f_schlick(linear[c] / white[c], f82_cosine));
+    result.f82_tint = to_rgb(tint);
+  }
+
+  Spaces fixed_spaces;  // of every method but exact
+};
+
+F0Solver::F0Solver(F0Options options) {
+  auto state = std::make_unique<State>();
+  state->options = std::move(options);
+  const F0Options& o = state->options;
+  state->sums = weight_sums(o.viewing);
+  state->quadrature = make_quadrature(o.method, o.viewing);
+  if (!state->exact()) state->fixed_spaces = state->spaces_for(state->quadrature, {});
+  if (const auto* medium = std::get_if<OpticalConstants>(&o.outside.index)) {
+    const std::string place = "outside medium " + o.outside.label;
+    state->outside.resize(state->quadrature.wavelength_nm.size());
+    state->index(*medium, state->quadrature, state->outside);
+    for (const double n : state->outside)
+      if (!(n > 0)) throw Error::at(place, "n = " + number(n, 6), "n above 0 at 360-830 nm");
+    state->outside_range = range_of(*medium);
+    const Coverage coverage = coverage_of(state->outside_range, nullptr, state->sums);
+    if (coverage.weight[1] < refused_below && !o.allow_extrapolation)
+      throw Error::at(place, "data cover " + number(coverage.weight[1], 4) + " of the Y weight", "0.95, or --allow-extrapolation");
+    if (medium->k) {
+      std::array<double, grid_size> k;
+      resample_to_grid(*medium->k, k);
+      const double most = *std::max_element(k.begin(), k.end());
+      if (most > visible_absorption)
+        throw Error::at(place, "absorbs: k = " + number(most, 4) + " at 360-830 nm", "a clear medium, k at most 0.01");
+      if (most > 0) state->outside_flags.set(Flag::outside_absorption_ignored);
+    }
+  } else {
+    state->outside_n = std::get<double>(o.outside.index);
+    if (!(state->outside_n > 0) || !std::isfinite(state->outside_n))
+      throw Error::at("outside medium", "n = " + number(state->outside_n, 6), "a finite n above 0");
+  }
+  state_ = std::move(state);
+}
+
+F0Solver::~F0Solver() = default;
+F0Solver::F0Solver(F0Solver&&) noexcept = default;
+
+const F0Options& F0Solver::options() const { return state_->options; }
+
+F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timing) const {
+  F0Timing ignored;
+  F0Timing& times = timing ? *timing : ignored;
+  Stopwatch watch(timing != nullptr);
+  const State& state = *state_;
+  thread_local Scratch scratch;
+
+  F0Result result;
+  result.flags = data_flags;
+  result.flags |= state.outside_flags;
+  const auto* table = std::get_if<Reflectance>(&optics);
+  const auto* constants = std::get_if<OpticalConstants>(&optics);
+  const Spectrum* samples = table ? &table->spectrum : std::get_if<Spectrum>(&constants->n);
+  const Range range = table ? Range{samples->first_nm(), samples->last_nm()} : range_of(*constants);
+  result.coverage = coverage_of(range, samples, state.sums);
+  if (State::is_single_sample(optics)) result.flags.set(Flag::single_sample);
+  state.flag_data(optics, result);
+  if (result.coverage.weight[1] < refused_below && !state.options.allow_extrapolation) {
+    result.refusal = "data cover " + number(result.coverage.weight[1], 4) + " of the Y weight (" + number(range.first_nm, 6) +
+                     "-" + number(range.last_nm, 6) + " nm), 0.95 needed";
+    return result;
+  }
+
+  Quadrature exact;
+  State::Spaces exact_spaces;
+  const Quadrature* q = &state.quadrature;
+  const State::Spaces* spaces = &state.fixed_spaces;
+  if (state.exact()) {
+    std::vector<double> knots;
+    append_knots(optics, knots);
+    exact = state.quadrature_for(knots);
+    exact_spaces = state.spaces_for(exact, {});
+    q = &exact;
+    spaces = &exact_spaces;
+  }
+  scratch.resize(q->wavelength_nm.size());
+  if (!state.reflectance(optics, *q, scratch, result.refusal, watch, times)) return result;
+  state.fill_colour(*q, *spaces, scratch.r0, table ? std::span<const double>{} : scratch.r82, result);
+  watch.lap(times.sum);
+  return result;
+}
+
+F0Result F0Solver::solve(const std::vector<Part>& parts, Flags data_flags) const {
+  const State& state = *state_;
+  F0Result result;
+  result.flags = data_flags;
+  std::vector<double> knots;
+  bool has_f82 = true;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const F0Result part = solve(*parts[i].optics);
+    if (part.refused()) {
+      result.refusal = part.refusal;
+      result.coverage = part.coverage;
+      return result;
+    }
+    if (i == 0)
+      result.coverage = part.coverage;
+    else
+      intersect(result.coverage, part.coverage);
+    result.flags |= part.flags;
+    has_f82 = has_f82 && part.f82.has_value();
+    append_knots(*parts[i].optics, knots);
+  }
+  // Said again of the average, where they hold.
+  result.flags = Flags::from_bits(result.flags.bits() & ~(1u << static_cast<unsigned>(Flag::out_of_gamut)) &
+                                  ~(1u << static_cast<unsigned>(Flag::channel_in_zone)));
+
+  const Quadrature q = state.exact() ? state.quadrature_for(knots) : state.quadrature;
+  Scratch scratch;
+  scratch.resize(q.wavelength_nm.size());
+  std::fill(scratch.mixed0.begin(), scratch.mixed0.end(), 0.0);
+  std::fill(scratch.mixed82.begin(), scratch.mixed82.end(), 0.0);
+  F0Timing ignored;
+  Stopwatch watch(false);
+  for (const Part& part : parts) {
+    state.reflectance(*part.optics, q, scratch, result.refusal, watch, ignored);
+    for (std::size_t i = 0; i < scratch.r0.size(); ++i) {
+      scratch.mixed0[i] += part.weight * scratch.r0[i];
+      scratch.mixed82[i] += part.weight * scratch.r82[i];
+    }
+  }
+  const State::Spaces spaces = state.exact() ? state.spaces_for(q, {}) : state.fixed_spaces;
+  state.fill_colour(q, spaces, scratch.mixed0, has_f82 ? std::span<const double>(scratch.mixed82) : std::span<const double>{}, result);
+  return result;
+}
+
+}  // namespace etak

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/color/colorspace.h"
+#include "core/color/rgb.h"
+#include "core/material/material.h"
+#include "core/spectrum/integration.h"
+#include "core/spectrum/interpolate.h"
+
+namespace etak {
+
+/// Where the luminance of F0 lies against Hoffman's forbidden zone, the open interval (0.20, 0.45): few real
+/// materials are there (semiconductors), so an authored value inside it is most often a mistake.
+enum class Zone { below, inside, above };
+inline constexpr double forbidden_zone_first = 0.20;
+inline constexpr double forbidden_zone_last = 0.45;
+Zone zone_of(double luminance);
+std::string_view name(Zone zone);  // "below", "inside", "above"
+
+/// The medium in front of the material, without absorption.
+///   index   constant n > 0, or n by table or formula
+struct OutsideMedium {
+  std::string label = "vacuum";
+  std::variant<double, OpticalConstants> index = 1.0;
+};
+
+/// An output space that etak does not build itself, such as one of an OpenColorIO config.
+///   convert   takes XYZ (Y = 1 for a perfect reflector) and the white it was seen under to the space's linear values
+struct CustomSpace {
+  std::string name;
+  std::function<LinearRgb(const Xyz& color, const Xyz& white)> convert;
+};
+
+/// How F0 is computed. The default is etak's reference policy; policy() prints it.
+struct F0Options {
+  Viewing viewing;
+  Interpolation interpolation = Interpolation::linear;
+  Method method = Method::nm1;
+  RgbSpace space = RgbSpace::srgb;  // of F0Result::linear, f82, f82_tint
+  std::optional<CustomSpace> custom_space;  // when set, in place of `space`
+  OutsideMedium outside;
+  bool allow_extrapolation = false;
+};
+
+/// Name of the output space: of `custom_space` where set, else of `space`.
+std::string space_name(const F0Options& options);
+
+/// "n and k linear in wavelength, ends held; sum at 1 nm, 360-830 nm; CIE 1931 2-degree observer; D65; ..."
+std::string policy(const F0Options& options);
+
+/// What the data behind a result were.
+struct Coverage {
+  std::array<double, 3> weight{};  // share of the X, Y, Z weight inside the data's range, [0, 1]
+  double first_nm = 0, last_nm = 0;
+  std::size_t samples_400_700 = 0;  // table rows inside 400..700 nm; 0 for a formula
+  double largest_gap_nm = 0;        // between neighbouring rows, within 400..700 nm (its ends count); 0 for a formula
+  bool is_formula = false;
+
+  double least() const;             // smallest of the three weights
+};
+
+/// Reflectance at normal incidence as a colour, and what one must know to trust it.
+struct F0Result {
+  Xyz xyz;                     // under the chosen illuminant, Y = 1 for a perfect reflector
+  LinearRgb linear;            // in F0Options::space, never clipped
+  LinearRgb srgb_linear;       // in linear sRGB, never clipped
+  Srgb8 srgb8;                 // of srgb_linear, clipped to [0, 1] and rounded half up
+  double luminance = 0;        // Y
+  std::optional<LinearRgb> f82;       // reflectance at cos = 1/7, in `space`; none for reflectance data
+  std::optional<LinearRgb> f82_tint;  // f82 / Schlick(F0, cos 1/7), channel by channel
+  Zone zone = Zone::below;
+  std::array<bool, 3> channel_in_zone{};  // of srgb_linear
+  std::array<double, 3> gamut_excess{};   // of `linear`: amount above 1 (positive) or below 0 (negative); 0 inside.
+                                          // XYZ has no gamut: always 0 there
+  Coverage coverage;
+  Flags flags;
+  std::string refusal;         // not empty: no colour was computed, and why; all but coverage and flags is unset
+
+  bool refused() const { return !refusal.empty(); }
+  bool out_of_gamut() const;
+};
+
+/// Seconds spent per stage; summed by the caller over threads.
+struct F0Timing {
+  double interpolate = 0, fresnel = 0, sum = 0;
+};
+
+/// Turns optics into F0 under fixed options. Built once, const and shared between threads in use.
+class F0Solver {
+ public:
+  /// Throws Error when the outside medium absorbs visibly (k > 0.01 inside 360..830 nm) or lacks coverage.
+  explicit F0Solver(F0Options options);
+  ~F0Solver();
+  F0Solver(F0Solver&&) noexcept;
+
+  const F0Options& options() const;
+
+  /// Never throws for doubtful data: those give a refused or flagged result.
+  ///   data_flags   what the importer found; carried into the result
+  ///   timing       when given, stage times are added to it
+  F0Result solve(const Optics& optics, Flags data_flags = {}, F0Timing* timing = nullptr) const;
+
+  /// F0 of a polycrystal whose grains lie every way: the reflectance spectra of the axes, weighted, and so the
+  /// linear results too. (2 R_o + R_e) / 3 for uniaxial crystals, a third each for biaxial ones.
+  ///   parts    at least one, weights sum to 1
+  struct Part {
+    const Optics* optics;
+    double weight;
+  };
+  F0Result solve(const std::vector<Part>& parts, Flags data_flags = {}) const;
+
+ private:
+  struct State;
+  std::unique_ptr<const State> state_;
+};
+
+}  // namespace etak

@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/material/json.h"
+
+#include <algorithm>
+#include <charconv>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/material/dispersion.h"
+
+namespace etak {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view schema_name = "etak-material/1";
+constexpr int most_depth = 16;
+constexpr double most_n = 1e4, most_k = 1e6;
+
+// Parses and refuses what nlohmann lets pass: equal keys in one object, and depth without end.
+Json parse_strictly(std::string_view text, std::string_view file) {
+  std::vector<std::vector<std::string>> keys;
+  const auto check = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth > most_depth) throw Error::at(file, "nesting deeper than " + std::to_string(most_depth), "a material file");
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key) {
+      const auto key = parsed.get<std::string>();
+      if (std::find(keys.back().begin(), keys.back().end(), key) != keys.back().end())
+        throw Error::at(file, "key \"" + printable(key) + "\" twice in one object", "each key once");
+      keys.back().push_back(key);
+    }
+    return true;
+  };
+  try {
+    return Json::parse(text.begin(), text.end(), check);
+  } catch (const Json::exception& e) {
+    // "[json.exception.parse_error.101] parse error at line 3, column 5: ..." without the library's own tag.
+    std::string_view what = e.what();
+    if (const auto tag = what.find("] "); tag != what.npos) what.remove_prefix(tag + 2);
+    throw Error::at(file, printable(what, 200), "a JSON document");
+  }
+}
+
+// A value and where it stands, for messages.
+struct Node {
+  const Json& value;
+  std::string_view file;
+  std::string pointer;
+
+  [[noreturn]] void fail(std::string_view found, std::string_view expected = {}) const {
+    throw Error::at(std::string(file) + "#" + (pointer.empty() ? "/" : pointer), found, expected);
+  }
+  [[noreturn]] void fail_type(std::string_view expected) const {
+    fail(printable(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60), expected);
+  }
+  Node at(std::string_view key) const {
+    const auto found = value.find(key);
+    if (found == value.end()) fail("no \"" + std::string(key) + "\"", "this key");
+    return {*found, file, pointer + "/" + std::string(key)};
+  }
+  bool has(std::string_view key) const { return value.contains(key); }
+  Node at(std::size_t index) const { return {value[index], file, pointer + "/" + std::to_string(index)}; }
+
+  void expect_object(std::initializer_list<std::string_view> keys) const {
+    if (!value.is_object()) fail_type("an object");
+    for (const auto& [key, ignored] : value.items())
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) fail("unknown key \"" + printable(key) + "\"");
+  }
+  void expect_array() const {
+    if (!value.is_array()) fail_type("an array");
+  }
+  std::string text() const {
+    if (!value.is_string()) fail_type("a string");
+    return value.get<std::string>();
+  }
+  std::string text_or_empty(std::string_view key) const { return has(key) ? at(key).text() : std::string(); }
+  double number() const {
+    if (!value.is_number()) fail_type("a number");
+    const double number = value.get<double>();
+    if (!std::isfinite(number)) fail_type("a finite number");
+    return number;
+  }
+  int integer() const {
+    if (!value.is_number_integer() || value < -1000000 || value > 1000000) fail_type("a whole number");
+    return value.get<int>();
+  }
+  std::vector<std::string> texts() const {
+    expect_array();
+    std::vector<std::string> out;
+    for (std::size_t i = 0; i < value.size(); ++i) out.push_back(at(i).text());
+    return out;
+  }
+};
+
+bool is_made_of(std::string_view text, std::string_view characters) {
+  return !text.empty() && text.find_first_not_of(characters) == text.npos;
+}
+
+double read_scale(const Node& node) {
+  const std::string unit = node.text();
+  if (unit == "nm") return 1;
+  if (unit == "um") return 1000;
+  node.fail("unit \"" + printable(unit) + "\"", "\"nm\" or \"um\"");
+}
+
+// Column `column` of rows as a spectrum over column 0; every value within [lo, hi].
+Spectrum read_column(const Node& rows, std::size_t columns, std::size_t column, double scale, double lo, double hi,
+                     bool lo_excluded) {
+  rows.expect_array();
+  if (rows.value.empty()) rows.fail("no rows", "at least one");
+  Spectrum out;
+  out.wavelength_nm.reserve(rows.value.size());
+  out.value.reserve(rows.value.size());
+  for (std::size_t i = 0; i < rows.value.size(); ++i) {
+    const Json& row = rows.value[i];
+    if (!row.is_array() || row.size() != columns || !row[0].is_number() || !row[column].is_number())
+      rows.at(i).fail_type("an array of " + std::to_string(columns) + " numbers");
+    const double nm = row[0].get<double>() * scale, value = row[column].get<double>();
+    if (!(nm > 0) || !std::isfinite(nm)) rows.at(i).fail_type("a wavelength above 0 first");
+    if (!out.empty() && nm <= out.last_nm()) rows.at(i).fail_type("ascending wavelengths");
+    if (!(value >= lo && value <= hi) || (lo_excluded && value == lo))
+      rows.at(i).fail("value " + etak::number(value, 9),
+                      std::string(lo_excluded ? "above " : "at least ") + etak::number(lo, 3) + ", at most " + etak::number(hi, 3));
+    out.wavelength_nm.push_back(nm);
+    out.value.push_back(value);
+  }
+  return out;
+}
+
+Optics read_optics(const Node& node) {
+  const double scale = read_scale(node.at("unit"));
+  const std::string quantity = node.at("quantity").text();
+  const Node range = node.at("valid_range");
+  range.expect_array();
+  if (range.value.size() != 2) range.fail_type("two numbers");
+  const double first_nm = range.at(0).number() * scale, last_nm = range.at(1).number() * scale;
+
+  const auto check_range = [&](const Spectrum& s) {
+    if (s.first_nm() != first_nm || s.last_nm() != last_nm)
+      range.fail_type("the first and last wavelength of the rows");
+  };
+  const auto read_k = [&](OpticalConstants& optics) {
+    if (node.has("k_rows")) optics.k = read_column(node.at("k_rows"), 2, 1, scale, 0, most_k, false);
+  };
+
+  if (node.has("formula")) {
+    const Node formula = node.at("formula");
+    formula.expect_object({"number", "coefficients"});
+    for (const char* key : {"columns", "rows"})
+      if (node.has(key)) node.at(key).fail("rows beside a formula", "one of them");
+    DispersionFormula f;
+    f.number = formula.at("number").integer();
+    const Node coefficients = formula.at("coefficients");
+    coefficients.expect_array();
+    for (std::size_t i = 0; i < coefficients.value.size(); ++i) f.coefficients.push_back(coefficients.at(i).number());
+    f.first_nm = first_nm;
+    f.last_nm = last_nm;
+    validate(f, std::string(node.file) + "#" + formula.pointer);
+    OpticalConstants optics{std::move(f), {}};
+    read_k(optics);
+    if (quantity != (optics.k ? "n,k" : "n")) node.at("quantity").fail_type(optics.k ? "\"n,k\"" : "\"n\"");
+    return optics;
+  }
+
+  const std::vector<std::string> columns = node.at("columns").texts();
+  const Node rows = node.at("rows");
+  using Columns = std::vector<std::string>;
+  if (columns == Columns{"wavelength", "reflectance"} && quantity == "reflectance") {
+    if (node.has("k_rows")) node.at("k_rows").fail("k beside reflectance");
+    Reflectance out{read_column(rows, 2, 1, scale, 0, 1, false)};
+    check_range(out.spectrum);
+    return out;
+  }
+  OpticalConstants optics;
+  if (columns == Columns{"wavelength", "n", "k"} && quantity == "n,k") {
+    if (node.has("k_rows")) node.at("k_rows").fail("k twice", "a k column or k_rows");
+    optics.n = read_column(rows, 3, 1, scale, 0, most_n, true);
+    optics.k = read_column(rows, 3, 2, scale, 0, most_k, false);
+  } else if (columns == Columns{"wavelength", "n"} && quantity == (node.has("k_rows") ? "n,k" : "n")) {
+    optics.n = read_column(rows, 2, 1, scale, 0, most_n, true);
+    read_k(optics);
+  } else {
+    node.at("columns").fail_type("wavelength first, then what \"quantity\" says");
+  }
+  check_range(std::get<Spectrum>(optics.n));
+  return optics;
+}
+
+Citation read_citation(const Node& node) {
+  node.expect_object({"authors", "title", "published_in", "year", "doi", "url", "licence", "via"});
+  Citation c;
+  c.authors = node.at("authors").texts();
+  c.title = node.at("title").text();
+  c.published_in = node.at("published_in").text();
+  if (node.has("year")) c.year = node.at("year").integer();
+  c.doi = node.text_or_empty("doi");
+  c.url = node.text_or_empty("url");
+  c.licence = node.at("licence").text();
+  c.via = node.at("via").text();
+  return c;
+}
+
+Dataset read_dataset(const Node& node) {
+  node.expect_object({"id", "quantity", "origin", "sample", "temperature_kelvin", "axis", "citation", "flags", "note", "unit",
+                      "valid_range", "formula", "columns", "rows", "k_rows"});
+  Dataset d;
+  d.id = node.at("id").text();
+  if (!is_made_of(d.id, "abcdefghijklmnopqrstuvwxyz0123456789-.")) node.at("id").fail_type("a-z, 0-9, - and . only");
+  const Node origin = node.at("origin");
+  const auto known = origin_named(origin.text());
+  if (!known) origin.fail_type("measured, fit or computed");
+  d.origin = *known;
+  d.sample = node.at("sample").text();
+  if (node.has("temperature_kelvin")) d.temperature_kelvin = node.at("temperature_kelvin").number();
+  d.axis = node.text_or_empty("axis");
+  d.citation = read_citation(node.at("citation"));
+  if (node.has("flags"))
+    for (const std::string& text : node.at("flags").texts()) {
+      const auto flag = flag_named(text);
+      if (!flag) node.at("flags").fail("flag \"" + printable(text) + "\"", "a known flag");
+      d.flags.set(*flag);
+    }
+  d.note = node.text_or_empty("note");
+  d.optics = read_optics(node);
+  return d;
+}
+
+void append(std::string& out, double value) {
+  std::array<char, 32> text;
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
+  out.append(text.data(), result.ptr);
+}
+
+// Micrometres with the digits the source printed, or nothing where no 15 digits read back as the same nanometres.
+std::optional<double> in_micrometres(double nm) {
+  double um = 0;
+  if (parse_number(etak::number(nm / 1000, 15), um) && um * 1000 == nm) return um;
+  return std::nullopt;
+}
+
+// Wavelengths are written in the unit in which they are short: micrometres as databases print them, or nanometres.
+bool all_in_micrometres(const std::vector<double>& wavelengths_nm) {
+  return std::all_of(wavelengths_nm.begin(), wavelengths_nm.end(), [](double nm) { return in_micrometres(nm).has_value(); });
+}
+
+class Writer {
+ public:
+  void line(int indent, std::string_view text) {
+    out_.append(static_cast<std::size_t>(indent), ' ').append(text).push_back('\n');
+  }
+  static std::string quoted(const std::string& text) { return Json(text).dump(); }
+  static std::string list(const std::vector<std::string>& items) {
+    std::string out = "[";
+    for (const auto& item : items) out.append(out.size() > 1 ? ", " : "").append(quoted(item));
+    return out + "]";
+  }
+  std::string take() { return std::move(out_); }
+
+ private:
+  std::string out_;
+};
+
+void write_rows(Writer& w, std::string_view key, const std::vector<const Spectrum*>& columns, bool micrometres,
+                bool last) {
+  w.line(6, "\"" + std::string(key) + "\": [");
+  const Spectrum& first = *columns.front();
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    std::string row = "[";
+    append(row, micrometres ? *in_micrometres(first.wavelength_nm[i]) : first.wavelength_nm[i]);
+    for (const Spectrum* column : columns) {
+      row += ", ";
+      append(row, column->value[i]);
+    }
+    w.line(8, row + (i + 1 < first.size() ? "]," : "]"));
+  }
+  w.line(6, last ? "]" : "],");
+}
+
+// All wavelengths of the optics: rows, k rows, range of a formula.
+std::vector<double> wavelengths_of(const Optics& optics) {
+  if (const auto* reflectance = std::get_if<Reflectance>(&optics)) return reflectance->spectrum.wavelength_nm;
+  const auto& constants = std::get<OpticalConstants>(optics);
+  std::vector<double> all;
+  if (const auto* formula = std::get_if<DispersionFormula>(&constants.n))
+    all = {formula->first_nm, formula->last_nm};
+  else
+    all = std::get<Spectrum>(constants.n).wavelength_nm;
+  if (constants.k) all.insert(all.end(), constants.k->wavelength_nm.begin(), constants.k->wavelength_nm.end());
+  return all;
+}
+
+void write_optics(Writer& w, const Optics& optics) {
+  const bool micrometres = all_in_micrometres(wavelengths_of(optics));
+  const auto range = [&](double first, double last) {
+    std::string text = "\"valid_range\": [";
+    append(text, micrometres ? *in_micrometres(first) : first);
+    text += ", ";
+    append(text, micrometres ? *in_micrometres(last) : last);
+    w.line(6, text + "],");
+  };
+  w.line(6, micrometres ? "\"unit\": \"um\"," : "\"unit\": \"nm\",");
+  if (const auto* reflectance = std::get_if<Reflectance>(&optics)) {
+    range(reflectance->spectrum.first_nm(), reflectance->spectrum.last_nm());
+    w.line(6, "\"columns\": [\"wavelength\", \"reflectance\"],");
+    return write_rows(w, "rows", {&reflectance->spectrum}, micrometres, true);
+  }
+  const auto& constants = std::get<OpticalConstants>(optics);
+  if (const auto* formula = std::get_if<DispersionFormula>(&constants.n)) {
+    range(formula->first_nm, formula->last_nm);
+    std::string text = "\"formula\": {\"number\": " + std::to_string(formula->number) + ", \"coefficients\": [";
+    for (std::size_t i = 0; i < formula->coefficients.size(); ++i) {
+      if (i > 0) text += ", ";
+      append(text, formula->coefficients[i]);
+    }
+    w.line(6, text + (constants.k ? "]}," : "]}"));
+  } else {
+    const auto& n = std::get<Spectrum>(constants.n);
+    range(n.first_nm(), n.last_nm());
+    if (constants.k && constants.k->wavelength_nm == n.wavelength_nm) {
+      w.line(6, "\"columns\": [\"wavelength\", \"n\", \"k\"],");
+      return write_rows(w, "rows", {&n, &*constants.k}, micrometres, true);
+    }
+    w.line(6, "\"columns\": [\"wavelength\", \"n\"],");
+    write_rows(w, "rows", {&n}, micrometres, !constants.k);
+  }
+  if (constants.k) write_rows(w, "k_rows", {&*constants.k}, micrometres, true);
+}
+
+void write_dataset(Writer& w, const Dataset& d) {
+  const auto pair = [&](int indent, std::string_view key, const std::string& value, bool comma = true) {
+    w.line(indent, "\"" + std::string(key) + "\": " + value + (comma ? "," : ""));
+  };
+  const auto* constants = std::get_if<OpticalConstants>(&d.optics);
+  pair(6, "id", Writer::quoted(d.id));
+  pair(6, "quantity", constants ? constants->k ? "\"n,k\"" : "\"n\"" : "\"reflectance\"");
+  pair(6, "origin", Writer::quoted(std::string(name(d.origin))));
+  pair(6, "sample", Writer::quoted(d.sample));
+  if (d.temperature_kelvin) {
+    std::string kelvin;
+    append(kelvin, *d.temperature_kelvin);
+    pair(6, "temperature_kelvin", kelvin);
+  }
+  if (!d.axis.empty()) pair(6, "axis", Writer::quoted(d.axis));
+  const Citation& c = d.citation;
+  w.line(6, "\"citation\": {");
+  pair(8, "authors", Writer::list(c.authors));
+  pair(8, "title", Writer::quoted(c.title));
+  pair(8, "published_in", Writer::quoted(c.published_in));
+  if (c.year != 0) pair(8, "year", std::to_string(c.year));
+  if (!c.doi.empty()) pair(8, "doi", Writer::quoted(c.doi));
+  if (!c.url.empty()) pair(8, "url", Writer::quoted(c.url));
+  pair(8, "licence", Writer::quoted(c.licence));
+  pair(8, "via", Writer::quoted(c.via), false);
+  w.line(6, "},");
+  if (!d.flags.none()) {
+    std::vector<std::string> flags;
+    d.flags.for_each([&](Flag flag) { flags.emplace_back(name(flag)); });
+    pair(6, "flags", Writer::list(flags));
+  }
+  if (!d.note.empty()) pair(6, "note", Writer::quoted(d.note));
+  write_optics(w, d.optics);
+}
+
+}  // namespace
+
+Material parse_material(std::string_view text, std::string_view file) {
+  const Json document = parse_strictly(text, file);
+  const Node node{document, file, ""};
+  node.expect_object({"schema", "id", "name", "aliases", "class", "preferred", "preferred_reason", "datasets"});
+  if (node.at("schema").text() != schema_name) node.at("schema").fail_type("\"" + std::string(schema_name) + "\"");
+
+  Material m;
+  m.id = node.at("id").text();
+  if (!is_made_of(m.id, "abcdefghijklmnopqrstuvwxyz0123456789_")) node.at("id").fail_type("a-z, 0-9 and _ only");
+  m.name = node.at("name").text();
+  if (m.name.empty()) node.at("name").fail_type("a name");
+  m.aliases = node.at("aliases").texts();
+  m.material_class = node.at("class").text();
+  if (std::find(material_classes.begin(), material_classes.end(), m.material_class) == material_classes.end())
+    node.at("class").fail_type("a known class");
+  const Node datasets = node.at("datasets");
+  datasets.expect_array();
+  if (datasets.value.empty()) datasets.fail("no datasets", "at least one");
+  for (std::size_t i = 0; i < datasets.value.size(); ++i) {
+    Dataset d = read_dataset(datasets.at(i));
+    if (m.dataset(d.id)) datasets.at(i).fail("dataset \"" + d.id + "\" twice", "each id once");
+    m.datasets.push_back(std::move(d));
+  }
+  const std::string preferred = node.at("preferred").text();
+  const Dataset* chosen = m.dataset(preferred);
+  if (!chosen) node.at("preferred").fail_type("the id of a dataset");
+  m.preferred = static_cast<std::size_t>(chosen - m.datasets.data());
+  m.preferred_reason = node.at("preferred_reason").text();
+  return m;
+}
+
+std::string format_material(const Material& m) {
+  Writer w;
+  w.line(0, "{");
+  const auto pair = [&](std::string_view key, const std::string& value) {
+    w.line(2, "\"" + std::string(key) + "\": " + value + ",");
+  };
+  pair("schema", Writer::quoted(std::string(schema_name)));
+  pair("id", Writer::quoted(m.id));
+  pair("name", Writer::quoted(m.name));
+  pair("aliases", Writer::list(m.aliases));
+  pair("class", Writer::quoted(m.material_class));
+  pair("preferred", Writer::quoted(m.preferred_dataset().id));
+  pair("preferred_reason", Writer::quoted(m.preferred_reason));
+  w.line(2, "\"datasets\": [");
+  for (std::size_t i = 0; i < m.datasets.size(); ++i) {
+    w.line(4, "{");
+    write_dataset(w, m.datasets[i]);
+    w.line(4, i + 1 < m.datasets.size() ? "}," : "}");
+  }
+  w.line(2, "]");
+  w.line(0, "}");
+  return w.take();
+}
+
+}  // namespace etak

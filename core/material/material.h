@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/spectrum/spectrum.h"
+
+namespace etak {
+
+/// What was found in the data, or in the result made from them, that a user should know. Each has a short name
+/// (`name(flag)`, kebab-case) that is part of the CSV and JSON interface.
+enum class Flag : std::uint8_t {
+  extrapolated,           // data do not cover 400..700 nm, or under 0.99 of one of the X, Y, Z weights
+  out_of_gamut,           // a linear channel lies outside [0, 1]
+  channel_in_zone,        // one channel, but not the luminance, lies in the forbidden zone
+  gap,                    // neighbouring samples inside 400..700 nm are more than 20 nm apart
+  single_sample,          // a table of one row
+  unsorted,               // rows were not ascending and were sorted
+  duplicate_wavelength,   // rows of equal wavelength and different values were averaged (or the first was kept)
+  duplicate_dropped,      // identical rows were dropped
+  negative_k,             // k below zero was taken as 0
+  k_assumed_0,            // no k given
+  k_range_short,          // k is tabulated over less of 360..830 nm than n; its end values are held
+  n_not_positive,         // n at or below zero outside 360..830 nm
+  formula_clamped,        // the formula was evaluated at the end of its stated range
+  unpaired_coefficient,   // a formula's last coefficient has no partner and was left out
+  outside_absorption_ignored,  // the outside medium's small k was taken as 0
+  reflectance_clamped,    // tabulated reflectance up to 2 % outside [0, 1] was taken as 0 or 1
+};
+inline constexpr std::size_t flag_count = 16;
+
+std::string_view name(Flag flag);
+std::string_view meaning(Flag flag);  // one sentence, for docs and pages
+std::optional<Flag> flag_named(std::string_view text);
+
+/// A set of flags, iterated in the order of the enumeration.
+class Flags {
+ public:
+  void set(Flag flag) { bits_ |= bit(flag); }
+  bool has(Flag flag) const { return (bits_ & bit(flag)) != 0; }
+  bool none() const { return bits_ == 0; }
+  Flags& operator|=(Flags other) {
+    bits_ |= other.bits_;
+    return *this;
+  }
+  std::uint32_t bits() const { return bits_; }
+  static Flags from_bits(std::uint32_t bits) {
+    Flags flags;
+    flags.bits_ = bits;
+    return flags;
+  }
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (std::size_t i = 0; i < flag_count; ++i)
+      if (has(static_cast<Flag>(i))) visit(static_cast<Flag>(i));
+  }
+  friend bool operator==(Flags, Flags) = default;
+
+ private:
+  static std::uint32_t bit(Flag flag) { return 1u << static_cast<unsigned>(flag); }
+  std::uint32_t bits_ = 0;
+};
+
+/// A dispersion formula n(wavelength) of refractiveindex.info's numbering (1 Sellmeier ... 9 exotic).
+///   coefficients   C1, C2, ... for wavelengths in micrometres
+///   first_nm, last_nm   stated range; outside of it the value at its end is held
+struct DispersionFormula {
+  int number = 1;
+  std::vector<double> coefficients;
+  double first_nm = 0;
+  double last_nm = 0;
+  friend bool operator==(const DispersionFormula&, const DispersionFormula&) = default;
+};
+
+/// n by table or formula, k by table or absent (then 0). k may have a grid of its own.
+struct OpticalConstants {
+  std::variant<Spectrum, DispersionFormula> n;
+  std::optional<Spectrum> k;
+  friend bool operator==(const OpticalConstants&, const OpticalConstants&) = default;
+};
+
+/// Reflectance at (near-)normal incidence, or total reflectance of a diffuse sample, in [0, 1].
+struct Reflectance {
+  Spectrum spectrum;
+  friend bool operator==(const Reflectance&, const Reflectance&) = default;
+};
+
+/// What one source says of one sample: n, k or reflectance.
+using Optics = std::variant<OpticalConstants, Reflectance>;
+
+struct Citation {
+  std::vector<std::string> authors;
+  std::string title;
+  std::string published_in;  // journal, volume, pages; or the report's name
+  int year = 0;              // 0: not known
+  std::string doi;           // without resolver; may be empty
+  std::string url;           // may be empty
+  std::string licence;       // of the numbers: SPDX id, "CC0-1.0"
+  std::string via;           // where the numbers were taken from: collection and page
+  friend bool operator==(const Citation&, const Citation&) = default;
+};
+
+enum class Origin { measured, fit, computed };
+std::string_view name(Origin origin);
+std::optional<Origin> origin_named(std::string_view text);
+
+struct Dataset {
+  std::string id;      // unique within the material
+  Optics optics;
+  Origin origin = Origin::measured;
+  std::string sample;  // state of the sample, in etak's words; may be empty
+  std::optional<double> temperature_kelvin;
+  std::string axis;    // "ordinary", "extraordinary", "alpha", "beta", "gamma"; empty: isotropic or unstated
+  Citation citation;
+  Flags flags;         // what the importer found
+  std::string note;    // may be empty
+  friend bool operator==(const Dataset&, const Dataset&) = default;
+};
+
+/// Families of materials; conductors, semiconductors and dielectrics are told apart by optical_kind().
+inline constexpr std::array<std::string_view, 15> material_classes{
+    "metal",   "alloy", "conductor", "semiconductor", "gem",   "mineral", "crystal", "salt",
+    "glass",   "plastic", "organic", "liquid",        "solid", "gas",     "surface"};
+
+/// "conductor" (metal, alloy, conductor), "semiconductor", "surface" (measured reflectance of everyday things) or
+/// "dielectric" (all the rest).
+std::string_view optical_kind(std::string_view material_class);
+
+struct Material {
+  std::string id;  // lower case, [a-z0-9_]
+  std::string name;
+  std::vector<std::string> aliases;
+  std::string material_class;
+  std::vector<Dataset> datasets;  // at least one, ids unique
+  std::size_t preferred = 0;      // index of the default dataset
+  std::string preferred_reason;
+  friend bool operator==(const Material&, const Material&) = default;
+
+  const Dataset& preferred_dataset() const { return datasets[preferred]; }
+  const Dataset* dataset(std::string_view dataset_id) const;
+};
+
+/// One line: "A. Author and B. Author, Title, Journal 1, 2 (1972), doi:...".
+std::string one_line(const Citation& citation);
+
+}  // namespace etak
