@@ -15,6 +15,11 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   if (length == 0 || i + length > text.size()) return 0;
   for (std::size_t j = 1; j < length; ++j)
     if ((static_cast<unsigned char>(text[i + j]) & 0xC0) != 0x80) return 0;
+  // Overlong forms, surrogates and what lies above U+10FFFF show in the second byte.
+  const unsigned char second = length > 1 ? static_cast<unsigned char>(text[i + 1]) : 0;
+  if ((byte == 0xE0 && second < 0xA0) || (byte == 0xED && second > 0x9F) || (byte == 0xF0 && second < 0x90) ||
+      (byte == 0xF4 && second > 0x8F))
+    return 0;
   return length;
 }
 

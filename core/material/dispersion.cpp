@@ -23,9 +23,9 @@ namespace {
 constexpr std::size_t block_size = 64;
 using Block = std::array<double, block_size>;
 
-// L and L^2 of one block; unused places hold 1, so that no loop needs a tail.
+// L, L^2 and L^-2 of one block; unused places repeat the last wavelength, so that no loop needs a tail.
 struct Wavelengths {
-  Block um, um2;
+  Block um, um2, per_um2;
 };
 
 // C1, C2, ... with absent ones as 0.
@@ -46,22 +46,22 @@ void power(const Wavelengths& l, double exponent, Block& out) {
     return;
   }
   auto rest = static_cast<unsigned>(std::abs(exponent));
-  Block square;
-  if (rest % 2 == 0) {
-    square = l.um2;
-    rest /= 2;
-  } else {
-    square = l.um;
-  }
-  if (exponent < 0)
+  if (rest == 0) return fill(out, 1);
+  const bool even = rest % 2 == 0;
+  Block square = even ? (exponent < 0 ? l.per_um2 : l.um2) : l.um;
+  if (!even && exponent < 0)
     for (double& x : square) x = 1 / x;
-  fill(out, 1);
-  while (rest > 0) {
+  if (even) rest /= 2;
+  const auto square_again = [&] {
+    for (double& x : square) x *= x;
+    rest /= 2;
+  };
+  while (rest % 2 == 0) square_again();
+  out = square;
+  while (rest > 1) {
+    square_again();
     if (rest % 2 == 1)
       for (std::size_t i = 0; i < block_size; ++i) out[i] *= square[i];
-    rest /= 2;
-    if (rest > 0)
-      for (double& x : square) x *= x;
   }
 }
 
@@ -107,7 +107,7 @@ void gases(const Wavelengths& l, const Coefficients& c, Block& n) {
   fill(n, 1 + c(1));
   for (std::size_t j = 2; j + 1 <= c.size(); j += 2) {
     const double strength = c(j), pole = c(j + 1);
-    for (std::size_t i = 0; i < block_size; ++i) n[i] += strength / (pole - 1 / l.um2[i]);
+    for (std::size_t i = 0; i < block_size; ++i) n[i] += strength / (pole - l.per_um2[i]);
   }
 }
 
@@ -199,6 +199,7 @@ void evaluate(const DispersionFormula& formula, std::span<const double> at_nm, s
       l.um[i] = std::min(std::max(nm, formula.first_nm), formula.last_nm) / 1000;
     }
     for (std::size_t i = 0; i < block_size; ++i) l.um2[i] = l.um[i] * l.um[i];
+    for (std::size_t i = 0; i < block_size; ++i) l.per_um2[i] = 1 / l.um2[i];
     if (evaluate_block(formula.number, l, coefficients, out))
       for (double& x : out) x = std::sqrt(x);
     // A pole gives an infinity (or 0/0); neither is an index.

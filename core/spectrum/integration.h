@@ -53,7 +53,7 @@ Quadrature make_quadrature(Method method, Viewing viewing);
 
 /// The exact method for data whose samples lie at `knots_nm` (ascending, any range): piecewise smooth between them.
 /// With n and k linear between knots the integrand is rational there; five Gauss points leave a relative error
-/// below 1e-12 for intervals of 1 nm.
+/// below 1e-11 for published data, and 3e-7 for a spike of n from 0.5 to 9 within half a nanometre.
 Quadrature make_exact_quadrature(Viewing viewing, std::span<const double> knots_nm);
 
 /// Share of each of the X, Y, Z weights (sums at 1 nm over 360..830 nm) that lies inside [first_nm, last_nm]; a grid

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <chrono>
+#include <memory>
+
+#include "app/cli/f0_worker.h"
+#include "app/cli/inputs.h"
+#include "app/cli/options.h"
+#include "app/cli/output.h"
+#include "app/cli/verbs.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/parallel.h"
+#include "core/report/f0_report.h"
+
+namespace etak::cli {
+namespace {
+
+struct F0Arguments {
+  InputArguments inputs;
+  ComputeArguments compute;
+  TableArguments tables;
+  OutputArguments output;
+  Library library;
+  unsigned threads = 0;
+  bool axis_average = false;
+  bool stats = false;
+};
+
+// What happened to the inputs, for the exit status and the closing remark.
+struct Tally {
+  std::size_t rows = 0, answered = 0, refused = 0, refused_by_name = 0, failed = 0, nonlinear = 0, other = 0;
+
+  Tally& operator+=(const Tally& more) {
+    rows += more.rows;
+    answered += more.answered;
+    refused += more.refused;
+    refused_by_name += more.refused_by_name;
+    failed += more.failed;
+    nonlinear += more.nonlinear;
+    other += more.other;
+    return *this;
+  }
+};
+
+void count(const Outcome& outcome, const Input& input, Tally& tally) {
+  tally.nonlinear += outcome.kind == Outcome::Kind::nonlinear;
+  tally.other += outcome.kind == Outcome::Kind::other;
+  if (outcome.kind != Outcome::Kind::answered) return;
+  ++tally.answered;
+  if (!outcome.row.result.refused()) return;
+  ++tally.refused;
+  tally.refused_by_name += !input.from_folder;
+}
+
+// The output of neighbouring inputs, written by one worker. Forms made of lines are text at once, so that a
+// run over thousands of files never holds their results; the others keep rows.
+struct Chunk {
+  std::string text;
+  std::vector<F0Row> rows;
+  std::vector<std::string> errors;
+  Tally tally;
+};
+constexpr std::size_t chunk_inputs = 8;
+
+void add_row(F0Row row, const std::string& format, const F0Options& options, Chunk& out) {
+  if (format == "csv")
+    append_f0_csv(out.text, row.path, row.result);
+  else if (format == "jsonl")
+    out.text += f0_jsonl({&row, 1}, options);
+  else
+    out.rows.push_back(std::move(row));
+  ++out.tally.rows;
+}
+
+void answer_one(const Input& input, const F0Job& job, const std::string& format, F0Worker& worker,
+                Chunk& out) {
+  try {
+    Outcome outcome = worker.answer(input, job);
+    count(outcome, input, out.tally);
+    if (outcome.kind != Outcome::Kind::answered) return;
+    worker.start_lap(job);
+    add_row(std::move(outcome.row), format, job.solver.options(), out);
+    worker.lap(worker.times.print, job);
+  } catch (const Error& error) {
+    ++out.tally.failed;
+    out.errors.emplace_back(error.what());
+    if (!input.from_folder) return;
+    // A folder's rows are its files: one that is broken must not go missing from the table.
+    F0Row row;
+    row.path = input.label();
+    row.result.refusal = std::string("error: ") + error.what();
+    add_row(std::move(row), format, job.solver.options(), out);
+  }
+}
+
+std::string joined(std::vector<Chunk>& chunks, const std::string& format, const F0Options& options,
+                   bool color) {
+  std::string out = format == "csv" ? f0_csv_header() : std::string();
+  std::vector<F0Row> rows;
+  for (Chunk& chunk : chunks) {
+    out += chunk.text;
+    std::move(chunk.rows.begin(), chunk.rows.end(), std::back_inserter(rows));
+  }
+  if (format == "json") return f0_json(rows, options);
+  if (format == "table") return f0_table(rows, options, color);
+  return out;
+}
+
+// What the HTML form shows of one input; a material without datasets where there is nothing to show.
+MaterialReport html_report(const Input& input, const F0Job& job, F0Worker& worker, Tally& tally) {
+  Outcome outcome;
+  if (input.from_folder) {
+    // Folders hold files that are no pages, and pages without n make no material.
+    outcome = worker.answer(input, job);
+    if (outcome.kind != Outcome::Kind::answered || outcome.without_optics) {
+      count(outcome, input, tally);
+      return {};
+    }
+  }
+  MaterialReport report{read_material(input, job.tables), {}};
+  for (const Dataset& dataset : report.material.datasets)
+    report.results.push_back(job.solver.solve(dataset.optics, dataset.flags));
+  outcome.row.result = report.results[report.material.preferred];
+  count(outcome, input, tally);
+  return report;
+}
+
+// The HTML form shows whole materials with all their datasets instead of rows.
+std::string html(const std::vector<Input>& inputs, const F0Job& job, std::vector<F0Worker>& workers,
+                 std::vector<std::string>& errors, Tally& tally) {
+  std::vector<MaterialReport> reports(inputs.size());
+  std::vector<std::string> failures(inputs.size());
+  std::vector<Tally> tallies(workers.size());
+  const auto threads = static_cast<unsigned>(workers.size());
+  parallel_chunks(inputs.size(), threads, 1, [&](std::size_t i, std::size_t, unsigned worker) {
+    try {
+      reports[i] = html_report(inputs[i], job, workers[worker], tallies[worker]);
+    } catch (const Error& error) {
+      failures[i] = error.what();
+    }
+  });
+  for (const Tally& part : tallies) tally += part;
+  std::vector<MaterialReport> shown;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!failures[i].empty()) errors.push_back(std::move(failures[i]));
+    if (!reports[i].results.empty()) shown.push_back(std::move(reports[i]));
+  }
+  tally.failed = errors.size();
+  tally.rows = shown.size();
+  return f0_page(shown, job.solver.options());
+}
+
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what;
+}
+
+void print_remarks(const F0Arguments& arguments, const std::vector<Input>& inputs, const Tally& tally) {
+  if (inputs.size() < 2) return;
+  std::string text = counted(tally.answered, "answered");
+  if (tally.refused > 0) text += ", " + counted(tally.refused, "of them refused (the flags say why)");
+  if (tally.nonlinear > 0) text += "; " + counted(tally.nonlinear, "n2 files are no pages");
+  if (tally.other > 0) text += "; " + counted(tally.other, "about and catalogue files are no pages");
+  if (tally.failed > 0) text += "; " + counted(tally.failed, "failed");
+  remark(arguments.output, text);
+}
+
+void print_stats(const StageTimes& times, double find, double wall, std::size_t inputs, unsigned threads) {
+  const auto ms = [](double seconds) { return number(seconds * 1e3, 3) + " ms"; };
+  const double megabytes = static_cast<double>(times.bytes) / 1e6;
+  complain("stats: " + std::to_string(inputs) + " inputs, " + number(megabytes, 4) + " MB in " + ms(wall) +
+           " on " + std::to_string(threads) + (threads == 1 ? " thread, " : " threads, ") +
+           number(megabytes / wall, 4) + " MB/s");
+  complain("stats: find " + ms(find) + "; summed over threads: read " + ms(times.read) + ", parse " +
+           ms(times.parse) + ", interpolate " + ms(times.f0.interpolate) + ", Fresnel " +
+           ms(times.f0.fresnel) + ", sum " + ms(times.f0.sum) + ", print " + ms(times.print));
+}
+
+int run(F0Arguments& arguments) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds_since = [](Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+  };
+  const auto begin = Clock::now();
+  const OutputArguments& output = arguments.output;
+  const bool is_html = output.format == "html";
+  if (arguments.inputs.names.empty() && arguments.inputs.files_from.empty() && !arguments.inputs.all)
+    throw Error::at("etak f0", "no input", "a material, file or folder, - for standard input, or --all");
+  if (is_html && (arguments.axis_average || !arguments.inputs.dataset.empty()))
+    throw Error::at("--format html", "shows every dataset of a material",
+                    "no --dataset and no --axis-average");
+  // A bad --library is the call's mistake even where no name is looked up.
+  if (!arguments.library.folders.empty()) (void)arguments.library.get();
+  const F0Solver solver(f0_options(arguments.compute, arguments.library));
+  const bool with_source = output.format != "csv";
+  const F0Job job{solver, table_options(arguments.tables), arguments.axis_average, with_source,
+                  arguments.stats};
+  const unsigned threads = thread_count(arguments.threads);
+  const std::vector<Input> inputs = find_inputs(arguments.inputs, arguments.library, threads);
+  const double find = seconds_since(begin);
+
+  Tally tally;
+  std::vector<std::string> errors;
+  StageTimes times;
+  std::string text;
+  std::vector<F0Worker> workers(threads);
+  if (is_html) {
+    text = html(inputs, job, workers, errors, tally);
+  } else {
+    std::vector<Chunk> chunks((inputs.size() + chunk_inputs - 1) / chunk_inputs);
+    {
+      Progress progress(output, inputs.size());
+      parallel_chunks(
+          inputs.size(), threads, chunk_inputs, [&](std::size_t first, std::size_t last, unsigned worker) {
+            for (std::size_t i = first; i < last; ++i)
+              answer_one(inputs[i], job, output.format, workers[worker], chunks[first / chunk_inputs]);
+            progress.advance(last - first, worker);
+          });
+    }
+    for (const F0Worker& worker : workers) times += worker.times;
+    for (Chunk& chunk : chunks) {
+      tally += chunk.tally;
+      std::move(chunk.errors.begin(), chunk.errors.end(), std::back_inserter(errors));
+    }
+    const auto print_begin = Clock::now();
+    text = joined(chunks, output.format, solver.options(), use_color(output));
+    times.print += seconds_since(print_begin);
+  }
+  for (const std::string& error : errors) complain(error);
+  if (tally.rows == 0 && errors.empty())
+    throw Error::at(
+        arguments.inputs.names.empty() ? arguments.inputs.files_from : arguments.inputs.names.front(),
+        "holds no page of n and k", "a page, table or material file");
+  const auto write_begin = Clock::now();
+  // Where nothing could be read there is nothing to say, and no file to replace an older, better one.
+  if (tally.rows > 0) write_output(output, text);
+  times.print += seconds_since(write_begin);
+  print_remarks(arguments, inputs, tally);
+  if (arguments.stats) print_stats(times, find, seconds_since(begin), inputs.size(), threads);
+  if (tally.failed > 0) return exit_failure;
+  return tally.refused_by_name > 0 ? exit_findings : exit_ok;
+}
+
+}  // namespace
+
+void add_f0(CLI::App& app, Verb& chosen) {
+  const auto arguments = std::make_shared<F0Arguments>();
+  CLI::App& verb = *app.add_subcommand("f0", "reflectance at normal incidence as a colour");
+  add_input_options(verb, arguments->inputs);
+  verb.add_option("--files-from", arguments->inputs.files_from,
+                  "read more inputs from LIST, one per line or NUL-separated")
+      ->type_name("LIST");
+  verb.add_flag("--all", arguments->inputs.all, "every material of the library");
+  verb.add_option("--dataset", arguments->inputs.dataset, "dataset to take instead of the preferred one")
+      ->type_name("ID");
+  verb.add_flag("--axis-average", arguments->axis_average,
+                "crystals as random grains: (2 ordinary + extraordinary) / 3, or a third of alpha, beta and "
+                "gamma each");
+  add_compute_options(verb, arguments->compute);
+  add_table_options(verb, arguments->tables);
+  add_library_options(verb, arguments->library);
+  add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "html"});
+  add_thread_option(verb, arguments->threads);
+  verb.add_flag("--stats", arguments->stats, "time per stage and MB/s on standard error");
+  verb.footer(
+      "A folder gives one row per page, in path order; a refractiveindex.info database tree is recognised.\n"
+      "Exit status: 0 done, 1 an input named by itself was refused by the rules, 2 an input failed.\n"
+      "Example:\n  etak f0 gold silver --format csv");
+  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace etak::cli {
+
+/// What etak takes a file for, by the ending of its name.
+enum class FileKind { unknown, page, table, material };
+FileKind file_kind(std::string_view path);  // .yml .yaml | .csv .tsv .txt .dat | .json
+
+/// The recognised files below a folder.
+///   root         folder the shown paths are relative to, with a '/' at its end
+///   files        whole paths, sorted byte by byte
+///   unreadable   one message per subfolder that could not be read
+struct Folder {
+  std::string root;
+  bool is_database = false;  // a tree of the refractiveindex.info database: root is its data folder
+  std::vector<std::string> files;
+  std::vector<std::string> unreadable;
+};
+
+/// Lists `path` on `threads` threads. Hidden entries are left out; links to files are followed; a linked
+/// folder is entered only when nothing else led there, so that no file comes twice and no loop arises. Throws
+/// Error when `path` itself cannot be read.
+Folder list_folder(const std::string& path, unsigned threads);
+
+}  // namespace etak::cli

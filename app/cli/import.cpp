@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/inputs.h"
+#include "app/cli/options.h"
+#include "app/cli/output.h"
+#include "app/cli/verbs.h"
+#include "core/base/error.h"
+#include "core/material/json.h"
+
+namespace etak::cli {
+namespace {
+
+struct ImportArguments {
+  InputArguments inputs;
+  std::string id, name, material_class;
+  TableArguments tables;
+  OutputArguments output;
+  Library library;  // find_inputs needs one; no name of it can be imported
+};
+
+// "a" is taken: "a-2", "a-3", ...
+std::string free_dataset_id(const Material& material, const std::string& id) {
+  std::string out = id;
+  for (int i = 2; material.dataset(out) != nullptr; ++i) out = id + "-" + std::to_string(i);
+  return out;
+}
+
+void append_datasets(Material& material, Material more) {
+  for (Dataset& dataset : more.datasets) {
+    dataset.id = free_dataset_id(material, dataset.id);
+    material.datasets.push_back(std::move(dataset));
+  }
+}
+
+int run(ImportArguments& arguments) {
+  const TableOptions tables = table_options(arguments.tables);
+  if (arguments.inputs.names.empty()) throw Error::at("etak import", "no input", "a page or table");
+  Material material;
+  for (const Input& input : find_inputs(arguments.inputs, arguments.library, 1)) {
+    if (input.kind == Input::Kind::material)
+      throw Error::at(input.path, "is a material of the library", "a page, table or material file");
+    Material next = read_material(input, tables, arguments.id);
+    if (material.datasets.empty()) {
+      material = std::move(next);
+      if (!arguments.id.empty()) material.id = arguments.id;
+    } else {
+      append_datasets(material, std::move(next));
+    }
+  }
+  if (!arguments.name.empty()) material.name = arguments.name;
+  if (!arguments.material_class.empty()) material.material_class = arguments.material_class;
+  if (material.datasets.size() > 1) material.preferred_reason = "the first of the imported datasets";
+  const std::string text = format_material(material);
+  // What etak writes it must read: this finds an --id or --class that the schema does not allow.
+  (void)parse_material(text, "the imported material");
+  write_output(arguments.output, text);
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_import(CLI::App& app, Verb& chosen) {
+  const auto arguments = std::make_shared<ImportArguments>();
+  CLI::App& verb = *app.add_subcommand("import", "pages or tables as one material file");
+  add_input_options(verb, arguments->inputs);
+  verb.add_option("--id", arguments->id, "id of the material, [a-z0-9_] (default: from the page's folder)");
+  verb.add_option("--name", arguments->name, "name of the material");
+  verb.add_option("--class", arguments->material_class, "class, such as metal or glass");
+  add_table_options(verb, arguments->tables);
+  add_output_options(verb, arguments->output, {"json"});
+  verb.footer(
+      "Several inputs become datasets of one material; the first is preferred. Citation, sample and class "
+      "are\n"
+      "taken from a page as far as it tells them: read them over before the file joins a library.\n"
+      "Example:\n  printf 'nm n k\\n400 1.5 3\\n700 1.6 4\\n' | etak import - --id sample --class metal");
+  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace etak::cli

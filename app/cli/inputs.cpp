@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/inputs.h"
+
+#include <sys/stat.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+
+#include "app/cli/folder.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/exchange/rii_page.h"
+#include "core/exchange/table.h"
+#include "core/material/json.h"
+
+namespace etak::cli {
+namespace {
+
+Input failed(std::string message) {
+  Input out;
+  out.path = std::move(message);
+  return out;
+}
+
+Input::Kind input_kind(FileKind kind) {
+  if (kind == FileKind::page) return Input::Kind::page;
+  if (kind == FileKind::table) return Input::Kind::table;
+  return Input::Kind::material_file;
+}
+
+void add_folder(const std::string& path, const InputArguments& arguments, unsigned threads,
+                std::vector<Input>& out) {
+  Folder folder = list_folder(path, threads);
+  if (folder.files.empty() && folder.unreadable.empty())
+    throw Error::at(path, "is a folder without any page, table or material file",
+                    "files ending in .yml, .csv, .tsv, .txt, .dat or .json");
+  for (std::string& message : folder.unreadable) out.push_back(failed(std::move(message)));
+  out.reserve(out.size() + folder.files.size());
+  for (std::string& file : folder.files) {
+    Input& input = out.emplace_back();
+    input.kind = input_kind(file_kind(file));
+    input.path = std::move(file);
+    input.label_at = folder.root.size();
+    input.from_folder = true;
+    input.dataset = arguments.dataset;
+  }
+}
+
+Input material_input(Material material, std::string dataset) {
+  Input out;
+  out.kind = Input::Kind::material;
+  out.path = material.id;
+  if (!dataset.empty()) {
+    (void)chosen_dataset(material, dataset, material.id);  // throws where there is none
+    out.path += '/' + dataset;
+  }
+  out.dataset = std::move(dataset);
+  out.material = std::make_shared<const Material>(std::move(material));
+  return out;
+}
+
+// "id" or "id/dataset" of the library; false when the library does not know the id.
+bool add_material(const std::string& name, const InputArguments& arguments, Library& library,
+                  bool path_exists, std::vector<Input>& out) {
+  if (auto material = library.get().find(name)) {
+    out.push_back(material_input(std::move(*material), arguments.dataset));
+    return true;
+  }
+  const std::size_t slash = name.find('/');
+  if (slash == std::string::npos) return false;
+  auto material = library.get().find(std::string_view(name).substr(0, slash));
+  const std::string dataset = name.substr(slash + 1);
+  if (!material || (path_exists && material->dataset(dataset) == nullptr)) return false;
+  out.push_back(material_input(std::move(*material), dataset));
+  return true;
+}
+
+// A known name wins over a file or folder of that name ("./gold" is the folder); what ends like a data file
+// or begins like a path is one.
+void add_name(const std::string& name, const InputArguments& arguments, Library& library, unsigned threads,
+              std::vector<Input>& out) {
+  Input input;
+  input.path = name;
+  input.dataset = arguments.dataset;
+  if (name == "-") {
+    input.kind = arguments.stdin_format == "page"   ? Input::Kind::page
+                 : arguments.stdin_format == "json" ? Input::Kind::material_file
+                                                    : Input::Kind::table;
+    out.push_back(std::move(input));
+    return;
+  }
+  struct stat info {};
+  const bool exists = ::stat(name.c_str(), &info) == 0;
+  const FileKind kind = file_kind(name);
+  const bool path_like = name.starts_with('/') || name.starts_with('.') || name.ends_with('/');
+  if (!path_like && kind == FileKind::unknown && add_material(name, arguments, library, exists, out)) return;
+  if (exists && S_ISDIR(info.st_mode)) return add_folder(name, arguments, threads, out);
+  if (kind == FileKind::unknown && exists)
+    throw Error::at(name, "has no ending that etak knows",
+                    ".yml, .csv, .tsv, .txt, .dat or .json, or - for standard input");
+  if (!exists && !path_like && kind == FileKind::unknown) unknown_material(name, library.get());
+  // A missing file goes on to the reader, whose message tells why.
+  input.kind = kind == FileKind::unknown ? Input::Kind::material_file : input_kind(kind);
+  out.push_back(std::move(input));
+}
+
+// Names in a list file: between NUL bytes when there is one, else between line ends.
+std::vector<std::string> listed_names(const std::string& path) {
+  const std::string text = path == "-" ? read_stdin() : read_file(path);
+  const char separator = text.find('\0') != std::string::npos ? '\0' : '\n';
+  std::vector<std::string> out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    std::string name = text.substr(begin, end - begin);
+    if (separator == '\n' && name.ends_with('\r')) name.pop_back();
+    if (!name.empty()) out.push_back(std::move(name));
+    begin = end + 1;
+  }
+  return out;
+}
+
+// "path/to/My sample.csv" gives "my_sample".
+std::string id_from_file(std::string_view path, char blank) {
+  path = path.substr(path.rfind('/') + 1);
+  path = path.substr(0, path.rfind('.'));
+  std::string out;
+  for (const char c : path) {
+    const char low = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if ((low >= 'a' && low <= 'z') || (low >= '0' && low <= '9'))
+      out += low;
+    else if (!out.empty() && out.back() != blank)
+      out += blank;
+  }
+  while (!out.empty() && out.back() == blank) out.pop_back();
+  return out.empty() ? "table" : out;
+}
+
+Material material_from_table(std::string_view text, const std::string& path, const TableOptions& options,
+                             std::string_view id) {
+  Table table = parse_table(text, path, options);
+  Material out;
+  out.id = id.empty() ? id_from_file(path, '_') : std::string(id);
+  out.name = out.id;
+  out.material_class = "solid";
+  out.preferred_reason = "the only dataset";
+  Dataset& dataset = out.datasets.emplace_back();
+  dataset.id = id_from_file(path, '-');
+  dataset.optics = std::move(table.optics);
+  dataset.flags = table.flags;
+  dataset.citation.title = path.substr(path.rfind('/') + 1);
+  return out;
+}
+
+}  // namespace
+
+void add_input_options(CLI::App& verb, InputArguments& arguments) {
+  verb.add_option(
+          "INPUT", arguments.names,
+          "material (gold), dataset (gold/ID), file (.yml page, .json material, .csv .tsv .txt .dat table), "
+          "folder, or - for standard input")
+      ->type_name("");
+  verb.add_option("--stdin-format", arguments.stdin_format, "what - holds: table (default), page or json")
+      ->check(CLI::IsMember({"table", "page", "json"}));
+}
+
+std::vector<Input> find_inputs(const InputArguments& arguments, Library& library, unsigned threads) {
+  std::vector<std::string> names = arguments.names;
+  if (!arguments.files_from.empty()) {
+    std::vector<std::string> more = listed_names(arguments.files_from);
+    names.insert(names.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  }
+  const auto stdin_uses = std::count(names.begin(), names.end(), "-") + (arguments.files_from == "-" ? 1 : 0);
+  if (stdin_uses > 1) throw Error::at("-", "standard input is asked for twice", "once");
+  std::vector<Input> out;
+  if (arguments.all) {
+    const MaterialLibrary& known = library.get();
+    for (std::size_t i = 0; i < known.ids().size(); ++i) {
+      out.push_back(material_input(known.at(i), {}));
+      out.back().from_folder = true;
+    }
+  }
+  for (const std::string& name : names) {
+    try {
+      add_name(name, arguments, library, threads, out);
+    } catch (const Error& error) {
+      out.push_back(failed(error.what()));
+    }
+  }
+  return out;
+}
+
+const Dataset& chosen_dataset(const Material& material, const std::string& dataset, std::string_view label) {
+  if (dataset.empty()) return material.preferred_dataset();
+  if (const Dataset* found = material.dataset(dataset)) return *found;
+  std::string known;
+  for (const Dataset& each : material.datasets) known += (known.empty() ? "" : ", ") + each.id;
+  throw Error::at(label, "has no dataset " + printable(dataset), known);
+}
+
+void read_input(const Input& input, std::string& buffer) {
+  if (input.path == "-")
+    buffer = read_stdin();
+  else
+    read_file(input.path, buffer);
+}
+
+std::string message_name(const Input& input) {
+  return input.path == "-" ? "<stdin>" : input.path;
+}
+
+Material read_material(const Input& input, const TableOptions& tables, std::string_view id) {
+  if (input.kind == Input::Kind::failed) throw Error(input.path);
+  if (input.kind == Input::Kind::material) return *input.material;
+  std::string text;
+  read_input(input, text);
+  const std::string name = message_name(input);
+  if (input.kind == Input::Kind::page) return material_from_rii_page(text, name, id);
+  if (input.kind == Input::Kind::table) return material_from_table(text, name, tables, id);
+  return parse_material(text, name);
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/catalogue.h"
+#include "app/cli/options.h"
+#include "app/cli/output.h"
+#include "app/cli/verbs.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/color/srgb.h"
+
+namespace etak::cli {
+namespace {
+
+struct ListArguments {
+  std::string material_class, search, zone;
+  OutputArguments output;
+  Library library;
+  unsigned threads = 0;
+};
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
+bool contains(std::string_view text, const std::string& lower_part) {
+  return lower(text).find(lower_part) != std::string::npos;
+}
+
+bool fits(const CatalogueEntry& entry, const ListArguments& arguments) {
+  const Material& material = entry.material;
+  if (!arguments.material_class.empty() && material.material_class != arguments.material_class) return false;
+  if (!arguments.zone.empty() && (entry.result.refused() || name(entry.result.zone) != arguments.zone))
+    return false;
+  const std::string part = lower(arguments.search);
+  return contains(material.id, part) || contains(material.name, part) ||
+         std::any_of(material.aliases.begin(), material.aliases.end(),
+                     [&](const std::string& alias) { return contains(alias, part); });
+}
+
+std::string table(const std::vector<const CatalogueEntry*>& entries, bool color) {
+  std::size_t id_width = 2, name_width = 4, class_width = 5;
+  for (const CatalogueEntry* entry : entries) {
+    id_width = std::max(id_width, entry->material.id.size());
+    name_width = std::max(name_width, entry->material.name.size());
+    class_width = std::max(class_width, entry->material.material_class.size());
+  }
+  const std::string gap = "  ";
+  std::string out = (color ? "   " : "") + padded("id", id_width) + gap + padded("name", name_width) + gap +
+                    padded("class", class_width) + gap + "datasets  sRGB     Y       zone\n";
+  for (const CatalogueEntry* entry : entries) {
+    const Material& material = entry->material;
+    const F0Result& result = entry->result;
+    if (color)
+      out += (result.refused() ? "  " : swatch(result.srgb8.r, result.srgb8.g, result.srgb8.b)) + " ";
+    out += padded(material.id, id_width) + gap + padded(material.name, name_width) + gap +
+           padded(material.material_class, class_width) + gap +
+           padded(std::to_string(material.datasets.size()), 8) + gap;
+    if (result.refused())
+      out += "refused: " + result.refusal + '\n';
+    else
+      out += hex(result.srgb8) + gap + padded(number(result.luminance, 4), 6) + gap +
+             std::string(name(result.zone)) + '\n';
+  }
+  return out;
+}
+
+std::string csv(const std::vector<const CatalogueEntry*>& entries) {
+  std::string out = "id,name,class,datasets,preferred,hex,Y,zone,refusal\n";
+  for (const CatalogueEntry* entry : entries) {
+    const Material& material = entry->material;
+    const F0Result& result = entry->result;
+    const bool good = !result.refused();
+    out += material.id + ',' + csv_field(material.name) + ',' + material.material_class + ',' +
+           std::to_string(material.datasets.size()) + ',' + material.preferred_dataset().id + ',' +
+           (good ? hex(result.srgb8) : "") + ',' + (good ? number(result.luminance, 9) : "") + ',' +
+           (good ? std::string(name(result.zone)) : "") + ',' + csv_field(result.refusal) + '\n';
+  }
+  return out;
+}
+
+std::string json_object(const CatalogueEntry& entry) {
+  const Material& material = entry.material;
+  const F0Result& result = entry.result;
+  std::string aliases;
+  for (const std::string& alias : material.aliases)
+    aliases += (aliases.empty() ? "" : ", ") + json_string(alias);
+  std::string out = "{\"id\": " + json_string(material.id) + ", \"name\": " + json_string(material.name) +
+                    ", \"aliases\": [" + aliases + "], \"class\": " + json_string(material.material_class) +
+                    ", \"datasets\": " + std::to_string(material.datasets.size()) +
+                    ", \"preferred\": " + json_string(material.preferred_dataset().id);
+  if (result.refused()) return out + ", \"refusal\": " + json_string(result.refusal) + "}";
+  return out + ", \"hex\": " + json_string(hex(result.srgb8)) + ", \"Y\": " + number(result.luminance, 9) +
+         ", \"zone\": " + json_string(name(result.zone)) + "}";
+}
+
+std::string json(const std::vector<const CatalogueEntry*>& entries) {
+  std::string out = "{\n  \"schema\": \"etak-list/1\",\n  \"materials\": [";
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    out += (i == 0 ? "\n    " : ",\n    ") + json_object(*entries[i]);
+  return out + (entries.empty() ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+std::string json_lines(const std::vector<const CatalogueEntry*>& entries) {
+  std::string out;
+  for (const CatalogueEntry* entry : entries) out += json_object(*entry) + '\n';
+  return out;
+}
+
+int run(ListArguments& arguments) {
+  const auto known = [&](std::string_view text) {
+    return std::find(material_classes.begin(), material_classes.end(), text) != material_classes.end();
+  };
+  if (!arguments.material_class.empty() && !known(arguments.material_class)) {
+    std::string classes;
+    for (const std::string_view each : material_classes)
+      classes += (classes.empty() ? "" : ", ") + std::string(each);
+    throw Error::at("--class", printable(arguments.material_class), classes);
+  }
+  const F0Solver solver{F0Options{}};
+  const std::vector<CatalogueEntry> all =
+      catalogue(arguments.library.get(), solver, thread_count(arguments.threads));
+  std::vector<const CatalogueEntry*> shown;
+  for (const CatalogueEntry& entry : all)
+    if (fits(entry, arguments)) shown.push_back(&entry);
+  const std::string& format = arguments.output.format;
+  write_output(arguments.output, format == "csv"     ? csv(shown)
+                                 : format == "json"  ? json(shown)
+                                 : format == "jsonl" ? json_lines(shown)
+                                                     : table(shown, use_color(arguments.output)));
+  remark(arguments.output, std::to_string(shown.size()) + " of " + std::to_string(all.size()) + " materials");
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Verb& chosen) {
+  const auto arguments = std::make_shared<ListArguments>();
+  CLI::App& verb = *app.add_subcommand("list", "materials of the library");
+  verb.add_option("--class", arguments->material_class, "only this class, such as metal or glass");
+  verb.add_option("--search", arguments->search, "only where id, name or an alias contains TEXT")
+      ->type_name("TEXT");
+  verb.add_option("--zone", arguments->zone,
+                  "only where the luminance of F0 lies below, inside or above 0.20-0.45")
+      ->check(CLI::IsMember({"below", "inside", "above"}));
+  add_library_options(verb, arguments->library);
+  add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl"});
+  add_thread_option(verb, arguments->threads);
+  verb.footer("Example:\n  etak list --class metal --zone above");
+  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace etak::cli

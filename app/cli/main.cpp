@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <exception>
+
+#include "app/cli/custom_space.h"
+#include "app/cli/output.h"
+#include "app/cli/verbs.h"
+#include "core/base/error.h"
+
+namespace etak::cli {
+namespace {
+
+int print_version(bool json) {
+  const std::string version = ETAK_VERSION;
+  write_output({}, json ? "{\"name\": \"etak\", \"version\": " + json_string(version) +
+                              ", \"compiler\": " + json_string(__VERSION__) + "}\n"
+                        : "etak " + version + "\n");
+  return exit_ok;
+}
+
+int run(int argc, char** argv) {
+  set_program_arguments(argv);
+  CLI::App app("etak: measured optics into materials a renderer can trust", "etak");
+  bool version = false, json = false;
+  app.add_flag("--version", version, "print the version and stop");
+  app.add_flag("--json", json, "with --version: as JSON");
+  app.require_subcommand(0, 1);
+  app.footer(
+      "Exit status: 0 done, 1 a named input was refused, 2 bad input, option or output.\n"
+      "Example:\n  etak f0 gold copper");
+  Verb verb;
+  add_f0(app, verb);
+  add_list(app, verb);
+  add_show(app, verb);
+  add_nearest(app, verb);
+  add_import(app, verb);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_ok : exit_failure;
+  }
+  if (version) return print_version(json);
+  if (!verb) {
+    complain("no verb given; see etak --help");
+    return exit_failure;
+  }
+  return verb();
+}
+
+}  // namespace
+}  // namespace etak::cli
+
+int main(int argc, char** argv) {
+  try {
+    return etak::cli::run(argc, argv);
+  } catch (const etak::Error& error) {
+    etak::cli::complain(error.what());
+  } catch (const std::exception& error) {
+    etak::cli::complain(std::string("internal error: ") + error.what());
+  }
+  return etak::cli::exit_failure;
+}

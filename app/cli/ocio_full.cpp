@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/custom_space.h"
+#include "core/color/ocio.h"
+
+namespace etak::cli {
+
+CustomSpace open_custom_space(const std::string& config, const std::string& name) {
+  const OcioSpace space = OcioSpace::open(config, name);
+  return {space.name(), [space](const Xyz& color, const Xyz& white) { return space.from_xyz(color, white); }};
+}
+
+void set_program_arguments(char**) {}
+
+}  // namespace etak::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/material/material.h"
+
+namespace etak {
+
+/// What a file of a refractiveindex.info database tree is.
+enum class PageKind {
+  constants,  // linear n,k data: a page
+  nonlinear,  // n2 data
+  other       // no DATA of optical constants: about pages, catalogues
+};
+
+/// A page read into values. Wavelengths in nanometres, ascending, without duplicates.
+///   optics   meaningful only when kind is constants and refusal is empty
+///   refusal  why no F0 can be had from the page although it is well-formed ("no n given", ...); else empty
+struct RiiPage {
+  PageKind kind = PageKind::other;
+  OpticalConstants optics;
+  Flags flags;
+  std::string refusal;
+};
+
+/// The free-text part of a page, for import.
+struct RiiText {
+  std::string references, comments;          // as in the page, HTML tags included
+  std::optional<double> temperature_kelvin;  // of CONDITIONS
+};
+
+/// Reads the small subset of YAML that the database uses, and refuses what it does not understand: Error with
+/// file and line, what was found and what was expected. `page` is overwritten; its vectors' capacity is
+/// reused.
+///   n,k rules: rows sorted; identical duplicates dropped, different ones averaged; k < 0 taken as 0; n <= 0
+///   refused only where 360..830 nm uses it; each flagged. `tabulated nk` beside a formula gives k only.
+void parse_rii_page(std::string_view text, std::string_view file, RiiPage& page);
+
+RiiText parse_rii_text(std::string_view text, std::string_view file);
+
+/// A page as a material with one dataset: citation, sample and axis taken from text and path as far as they
+/// can be.
+///   id      material id; empty: made from the path's book folder
+Material material_from_rii_page(std::string_view text, std::string_view path, std::string_view id);
+
+}  // namespace etak

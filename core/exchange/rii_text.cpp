@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: Apache-2.0
+// The free text of a page: who measured what, in HTML written by hand in a dozen styles. What follows is
+// guesswork with a floor: whatever is not recognised stays in the title, and nothing is lost, for `via` names
+// the page.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/exchange/rii_page.h"
+#include "core/exchange/yaml_lines.h"
+
+namespace etak {
+namespace {
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_lower(char c) {
+  return c >= 'a' && c <= 'z';
+}
+bool is_upper(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+char lower(char c) {
+  return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::string_view trimmed(std::string_view text, std::string_view also = {}) {
+  const auto drop = [&](char c) { return is_space(c) || also.find(c) != also.npos; };
+  while (!text.empty() && drop(text.front())) text.remove_prefix(1);
+  while (!text.empty() && drop(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::vector<std::string_view> split_lines(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t stop = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, stop));
+    text.remove_prefix(std::min(stop + 1, text.size()));
+  }
+  return lines;
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  std::string out;
+  std::size_t at = 0;
+  for (std::size_t found; (found = text.find(from, at)) != text.npos; at = found + from.size())
+    out.append(text, at, found - at).append(to);
+  text = out.append(text, at);
+}
+
+// With bytes that are no UTF-8, and control bytes, as "\\xNN": what goes into a material must be text.
+std::string readable(std::string_view text) {
+  return printable(text, text.npos);
+}
+
+// Text without tags, its blanks folded to one.
+std::string plain(std::string_view html) {
+  std::string text;
+  for (std::size_t i = 0; i < html.size(); ++i) {
+    const char next = i + 1 < html.size() ? html[i + 1] : ' ';
+    // "x<0.3" is no tag.
+    if (html[i] == '<' && (next == '/' || is_lower(lower(next)))) {
+      const std::size_t stop = html.find('>', i);
+      if (stop == html.npos) break;
+      if (html.substr(i, 3) == "<br") text.push_back(' ');
+      i = stop;
+    } else {
+      text.push_back(is_space(html[i]) ? ' ' : html[i]);
+    }
+  }
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> entities{
+      {{"&lt;", "<"}, {"&gt;", ">"}, {"&nbsp;", " "}, {"&times;", "×"}, {"&amp;", "&"}}};
+  for (const auto& [entity, meaning] : entities) replace_all(text, entity, meaning);
+  text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return a == ' ' && b == ' '; }),
+             text.end());
+  return readable(trimmed(text));
+}
+
+// The value of a key whose `key:` was just read: a block scalar with its indentation taken off, or a plain or
+// quoted scalar with its further lines.
+std::string text_value(YamlLines& lines) {
+  const std::string_view head = lines.value();
+  const char* first = lines.at;
+  lines.skip_block(0);
+  const auto block = split_lines({first, static_cast<std::size_t>(lines.at - first)});
+  std::string text;
+  if (!head.starts_with('|') && !head.starts_with('>')) {
+    text = head;
+    for (const auto line : block) text.append(" ").append(trimmed(line));
+    text = unquoted(trimmed(text));
+    replace_all(text, "\\\"", "\"");
+    return text;
+  }
+  std::size_t indent = std::string_view::npos;
+  for (const auto line : block) {
+    if (indent == line.npos && !trimmed(line).empty()) indent = line.find_first_not_of(' ');
+    const std::size_t spaces = std::min(line.find_first_not_of(' '), line.size());
+    text.append(line.substr(std::min(spaces, indent))).append("\n");
+  }
+  return std::string(trimmed(text));
+}
+
+// "293", "293 K" or "20 °C" in kelvin.
+std::optional<double> kelvin(std::string_view text) {
+  const std::size_t stop = std::min(text.find_first_not_of("+-.0123456789eE"), text.size());
+  double value = 0;
+  if (!parse_number(text.substr(0, stop), value)) return {};
+  const std::string_view unit = trimmed(text.substr(stop));
+  if (unit == "°C" || unit == "C")
+    value += 273.15;
+  else if (!unit.empty() && unit != "K")
+    return {};
+  return value > 0 ? std::optional(value) : std::nullopt;
+}
+
+// The value of `name:` among the lines of an indented block; empty when it is not there.
+std::string_view nested_value(std::string_view block, std::string_view name) {
+  for (auto line : split_lines(block)) {
+    line = trimmed(line, "-");
+    if (line.starts_with(name) && line.substr(name.size()).starts_with(':'))
+      return unquoted(trimmed(line.substr(name.size() + 1)));
+  }
+  return {};
+}
+
+struct PageText {
+  RiiText text;
+  std::string direction;  // of CONDITIONS
+};
+
+PageText read_text(std::string_view text, std::string_view file) {
+  PageText page;
+  YamlLines lines(text, file);
+  std::string_view key;
+  while (lines.next_top_key(key)) {
+    const char* first = lines.at;
+    if (key == "REFERENCES") {
+      page.text.references = text_value(lines);
+    } else if (key == "COMMENTS") {
+      page.text.comments = text_value(lines);
+    } else {
+      lines.skip_block(0);
+      if (key != "CONDITIONS" && key != "SPECS") continue;
+      const std::string_view block(first, static_cast<std::size_t>(lines.at - first));
+      page.text.temperature_kelvin = kelvin(nested_value(block, "temperature"));
+      page.direction = nested_value(block, "direction");
+    }
+  }
+  return page;
+}
+
+// --- citation
+// -------------------------------------------------------------------------------------------------------
+
+// "A.", "J.-P.", "S.C.", "VI.": what stands before a surname.
+bool is_initials(std::string_view word) {
+  if (word.empty() || word.back() != '.') return false;
+  std::size_t letters = 0;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const char c = word[i];
+    if (c == '.' || c == '-') {
+      letters = 0;
+      continue;
+    }
+    if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;  // within a UTF-8 letter
+    if (++letters > 1 && !(letters == 2 && is_upper(c))) return false;
+  }
+  return true;
+}
+
+// Where the authors end and the title begins in "A. Author and B. C. Other. Title" or "A. Author, Title".
+std::size_t end_of_authors(std::string_view text) {
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t stop = std::min(text.find(' ', begin), text.size());
+    const std::string_view word = text.substr(begin, stop - begin);
+    const std::string_view rest = text.substr(std::min(stop + 1, text.size()));
+    const std::string_view next = rest.substr(0, rest.find(' '));
+    const bool ends =
+        word.size() > 1 && (word.back() == '.' || word.back() == ',') && !is_initials(word) && word != "Jr.";
+    if (ends && !is_initials(next) && next != "and" && next != "et" && next != "Jr.") return stop;
+    begin = stop + 1;
+  }
+  return text.size();
+}
+
+std::vector<std::string> author_list(std::string_view text) {
+  std::vector<std::string> authors;
+  std::string rest(trimmed(text, ".,"));
+  for (const std::string_view between : {", and ", " and ", " & ", "; "}) replace_all(rest, between, ", ");
+  for (std::string_view left = rest; !left.empty();) {
+    const std::size_t stop = std::min(left.find(", "), left.size());
+    if (const auto author = trimmed(left.substr(0, stop), ","); !author.empty())
+      authors.push_back(std::string(author) + (author.ends_with(" et al") ? "." : ""));
+    left.remove_prefix(std::min(stop + 2, left.size()));
+  }
+  return authors;
+}
+
+// A number of four digits that can be a year, standing alone; 0 when there is none. "(1972)" is preferred.
+int find_year(std::string_view text) {
+  int year = 0;
+  for (std::size_t i = 0; i + 4 <= text.size(); ++i) {
+    const auto four = text.substr(i, 4);
+    if (!std::all_of(four.begin(), four.end(), is_digit)) continue;
+    const bool alone = (i == 0 || !is_digit(text[i - 1])) && (i + 4 == text.size() || !is_digit(text[i + 4]));
+    const int value = (four[0] - '0') * 1000 + (four[1] - '0') * 100 + (four[2] - '0') * 10 + (four[3] - '0');
+    if (!alone || value < 1800 || value > 2099) continue;
+    if (i > 0 && text[i - 1] == '(' && i + 4 < text.size() && text[i + 4] == ')') return value;
+    const bool behind_comma = text.substr(0, i).ends_with(", ") && i + 4 == text.size();
+    if (year == 0 || behind_comma) year = value;
+  }
+  return year;
+}
+
+// Drops "(1972)" or ", 1972" from the end.
+std::string without_year(std::string text, int year) {
+  if (year == 0) return text;
+  const std::string digits = std::to_string(year);
+  for (const std::string& tail : {"(" + digits + ")", ", " + digits})
+    if (text.ends_with(tail)) text.resize(text.size() - tail.size());
+  return std::string(trimmed(text, ","));
+}
+
+// The first of the references, as HTML.
+std::string_view first_reference(std::string_view references) {
+  if (references.starts_with("1)")) references.remove_prefix(2);
+  for (const std::string_view mark : {"<br>", "\n2)", "\n(", "\n[", "\n*"})
+    references = references.substr(0, references.find(mark));
+  return trimmed(references);
+}
+
+void read_address(std::string_view tag, Citation& citation) {
+  const std::size_t begin = tag.find("http");
+  if (begin == tag.npos) return;
+  tag.remove_prefix(begin);
+  const std::string_view address = trimmed(tag.substr(0, tag.find_first_of("\"'>")));
+  static constexpr std::string_view resolver = "doi.org/";
+  const std::size_t doi = address.find(resolver);
+  if (doi == address.npos)
+    citation.url = readable(address);
+  else
+    citation.doi = readable(address.substr(doi + resolver.size()));
+}
+
+Citation parse_citation(std::string_view references) {
+  Citation citation;
+  const std::string_view reference = first_reference(references);
+  const std::size_t tag = reference.find("<a ");
+  const std::size_t tag_end =
+      std::min(reference.find('>', std::min(tag, reference.size())), reference.size());
+  std::vector<std::string> before;
+  for (const auto line : split_lines(reference.substr(0, tag)))
+    if (auto text = plain(line); !trimmed(text, ".,").empty()) before.push_back(std::move(text));
+  if (tag != reference.npos) {
+    const std::size_t close = std::min(reference.find("</a>", tag_end), reference.size());
+    read_address(reference.substr(tag, tag_end - tag), citation);
+    if (tag_end < reference.size())
+      citation.published_in = plain(reference.substr(tag_end + 1, close - tag_end - 1));
+  } else if (before.size() > 2) {
+    citation.published_in = before.back();
+    before.pop_back();
+  }
+  citation.year = find_year(citation.published_in);
+  if (citation.year == 0) citation.year = find_year(plain(reference));
+  citation.published_in = without_year(citation.published_in, citation.year);
+
+  if (before.empty()) {
+    // A maker's catalogue: "SCHOTT Zemax catalog 2017-01-20b" is title and, in its first word, author.
+    citation.title = std::exchange(citation.published_in, {});
+    const std::size_t maker = citation.title.find(" Zemax");
+    if (maker != citation.title.npos) citation.authors.push_back(citation.title.substr(0, maker));
+  } else if (before.size() == 1) {
+    const std::size_t stop = end_of_authors(before[0]);
+    citation.authors = author_list(std::string_view(before[0]).substr(0, stop));
+    citation.title = trimmed(std::string_view(before[0]).substr(stop), ".,");
+  } else {
+    citation.authors = author_list(before[0]);
+    for (std::size_t i = 1; i < before.size(); ++i) citation.title.append(i > 1 ? " " : "").append(before[i]);
+    citation.title = std::string(trimmed(citation.title, ".,"));
+  }
+  return citation;
+}
+
+// --- names
+// ----------------------------------------------------------------------------------------------------------
+
+// The page's place in the database: what follows "data/", or the whole path when that is not in it.
+std::string_view page_path(std::string_view path) {
+  static constexpr std::string_view root = "database/data/";
+  const std::size_t at = path.rfind(root);
+  return at == path.npos ? path : path.substr(at + root.size());
+}
+
+std::string_view stem(std::string_view path) {
+  path.remove_prefix(path.rfind('/') + 1);  // npos + 1 is 0
+  return path.substr(0, path.rfind('.'));
+}
+
+// The folder of the material ("Ag" of main/Ag/nk/Johnson.yml); makers' pages have none and are named by the
+// file.
+std::string_view book(std::string_view path) {
+  const std::size_t nk = path.rfind("/nk/");
+  if (nk == path.npos) return stem(path);
+  path = path.substr(0, nk);
+  return path.substr(path.rfind('/') + 1);
+}
+
+// Lower case, with `separator` for whatever is no letter or digit; never empty.
+std::string identifier(std::string_view text, char separator) {
+  std::string id;
+  for (const char c : text) {
+    if (is_lower(lower(c)) || is_digit(c))
+      id.push_back(lower(c));
+    else if (!id.empty() && id.back() != separator)
+      id.push_back(separator);
+  }
+  while (!id.empty() && id.back() == separator) id.pop_back();
+  return id.empty() ? "material" : id;
+}
+
+std::string axis_named(std::string_view text) {
+  static constexpr std::array<std::array<std::string_view, 3>, 5> axes{{{"o", "o", "ordinary"},
+                                                                        {"e", "e", "extraordinary"},
+                                                                        {"alpha", "α", "alpha"},
+                                                                        {"beta", "β", "beta"},
+                                                                        {"gamma", "γ", "gamma"}}};
+  for (const auto& [latin, greek, axis] : axes)
+    if (text == latin || text == greek) return std::string(axis);
+  return {};
+}
+
+// The name of the page is surer than its comments, where o and e are mixed up at times.
+std::string find_axis(std::string_view page, const PageText& text) {
+  for (std::size_t dash; (dash = page.find('-')) != page.npos;) {
+    page.remove_prefix(dash + 1);
+    if (auto axis = axis_named(page.substr(0, page.find('-'))); !axis.empty()) return axis;
+  }
+  if (auto axis = axis_named(text.direction); !axis.empty()) return axis;
+  const std::string_view comments = text.text.comments;
+  if (comments.find("xtraordinary ray") != comments.npos) return "extraordinary";
+  if (comments.find("rdinary ray") != comments.npos) return "ordinary";
+  return {};
+}
+
+// Rows with n <= 0 that parse_rii_page() let pass are used nowhere in 360..830 nm, and no material may hold
+// them.
+void drop_non_positive(Spectrum& n) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < n.size(); ++i) {
+    if (n.value[i] <= 0) continue;
+    n.wavelength_nm[kept] = n.wavelength_nm[i];
+    n.value[kept++] = n.value[i];
+  }
+  n.wavelength_nm.resize(kept);
+  n.value.resize(kept);
+}
+
+}  // namespace
+
+RiiText parse_rii_text(std::string_view text, std::string_view file) {
+  return read_text(text, file).text;
+}
+
+Material material_from_rii_page(std::string_view text, std::string_view path, std::string_view id) {
+  RiiPage page;
+  parse_rii_page(text, path, page);
+  if (page.kind != PageKind::constants)
+    throw Error::at(path, "no linear optical constants", "a page with n and k");
+  if (!page.refusal.empty()) throw Error::at(path, page.refusal);
+  const PageText words = read_text(text, path);
+  const std::string_view place = page_path(path);
+
+  Dataset dataset;
+  dataset.origin = std::holds_alternative<DispersionFormula>(page.optics.n) ? Origin::fit : Origin::measured;
+  if (auto* n = std::get_if<Spectrum>(&page.optics.n)) drop_non_positive(*n);
+  dataset.optics = std::move(page.optics);
+  dataset.flags = page.flags;
+  dataset.temperature_kelvin = words.text.temperature_kelvin;
+  dataset.axis = find_axis(stem(place), words);
+  dataset.note = plain(words.text.comments);
+  dataset.citation = parse_citation(words.text.references);
+  dataset.citation.licence = "CC0-1.0";
+  dataset.citation.via = "refractiveindex.info " + readable(place.substr(0, place.rfind(".yml")));
+  if (dataset.citation.title.empty()) dataset.citation.title = dataset.citation.via;
+  dataset.id = identifier(stem(place), '-');
+  const std::string year = std::to_string(dataset.citation.year);
+  if (dataset.citation.year != 0 && dataset.id.find(year) == dataset.id.npos) dataset.id += "-" + year;
+
+  Material material;
+  std::string_view name = book(place);
+  material.id = id.empty() ? identifier(name, '_') : std::string(id);
+  if (const std::size_t dash = name.find(" - "); dash != name.npos) name.remove_prefix(dash + 3);
+  material.name = readable(name);
+  material.material_class = "crystal";
+  material.preferred_reason = "the only dataset";
+  material.datasets.push_back(std::move(dataset));
+  return material;
+}
+
+}  // namespace etak

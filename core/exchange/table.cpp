@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/exchange/table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/exchange/table_columns.h"
+
+namespace etak {
+namespace {
+
+constexpr double most_n = 1e4;
+constexpr double most_k = 1e6;
+constexpr double most_nm = 1e12;
+constexpr double least_reflectance = -0.02;  // noise of a spectrophotometer; more is a wrong unit
+constexpr double most_reflectance = 1.02;
+constexpr double seen_first_nm =
+    300;  // a table with no row in this range has the wrong unit, or is of no use
+constexpr double seen_last_nm = 900;
+constexpr std::string_view known_columns =
+    "wavelength (nm|um|A), energy (eV), n, k, R, R (%), or _ for a column to skip";
+
+struct Row {
+  double axis = 0;  // as in the file, for messages
+  double nm = 0;
+  std::array<double, 3> value{};  // n, k, reflectance; what its block has
+  std::size_t line = 0;
+};
+
+// Rows under one header.
+struct Block {
+  std::vector<Column> columns;
+  std::size_t line = 0;  // of the header
+  WavelengthUnit unit = WavelengthUnit::nanometre;
+  std::array<bool, 3> has{};  // n, k, reflectance
+  std::vector<Row> rows;
+};
+
+std::size_t place_of(Quantity quantity) {
+  return quantity == Quantity::n ? 0 : quantity == Quantity::k ? 1 : 2;
+}
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  return out.append(printable(text)).append("\"");
+}
+
+// Without a comment, which starts at a '#' outside quotes, and without the end of the line.
+std::string_view content(std::string_view line) {
+  bool inside = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') inside = !inside;
+    if (line[i] == '#' && !inside) line = line.substr(0, i);
+  }
+  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.remove_suffix(1);
+  return line.find_first_not_of(" \t") == line.npos ? std::string_view() : line;
+}
+
+class TableReader {
+ public:
+  TableReader(std::string_view text, std::string_view file, const TableOptions& options)
+      : text_(text), file_(file), options_(options) {}
+
+  Table read() {
+    if (text_.empty()) throw Error::at(file_, "the file is empty");
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+    std::size_t at = 0;
+    for (line_ = 1; at < text_.size(); ++line_) {
+      const std::size_t stop = std::min(text_.find('\n', at), text_.size());
+      next_ = std::min(stop + 1, text_.size());
+      if (const auto line = content(text_.substr(at, stop - at)); !line.empty()) read_line(line);
+      at = next_;
+    }
+    if (blocks_.empty()) throw Error::at(file_, "no rows", "a header and rows of numbers");
+    for (auto& block : blocks_) finish(block);
+    return assemble();
+  }
+
+ private:
+  [[noreturn]] void fail(std::size_t line, std::string_view found, std::string_view expected = {}) const {
+    throw Error::at_line(file_, line, found, expected);
+  }
+
+  bool is_data(std::string_view line) {
+    double value = 0;
+    split_fields(line, find_separator(line), fields_);
+    return !fields_.empty() && parse_number(fields_[0], value);
+  }
+
+  void read_line(std::string_view line) {
+    if (is_data(line) || (blocks_.empty() && !options_.columns.empty())) {
+      if (blocks_.empty()) start_without_header();
+      read_row(line);
+    } else if (!blocks_.empty() &&
+               (!options_.columns.empty() || blocks_.back().rows.empty() || !is_header(line))) {
+      fail(line_, fields_.empty() ? quoted(line) : quoted(fields_[0]), "a finite number");
+    } else if (blocks_.size() == 2) {
+      fail(line_, "a third header", "at most a block with n and one with k");
+    } else {
+      read_header(line);
+    }
+  }
+
+  // True when any field is the name of a column: below rows a header starts the second block, all else is an
+  // error.
+  static bool is_header(std::string_view line) {
+    const auto names = header_names(line, find_separator(line));
+    return std::any_of(names.begin(), names.end(), [](const std::string& text) {
+      Column column;
+      std::string problem;
+      return parse_column(text, column, problem);
+    });
+  }
+
+  // Columns are as numbers below them are separated; the first line of numbers shows how.
+  void read_header(std::string_view line) {
+    char separator = find_separator(line);
+    for (std::size_t at = next_; at < text_.size();) {
+      const std::size_t stop = std::min(text_.find('\n', at), text_.size());
+      const auto below = content(text_.substr(at, stop - at));
+      if (!below.empty()) {
+        if (is_data(below)) separator = find_separator(below);
+        break;
+      }
+      at = stop + 1;
+    }
+    auto names = header_names(line, separator);
+    if (names.size() != fields_.size()) names = header_names(line, find_separator(line));
+    start_block(names, file_line(), known_columns);
+  }
+
+  void start_without_header() {
+    if (options_.columns.empty())
+      fail(line_, "numbers without a header",
+           "a header line without '#', or the columns' names given by --columns");
+    start_block(options_.columns, "--columns", known_columns);
+  }
+
+  std::string file_line() const { return std::string(file_) + ":" + std::to_string(line_); }
+
+  void start_block(const std::vector<std::string>& names, std::string_view place, std::string_view expected) {
+    Block block;
+    block.line = line_;
+    std::optional<WavelengthUnit> unit;
+    std::size_t axes = 0;
+    for (const auto& name : names) {
+      Column column;
+      std::string problem;
+      if (!parse_column(name, column, problem)) throw Error::at(place, problem, expected);
+      block.columns.push_back(column);
+      if (column.quantity == Quantity::skipped) continue;
+      if (column.quantity == Quantity::wavelength || column.quantity == Quantity::energy) {
+        ++axes;
+        unit = column.unit;
+        continue;
+      }
+      bool& has = block.has[place_of(column.quantity)];
+      if (has) throw Error::at(place, "the column " + quoted(name) + " twice");
+      has = true;
+    }
+    if (axes != 1)
+      throw Error::at(place,
+                      axes == 0 ? "no column of wavelength or energy" : "more than one column of wavelength",
+                      "one");
+    if (options_.unit) unit = options_.unit;
+    if (!unit)
+      throw Error::at(place, "no unit of wavelength",
+                      "a header such as \"wavelength (nm)\", or --unit nm|um|A|eV");
+    block.unit = *unit;
+    if (block.has == std::array<bool, 3>{}) throw Error::at(place, "no column of n, k or R", expected);
+    blocks_.push_back(std::move(block));
+  }
+
+  void read_row(std::string_view line) {
+    Block& block = blocks_.back();
+    split_fields(line, find_separator(line), fields_);
+    if (fields_.size() != block.columns.size())
+      fail(line_, std::to_string(fields_.size()) + " columns", std::to_string(block.columns.size()));
+    Row row;
+    row.line = line_;
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      const Column& column = block.columns[i];
+      if (column.quantity == Quantity::skipped) continue;
+      double value = 0;
+      if (!parse_number(fields_[i], value)) {
+        const bool comma = fields_[i].find(',') != std::string_view::npos;
+        fail(line_, quoted(fields_[i]), comma ? "a number with a decimal point" : "a finite number");
+      }
+      take(block, column, value, row);
+    }
+    block.rows.push_back(row);
+  }
+
+  void take(const Block& block, const Column& column, double value, Row& row) {
+    const auto shown = [&] { return number(value, 9); };
+    switch (column.quantity) {
+      case Quantity::wavelength:
+      case Quantity::energy:
+        if (value <= 0) fail(line_, "wavelength " + shown(), "a positive number");
+        row.axis = value;
+        row.nm = to_nm(value, block.unit);
+        if (!(row.nm > 0 && row.nm < most_nm))
+          fail(line_, "wavelength " + shown() + " " + std::string(name(block.unit)),
+               "less than a kilometre, not 0");
+        break;
+      case Quantity::n:
+        if (value <= 0 || value > most_n) fail(line_, "n = " + shown(), "0 < n <= 10000");
+        row.value[0] = value;
+        break;
+      case Quantity::k:
+        if (value < 0 || value > most_k) fail(line_, "k = " + shown(), "0 <= k <= 1000000");
+        row.value[1] = value;
+        break;
+      case Quantity::reflectance: {
+        const double r = value * column.scale;
+        if (r < least_reflectance || r > most_reflectance)
+          fail(line_, "R = " + shown(),
+               column.scale == 1 ? "0 to 1 (in percent: name the column \"R (%)\")" : "0 to 100");
+        if (r < 0 || r > 1) flags_.set(Flag::reflectance_clamped);
+        row.value[2] = std::clamp(r, 0.0, 1.0);
+        break;
+      }
+      case Quantity::skipped:
+        break;
+    }
+  }
+
+  // Brings the rows of a block into ascending order of wavelength and settles those with equal ones.
+  void finish(Block& block) {
+    auto& rows = block.rows;
+    if (rows.empty()) fail(block.line, "a header without rows", "rows of numbers below it");
+    const auto ascends = [](const Row& a, const Row& b) { return a.nm < b.nm; };
+    // A table in ascending energy is in order too.
+    if (block.unit == WavelengthUnit::electronvolt && rows.front().nm > rows.back().nm)
+      std::reverse(rows.begin(), rows.end());
+    if (!std::is_sorted(rows.begin(), rows.end(), ascends)) {
+      flags_.set(Flag::unsorted);
+      std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+        return a.nm < b.nm || (a.nm == b.nm && a.line < b.line);
+      });
+    }
+    check_range(block);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < rows.size();) {
+      std::size_t stop = i + 1;
+      while (stop < rows.size() && rows[stop].nm == rows[i].nm) ++stop;
+      rows[kept++] = stop - i > 1 ? merge(block, i, stop) : rows[i];
+      i = stop;
+    }
+    rows.resize(kept);
+  }
+
+  Row merge(const Block& block, std::size_t begin, std::size_t end) {
+    // The reversal for energies has turned equal rows round.
+    const auto from = block.rows.begin() + static_cast<std::ptrdiff_t>(begin);
+    std::vector<Row> same(from, from + static_cast<std::ptrdiff_t>(end - begin));
+    std::sort(same.begin(), same.end(), [](const Row& a, const Row& b) { return a.line < b.line; });
+    Row row = same[0];
+    if (options_.duplicates == Duplicates::refuse)
+      fail(same[1].line, "wavelength " + number(row.axis, 9) + " " + std::string(name(block.unit)) + " again",
+           "one row for it (the other is in line " + std::to_string(row.line) +
+               "), or --duplicates first|mean");
+    const bool identical =
+        std::all_of(same.begin(), same.end(), [&](const Row& other) { return other.value == row.value; });
+    flags_.set(identical ? Flag::duplicate_dropped : Flag::duplicate_wavelength);
+    if (identical || options_.duplicates == Duplicates::first) return row;
+    for (std::size_t c = 0; c < row.value.size(); ++c) {
+      double sum = 0;
+      for (const Row& other : same) sum += other.value[c];
+      row.value[c] = sum / static_cast<double>(same.size());
+    }
+    return row;
+  }
+
+  void check_range(const Block& block) const {
+    const auto seen = [](double nm) { return nm >= seen_first_nm && nm <= seen_last_nm; };
+    const auto& rows = block.rows;
+    if (std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return seen(row.nm); })) return;
+    std::string hint;
+    for (const auto unit : {WavelengthUnit::nanometre, WavelengthUnit::micrometre, WavelengthUnit::angstrom,
+                            WavelengthUnit::electronvolt}) {
+      const bool fits =
+          std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return seen(to_nm(row.axis, unit)); });
+      if (fits) hint.append(hint.empty() ? " (they would fit in " : " or ").append(name(unit));
+    }
+    if (!hint.empty()) hint.append(")");
+    fail(block.line,
+         "no wavelength inside 300..900 nm: " + number(rows.front().nm, 6) + ".." +
+             number(rows.back().nm, 6) + " nm, read in " + std::string(name(block.unit)),
+         "visible wavelengths" + hint);
+  }
+
+  static Spectrum spectrum(const Block& block, std::size_t place) {
+    Spectrum out;
+    for (const Row& row : block.rows) {
+      out.wavelength_nm.push_back(row.nm);
+      out.value.push_back(row.value[place]);
+    }
+    return out;
+  }
+
+  Table assemble() {
+    std::array<const Block*, 3> source{};
+    for (const Block& block : blocks_)
+      for (std::size_t c = 0; c < source.size(); ++c) {
+        if (!block.has[c]) continue;
+        if (source[c] != nullptr)
+          fail(block.line, "the same column in both blocks", "n in one and k in the other");
+        source[c] = &block;
+      }
+    Table table;
+    table.flags = flags_;
+    if (source[2] != nullptr) {
+      if (source[0] != nullptr || source[1] != nullptr)
+        fail(source[2]->line, "both R and n or k", "either of them (\"_\" skips a column)");
+      table.optics = Reflectance{spectrum(*source[2], 2)};
+      return table;
+    }
+    if (source[0] == nullptr) fail(blocks_[0].line, "k without n", "a column of n");
+    OpticalConstants constants;
+    constants.n = spectrum(*source[0], 0);
+    if (source[1] != nullptr) constants.k = spectrum(*source[1], 1);
+    table.optics = std::move(constants);
+    return table;
+  }
+
+  std::string_view text_, file_;
+  const TableOptions& options_;
+  std::size_t line_ = 0, next_ = 0;
+  std::vector<Block> blocks_;
+  std::vector<std::string_view> fields_;
+  Flags flags_;
+};
+
+}  // namespace
+
+std::string_view name(WavelengthUnit unit) {
+  switch (unit) {
+    case WavelengthUnit::nanometre:
+      return "nm";
+    case WavelengthUnit::micrometre:
+      return "um";
+    case WavelengthUnit::angstrom:
+      return "A";
+    case WavelengthUnit::electronvolt:
+      return "eV";
+  }
+  return {};
+}
+
+std::optional<WavelengthUnit> wavelength_unit_named(std::string_view text) {
+  std::string folded(text);
+  for (char& c : folded)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (folded.size() > 3 && folded.back() == 's') folded.pop_back();
+  struct Named {
+    std::string_view name;
+    WavelengthUnit unit;
+  };
+  // The micro sign and the Greek letter mu; the letter with ring, the Angstrom sign, and A with a combining
+  // ring.
+  static constexpr std::array known{Named{"nm", WavelengthUnit::nanometre},
+                                    Named{"nanometre", WavelengthUnit::nanometre},
+                                    Named{"nanometer", WavelengthUnit::nanometre},
+                                    Named{"um", WavelengthUnit::micrometre},
+                                    Named{"\xC2\xB5m", WavelengthUnit::micrometre},
+                                    Named{"\xCE\xBCm", WavelengthUnit::micrometre},
+                                    Named{"micron", WavelengthUnit::micrometre},
+                                    Named{"micrometre", WavelengthUnit::micrometre},
+                                    Named{"micrometer", WavelengthUnit::micrometre},
+                                    Named{"a", WavelengthUnit::angstrom},
+                                    Named{"\xC3\x85", WavelengthUnit::angstrom},
+                                    Named{"\xE2\x84\xAB", WavelengthUnit::angstrom},
+                                    Named{"a\xCC\x8A", WavelengthUnit::angstrom},
+                                    Named{"angstrom", WavelengthUnit::angstrom},
+                                    Named{"\xC3\x85ngstr\xC3\xB6m", WavelengthUnit::angstrom},
+                                    Named{"ev", WavelengthUnit::electronvolt},
+                                    Named{"electronvolt", WavelengthUnit::electronvolt}};
+  for (const Named& unit : known)
+    if (unit.name == folded) return unit.unit;
+  return {};
+}
+
+double to_nm(double value, WavelengthUnit unit) {
+  switch (unit) {
+    case WavelengthUnit::nanometre:
+      return value;
+    case WavelengthUnit::micrometre:
+      return value * 1000;
+    case WavelengthUnit::angstrom:
+      return value / 10;
+    case WavelengthUnit::electronvolt:
+      return ev_nm / value;
+  }
+  return value;
+}
+
+Table parse_table(std::string_view text, std::string_view file, const TableOptions& options) {
+  return TableReader(text, file, options).read();
+}
+
+}  // namespace etak

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/color/colorspace.h"
+#include "core/color/ocio.h"
+#include "core/color/srgb.h"
+#include "core/spectrum/integration.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+Xyz white_of(double x, double y) {
+  return {x / y, 1, (1 - x - y) / y};
+}
+const Xyz d65 = white_of(0.3127, 0.3290);
+const Xyz aces_white = white_of(0.32168, 0.33767);
+
+const std::string own_config = source_folder() + "/resources/ocio/config.ocio";
+
+// $OCIO for the time of a test.
+class OcioVariable {
+ public:
+  explicit OcioVariable(const std::string& value) {
+    const char* now = std::getenv("OCIO");
+    if (now != nullptr) before_ = now;
+    ::setenv("OCIO", value.c_str(), 1);
+  }
+  ~OcioVariable() { before_ ? ::setenv("OCIO", before_->c_str(), 1) : ::unsetenv("OCIO"); }
+  OcioVariable(const OcioVariable&) = delete;
+  OcioVariable& operator=(const OcioVariable&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
+
+Vec3 through(const OcioSpace& space, const Vec3& xyz, const Xyz& white) {
+  return vec(space.from_xyz(to_xyz(xyz), white));
+}
+
+void near(const Vec3& got, const Vec3& want, double margin) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    INFO("channel " << c);
+    CHECK(got[c] == Approx(want[c]).margin(margin));
+  }
+}
+
+const std::vector<std::pair<std::string, Mat3>> linear_spaces{
+    {"ACES2065-1", rgb_to_xyz({{{0.7347, 0.2653}, {0, 1}, {0.0001, -0.077}}}, aces_white)},
+    {"ACEScg", rgb_to_xyz(primaries(RgbSpace::acescg), aces_white)},
+    {"Linear Rec.709 (sRGB)", rgb_to_xyz(primaries(RgbSpace::srgb), d65)},
+    {"Linear Rec.2020", rgb_to_xyz(primaries(RgbSpace::rec2020), d65)},
+    {"Linear Display P3", rgb_to_xyz(primaries(RgbSpace::display_p3), d65)}};
+
+const std::vector<Vec3> colours{
+    {0.5, 0.4, 0.3}, {0.2, 0.3, 0.9}, {0.95, 1, 1.08}, {0.01, 0.02, 0.03}, {0.7, 0.72, 0.3}};
+
+// A config with the given roles and one scene space of its own.
+std::string small_config(const std::string& roles) {
+  return "ocio_profile_version: 2\n\nstrictparsing: true\nroles:\n" + roles +
+         "\nfile_rules:\n  - !<Rule> {name: Default, colorspace: Own}\n"
+         "\ndisplays:\n  Monitor:\n    - !<View> {name: Raw, colorspace: Own}\n"
+         "\ncolorspaces:\n  - !<ColorSpace>\n    name: Own\n    isdata: false\n"
+         "\n  - !<ColorSpace>\n    name: Half\n    isdata: false\n"
+         "    from_scene_reference: !<MatrixTransform> {matrix: [0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0, "
+         "0, 0, 0, 1]}\n"
+         "\n  - !<ColorSpace>\n    name: Mask\n    isdata: true\n";
+}
+
+}  // namespace
+
+TEST_CASE("a flat spectrum is grey within 1e-6 in every linear RGB space of the default config") {
+  for (const auto& [name, matrix] : linear_spaces) {
+    const OcioSpace space = OcioSpace::open(own_config, name);
+    for (const auto observer : {Observer::cie1931_2deg, Observer::cie1964_10deg})
+      for (const auto illuminant : {Illuminant::d65, Illuminant::d50, Illuminant::a, Illuminant::e})
+        for (const Method method : {Method::nm1, Method::nm20, Method::exact}) {
+          INFO(name << " " << etak::name(observer) << " " << etak::name(illuminant));
+          const Quadrature q = make_quadrature(method, {observer, illuminant});
+          const Xyz white = to_xyz(q.white());
+          for (const double r : {1.0, 0.5, 0.04}) {
+            const Vec3 xyz = q.integrate(std::vector<double>(q.wavelength_nm.size(), r));
+            near(through(space, xyz, white), {r, r, r}, 1e-6);
+          }
+        }
+  }
+}
+
+TEST_CASE(
+    "ACEScg through OpenColorIO is etak's own ACEScg, and linear sRGB differs only by the white's last "
+    "digits") {
+  // etak takes sRGB's white as the discrete sum of D65, the config as x 0.3127, y 0.3290.
+  const Quadrature q = make_quadrature(Method::nm1, {});
+  const Xyz white = to_xyz(q.white());
+  for (const auto& [space, name, margin] : {std::tuple{RgbSpace::acescg, "ACEScg", 1e-6},
+                                            std::tuple{RgbSpace::srgb, "Linear Rec.709 (sRGB)", 1e-4},
+                                            std::tuple{RgbSpace::rec2020, "Linear Rec.2020", 1e-4}}) {
+    const OcioSpace door = OcioSpace::open(own_config, name);
+    for (const Vec3& xyz : colours)
+      near(through(door, xyz, white), xyz_to_rgb(space, white, white) * xyz, margin);
+  }
+}
+
+TEST_CASE("the default config's matrices are the ones that follow from primaries and whites") {
+  for (const auto& [name, matrix] : linear_spaces) {
+    INFO(name);
+    const OcioSpace space = OcioSpace::open(own_config, name);
+    const bool aces = name.starts_with("ACES");
+    const Mat3 want = inverse(matrix) * (aces ? bradford(d65, aces_white) : identity3);
+    for (const Vec3& xyz : colours) near(through(space, xyz, d65), want * xyz, 1e-6);
+  }
+  for (const auto* name : {"CIE XYZ D65", "CIE XYZ D65 - Display"})
+    for (const Vec3& xyz : colours) near(through(OcioSpace::open(own_config, name), xyz, d65), xyz, 1e-6);
+}
+
+TEST_CASE("encoded spaces and displays of the default config carry their curves") {
+  const Mat3 srgb = inverse(rgb_to_xyz(primaries(RgbSpace::srgb), d65));
+  const Mat3 p3 = inverse(rgb_to_xyz(primaries(RgbSpace::display_p3), d65));
+  const Vec3 xyz{0.4, 0.42, 0.3};
+  const auto encoded = [](Vec3 v) {
+    for (double& x : v) x = srgb_encode(x);
+    return v;
+  };
+  // OpenColorIO derives the toe from gamma and offset; it ends 2e-5 away from the standard's rounded
+  // constants.
+  near(through(OcioSpace::open(own_config, "sRGB - Texture"), xyz, d65), encoded(srgb * xyz), 2e-5);
+  near(through(OcioSpace::open(own_config, "sRGB - Display"), xyz, d65), encoded(srgb * xyz), 2e-5);
+  near(through(OcioSpace::open(own_config, "Display P3 - Display"), xyz, d65), encoded(p3 * xyz), 2e-5);
+  Vec3 power = srgb * xyz;
+  for (double& x : power) x = std::pow(x, 1 / 2.4);
+  near(through(OcioSpace::open(own_config, "Rec.1886 Rec.709 - Display"), xyz, d65), power, 2e-6);
+}
+
+TEST_CASE("colours outside the gamut pass unclipped through linear spaces") {
+  const Mat3 srgb = rgb_to_xyz(primaries(RgbSpace::srgb), d65);
+  const Vec3 gold{1.022, 0.782, -0.344};
+  near(through(OcioSpace::open(own_config, "lin_srgb"), srgb * gold, d65), gold, 2e-6);
+}
+
+TEST_CASE("spaces are found by name, alias and role") {
+  CHECK(OcioSpace::open(own_config, "ACEScg").name() == "ACEScg");
+  CHECK(OcioSpace::open(own_config, "lin_rec2020").name() == "Linear Rec.2020");
+  CHECK(OcioSpace::open(own_config, "scene_linear").name() == "Linear Rec.709 (sRGB)");
+  CHECK(OcioSpace::open(own_config, "ACEScg").config() == own_config);
+}
+
+TEST_CASE("no config named and no $OCIO gives the built-in config, which is the one in resources") {
+  const OcioVariable unset("");
+  CHECK(OcioSpace::open("", "ACEScg").config() == builtin_ocio_config);
+  CHECK(ocio_spaces("") == ocio_spaces(own_config));
+  CHECK(ocio_spaces("").size() == 11);
+  for (const auto& space : ocio_spaces("")) {
+    CHECK(!space.description.empty());
+    CHECK_NOTHROW(OcioSpace::open("", space.name));
+  }
+}
+
+TEST_CASE("$OCIO names the config, and an argument wins over it") {
+  const TempFolder folder;
+  spit(folder.file("small.ocio"), small_config("  aces_interchange: Own\n"));
+  const OcioVariable set(folder.file("small.ocio"));
+  CHECK(OcioSpace::open("", "Half").config() == folder.file("small.ocio"));
+  CHECK(ocio_spaces("").size() == 2);  // the data space is no colour
+  CHECK(OcioSpace::open(own_config, "ACEScg").config() == own_config);
+}
+
+TEST_CASE(
+    "scene spaces are entered through ACES, display spaces through XYZ, so that no view transform lies "
+    "between") {
+  CHECK(OcioSpace::open(own_config, "ACEScg").role() == "aces_interchange");
+  CHECK(OcioSpace::open(own_config, "sRGB - Texture").role() == "aces_interchange");
+  CHECK(OcioSpace::open(own_config, "sRGB - Display").role() == "cie_xyz_d65_interchange");
+}
+
+TEST_CASE("either interchange role is a way in") {
+  const TempFolder folder;
+  spit(folder.file("aces.ocio"), small_config("  aces_interchange: Own\n"));
+  const OcioSpace aces = OcioSpace::open(folder.file("aces.ocio"), "Half");
+  CHECK(aces.role() == "aces_interchange");
+  near(through(aces, vec(d65), d65), {0.5, 0.5, 0.5}, 1e-6);
+  spit(folder.file("cie.ocio"), small_config("  cie_xyz_d65_interchange: Own\n"));
+  const OcioSpace cie = OcioSpace::open(folder.file("cie.ocio"), "Half");
+  CHECK(cie.role() == "cie_xyz_d65_interchange");
+  near(through(cie, vec(d65), d65), {0.5 * d65.x, 0.5, 0.5 * d65.z}, 1e-6);
+  near(through(cie, {1, 1, 1}, {1, 1, 1}), {0.5 * d65.x, 0.5, 0.5 * d65.z}, 1e-6);
+}
+
+TEST_CASE("errors of a config name it, the space and what is missing") {
+  const TempFolder folder;
+  const auto opening = [&](const std::string& config, const std::string& space) {
+    const std::string message = error_of([&] { OcioSpace::open(config, space); });
+    CHECK(!contains(message, "\n"));
+    return message;
+  };
+  SECTION("no interchange role") {
+    spit(folder.file("a.ocio"), small_config("  scene_linear: Own\n"));
+    const auto message = opening(folder.file("a.ocio"), "Half");
+    CHECK(contains(message, folder.file("a.ocio")));
+    CHECK(contains(message, "aces_interchange"));
+    CHECK(contains(message, "cie_xyz_d65_interchange"));
+  }
+  SECTION("no such space: the nearest are named") {
+    const auto message = opening(own_config, "lin_rec2002");
+    CHECK(contains(message, own_config));
+    CHECK(contains(message, "lin_rec2002"));
+    CHECK(contains(message, "Linear Rec.2020"));
+    CHECK(!opening(own_config, "").empty());
+  }
+  SECTION("a space that holds data") {
+    CHECK(contains(opening(own_config, "Raw"), "data"));
+  }
+  SECTION("no such file, a folder, no config") {
+    CHECK(contains(opening(folder.file("absent.ocio"), "ACEScg"), folder.file("absent.ocio")));
+    CHECK(contains(opening(folder.path(), "ACEScg"), folder.path()));
+    spit(folder.file("noise.ocio"),
+         "\x7f"
+         "ELF, no config: [");
+    CHECK(contains(opening(folder.file("noise.ocio"), "ACEScg"), folder.file("noise.ocio")));
+    spit(folder.file("empty.ocio"), "");
+    CHECK(contains(opening(folder.file("empty.ocio"), "ACEScg"), folder.file("empty.ocio")));
+  }
+  SECTION("a table that is missing") {
+    spit(folder.file("lut.ocio"), small_config("  aces_interchange: Own\n") +
+                                      "\n  - !<ColorSpace>\n    name: Lut\n    isdata: false\n"
+                                      "    from_scene_reference: !<FileTransform> {src: absent.spi1d}\n");
+    const auto message = opening(folder.file("lut.ocio"), "Lut");
+    CHECK(contains(message, folder.file("lut.ocio")));
+    CHECK(contains(message, "Lut"));
+  }
+}

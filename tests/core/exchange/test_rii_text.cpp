@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include "core/base/error.h"
+#include "core/exchange/rii_page.h"
+#include "core/material/json.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+const std::string rows =
+    "DATA:\n  - type: tabulated n\n    data: |\n        0.2 -1\n        0.3 1.5\n        0.9 1.4\n";
+
+std::string page(const std::string& references, const std::string& rest = {}) {
+  return "REFERENCES: |\n" + references + rest + rows;
+}
+
+Citation citation(const std::string& references) {
+  return material_from_rii_page(page(references), "main/X/nk/Y.yml", "").datasets[0].citation;
+}
+
+Dataset dataset(const std::string& path, const std::string& rest = {}) {
+  return material_from_rii_page(page("    A. Author.\n    A title.\n", rest), path, "").datasets[0];
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("references, comments and temperature are read as they stand") {
+  const auto text = parse_rii_text(page("    A. One.\n      <i>Two</i>\n\n    Three.\n\n",
+                                        "COMMENTS: |\n    Film\nCONDITIONS:\n    temperature: 293\n"),
+                                   "p.yml");
+  CHECK(text.references == "A. One.\n  <i>Two</i>\n\nThree.");
+  CHECK(text.comments == "Film");
+  CHECK(text.temperature_kelvin == 293.0);
+  CHECK(parse_rii_text("COMMENTS: \"a \\\"b\\\"\"\n" + rows, "p.yml").comments == "a \"b\"");
+  CHECK(parse_rii_text("CONDITIONS:\n    temperature: 20 °C\n" + rows, "p.yml").temperature_kelvin == 293.15);
+  CHECK(!parse_rii_text("CONDITIONS:\n    temperature: warm\n" + rows, "p.yml").temperature_kelvin);
+}
+
+TEST_CASE("a citation of three lines is taken apart") {
+  const auto c = citation(
+      "    P. B. One and R.-W. Two.\n    Optical constants of H<sub>2</sub>O &amp; ice.\n"
+      "    <a href=\"https://doi.org/10.1103/None.6.4370\"><i>J. None B</i> <b>6</b>, 4370-4379 "
+      "(1972)</a>\n");
+  CHECK(c.authors == Names{"P. B. One", "R.-W. Two"});
+  CHECK(c.title == "Optical constants of H2O & ice");
+  CHECK(c.published_in == "J. None B 6, 4370-4379");
+  CHECK(c.year == 1972);
+  CHECK(c.doi == "10.1103/None.6.4370");
+  CHECK(c.url.empty());
+  CHECK(c.licence == "CC0-1.0");
+  CHECK(c.via == "refractiveindex.info main/X/nk/Y");
+}
+
+TEST_CASE("a citation of one line is split behind the last author") {
+  const auto stop =
+      citation("    M. R. One. On indices, <a href=\"https://x.org/a\"><i>Report</i> 12 (1985)</a>\n");
+  CHECK(stop.authors == Names{"M. R. One"});
+  CHECK(stop.title == "On indices");
+  CHECK(stop.published_in == "Report 12");
+  CHECK(stop.url == "https://x.org/a");
+  CHECK(stop.year == 1985);
+  const auto comma = citation(
+      "    L. One, F. Two and G. M. Three, Index of a thing, <a href=\"x\">J. <b>5</b>, 7, 2006</a>\n");
+  CHECK(comma.authors == Names{"L. One", "F. Two", "G. M. Three"});
+  CHECK(comma.title == "Index of a thing");
+  CHECK(comma.published_in == "J. 5, 7");
+  CHECK(comma.year == 2006);
+}
+
+TEST_CASE("of several references the first is taken, and a journal without a link is still one") {
+  const auto c = citation(
+      "    1) A. One et al.\n    A title.\n    <i>Journal</i> <b>1</b>, 2 (1913)<br>\n    2) B. Two.\n");
+  CHECK(c.authors == Names{"A. One et al."});
+  CHECK(c.title == "A title");
+  CHECK(c.published_in == "Journal 1, 2");
+  CHECK(c.year == 1913);
+}
+
+TEST_CASE("a maker's catalogue is title and author in one") {
+  const auto c =
+      citation("    <a href=\"https://x.org/m.agf\">MAKER Zemax catalog 2017-11</a> (obtained from there)\n");
+  CHECK(c.authors == Names{"MAKER"});
+  CHECK(c.title == "MAKER Zemax catalog 2017-11");
+  CHECK(c.year == 2017);
+}
+
+TEST_CASE("the axis comes from the page's name, then from its conditions, then from its comments") {
+  CHECK(dataset("main/X/nk/One-o.yml").axis == "ordinary");
+  CHECK(dataset("main/X/nk/One-500K-e.yml").axis == "extraordinary");
+  CHECK(dataset("main/X/nk/One-γ.yml").axis == "gamma");
+  CHECK(dataset("main/X/nk/One-alpha.yml", "COMMENTS: |\n    Ordinary ray\n").axis == "alpha");
+  CHECK(dataset("main/X/nk/One.yml", "CONDITIONS:\n    direction: beta\n").axis == "beta");
+  CHECK(dataset("main/X/nk/One.yml", "COMMENTS: |\n    Extraordinary ray (e).\n").axis == "extraordinary");
+  CHECK(dataset("main/X/nk/o.yml").axis.empty());
+}
+
+TEST_CASE("ids and names come from the path, whatever characters it has") {
+  const auto material = material_from_rii_page(
+      page("    A.\n    T (1999)\n"), "/x/database/data/organic/(C2H4)n - poly, odd/nk/Li-o.yml", "");
+  CHECK(material.id == "c2h4_n_poly_odd");
+  CHECK(material.name == "poly, odd");
+  CHECK(material.datasets[0].id == "li-o-1999");
+  CHECK(material.datasets[0].citation.via == "refractiveindex.info organic/(C2H4)n - poly, odd/nk/Li-o");
+  CHECK(material_from_rii_page(rows, "specs/maker/optical/N-BK7.yml", "").id == "n_bk7");
+  CHECK(material_from_rii_page(rows, "N-BK7.yml", "mine").id == "mine");
+  CHECK(material_from_rii_page(rows, "+.yml", "").id == "material");
+}
+
+TEST_CASE("rows with n at or below zero outside the visible are left out of the material, flagged") {
+  const auto data = dataset("main/X/nk/Y.yml");
+  CHECK(std::get<Spectrum>(std::get<OpticalConstants>(data.optics).n).value == std::vector<double>{1.5, 1.4});
+  CHECK(data.flags.has(Flag::n_not_positive));
+}
+
+TEST_CASE("an imported page survives being written as JSON, foreign bytes in its text included") {
+  const auto material = material_from_rii_page(page("    A. \xFFuthor.\n    T\x01tle \xE0\x90\x91.\n"),
+                                               "main/X/nk/\xFE.yml", "");
+  CHECK(parse_material(format_material(material), "x.json") == material);
+}
+
+TEST_CASE("pages without linear n are not imported") {
+  const auto refused = [](const std::string& text) {
+    return error_of([&] { material_from_rii_page(text, "p.yml", ""); });
+  };
+  CHECK(refused("DATA:\n  - type: tabulated k\n    data: |\n        0.4 1\n") == "p.yml: no n given");
+  CHECK(contains(refused("NAMES:\n  - x\n"), "p.yml: no linear optical constants"));
+}

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/fresnel/fresnel.h"
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+#include <random>
+
+using namespace etak;
+
+namespace {
+
+// Fresnel's equations in complex long double: independent of the rearrangement under test.
+double by_complex(double n, double k, double cos_i) {
+  using C = std::complex<long double>;
+  const C eta(n, k);
+  const long double c = cos_i;
+  const C root = std::sqrt(eta * eta - C((1 - c) * (1 + c)));
+  const C rs = (c - root) / (c + root), rp = (eta * eta * c - root) / (eta * eta * c + root);
+  return static_cast<double>((std::norm(rs) + std::norm(rp)) / 2);
+}
+
+// The usual a^2 + b^2 form, as in most texts.
+template <class Real>
+Real textbook(Real n, Real k, Real c) {
+  const Real s2 = 1 - c * c, t = n * n - k * k - s2;
+  const Real ab = std::sqrt(t * t + 4 * n * n * k * k);
+  const Real a = std::sqrt(std::max(Real(0), (ab + t) / 2));
+  const Real rs = (ab + c * c - 2 * a * c) / (ab + c * c + 2 * a * c);
+  return rs * (1 + (ab * c * c + s2 * s2 - 2 * a * c * s2) / (ab * c * c + s2 * s2 + 2 * a * c * s2)) / 2;
+}
+
+const std::array<double, 7> cosines{1, 0.9, 0.5, 1.0 / 7, 0.05, 1e-3, 1e-8};
+
+}  // namespace
+
+TEST_CASE("F0 has its known limits") {
+  CHECK(f64::f0(1, 0) == 0);
+  CHECK(f64::f0(1.5, 0) == Approx(0.04).epsilon(1e-15));
+  CHECK(f64::f0(4.0 / 3, 0) == Approx(1.0 / 49).epsilon(1e-14));
+  CHECK(f64::f0(1 / 1.5, 0) == Approx(0.04).epsilon(1e-14));  // the same from both sides
+  CHECK(f64::f0(1e-8, 5) == Approx(1).epsilon(1e-7));
+  CHECK(f64::f0(1, 1e6) == Approx(1).epsilon(1e-11));
+  CHECK(f64::f0(2, 3) == Approx(10.0 / 18).epsilon(1e-15));
+}
+
+TEST_CASE("F0 and absorptance sum to one, and absorptance keeps its digits for large k") {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> exponent(-3, 4);
+  for (int i = 0; i < 5000; ++i) {
+    const double n = std::pow(10, exponent(random)), k = i % 5 == 0 ? 0 : std::pow(10, exponent(random));
+    REQUIRE(f64::f0(n, k) + f64::absorptance0(n, k) == Approx(1).epsilon(1e-14));
+    REQUIRE(f64::f0(n, k) >= 0);
+    REQUIRE(f64::f0(n, k) <= 1);
+  }
+  CHECK(f64::absorptance0(0.2, 1e6) == Approx(8.0e-13).epsilon(1e-11));
+  CHECK(f64::absorptance0(1, 1e3) == Approx(1 - 0.999999000003L * 1 + 9.96e-7 - 9.99997e-7).margin(4e-6));
+}
+
+TEST_CASE("at n = 1.0003 the stable form keeps its digits in float where the textbook form has none") {
+  for (const double n : {1.01, 1.001, 1.0003, 1.0001}) {
+    const auto nf = static_cast<float>(n);
+    const double truth = by_complex(nf, 0, 1);
+    CHECK(std::abs(f32::f0(nf, 0) - truth) <= 2.3e-6 * truth);
+    CHECK(std::abs(f32::fresnel_exact(nf, 0, 1) - truth) <= 2.3e-6 * truth);
+    CHECK(std::abs(f64::fresnel_exact(nf, 0, 1) - truth) <= 1e-14 * truth);
+  }
+  const float n = 1.0003f;
+  const double truth = by_complex(n, 0, 1);
+  CHECK(std::abs(textbook(n, 0.f, 1.f) - truth) > 0.1 * truth);
+}
+
+TEST_CASE("the exact formula agrees with complex arithmetic in long double") {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> log_n(-2, std::log10(20)), log_k(-6, 2), uniform(0, 1);
+  double worst = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double n = i % 7 == 0 ? 1 + 1e-3 * (uniform(random) - 0.5) : std::pow(10, log_n(random));
+    const double k = i % 3 == 0 ? 0 : std::pow(10, log_k(random));
+    const double c = i % 2 ? uniform(random) : std::pow(10, -3 * uniform(random));
+    const double truth = by_complex(n, k, c);
+    if (truth < 1e-9) continue;  // Brewster's angle with k = 0: the reference itself has no digits there
+    worst = std::max(worst, std::abs(f64::fresnel_exact(n, k, c) - truth) / truth);
+  }
+  CHECK(worst < 1e-12);
+}
+
+TEST_CASE("float stays within 1e-5 of double over random inputs") {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<float> log_n(-2, 1.3f), log_k(-4, 2), uniform(0.05f, 1);
+  double worst = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const float n = std::pow(10.f, log_n(random)), k = i % 4 == 0 ? 0 : std::pow(10.f, log_k(random));
+    const float c = uniform(random);
+    const double truth = f64::fresnel_exact(n, k, c);
+    if (truth < 1e-6) continue;
+    worst = std::max(worst, std::abs(f32::fresnel_exact(n, k, c) - truth) / truth);
+  }
+  CHECK(worst < 1e-5);
+}
+
+TEST_CASE("reflectance stays in [0, 1] and is finite for extreme input") {
+  for (const double n : {1e-8, 1e-3, 0.2, 1.0, 1.0 + 1e-12, 1.5, 20.0, 1e4})
+    for (const double k : {0.0, 1e-300, 1e-8, 1.0, 50.0, 1e3, 1e6})
+      for (const double c : cosines) {
+        INFO("n " << n << " k " << k << " cos " << c);
+        const double f = f64::fresnel_exact(n, k, c);
+        CHECK(std::isfinite(f));
+        CHECK(f >= 0);
+        CHECK(f <= 1 + 1e-15);
+        const float g =
+            f32::fresnel_exact(static_cast<float>(n), static_cast<float>(k), static_cast<float>(c));
+        CHECK(std::isfinite(g));
+        CHECK(g >= 0);
+        CHECK(g <= 1.000001f);
+      }
+}
+
+TEST_CASE("equal media reflect nothing at any angle, all others everything at grazing") {
+  for (const double c : cosines) CHECK(f64::fresnel_exact(1, 0, c) == 0);
+  CHECK(f64::fresnel_exact(1, 0, 0) == 0);
+  CHECK(f64::fresnel_exact(1.5, 0, 0) == 1);
+  CHECK(f64::fresnel_exact(0.2, 3.5, 0) == 1);
+  CHECK(f64::fresnel_exact(1.5, 0, 1e-8) == Approx(0.99999994186).epsilon(1e-10));
+}
+
+TEST_CASE("at normal incidence the exact formula is F0, at Brewster's angle half of the perpendicular part") {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> n_range(0.05, 6), k_range(0, 8);
+  for (int i = 0; i < 1000; ++i) {
+    const double n = n_range(random), k = k_range(random);
+    REQUIRE(f64::fresnel_exact(n, k, 1) == Approx(f64::f0(n, k)).epsilon(1e-13));
+  }
+  const double n = 1.5, c = 1 / std::sqrt(1 + n * n);  // tan = n
+  CHECK(f64::fresnel_exact(n, 0, c) == Approx(std::pow((n * n - 1) / (n * n + 1), 2) / 2).epsilon(1e-13));
+}
+
+TEST_CASE("total reflection is total") {
+  const double c = std::cos(45 * std::acos(-1.0) / 180);  // 45 degrees, critical angle 30 for n = 0.5
+  CHECK(f64::fresnel_exact(0.5, 0, c) == Approx(1).epsilon(1e-14));
+  CHECK(f64::fresnel_exact(0.5, 1e-8, c) == Approx(by_complex(0.5, 1e-8, c)).epsilon(1e-14));
+}
+
+TEST_CASE("Schlick's approximation has the right ends") {
+  for (const double f0 : {0.0, 0.04, 0.5, 1.0, 1.022}) {
+    CHECK(f64::f_schlick(f0, 1) == f0);
+    CHECK(f64::f_schlick(f0, 0) == Approx(1).epsilon(1e-15));
+    CHECK(f64::f_schlick(f0, 0.5) == Approx(f0 + (1 - f0) / 32).epsilon(1e-15));
+  }
+  CHECK(f82_cosine == Approx(1.0 / 7));
+}
+
+TEST_CASE("the array forms give the numbers of the scalar ones") {
+  const std::vector<double> n{0.2, 1.0, 1.33, 3.9, 0.05}, k{3.5, 0, 0, 0.03, 7};
+  std::vector<double> a(5), b(5);
+  f64::f0(n, k, a);
+  f64::fresnel_exact(n, k, f82_cosine, b);
+  for (std::size_t i = 0; i < n.size(); ++i) {
+    CHECK(a[i] == Approx(f64::f0(n[i], k[i])).epsilon(1e-15));
+    CHECK(b[i] == Approx(f64::fresnel_exact(n[i], k[i], f82_cosine)).epsilon(1e-14));
+  }
+}

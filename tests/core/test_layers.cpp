@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <sstream>
+
+#include "tests/support.h"
+
+using namespace etak::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct SourceFile {
+  std::string path;    // relative to the root: "core/color/srgb.cpp"
+  std::string folder;  // "color"
+  std::vector<std::string> lines;
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<SourceFile> files_below(const std::string& root) {
+  std::vector<SourceFile> files;
+  for (const auto& entry : fs::recursive_directory_iterator(source_folder() + "/" + root)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension != ".h" && extension != ".cpp" && extension != ".glsl") continue;
+    const std::string path = fs::relative(entry.path(), source_folder()).generic_string();
+    const auto slash = path.find('/', root.size() + 1);
+    files.push_back({path,
+                     slash == std::string::npos ? "" : path.substr(root.size() + 1, slash - root.size() - 1),
+                     lines_of(slurp(entry.path().string()))});
+  }
+  REQUIRE(!files.empty());
+  return files;
+}
+
+// What stands between `open` and `close` in the line, when it begins with `open` (after blanks); else "".
+std::string between(std::string_view line, std::string_view open, char close) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  if (!line.starts_with(open)) return "";
+  line.remove_prefix(open.size());
+  return std::string(line.substr(0, line.find(close)));
+}
+
+// The folders of core in the order of use, from the add_subdirectory lines of core/CMakeLists.txt.
+std::vector<std::string> folder_order() {
+  std::vector<std::string> order;
+  for (const auto& line : lines_of(slurp(source_folder() + "/core/CMakeLists.txt"))) {
+    const std::string folder = between(line, "add_subdirectory(", ')');
+    if (!folder.empty()) order.push_back(folder);
+  }
+  return order;
+}
+
+std::string included(std::string_view line) {
+  const std::string own = between(line, "#include \"", '"');
+  return own.empty() ? between(line, "#include <", '>') : own;
+}
+
+// The line without its texts in quotes and its comment.
+std::string code_of(const std::string& line) {
+  std::string code;
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (!quoted && line.compare(i, 2, "//") == 0) break;
+    if (line[i] == '"')
+      quoted = !quoted;
+    else if (!quoted)
+      code.push_back(line[i]);
+  }
+  return code;
+}
+
+}  // namespace
+
+TEST_CASE("no include of core runs back in the order of its folders") {
+  const auto order = folder_order();
+  REQUIRE(order.size() >= 8);
+  const auto rank = [&](const std::string& folder) {
+    return std::find(order.begin(), order.end(), folder) - order.begin();
+  };
+  for (const auto& file : files_below("core")) {
+    INFO(file.path);
+    REQUIRE(rank(file.folder) < static_cast<std::ptrdiff_t>(order.size()));
+    for (const auto& line : file.lines) {
+      const std::string target = included(line);
+      if (target.empty()) continue;
+      INFO(line);
+      CHECK(!target.starts_with("app/"));
+      CHECK(!target.starts_with("tests/"));
+      if (!target.starts_with("core/")) continue;
+      const std::string folder = target.substr(5, target.find('/', 5) - 5);
+      CHECK(rank(folder) <= rank(file.folder));
+    }
+  }
+}
+
+TEST_CASE("no public header of core names a third party") {
+  const std::vector<std::string> third_parties{
+      "nlohmann", "OpenColorIO", "OCIO_NAMESPACE", "OCIO::", "OpenImageIO", "OIIO",    "YAML::",
+      "yaml-cpp", "Catch",       "<catch2",        "<Q",     "QObject",     "QString", "QWidget"};
+  for (const auto& file : files_below("core")) {
+    if (!file.path.ends_with(".h")) continue;
+    for (const auto& line : file.lines)
+      for (const auto& name : third_parties) {
+        if (!contains(code_of(line), name) && !included(line).starts_with(name)) continue;
+        INFO(file.path << ": " << line);
+        CHECK(name.empty());
+      }
+  }
+}
+
+TEST_CASE("each third party stands behind its own door") {
+  for (const auto& file : files_below("core"))
+    for (const auto& line : file.lines) {
+      const std::string target = included(line);
+      INFO(file.path << ": " << line);
+      if (target.starts_with("nlohmann/")) CHECK(contains(fs::path(file.path).filename().string(), "json"));
+      if (target.starts_with("OpenColorIO/")) CHECK(file.path == "core/color/ocio.cpp");
+      if (target.starts_with("OpenImageIO/")) CHECK(file.path == "core/image/image_io.cpp");
+    }
+}
+
+TEST_CASE("every source file opens with its licence line") {
+  for (const auto* root : {"core", "app", "tests"})
+    for (const auto& file : files_below(root)) {
+      INFO(file.path);
+      REQUIRE(!file.lines.empty());
+      CHECK(file.lines[0] == "// SPDX-License-Identifier: Apache-2.0");
+    }
+}
