@@ -157,7 +157,7 @@ std::string policy(const F0Options& o) {
     text += "; white is the same sum for R = 1";
   }
   text.append("; outside medium ").append(o.outside.label);
-  text.append("; linear ").append(space_name(o));
+  text.append(o.custom_space ? "; in " : "; linear ").append(space_name(o));
   text += "; 8 bit by ";
   text += o.method == Method::legacy_schueler ? "the power 1/2.2" : "the piecewise sRGB curve";
   text += ", rounded half up";
