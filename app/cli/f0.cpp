@@ -4,6 +4,9 @@
 #include <CLI/Formatter.hpp>
 #include <chrono>
 #include <memory>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "app/cli/f0_worker.h"
 #include "app/cli/inputs.h"
@@ -178,6 +181,16 @@ void print_stats(const StageTimes& times, double find, double wall, std::size_t 
            ms(times.f0.fresnel) + ", sum " + ms(times.f0.sum) + ", print " + ms(times.print));
 }
 
+// Each worker's buffers grow and shrink with the pages it meets. What is freed is kept for the next page: given back to
+// the system it would come again as fresh memory, and on two threads wait for the other's page faults.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kept_bytes = 64 << 20;
+  mallopt(M_TRIM_THRESHOLD, kept_bytes);
+  mallopt(M_MMAP_THRESHOLD, kept_bytes);
+#endif
+}
+
 int run(F0Arguments& arguments) {
   using Clock = std::chrono::steady_clock;
   const auto seconds_since = [](Clock::time_point begin) {
@@ -198,6 +211,7 @@ int run(F0Arguments& arguments) {
   const F0Job job{solver, table_options(arguments.tables), arguments.axis_average, with_source,
                   arguments.stats};
   const unsigned threads = thread_count(arguments.threads);
+  keep_freed_memory();
   const std::vector<Input> inputs = find_inputs(arguments.inputs, arguments.library, threads);
   const double find = seconds_since(begin);
 
