@@ -3,13 +3,18 @@
 
 #include <cmath>
 
-// The formula text comes into namespaces of its own, so that the shim's min, sqrt, ... are not seen elsewhere.
+#pragma GCC diagnostic ignored "-Wunused-function"  // the texts' forms for colours
+
+// The formula text comes into namespaces of its own, so that the shim's min, sqrt, ... are not seen
+// elsewhere.
 namespace etak::f64::text {
 namespace {
 using real = double;
 constexpr real tiny = 1e-300;
 #include "core/math/glsl.h"
-#include "core/fresnel/fresnel.glsl"
+
+#include "core/fresnel/conductor.glsl"
+#include "core/fresnel/schlick.glsl"
 }  // namespace
 }  // namespace etak::f64::text
 
@@ -18,15 +23,25 @@ namespace {
 using real = float;
 constexpr real tiny = 1e-37f;
 #include "core/math/glsl.h"
-#include "core/fresnel/fresnel.glsl"
+
+#include "core/fresnel/conductor.glsl"
+#include "core/fresnel/schlick.glsl"
 }  // namespace
 }  // namespace etak::f32::text
 
 namespace etak::f64 {
-double f0(double n, double k) { return text::f0(n, k); }
-double absorptance0(double n, double k) { return text::absorptance0(n, k); }
-double fresnel_exact(double n, double k, double c) { return text::fresnel_exact(n, k, c); }
-double f_schlick(double f0_value, double c) { return text::f_schlick(f0_value, c); }
+double f0(double n, double k) {
+  return text::f0(n, k);
+}
+double absorptance0(double n, double k) {
+  return text::absorptance0(n, k);
+}
+double fresnel_exact(double n, double k, double c) {
+  return text::fresnel_exact(n, k, c);
+}
+double f_schlick(double f0_value, double c) {
+  return text::f_schlick(f0_value, c);
+}
 
 void f0(std::span<const double> n, std::span<const double> k, std::span<double> out) {
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = text::f0(n[i], k[i]);
@@ -38,8 +53,16 @@ void fresnel_exact(std::span<const double> n, std::span<const double> k, double 
 }  // namespace etak::f64
 
 namespace etak::f32 {
-float f0(float n, float k) { return text::f0(n, k); }
-float absorptance0(float n, float k) { return text::absorptance0(n, k); }
-float fresnel_exact(float n, float k, float c) { return text::fresnel_exact(n, k, c); }
-float f_schlick(float f0_value, float c) { return text::f_schlick(f0_value, c); }
+float f0(float n, float k) {
+  return text::f0(n, k);
+}
+float absorptance0(float n, float k) {
+  return text::absorptance0(n, k);
+}
+float fresnel_exact(float n, float k, float c) {
+  return text::fresnel_exact(n, k, c);
+}
+float f_schlick(float f0_value, float c) {
+  return text::f_schlick(f0_value, c);
+}
 }  // namespace etak::f32

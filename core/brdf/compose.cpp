@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Microfacet models from any three terms, and the evaluation of models.
+#include "core/brdf/compose.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace etak {
+namespace {
+
+constexpr std::size_t most_numbers = 24;
+
+void add_files(std::span<const std::string_view> from, std::vector<std::string_view>& files) {
+  for (const std::string_view file : from)
+    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+}
+
+// Where the numbers of parameter `name` stand among those of `list`; at the end: not there.
+std::size_t place_of(std::string_view name, std::span<const Parameter> list) {
+  std::size_t at = 0;
+  for (const Parameter& each : list) {
+    if (each.name == name) return at;
+    at += each.color ? 3 : 1;
+  }
+  return at;
+}
+
+Model::Compiled::Piece piece(const Term& term, std::span<const Parameter> all) {
+  Model::Compiled::Piece out{&evaluators::compiled<double>(term), &evaluators::compiled<float>(term), {}};
+  const auto add = [&](std::span<const Parameter> list) {
+    for (const Parameter& each : list)
+      for (std::size_t i = 0; i < (each.color ? 3u : 1u); ++i) out.at.push_back(place_of(each.name, all) + i);
+  };
+  add(term.parameters);
+  add(term.derived);
+  return out;
+}
+
+std::string names(std::span<const Parameter> list, const char* before, const char* after) {
+  std::string out;
+  for (const Parameter& each : list) out += before + std::string(each.name) + after;
+  return out;
+}
+
+std::string typed_names(std::span<const Parameter> list) {
+  std::string out;
+  for (const Parameter& each : list) out += (each.color ? ", vec3 " : ", real ") + std::string(each.name);
+  return out;
+}
+
+template <class Real>
+void evaluate_piece(const Model::Compiled::Piece& piece, const evaluators::One<Real>& compiled,
+                    const Directions& d, const double* numbers, Real rgb[3]) {
+  double own[most_numbers];
+  for (std::size_t i = 0; i < piece.at.size(); ++i) own[i] = numbers[piece.at[i]];
+  compiled.evaluate(d, own, rgb);
+}
+
+// As brdf_microfacet() of microfacet.glsl.
+template <class Real, class Choose>
+void evaluate_pieces(const Model::Compiled& compiled, Choose choose, const Directions& d,
+                     const double* numbers, Real rgb[3]) {
+  Real D[3], V[3];
+  evaluate_piece<Real>(compiled.fresnel, choose(compiled.fresnel), d, numbers, rgb);
+  evaluate_piece<Real>(compiled.distribution, choose(compiled.distribution), d, numbers, D);
+  evaluate_piece<Real>(compiled.visibility, choose(compiled.visibility), d, numbers, V);
+  for (int i = 0; i < 3; ++i) rgb[i] = std::max(rgb[i], Real(0)) * (D[0] * V[0]);
+}
+
+// The numbers of the entry. A derived one may take a quadrature, so each thread keeps the last.
+const double* entry_numbers(const Model& model, const double* values) {
+  if (model.derived.empty()) return values;
+  struct Last {
+    const Model* model = nullptr;
+    double numbers[most_numbers] = {};
+  };
+  thread_local Last last;
+  const std::size_t count = model.value_count();
+  if (last.model != &model || std::memcmp(last.numbers, values, count * sizeof(double)) != 0) {
+    last.model = &model;
+    std::copy(values, values + count, last.numbers);
+    model.derive(values, last.numbers + count);
+  }
+  return last.numbers;
+}
+
+}  // namespace
+
+Model::Compiled find_compiled(std::string_view name) {
+  Model::Compiled out;
+  for (const auto& each : evaluators::all_f64())
+    if (each.entry == name) out.f64 = each.evaluate;
+  for (const auto& each : evaluators::all_f32())
+    if (each.entry == name) out.f32 = each.evaluate;
+  const evaluators::ManyTable many = evaluators::many();
+  for (std::size_t i = 0; i < many.count; ++i)
+    if (many.rows[i].entry == name) out.many = many.rows[i].evaluate;
+  return out;
+}
+
+void compose(const Term& distribution, const Term& fresnel, const Term& visibility, ComposedModel& out) {
+  const auto add_parameters = [&](const Term& term) {
+    for (const Parameter& each : term.parameters)
+      if (std::none_of(out.parameters.begin(), out.parameters.end(),
+                       [&](const Parameter& p) { return p.name == each.name; }))
+        out.parameters.push_back(each);
+  };
+  add_parameters(fresnel);
+  add_parameters(distribution);
+  add_parameters(visibility);
+  const std::string name = evaluators::compiled_name(distribution.id) + '_' +
+                           evaluators::compiled_name(fresnel.id) + '_' +
+                           evaluators::compiled_name(visibility.id);
+  out.compiled = find_compiled(name);
+  std::vector<Parameter> numbers = out.parameters;
+  numbers.insert(numbers.end(), distribution.derived.begin(), distribution.derived.end());
+  out.compiled.distribution = piece(distribution, numbers);
+  out.compiled.fresnel = piece(fresnel, numbers);
+  out.compiled.visibility = piece(visibility, numbers);
+
+  add_files(fresnel.files, out.files);
+  add_files(distribution.files, out.files);
+  add_files(visibility.files, out.files);
+  out.files.push_back("brdf/microfacet.glsl");
+  out.entry = "brdf_microfacet_" + name;
+  out.text = "vec3 " + out.entry + "(Angles a" + typed_names(out.parameters) +
+             typed_names(distribution.derived) + ") {\n" + "  return brdf_microfacet(" +
+             std::string(fresnel.entry) + '(' + names(fresnel.parameters, "", ", ") +
+             "a.lh),\n                         " + std::string(distribution.entry) + '(' +
+             names(distribution.parameters, "", ", ") + names(distribution.derived, "", ", ") +
+             "a.nh, a.s2),\n                         " + std::string(visibility.entry) + "(a" +
+             names(visibility.parameters, ", ", "") + "));\n}\n";
+
+  Model& model = out.model;
+  model.kind = ModelKind::specular;
+  model.parameters = out.parameters;
+  model.derived = distribution.derived;
+  model.files = out.files;
+  model.entry = out.entry;
+  model.text = out.text;
+  model.distribution = &distribution;
+  model.fresnel = &fresnel;
+  model.visibility = &visibility;
+  model.compiled = &out.compiled;
+}
+
+std::size_t Model::value_count() const {
+  return number_count(parameters);
+}
+std::size_t Model::derived_count() const {
+  return number_count(derived);
+}
+
+void Model::derive(const double* values, double* out) const {
+  if (derived.empty()) return;
+  double own[most_numbers] = {};
+  const std::vector<std::size_t>& at = compiled->distribution.at;
+  for (std::size_t i = 0; i < number_count(distribution->parameters); ++i) own[i] = values[at[i]];
+  evaluators::derive(*distribution, own, out);
+}
+
+void Model::f64(const Directions& d, const double* values, double rgb[3]) const {
+  const double* numbers = entry_numbers(*this, values);
+  if (compiled->f64) return compiled->f64(d, numbers, rgb);
+  evaluate_pieces<double>(
+      *compiled, [](const Compiled::Piece& p) -> auto& { return *p.f64; }, d, numbers, rgb);
+}
+
+void Model::f32(const Directions& d, const double* values, float rgb[3]) const {
+  const double* numbers = entry_numbers(*this, values);
+  if (compiled->f32) return compiled->f32(d, numbers, rgb);
+  evaluate_pieces<float>(
+      *compiled, [](const Compiled::Piece& p) -> auto& { return *p.f32; }, d, numbers, rgb);
+}
+
+void Model::f32_batch(std::size_t count, const float* const directions[6], const double* values,
+                      float* const rgb[3]) const {
+  const double* numbers = entry_numbers(*this, values);
+  if (compiled->many) return compiled->many(count, directions, numbers, rgb);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Directions d{directions[0][i], directions[1][i], directions[2][i],
+                       directions[3][i], directions[4][i], directions[5][i]};
+    float one[3];
+    f32(d, values, one);
+    for (int c = 0; c < 3; ++c) rgb[c][i] = one[c];
+  }
+}
+
+std::string_view batch_instruction_set() {
+  return evaluators::instruction_set();
+}
+
+}  // namespace etak

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// No include guard: every term and model as a type, from terms.inc and models.inc. Included once per kind of
+// evaluation in an unnamed namespace that has `real` and its constants; nothing here or in what it includes
+// is visible outside, so that a file compiled for other instructions leaves nothing behind that others call.
+#include "core/math/glsl.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"   // a text's functions are not all for all
+#pragma GCC diagnostic ignored "-Wunused-parameter"  // entries of one kind have one signature
+#include "core/brdf/texts.h"
+
+inline vec3 color(const real* p) {
+  return vec3(p[0], p[1], p[2]);
+}
+
+// A type holds what is computed once for a surface (`size` numbers at p); at(a) is the value at one pair of
+// directions.
+#define ETAK_D(id, numbers, call)              \
+  struct D_##id {                              \
+    static constexpr int size = numbers;       \
+    const real* p;                             \
+    explicit D_##id(const real* p_) : p(p_) {} \
+    real at(Angles a) const { return call; }   \
+  };
+#define ETAK_F(id, numbers, call)              \
+  struct F_##id {                              \
+    static constexpr int size = numbers;       \
+    const real* p;                             \
+    explicit F_##id(const real* p_) : p(p_) {} \
+    vec3 at(Angles a) const { return call; }   \
+  };
+#define ETAK_F_OF_INDEX(id, numbers, index, extinction)           \
+  struct F_##id {                                                 \
+    static constexpr int size = numbers;                          \
+    vec3 n, k;                                                    \
+    explicit F_##id(const real* p) : n(index), k(extinction) {}   \
+    vec3 at(Angles a) const { return fresnel_exact(n, k, a.lh); } \
+  };
+#define ETAK_F_OF_ENDS(id, numbers, ends_)                     \
+  struct F_##id {                                              \
+    static constexpr int size = numbers;                       \
+    SchuelerEnds ends;                                         \
+    explicit F_##id(const real* p) : ends(ends_) {}            \
+    vec3 at(Angles a) const { return f_schueler(ends, a.lh); } \
+  };
+#define ETAK_V(id, numbers, call)              \
+  struct V_##id {                              \
+    static constexpr int size = numbers;       \
+    const real* p;                             \
+    explicit V_##id(const real* p_) : p(p_) {} \
+    real at(Angles a) const { return call; }   \
+  };
+#include "core/brdf/terms.inc"
+#undef ETAK_D
+#undef ETAK_F
+#undef ETAK_F_OF_INDEX
+#undef ETAK_F_OF_ENDS
+#undef ETAK_V
+
+#define ETAK_MODEL(entry, numbers, type, constant, call)       \
+  struct M_##entry {                                           \
+    static constexpr int size = numbers;                       \
+    const real* p;                                             \
+    type q;                                                    \
+    explicit M_##entry(const real* p_) : p(p_), q(constant) {} \
+    vec3 at(Angles a) const { return call; }                   \
+  };
+// D's parameters stand behind F's; a V with a width takes D's first.
+#define ETAK_MICROFACET(d, f, v)                                                                \
+  struct M_##d##_##f##_##v {                                                                    \
+    static constexpr int size = F_##f::size + D_##d::size;                                      \
+    F_##f F;                                                                                    \
+    D_##d D;                                                                                    \
+    V_##v V;                                                                                    \
+    explicit M_##d##_##f##_##v(const real* p) : F(p), D(p + F_##f::size), V(p + F_##f::size) {} \
+    vec3 at(Angles a) const { return brdf_microfacet(F.at(a), D.at(a), V.at(a)); }              \
+  };
+#include "core/brdf/models.inc"
+#undef ETAK_MODEL
+#undef ETAK_MICROFACET
+#pragma GCC diagnostic pop

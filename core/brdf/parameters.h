@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brdf/models.h"
+
+// The parameters that rows of terms and models share.
+namespace etak::parameters {
+
+inline constexpr Parameter diffuse_color{"cd", "diffuse colour", "", 0, 1, 0.5, Role::diffuse, true};
+inline constexpr Parameter specular_color{"cs", "specular colour", "", 0, 1, 0.04, Role::f0, true};
+inline constexpr Parameter f0{"f0", "reflectance at normal incidence", "", 0, 1, 0.04, Role::f0, true};
+inline constexpr Parameter K{
+    "K", "specular colour: reflectance at normal incidence", "", 0, 1, 0.04, Role::f0, true};
+inline constexpr Parameter n{"n", "index of refraction, relative to the outside", "", 1e-3, 1e4, 1.5, Role::n,
+                             true};
+inline constexpr Parameter k{"k", "extinction", "", 0, 1e6, 0, Role::k, true};
+inline constexpr Parameter g{"g",  "gloss; the lobe's exponent is 2^(12 g)", "", 0, 1, 0.75, Role::gloss,
+                             false};
+inline constexpr Parameter e{"e", "exponent of the lobe", "", 0, 1e6, 512, Role::exponent, false};
+inline constexpr Parameter m_exponent{"m", "exponent of the lobe", "", 1, 1e6, 512, Role::exponent, false};
+inline constexpr Parameter alpha{"alpha", "width of the lobe", "", 1e-4, 1, 0.1, Role::alpha, false};
+inline constexpr Parameter m_slope{"m", "rms slope of the facets", "", 1e-4, 10, 0.1, Role::alpha, false};
+
+}  // namespace etak::parameters

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/light/lights.h"
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+
+namespace etak {
+namespace {
+
+// Checks of one setup; `what` is its file or option, places inside it are JSON pointers.
+struct Checker {
+  std::string_view what;
+
+  [[noreturn]] void fail(const std::string& pointer, double found, std::string_view expected) const {
+    throw Error::at(std::string(what) + '#' + pointer, number(found, 9), expected);
+  }
+  void at_least_zero(const std::string& pointer, double value) const {
+    if (!(value >= 0) || !std::isfinite(value)) fail(pointer, value, "a finite number of at least 0");
+  }
+  void finite(const std::string& pointer, double value) const {
+    if (!std::isfinite(value)) fail(pointer, value, "a finite number");
+  }
+  void color(const std::string& pointer, const Vec3& value) const {
+    for (std::size_t i = 0; i < 3; ++i) at_least_zero(pointer + '/' + std::to_string(i), value[i]);
+  }
+  void position(const std::string& pointer, const Vec3& value) const {
+    for (std::size_t i = 0; i < 3; ++i) finite(pointer + '/' + std::to_string(i), value[i]);
+  }
+  void direction(const std::string& pointer, const Vec3& value) const {
+    position(pointer, value);
+    const double length = std::hypot(value[0], value[1], value[2]);
+    if (!(length > 1e-12)) throw Error::at(std::string(what) + '#' + pointer, "a direction of length zero");
+  }
+
+  void light(const std::string& pointer, const Light& light) const {
+    color(pointer + "/color", light.color);
+    at_least_zero(pointer + "/intensity", light.intensity);
+    if (light.kind != LightKind::directional) position(pointer + "/position", light.position);
+    if (light.kind != LightKind::point) direction(pointer + "/direction", light.direction);
+    if (light.kind != LightKind::spot) return;
+    if (!(light.inner_deg >= 0 && light.inner_deg <= 90))
+      fail(pointer + "/inner_deg", light.inner_deg, "a half-angle of 0 to 90 degrees");
+    if (!(light.outer_deg >= 0 && light.outer_deg <= 90))
+      fail(pointer + "/outer_deg", light.outer_deg, "a half-angle of 0 to 90 degrees");
+    if (light.inner_deg > light.outer_deg)
+      fail(pointer + "/inner_deg", light.inner_deg, "at most outer_deg, " + number(light.outer_deg, 9));
+  }
+};
+
+// A unit vector from its angles: above the horizon, and to the right of the camera's view.
+Vec3 towards(double elevation_deg, double azimuth_deg) {
+  const double degree = 3.14159265358979323846 / 180;
+  const double up = elevation_deg * degree, right = azimuth_deg * degree;
+  return {std::cos(up) * std::sin(right), std::sin(up), std::cos(up) * std::cos(right)};
+}
+
+Light directional_from(double elevation_deg, double azimuth_deg, const Vec3& color, double irradiance) {
+  Light light;
+  const Vec3 to = towards(elevation_deg, azimuth_deg);
+  light.direction = {-to[0], -to[1], -to[2]};
+  light.color = color;
+  light.intensity = irradiance;
+  return light;
+}
+
+}  // namespace
+
+std::string_view name(LightKind kind) {
+  return kind == LightKind::point ? "point" : kind == LightKind::directional ? "directional" : "spot";
+}
+
+std::optional<LightKind> light_kind_named(std::string_view text) {
+  for (const LightKind kind : {LightKind::point, LightKind::directional, LightKind::spot})
+    if (text == name(kind)) return kind;
+  return std::nullopt;
+}
+
+std::string_view name(HemisphereForm form) {
+  return form == HemisphereForm::corrected ? "corrected" : form == HemisphereForm::wide ? "wide" : "printed";
+}
+
+std::optional<HemisphereForm> hemisphere_form_named(std::string_view text) {
+  for (const HemisphereForm form : {HemisphereForm::corrected, HemisphereForm::wide, HemisphereForm::printed})
+    if (text == name(form)) return form;
+  return std::nullopt;
+}
+
+void validate(const LightSetup& setup, std::string_view what) {
+  const Checker check{what};
+  for (std::size_t i = 0; i < setup.lights.size(); ++i)
+    check.light("/lights/" + std::to_string(i), setup.lights[i]);
+  if (setup.hemispheres) {
+    check.color("/hemispheres/upper", setup.hemispheres->upper);
+    check.color("/hemispheres/lower", setup.hemispheres->lower);
+    check.direction("/hemispheres/axis", setup.hemispheres->axis);
+  }
+  check.at_least_zero("/environment/scale", setup.environment_scale);
+}
+
+LightSetup default_lights() {
+  LightSetup setup;
+  setup.lights = {directional_from(40, 40, {1, 0.96, 0.9}, 3.0),
+                  directional_from(10, -60, {0.85, 0.92, 1}, 0.8), directional_from(30, 165, {1, 1, 1}, 2.0)};
+  setup.hemispheres = Hemispheres{};
+  return setup;
+}
+
+}  // namespace etak

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/light/rows.h"
+
+namespace etak {
+namespace {
+
+constexpr std::string_view lights = "light/lights.glsl", hemispheres = "light/hemispheres.glsl",
+                           transfer = "light/transfer.glsl", transparency = "light/transparency.glsl";
+using Kind = LightRowKind;
+
+constexpr LightRow rows[] = {
+    {"point", "point light", "TU Graz; Schueler 2009", Kind::light, "position, color, intensity (W/sr)",
+     lights, "point_irradiance", "E = I / r^2, r at least 0.001"},
+    {"directional", "directional light", "TU Graz; Schueler 2009", Kind::light,
+     "direction, color, intensity (W/m^2)", "", "", "E the same everywhere"},
+    {"spot", "spot light", "TU Graz (named, no formula)", Kind::light,
+     "position, direction, color, intensity (W/sr), inner_deg, outer_deg", lights, "spot_share",
+     "smoothstep in the cosine between the cones, a step where they are equal"},
+    {"hemispheres-diffuse", "two hemispheres, diffuse", "Schueler 2009", Kind::hemispheres,
+     "upper, lower (radiance), axis", hemispheres, "hemisphere_diffuse", "exact for Lambert"},
+    {"hemispheres-specular", "two hemispheres, specular, corrected",
+     "Schueler 2009, S1 to S3 of MODELS.md mended", Kind::hemispheres, "upper, lower (radiance), axis; K, g",
+     hemispheres, "hemisphere_specular",
+     "uniform-field error up to 0.19 for g >= 0.25; transition of width 1 - g", true},
+    {"hemispheres-specular-wide", "two hemispheres, specular, wide transition",
+     "etak: width min(1, 1.8 2^(-6 g))", Kind::hemispheres, "upper, lower (radiance), axis; K, g",
+     hemispheres, "hemisphere_specular_wide",
+     "never a step; rms error of the share 0.013 at g = 1 (0.029 corrected)"},
+    {"hemispheres-specular-printed", "two hemispheres, specular, as printed", "Schueler 2009, as printed",
+     Kind::hemispheres, "upper, lower (radiance), axis; K, g", hemispheres, "hemisphere_specular_printed",
+     "negative below the horizon, F too high by up to 0.99 on rough surfaces"},
+    {"environment", "lat-long image", "Schueler 2009, possible extensions", Kind::environment, "file, scale",
+     "", "", "diffuse irradiance and specular levels per gloss; error stated against the sampled reference"},
+    {"srgb", "exact sRGB curve", "IEC 61966-2-1", Kind::transfer, "", transfer, "srgb_encode",
+     "all 256 codes come back", true},
+    {"power-0.45", "powers 2.2 in, 0.45 out", "Schueler 2009", Kind::transfer, "", transfer,
+     "power045_encode", "not an inverse: 179 of 256 codes move by one; +9.0 codes against sRGB"},
+    {"square-root", "square in, square root out", "Schueler 2009, 2.0", Kind::transfer, "", transfer,
+     "root_encode", "-9.5 codes against sRGB"},
+    {"linear", "no encoding (HDR)", "Schueler 2009", Kind::transfer, "", "", "", ""},
+    {"fresnel-opacity", "transparency by Fresnel", "Schueler 2009, possible extensions", Kind::transparency,
+     "alpha (opacity of the body), K", transparency, "fresnel_opacity",
+     "1 - (1 - alpha)(1 - F(nv)); specular is never multiplied by alpha", true},
+};
+
+}  // namespace
+
+std::string_view name(LightRowKind kind) {
+  constexpr std::string_view names[] = {"light", "hemispheres", "environment", "transfer", "transparency"};
+  return names[static_cast<int>(kind)];
+}
+
+std::span<const LightRow> light_rows() {
+  return rows;
+}
+
+}  // namespace etak
