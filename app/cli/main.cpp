@@ -36,6 +36,10 @@ int run(int argc, char** argv) {
   add_show(app, verb);
   add_nearest(app, verb);
   add_import(app, verb);
+  add_eval(app, verb);
+  add_models(app, verb);
+  add_render(app, verb);
+  add_shader(app, verb);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

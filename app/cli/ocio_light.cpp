@@ -1,49 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <unistd.h>
-
-#include <array>
-#include <cerrno>
-#include <climits>
-#include <cstring>
-
 #include "app/cli/custom_space.h"
+#include "app/cli/image_program.h"
 #include "core/base/error.h"
 
 namespace etak::cli {
-namespace {
-
-constexpr const char* companion = "etak-image";
-char** program_arguments = nullptr;
-
-// Folder of the running program, with '/'.
-std::string program_folder() {
-  std::array<char, PATH_MAX> path{};
-  const ssize_t length = ::readlink("/proc/self/exe", path.data(), path.size());
-  if (length <= 0) return "./";
-  const std::string whole(path.data(), static_cast<std::size_t>(length));
-  return whole.substr(0, whole.rfind('/') + 1);
-}
-
-}  // namespace
-
-void set_program_arguments(char** argv) {
-  program_arguments = argv;
-}
 
 CustomSpace open_custom_space(const std::string&, const std::string& name) {
-  const std::string here = program_folder();
-  // Beside etak in a build tree, in libexec where installed.
-  const std::array candidates{here + companion, here + ETAK_LIBEXEC_FROM_BIN + "/" + companion};
-  for (const std::string& candidate : candidates) {
-    if (::access(candidate.c_str(), X_OK) != 0) continue;
-    ::execv(candidate.c_str(), program_arguments);
-    throw Error::at(candidate, std::string("cannot be started: ") + std::strerror(errno));
-  }
-  throw Error::at(
-      "--space",
-      printable(name) +
-          " is no built-in space, and the program for OpenColorIO spaces is missing (looked for " +
-          candidates[0] + " and " + candidates[1] + ")",
+  become_image_program(
+      "--space", printable(name) + " is no built-in space, and the program for OpenColorIO spaces is missing",
       "srgb, acescg, rec2020, display-p3 or xyz, or an etak built with OpenColorIO");
 }
 

@@ -20,5 +20,9 @@ void add_list(CLI::App& app, Verb& chosen);
 void add_show(CLI::App& app, Verb& chosen);
 void add_nearest(CLI::App& app, Verb& chosen);
 void add_import(CLI::App& app, Verb& chosen);
+void add_eval(CLI::App& app, Verb& chosen);
+void add_models(CLI::App& app, Verb& chosen);
+void add_render(CLI::App& app, Verb& chosen);
+void add_shader(CLI::App& app, Verb& chosen);
 
 }  // namespace etak::cli

@@ -200,6 +200,78 @@ LinearRgb OcioSpace::from_xyz(const Xyz& xyz, const Xyz& white) const {
   return {pixel[0], pixel[1], pixel[2]};
 }
 
+struct OcioDisplay::State {
+  std::string display, view;
+  Mat3 to_interchange;
+  ocio::ConstCPUProcessorRcPtr processor;
+};
+
+OcioDisplay::OcioDisplay(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+
+const std::string& OcioDisplay::display() const {
+  return state_->display;
+}
+const std::string& OcioDisplay::view() const {
+  return state_->view;
+}
+
+namespace {
+
+// `asked`, or the first of `known` where nothing is asked for. Throws Error with the list when it is not
+// there.
+std::string one_of(const std::string& asked, const std::string& standard,
+                   const std::vector<std::string>& known, const std::string& label, const char* what) {
+  if (asked.empty()) return standard;
+  if (std::find(known.begin(), known.end(), asked) != known.end()) return asked;
+  std::string list;
+  for (const std::string& each : known) list += (list.empty() ? "\"" : ", \"") + printable(each, 80) + "\"";
+  throw Error::at(label, std::string("no ") + what + " \"" + printable(asked, 80) + "\"", list);
+}
+
+}  // namespace
+
+OcioDisplay OcioDisplay::open(const std::string& config, const std::string& display,
+                              const std::string& view) {
+  const OpenConfig open = open_config(config);
+  try {
+    const ocio::Config& c = *open.config;
+    std::vector<std::string> displays, views;
+    for (int i = 0; i < c.getNumDisplays(); ++i) displays.emplace_back(c.getDisplay(i));
+    State state;
+    state.display = one_of(display, c.getDefaultDisplay(), displays, open.label, "display");
+    for (int i = 0; i < c.getNumViews(state.display.c_str()); ++i)
+      views.emplace_back(c.getView(state.display.c_str(), i));
+    state.view = one_of(view, c.getDefaultView(state.display.c_str()), views, open.label,
+                        ("view of display \"" + printable(state.display, 80) + "\", named").c_str());
+    // Pictures are scene-referred: the scene side's role where there is one.
+    const bool aces = c.hasRole("aces_interchange");
+    if (!aces && !c.hasRole("cie_xyz_d65_interchange"))
+      throw Error::at(open.label, "no interchange role, so XYZ has no way in",
+                      "role aces_interchange or cie_xyz_d65_interchange");
+    const Interchange door = aces ? aces_interchange() : cie_interchange();
+    const Xyz white = white_of(0.3127, 0.3290);
+    state.to_interchange =
+        door.from_xyz * (bradford(white, door.white) * rgb_to_xyz(primaries(RgbSpace::srgb), white));
+    const auto transform = ocio::DisplayViewTransform::Create();
+    transform->setSrc(c.getColorSpace(door.role.c_str())->getName());
+    transform->setDisplay(state.display.c_str());
+    transform->setView(state.view.c_str());
+    state.processor = c.getProcessor(transform)->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
+    return OcioDisplay(std::make_shared<const State>(std::move(state)));
+  } catch (const ocio::Exception& e) {
+    throw Error::at(open.label, "display \"" + printable(display, 80) + "\" with view \"" +
+                                    printable(view, 80) + "\" cannot be used (" + one_line(e.what()) + ")");
+  }
+}
+
+void OcioDisplay::apply(float* rgb, std::size_t count) const {
+  for (std::size_t i = 0; i < count; ++i, rgb += 3) {
+    const Vec3 in = state_->to_interchange * Vec3{double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
+    for (std::size_t c = 0; c < 3; ++c) rgb[c] = static_cast<float>(in[c]);
+    state_->processor->applyRGB(rgb);
+  }
+}
+
 std::vector<OcioSpaceInfo> ocio_spaces(const std::string& config) {
   const OpenConfig open = open_config(config);
   std::vector<OcioSpaceInfo> out;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,6 +39,27 @@ class OcioSpace {
  private:
   struct State;
   explicit OcioSpace(std::shared_ptr<const State> state);
+  std::shared_ptr<const State> state_;
+};
+
+/// A display and view of an OpenColorIO config: how a picture in linear light is to look on a screen.
+class OcioDisplay {
+ public:
+  /// Throws Error as OcioSpace::open does; for an unknown display or view it lists those of the config.
+  ///   display, view   as the config spells them; empty: its default display, and that display's default view
+  static OcioDisplay open(const std::string& config, const std::string& display, const std::string& view);
+
+  /// Linear sRGB in place to display code values, of which 0..1 can be shown; never clipped by etak.
+  ///   rgb     `count` pixels of three
+  ///   error   OpenColorIO computes in float, and configs round their matrices: 1e-5 with etak's own config
+  void apply(float* rgb, std::size_t count) const;
+
+  const std::string& display() const;
+  const std::string& view() const;
+
+ private:
+  struct State;
+  explicit OcioDisplay(std::shared_ptr<const State> state);
   std::shared_ptr<const State> state_;
 };
 

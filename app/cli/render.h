@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/cli/output.h"
+#include "app/cli/scene_options.h"
+
+namespace etak::cli {
+
+/// `etak render` as typed.
+struct RenderArguments {
+  SceneArguments scene;
+  OutputArguments stats;  // where --format json goes: standard output
+  std::string picture;    // -o
+  std::string device = "auto";
+  std::string ocio, display, view;
+  bool reference = false, sheet = false, half = false;
+  int samples = 16, light_samples = 16, frames = 1;
+  unsigned threads = 0;
+};
+
+/// The work of the verb. Two bodies share this declaration: in etak-image (render_draw.cpp) it makes the
+/// picture; in etak (render_light.cpp), which links no OpenImageIO, it becomes etak-image.
+int draw(RenderArguments& arguments);
+
+}  // namespace etak::cli

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "app/cli/render.h"
+#include "app/cli/render_sheet.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/color/ocio.h"
+#include "core/image/image_io.h"
+#include "core/render/cpu_renderer.h"
+#include "core/render/display.h"
+#include "core/render/reference.h"
+#ifdef ETAK_HAS_GL
+#include "core/render/gl_runner.h"
+#endif
+
+namespace etak::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// What is said about a picture.
+struct Stats {
+  std::string subject, device;
+  std::vector<double> frame_ms;
+  std::optional<double> standard_error, worst_error;
+  std::optional<AmbientError> ambient;
+  double prepare_ms = 0;
+
+  double median_ms() const {
+    std::vector<double> sorted = frame_ms;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+  }
+  double least_ms() const { return *std::min_element(frame_ms.begin(), frame_ms.end()); }
+};
+
+double ms_since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+bool ends_with(const std::string& path, std::string_view ending) {
+  return path.ends_with(ending);
+}
+
+std::optional<Environment> environment_of(const Scene& scene, unsigned threads) {
+  const std::string& name = scene.lights.environment;
+  if (name.empty()) return std::nullopt;
+  return Environment(name == "studio" ? studio_environment() : read_image(name),
+                     scene.lights.environment_scale, name, threads);
+}
+
+void write_picture(const RenderArguments& arguments, const Scene& scene, const Image& picture) {
+  const Image linear = exposed(picture, scene.exposure);
+  if (ends_with(arguments.picture, ".exr"))
+    return write_exr(arguments.picture, linear, !arguments.half, arguments.stats.force);
+  const bool by_ocio = !arguments.display.empty() || !arguments.view.empty() || !arguments.ocio.empty();
+  if (!by_ocio)
+    return write_png(arguments.picture, to_codes(picture, scene.exposure, scene.transfer),
+                     arguments.stats.force);
+  Image shown = linear;
+  OcioDisplay::open(arguments.ocio, arguments.display, arguments.view)
+      .apply(shown.values.data(), shown.pixel_count());
+  Image8 codes(shown.width, shown.height, 3);
+  std::transform(shown.values.begin(), shown.values.end(), codes.values.begin(), to_code);
+  write_png(arguments.picture, codes, arguments.stats.force);
+}
+
+Image draw_reference(const RenderArguments& arguments, const Scene& scene, const Environment* environment,
+                     unsigned threads, Stats& stats) {
+  const int side = static_cast<int>(std::lround(std::sqrt(arguments.samples)));
+  if (side * side != arguments.samples)
+    throw Error::at("--spp", std::to_string(arguments.samples), "a square number: 1, 4, 9, 16, 25, ...");
+  const ReferenceOptions options{side, arguments.light_samples, threads};
+  stats.device = "reference";
+  const auto begin = Clock::now();
+  Progress progress(arguments.stats, static_cast<std::size_t>(scene.height));
+  Reference reference = render_reference(scene, environment, options, [&](std::size_t rows, unsigned worker) {
+    progress.advance(rows, worker);
+  });
+  stats.frame_ms.push_back(ms_since(begin));
+  const bool sampled = (environment != nullptr || scene.lights.hemispheres) && arguments.light_samples > 0;
+  if (sampled) {
+    stats.standard_error = reference.standard_error;
+    stats.worst_error = reference.worst_error;
+    // A quarter of the size tells the same and costs a sixteenth.
+    Scene small = scene;
+    small.width = std::max(16, scene.width / 4);
+    small.height = std::max(16, scene.height / 4);
+    stats.ambient = ambient_error(small, environment, options);
+  }
+  return std::move(reference.picture);
+}
+
+Image draw_gl(const Scene& scene, const Environment* environment, int frames, Stats& stats) {
+#ifdef ETAK_HAS_GL
+  GlRunner gl;
+  stats.device = "gl: " + gl.info().renderer;
+  Image out;
+  for (int i = 0; i < frames; ++i) {
+    const auto begin = Clock::now();
+    out = gl.render(scene, environment);
+    stats.frame_ms.push_back(ms_since(begin));
+  }
+  return out;
+#else
+  (void)scene, (void)environment, (void)frames, (void)stats;
+  throw Error::at("--device", "gl: this etak was built without OpenGL", "cpu or auto");
+#endif
+}
+
+Image draw_cpu(const RenderArguments& arguments, const Scene& scene, const Environment* environment,
+               unsigned threads, Stats& stats) {
+  stats.device = "cpu: " + std::string(batch_instruction_set());
+  Image out;
+  for (int i = 0; i < arguments.frames; ++i) {
+    Progress progress(arguments.stats, static_cast<std::size_t>(scene.height));
+    const auto begin = Clock::now();
+    render_cpu(scene, environment, threads, Precision::f32, out,
+               [&](std::size_t rows, unsigned worker) { progress.advance(rows, worker); });
+    stats.frame_ms.push_back(ms_since(begin));
+  }
+  return out;
+}
+
+std::string numbers(const std::vector<double>& values) {
+  std::string out;
+  for (const double value : values) out += (out.empty() ? "" : ", ") + number(value, 9);
+  return "[" + out + "]";
+}
+
+std::string model_json(const Model* model, const std::vector<double>& values) {
+  if (model == nullptr) return "null";
+  return "{\"id\": " + json_string(model->id) + ", \"values\": " + numbers(values) + "}";
+}
+
+std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& notes, unsigned threads) {
+  const SurfaceValues& s = scene.surface;
+  const auto three = [](const Vec3& v) { return numbers({v[0], v[1], v[2]}); };
+  std::string out = "{\n  \"schema\": \"etak-render/1\",\n  \"subject\": " + json_string(stats.subject) +
+                    ",\n  \"size\": [" + std::to_string(scene.width) + ", " + std::to_string(scene.height) +
+                    "],\n  \"surface\": {\"f0\": " + three(s.f0) + ", \"f82\": " + three(s.f82) +
+                    ", \"n\": " + three(s.n) + ", \"k\": " + three(s.k) +
+                    ", \"nk_residual\": " + three(s.nk_residual) + ", \"diffuse\": " + three(s.diffuse) +
+                    ", \"gloss\": " + number(s.gloss, 9) + ", \"opacity\": " + number(s.opacity, 9) +
+                    "},\n  \"specular\": " + model_json(scene.specular, scene.specular_values) +
+                    ",\n  \"diffuse\": " + model_json(scene.diffuse, scene.diffuse_values) +
+                    ",\n  \"lights\": " + std::to_string(scene.lights.lights.size()) +
+                    ",\n  \"device\": " + json_string(stats.device) +
+                    ",\n  \"threads\": " + std::to_string(threads) +
+                    ",\n  \"prepare_ms\": " + number(stats.prepare_ms, 6) +
+                    ",\n  \"frame_ms\": {\"least\": " + number(stats.least_ms(), 6) +
+                    ", \"median\": " + number(stats.median_ms(), 6) +
+                    ", \"frames\": " + std::to_string(stats.frame_ms.size()) + "}";
+  if (stats.standard_error)
+    out += ",\n  \"standard_error\": {\"rms\": " + number(*stats.standard_error, 6) +
+           ", \"worst\": " + number(*stats.worst_error, 6) + "}";
+  if (stats.ambient)
+    out += ",\n  \"real_time_ambient_error\": {\"mean\": " + number(stats.ambient->mean, 6) +
+           ", \"bias\": " + number(stats.ambient->bias, 6) +
+           ", \"worst\": " + number(stats.ambient->worst, 6) +
+           ", \"standard_error\": " + number(stats.ambient->standard_error, 6) + "}";
+  out += ",\n  \"remarks\": [";
+  for (std::size_t i = 0; i < notes.remarks.size(); ++i)
+    out += (i == 0 ? "" : ", ") + json_string(notes.remarks[i]);
+  return out + "]\n}\n";
+}
+
+void say(const RenderArguments& arguments, const Scene& scene, const Stats& stats, const SceneNotes& notes,
+         unsigned threads) {
+  if (arguments.stats.format == "json")
+    return write_output(arguments.stats, json_form(scene, stats, notes, threads));
+  for (const std::string& each : notes.remarks) remark(arguments.stats, each);
+  if (stats.frame_ms.size() > 1)
+    remark(arguments.stats, stats.device + ", " + std::to_string(threads) +
+                                " threads: " + number(stats.median_ms(), 4) + " ms a frame (median), " +
+                                number(stats.least_ms(), 4) + " ms (least)");
+  if (stats.standard_error)
+    remark(arguments.stats, "standard error of a pixel's luminance " + number(*stats.standard_error, 2) +
+                                " (rms), " + number(*stats.worst_error, 2) + " (worst)");
+  if (stats.ambient)
+    remark(arguments.stats, "the real-time hemispheres and environment are off by " +
+                                number(100 * stats.ambient->mean, 2) + " % (mean), " +
+                                number(100 * stats.ambient->worst, 3) + " % (worst), bias " +
+                                number(100 * stats.ambient->bias, 2) + " %, of the mean luminance");
+}
+
+void check_picture_name(const RenderArguments& arguments) {
+  const std::string& path = arguments.picture;
+  if (path.empty() && arguments.frames == 1)
+    throw Error::at("etak render", "no picture to write", "-o FILE.png or -o FILE.exr");
+  if (!path.empty() && !ends_with(path, ".png") && !ends_with(path, ".exr"))
+    throw Error::at(printable(path, 200), "has no ending that etak writes", ".png or .exr");
+  struct stat info {};
+  if (!path.empty() && !arguments.stats.force && ::stat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode))
+    throw Error::at(path, "exists already", "a new name, or --force to replace it");
+  if (arguments.reference && arguments.device == "gl")
+    throw Error::at("--reference", "is not drawn with gl", "--device cpu");
+}
+
+}  // namespace
+
+int draw(RenderArguments& arguments) {
+  check_picture_name(arguments);
+  const unsigned threads = thread_count(arguments.threads);
+  if (arguments.sheet) {
+    Scene scene;
+    const Image sheet = draw_sheet(arguments, threads, scene);
+    write_picture(arguments, scene, sheet);
+    return exit_ok;
+  }
+  Stats stats;
+  SceneNotes notes;
+  const Scene scene = scene_of(arguments.scene, notes);
+  stats.subject = notes.subject;
+  const auto begin = Clock::now();
+  const std::optional<Environment> environment = environment_of(scene, threads);
+  stats.prepare_ms = ms_since(begin);
+  const Environment* light = environment ? &*environment : nullptr;
+  const Image picture = arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
+                        : arguments.device == "gl" ? draw_gl(scene, light, arguments.frames, stats)
+                                                   : draw_cpu(arguments, scene, light, threads, stats);
+  if (!arguments.picture.empty()) write_picture(arguments, scene, picture);
+  say(arguments, scene, stats, notes, threads);
+  return exit_ok;
+}
+
+}  // namespace etak::cli

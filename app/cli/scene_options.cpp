@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/scene_options.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cmath>
+
+#include "app/cli/inputs.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/fresnel/fresnel.h"
+#include "core/render/display.h"
+
+namespace etak::cli {
+namespace {
+
+using Overrides = std::vector<std::pair<std::string, double>>;
+
+// "0.9" or "0.9,0.5,0.1".
+Vec3 color_of(const std::string& place, std::string_view text) {
+  std::vector<double> out;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    double value = 0;
+    if (!parse_number(text.substr(0, comma), value))
+      throw Error::at(place, printable(text), "one number, or three with ',' between");
+    out.push_back(value);
+    if (comma == text.npos) break;
+    text.remove_prefix(comma + 1);
+  }
+  if (out.size() == 1) return {out[0], out[0], out[0]};
+  if (out.size() != 3) throw Error::at(place, std::to_string(out.size()) + " numbers", "one or three");
+  return {out[0], out[1], out[2]};
+}
+
+double schlick82(double f0) {
+  return f64::f_schlick(f0, f82_cosine);
+}
+
+// A surface of numbers: f0, f82, n, k, diffuse, gloss, opacity.
+SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues surface) {
+  bool has_f0 = false, has_f82 = false, has_index = false;
+  for (const std::string& each : subject) {
+    const std::size_t equals = each.find('=');
+    if (equals == each.npos)
+      throw Error::at(printable(each), "is no NAME=NUMBER like the others", "one material, or numbers only");
+    const std::string name = each.substr(0, equals);
+    const Vec3 value = color_of(name, std::string_view(each).substr(equals + 1));
+    const auto in_unit = [&] {
+      for (const double v : value)
+        if (!(v >= 0 && v <= 1)) throw Error::at(name, number(v, 6), "0 to 1");
+    };
+    if (name == "f0") {
+      in_unit();
+      surface.f0 = value;
+      has_f0 = true;
+    } else if (name == "f82") {
+      in_unit();
+      surface.f82 = value;
+      has_f82 = true;
+    } else if (name == "n" || name == "k") {
+      (name == "n" ? surface.n : surface.k) = value;
+      has_index = true;
+    } else if (name == "diffuse") {
+      in_unit();
+      surface.diffuse = value;
+    } else if (name == "gloss") {
+      surface.gloss = value[0];
+    } else if (name == "opacity") {
+      surface.opacity = value[0];
+    } else {
+      throw Error::at(printable(name), "is nothing of a surface", "f0, f82, n, k, diffuse, gloss or opacity");
+    }
+  }
+  if (has_index && (has_f0 || has_f82)) throw Error::at("n, k", "given beside f0 or f82", "one of the two");
+  if (has_index) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!(surface.n[c] > 0 && surface.n[c] <= 1e4))
+        throw Error::at("n", number(surface.n[c], 6), "above 0, at most 1e4");
+      if (!(surface.k[c] >= 0 && surface.k[c] <= 1e6))
+        throw Error::at("k", number(surface.k[c], 6), "0 to 1e6");
+      surface.f0[c] = f64::f0(surface.n[c], surface.k[c]);
+      surface.f82[c] = f64::fresnel_exact(surface.n[c], surface.k[c], f82_cosine);
+    }
+    return surface;
+  }
+  Vec3 hint{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double root = std::sqrt(std::min(surface.f0[c], 0.9999));
+    const double clear_n = (1 + root) / (1 - root);
+    // A dielectric's edge by its own n; a metal's, where nothing is said, by Schlick.
+    if (!has_f82)
+      surface.f82[c] = surface.f0[c] < forbidden_zone_first ? f64::fresnel_exact(clear_n, 0, f82_cosine)
+                                                            : schlick82(surface.f0[c]);
+    hint[c] = surface.f0[c] < forbidden_zone_first ? std::log(clear_n) : -1;
+  }
+  solve_index(surface, hint);
+  return surface;
+}
+
+SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
+  if (arguments.subject.empty())
+    throw Error::at("etak", "no material", "a material, or numbers such as f0=0.04");
+  SurfaceValues blank;
+  blank.gloss = arguments.gloss;
+  blank.opacity = arguments.opacity;
+  if (!arguments.diffuse.empty())
+    blank.diffuse = {arguments.diffuse[0], arguments.diffuse[1], arguments.diffuse[2]};
+  for (const double value : blank.diffuse)
+    if (!(value >= 0 && value <= 1)) throw Error::at("--diffuse", number(value, 6), "0 to 1");
+  if (arguments.subject.front().find('=') != std::string::npos) {
+    for (const std::string& each : arguments.subject)
+      notes.subject += (notes.subject.empty() ? "" : " ") + each;
+    return made_up(arguments.subject, blank);
+  }
+  InputArguments names;
+  names.names = arguments.subject;
+  names.dataset = arguments.dataset;
+  const std::vector<Input> inputs = find_inputs(names, arguments.library, 1);
+  if (inputs.size() == 1 && inputs[0].kind == Input::Kind::failed) throw Error(inputs[0].path);
+  if (inputs.size() != 1 || inputs[0].from_folder)
+    throw Error::at(arguments.subject.front(), std::to_string(inputs.size()) + " inputs", "one material");
+  const Material material = read_material(inputs[0], TableOptions{});
+  const Dataset& dataset = chosen_dataset(material, inputs[0].dataset, inputs[0].label());
+  notes.subject = material.id + "/" + dataset.id;
+  SurfaceValues out = surface_of(material, dataset, blank.diffuse, blank.gloss);
+  out.opacity = blank.opacity;
+  if (optical_kind(material.material_class) != "dielectric" && !arguments.diffuse.empty())
+    notes.remarks.push_back(material.id + " is a " + std::string(optical_kind(material.material_class)) +
+                            ": --diffuse is not used");
+  return out;
+}
+
+Overrides read_set(const std::vector<std::string>& texts) {
+  Overrides out;
+  for (const std::string& each : texts) {
+    const std::size_t equals = each.find('=');
+    double value = 0;
+    if (equals == each.npos || equals == 0 || !parse_number(std::string_view(each).substr(equals + 1), value))
+      throw Error::at("--set", printable(each), "NAME=NUMBER, or NAME.r=NUMBER for a channel");
+    out.emplace_back(each.substr(0, equals), value);
+  }
+  return out;
+}
+
+const Model* model_named(const char* option, const std::string& id, std::string_view standard) {
+  if (id == "none") return nullptr;
+  if (const Model* model = find_model(id.empty() ? standard : std::string_view(id))) return model;
+  throw Error::at(option, printable(id), "a model that etak models lists, or none");
+}
+
+bool has_parameter(const Model* model, std::string_view name) {
+  if (model == nullptr) return false;
+  for (const Parameter& each : model->parameters)
+    if (name.substr(0, name.find('.')) == each.name) return true;
+  return false;
+}
+
+// Hemispheres and environment see the colours of the surface: those that were set for the model, where it has
+// them.
+void take_set(const Model& model, const std::vector<double>& values, SurfaceValues& surface) {
+  std::size_t at = 0;
+  for (const Parameter& each : model.parameters) {
+    Vec3* color = each.role == Role::diffuse ? &surface.diffuse
+                  : each.role == Role::f0    ? &surface.f0
+                                             : nullptr;
+    for (std::size_t c = 0; color != nullptr && c < 3; ++c) (*color)[c] = values[at + (each.color ? c : 0)];
+    if (each.role == Role::gloss) surface.gloss = values[at];
+    at += each.color ? 3 : 1;
+  }
+}
+
+std::pair<int, int> size_of(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  double width = 0, height = 0;
+  const bool good = parse_number(std::string_view(text).substr(0, cross), width) &&
+                    (cross == text.npos || parse_number(std::string_view(text).substr(cross + 1), height));
+  if (cross == text.npos) height = width;
+  const auto fits = [](double side) {
+    return side >= 1 && side <= max_image_side && side == std::floor(side);
+  };
+  if (!good || !fits(width) || !fits(height))
+    throw Error::at("--size", printable(text),
+                    "N or WIDTHxHEIGHT, 1 to " + std::to_string(max_image_side) + " pixels on a side");
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+}  // namespace
+
+void choose_models(Scene& scene, const std::string& specular, const std::string& diffuse,
+                   const Overrides& set, std::vector<std::string>& remarks) {
+  scene.specular = model_named("--model", specular, default_specular);
+  scene.diffuse = model_named("--diffuse-model", diffuse, default_diffuse);
+  if (scene.diffuse != nullptr && scene.diffuse->kind != ModelKind::diffuse)
+    throw Error::at("--diffuse-model", std::string(scene.diffuse->id) + " is no diffuse model",
+                    "lambert, oren-nayar, ...");
+  if (scene.specular != nullptr && scene.specular->kind == ModelKind::diffuse)
+    throw Error::at("--model", std::string(scene.specular->id) + " is a diffuse model",
+                    "--diffuse-model for it");
+  // A model of both kinds has its own diffuse part.
+  if (scene.specular != nullptr && scene.specular->kind == ModelKind::both) {
+    if (!diffuse.empty() && diffuse != "none")
+      throw Error::at("--diffuse-model",
+                      "model " + std::string(scene.specular->id) + " has a diffuse part of its own",
+                      "no other one");
+    scene.diffuse = nullptr;
+  }
+  Overrides for_specular, for_diffuse;
+  for (const auto& value : set) {
+    const bool to_diffuse = scene.specular == nullptr || (!has_parameter(scene.specular, value.first) &&
+                                                          has_parameter(scene.diffuse, value.first));
+    (to_diffuse ? for_diffuse : for_specular).push_back(value);
+  }
+  std::vector<ClampedValue> clamped;
+  if (scene.specular != nullptr) {
+    scene.specular_values = model_values(*scene.specular, scene.surface, for_specular, &clamped);
+    if (!for_specular.empty()) take_set(*scene.specular, scene.specular_values, scene.surface);
+  }
+  if (scene.diffuse != nullptr) {
+    scene.diffuse_values = model_values(*scene.diffuse, scene.surface, for_diffuse, &clamped);
+    if (!for_diffuse.empty()) take_set(*scene.diffuse, scene.diffuse_values, scene.surface);
+  } else if (!for_diffuse.empty()) {
+    throw Error::at("--set", for_diffuse.front().first, "a parameter of a model in use; there is none");
+  }
+  for (const ClampedValue& each : clamped)
+    remarks.push_back(each.name + " is " + number(each.wanted, 6) + ", taken as " + number(each.used, 6));
+}
+
+Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
+  Scene scene;
+  std::tie(scene.width, scene.height) = size_of(arguments.size);
+  const auto transfer = transfer_named(arguments.transfer);
+  if (!transfer)
+    throw Error::at("--transfer", printable(arguments.transfer), "srgb, power-0.45, sqrt or linear");
+  scene.transfer = *transfer;
+  scene.exposure = arguments.exposure;
+  scene.shape = arguments.quad ? Shape::quad : Shape::sphere;
+  scene.perspective = arguments.perspective;
+  scene.field_of_view_deg = arguments.field_of_view;
+  if (!arguments.background.empty())
+    scene.background = {arguments.background[0], arguments.background[1], arguments.background[2]};
+  scene.surface = surface_from(arguments, notes);
+  choose_models(scene, arguments.model, arguments.diffuse_model, read_set(arguments.set), notes.remarks);
+  if (!arguments.lights.empty())
+    scene.lights = parse_lights(read_file(arguments.lights), arguments.lights);
+  else if (arguments.environment.empty())
+    scene.lights = default_lights();
+  if (!arguments.environment.empty()) scene.lights.environment = arguments.environment;
+  validate(scene);
+  return scene;
+}
+
+void add_scene_options(CLI::App& verb, SceneArguments& arguments) {
+  const auto rgb = [&](const char* name, std::vector<double>& value, const char* text) {
+    verb.add_option(name, value, text)->delimiter(',')->expected(3)->type_name("R,G,B");
+  };
+  verb.add_option("SUBJECT", arguments.subject,
+                  "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or f0=1,0.78,0.34, "
+                  "f82=, n=, k=, "
+                  "diffuse=, gloss=, opacity=")
+      ->type_name("");
+  verb.add_option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
+      ->type_name("ID");
+  verb.add_option("--model", arguments.model,
+                  "specular model (see etak models), or none; default " + std::string(default_specular));
+  verb.add_option("--diffuse-model", arguments.diffuse_model,
+                  "diffuse model, or none; default " + std::string(default_diffuse));
+  verb.add_option("--set", arguments.set,
+                  "value of a model's parameter, NAME.r for one channel; may be given again")
+      ->type_name("NAME=NUMBER")
+      ->allow_extra_args(false);
+  rgb("--diffuse", arguments.diffuse, "diffuse colour, linear; conductors and semiconductors stay black");
+  verb.add_option("--gloss", arguments.gloss, "Schueler's g, 0 to 1: exponent 2^(12 g)")
+      ->capture_default_str();
+  verb.add_option("--opacity", arguments.opacity, "of the body, 0 to 1")->capture_default_str();
+  verb.add_option("--lights", arguments.lights, "light setup; default three lights and two hemispheres")
+      ->type_name("FILE");
+  verb.add_option(
+          "--env", arguments.environment,
+          "environment: lat-long HDR or EXR picture, or studio (etak's own); without --lights the only light")
+      ->type_name("FILE|studio");
+  verb.add_option("--size", arguments.size, "of the picture in pixels")
+      ->type_name("N|WxH")
+      ->capture_default_str();
+  verb.add_flag("--quad", arguments.quad, "a flat square instead of the sphere");
+  verb.add_flag("--perspective", arguments.perspective, "perspective camera instead of an orthographic one");
+  verb.add_option("--fov", arguments.field_of_view, "vertical field of view in degrees")
+      ->capture_default_str();
+  rgb("--background", arguments.background, "linear; default 0.18 grey");
+  verb.add_option("--exposure", arguments.exposure, "linear factor")->capture_default_str();
+  verb.add_option("--transfer", arguments.transfer, "display curve: srgb, power-0.45, sqrt or linear")
+      ->capture_default_str();
+  add_library_options(verb, arguments.library);
+}
+
+}  // namespace etak::cli

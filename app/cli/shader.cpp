@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "app/cli/output.h"
+#include "app/cli/scene_options.h"
+#include "app/cli/verbs.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/render/glsl_text.h"
+
+namespace etak::cli {
+namespace {
+
+struct ShaderArguments {
+  SceneArguments scene;
+  std::string hemispheres;
+  bool es = false, vertex = false;
+  OutputArguments output;
+};
+
+// `count` directional lights spread over the half space before the object.
+std::vector<Light> spread_lights(int count) {
+  std::vector<Light> out;
+  for (int i = 0; i < count; ++i) {
+    const double z = 0.25 + 0.7 * (i + 0.5) / count, s = std::sqrt(1 - z * z);
+    const double turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
+    Light light;
+    light.direction = {-s * std::cos(turn), -s * std::sin(turn), -z};
+    out.push_back(light);
+  }
+  return out;
+}
+
+// --lights N; none when it names a file.
+std::optional<int> light_count(const std::string& text) {
+  double count = 0;
+  if (text.empty() || !parse_number(text, count)) return std::nullopt;
+  if (!(count >= 0 && count <= 64 && count == std::floor(count)))
+    throw Error::at("--lights", text, "0 to 64 directional lights, or a file");
+  return static_cast<int>(count);
+}
+
+Scene shader_scene(ShaderArguments& arguments) {
+  const std::optional<int> count = light_count(arguments.scene.lights);
+  if (count) arguments.scene.lights.clear();
+  SceneNotes notes;
+  Scene scene = scene_of(arguments.scene, notes);
+  for (const std::string& each : notes.remarks) remark(arguments.output, each);
+  if (count) {
+    scene.lights.lights = spread_lights(*count);
+    scene.lights.hemispheres.reset();
+  }
+  if (!arguments.hemispheres.empty()) {
+    if (!scene.lights.hemispheres) scene.lights.hemispheres.emplace();
+    scene.lights.hemispheres->form = *hemisphere_form_named(arguments.hemispheres);
+  }
+  return scene;
+}
+
+// The shader with what is in it and what is not as comments; the first line must stay the version.
+std::string text_form(const GlslText& text, bool vertex) {
+  if (vertex) return text.vertex;
+  const std::size_t first_line = text.fragment.find('\n') + 1;
+  std::string out = text.fragment.substr(0, first_line);
+  for (const bool in : {true, false})
+    for (const GlslFeature& each : text.features)
+      if (each.in == in)
+        out += std::string(in ? "// in:       " : "// left out: ") + each.name + ": " + each.reason + '\n';
+  return out + text.fragment.substr(first_line);
+}
+
+std::string json_features(const GlslText& text, bool in) {
+  std::string out;
+  for (const GlslFeature& each : text.features)
+    if (each.in == in)
+      out += std::string(out.empty() ? "" : ",") + "\n    {\"name\": " + json_string(each.name) +
+             (in ? ", \"what\": " : ", \"reason\": ") + json_string(each.reason) + "}";
+  return "[" + out + (out.empty() ? "]" : "\n  ]");
+}
+
+std::string json_form(const GlslText& text, GlslVersion version) {
+  std::string out = "{\n  \"schema\": \"etak-shader/1\",\n  \"version\": " + json_string(name(version)) +
+                    ",\n  \"in\": " + json_features(text, true) +
+                    ",\n  \"left_out\": " + json_features(text, false) + ",\n  \"uniforms\": [";
+  for (std::size_t i = 0; i < text.uniforms.size(); ++i) {
+    const GlslUniform& each = text.uniforms[i];
+    out += std::string(i == 0 ? "" : ",") + "\n    {\"name\": " + json_string(each.name) +
+           ", \"type\": " + json_string(each.width == 1 ? "float" : "vec" + std::to_string(each.width)) +
+           (each.array ? ", \"count\": " + std::to_string(each.count) : "") + ", \"values\": [";
+    for (std::size_t j = 0; j < each.values.size(); ++j)
+      out += (j == 0 ? "" : ", ") + number(double{each.values[j]}, 9);
+    out += "]}";
+  }
+  return out + (text.uniforms.empty() ? "]" : "\n  ]") + ",\n  \"vertex\": " + json_string(text.vertex) +
+         ",\n  \"fragment\": " + json_string(text.fragment) + "\n}\n";
+}
+
+int run(ShaderArguments& arguments) {
+  const GlslVersion version = arguments.es ? GlslVersion::es_300 : GlslVersion::core_330;
+  const GlslText text = glsl_text(shader_scene(arguments), version);
+  write_output(arguments.output, arguments.output.format == "json" ? json_form(text, version)
+                                                                   : text_form(text, arguments.vertex));
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_shader(CLI::App& app, Verb& chosen) {
+  const auto arguments = std::make_shared<ShaderArguments>();
+  CLI::App& verb =
+      *app.add_subcommand("shader", "the GLSL that draws a material: what it needs and nothing else");
+  add_scene_options(verb, arguments->scene);
+  verb.get_option("--lights")
+      ->description(
+          "number of directional lights, or a light setup; default three lights and two hemispheres")
+      ->type_name("N|FILE");
+  verb.add_option("--hemispheres", arguments->hemispheres,
+                  "light of two hemispheres; FORM: corrected (the default), wide or printed")
+      ->expected(0, 1)
+      ->default_str("corrected")
+      ->check(CLI::IsMember({"corrected", "wide", "printed"}))
+      ->type_name("FORM");
+  verb.add_flag("--es", arguments->es, "#version 300 es instead of 330 core");
+  verb.add_flag("--vertex", arguments->vertex, "the vertex shader instead (JSON holds both)");
+  add_output_options(verb, arguments->output, {"text", "json"});
+  verb.footer(
+      "What was left out is listed with its reason at the head of the text.\n"
+      "Example:\n  etak shader gold --model schueler-full --lights 2 --es");
+  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/color/rgb.h"
+
+namespace etak {
+
+/// A picture as numbers: rows from the top, pixels from the left, the channels of a pixel side by side.
+///   channels   1 grey, 2 grey and opacity, 3 red green blue, 4 with opacity or another fourth quantity
+///   (gloss)
+/// Colour is never multiplied by the last channel: a fourth channel need not be an opacity.
+template <class Value>
+struct Pixels {
+  int width = 0, height = 0, channels = 0;
+  std::vector<Value> values;
+
+  Pixels() = default;
+  Pixels(int width_, int height_, int channels_, Value fill = {})
+      : width(width_),
+        height(height_),
+        channels(channels_),
+        values(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
+                   static_cast<std::size_t>(channels_),
+               fill) {}
+
+  std::size_t pixel_count() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+
+  /// The channels of the pixel in column x of row y.
+  std::span<Value> at(int x, int y) {
+    return {values.data() + offset(x, y), static_cast<std::size_t>(channels)};
+  }
+  std::span<const Value> at(int x, int y) const {
+    return {values.data() + offset(x, y), static_cast<std::size_t>(channels)};
+  }
+
+  friend bool operator==(const Pixels&, const Pixels&) = default;
+
+ private:
+  std::size_t offset(int x, int y) const {
+    assert(x >= 0 && x < width && y >= 0 && y < height);
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+           static_cast<std::size_t>(channels);
+  }
+};
+
+/// Linear light (or plain quantities), any range.
+using Image = Pixels<float>;
+/// Codes 0..255 as they are in a file; what curve they stand for is the holder's business.
+using Image8 = Pixels<std::uint8_t>;
+using Image16 = Pixels<std::uint16_t>;
+
+/// Largest side etak makes or reads: with four float channels such a picture takes 4 GiB.
+inline constexpr int max_image_side = 16384;
+
+/// Copies `part` into `whole` with its left upper corner at column x, row y; both of one channel count. What
+/// lies outside is left out.
+template <class Value>
+void paste(const Pixels<Value>& part, int x, int y, Pixels<Value>& whole) {
+  assert(part.channels == whole.channels);
+  const int first = std::max(0, -x), last = std::min(part.width, whole.width - x);
+  if (first >= last) return;
+  for (int row = std::max(0, -y); row < std::min(part.height, whole.height - y); ++row)
+    std::copy_n(part.at(first, row).data(), static_cast<std::size_t>((last - first) * part.channels),
+                whole.at(x + first, y + row).data());
+}
+
+/// Mean over the area that each new pixel covers, in the values' own scale (so for linear light only). The
+/// new sides are at most the old ones.
+Image shrunk(const Image& image, int width, int height);
+
+/// floor(255 v + 1/2) of values clamped to [0, 1]; NaN becomes 0.
+std::uint8_t to_code(float value);
+
+}  // namespace etak

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/parallel.h"
+
+namespace etak {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr int level_count = 9;
+// Prefiltering looks at no more columns than this: finer detail is below the narrowest lobe (e = 4096, some 5
+// degrees).
+constexpr int prefilter_width = 512;
+
+double luminance(const float* rgb) {
+  return 0.2126 * double{rgb[0]} + 0.7152 * double{rgb[1]} + 0.0722 * double{rgb[2]};
+}
+
+double dot3(const Vec3& a, const Vec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vec3 direction_at(double u, double v) {
+  const double phi = 2 * pi * (u - 0.5), theta = pi * v;
+  return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
+}
+
+struct Place {
+  double u, v;
+};
+Place place_of(const Vec3& d) {
+  // atan2 for both angles: acos loses its digits towards the poles.
+  return {0.5 + std::atan2(d[0], -d[2]) / (2 * pi),
+          std::atan2(std::sqrt(d[0] * d[0] + d[2] * d[2]), d[1]) / pi};
+}
+
+// Bilinear; columns go round, rows end at the poles.
+Vec3 look_up(const Image& map, const Place& place) {
+  const double x = place.u * map.width - 0.5,
+               y = std::clamp(place.v * map.height - 0.5, 0.0, map.height - 1.0);
+  const double column = std::floor(x), row = std::floor(y);
+  const double fx = x - column, fy = y - row;
+  const auto wrap = [&](int i) { return i < 0 ? i + map.width : i >= map.width ? i - map.width : i; };
+  const int x0 = wrap(static_cast<int>(column)), x1 = wrap(static_cast<int>(column) + 1);
+  const int y0 = static_cast<int>(row), y1 = std::min(y0 + 1, map.height - 1);
+  const auto a = map.at(x0, y0), b = map.at(x1, y0), c = map.at(x0, y1), d = map.at(x1, y1);
+  Vec3 out{};
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = (double{a[i]} * (1 - fx) + double{b[i]} * fx) * (1 - fy) +
+             (double{c[i]} * (1 - fx) + double{d[i]} * fx) * fy;
+  return out;
+}
+
+// Solid angle of a pixel in `row` of a map.
+double solid_angle(const Image& map, int row) {
+  const double top = std::cos(pi * row / map.height), bottom = std::cos(pi * (row + 1) / map.height);
+  return 2 * pi / map.width * (top - bottom);
+}
+
+Image at_most(const Image& map, int width) {
+  return map.width <= width ? map : shrunk(map, width, std::min(map.height, width / 2));
+}
+
+// A map's pixels as directions, for sums over all of them.
+struct Source {
+  const Image* map;
+  std::vector<double> sines, cosines;      // of the rows' polar angles
+  std::vector<double> column_x, column_z;  // of the columns, on the horizon
+
+  explicit Source(const Image& image) : map(&image) {
+    for (int y = 0; y < image.height; ++y) {
+      const Vec3 d = direction_at(0.75, (y + 0.5) / image.height);
+      sines.push_back(d[0]);
+      cosines.push_back(d[1]);
+    }
+    for (int x = 0; x < image.width; ++x) {
+      const Vec3 d = direction_at((x + 0.5) / image.width, 0.5);
+      column_x.push_back(d[0]);
+      column_z.push_back(d[2]);
+    }
+  }
+};
+
+// Sum over the source of weight(c) radiance d omega and of weight(c) d omega, for pixels whose cosine c with
+// `axis` is above `least`; rows and columns that cannot be are left out.
+template <class Weight>
+std::pair<Vec3, double> gather(const Source& source, const Vec3& axis, double least, Weight weight) {
+  const Image& map = *source.map;
+  const double reach = std::acos(std::clamp(least, -1.0, 1.0));
+  const Place centre = place_of(axis);
+  const double row = centre.v * map.height, rows = reach / pi * map.height;
+  const int first_row = std::max(0, static_cast<int>(std::floor(row - rows)) - 1);
+  const int last_row = std::min(map.height, static_cast<int>(std::ceil(row + rows)) + 1);
+  // The widest column distance of a cap that holds no pole: asin(sin reach / sin polar angle).
+  const double sine = std::sin(pi * centre.v);
+  const bool holds_pole =
+      pi * centre.v - reach <= 0 || pi * centre.v + reach >= pi || sine <= std::sin(reach) || reach >= pi / 2;
+  const int columns =
+      holds_pole ? map.width / 2
+                 : std::min(map.width / 2,
+                            static_cast<int>(std::asin(std::sin(reach) / sine) / (2 * pi) * map.width) + 2);
+  const int middle = static_cast<int>(std::floor(centre.u * map.width));
+  const int count = std::min(map.width, 2 * columns + 1);
+  Vec3 sum{};
+  double total = 0;
+  for (int y = first_row; y < last_row; ++y) {
+    const auto iy = static_cast<std::size_t>(y);
+    const double omega = solid_angle(map, y);
+    Vec3 row_sum{};
+    double row_total = 0;
+    for (int step = 0; step < count; ++step) {
+      const int x = ((middle - columns + step) % map.width + map.width) % map.width;
+      const auto ix = static_cast<std::size_t>(x);
+      const double c = source.sines[iy] * (source.column_x[ix] * axis[0] + source.column_z[ix] * axis[2]) +
+                       source.cosines[iy] * axis[1];
+      if (c <= least) continue;
+      const double w = weight(c);
+      const auto pixel = map.at(x, y);
+      for (std::size_t i = 0; i < 3; ++i) row_sum[i] += w * double{pixel[i]};
+      row_total += w;
+    }
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += row_sum[i] * omega;
+    total += row_total * omega;
+  }
+  return {sum, total};
+}
+
+// Fills a map of `width` x width/2 with value(direction).
+template <class Value>
+Image filled(int width, unsigned threads, Value value) {
+  Image out(width, width / 2, 3);
+  parallel_chunks(static_cast<std::size_t>(out.height), threads, 1,
+                  [&](std::size_t row, std::size_t, unsigned) {
+                    const int y = static_cast<int>(row);
+                    for (int x = 0; x < out.width; ++x) {
+                      const Vec3 v = value(direction_at((x + 0.5) / out.width, (y + 0.5) / out.height));
+                      for (std::size_t i = 0; i < 3; ++i) out.at(x, y)[i] = static_cast<float>(v[i]);
+                    }
+                  });
+  return out;
+}
+
+// The lobe of exponent e around normal = viewer: with half vector distribution nh^e and Kelemen's 1 / lh^2, f
+// nl is nh^(e - 2) nl up to a factor, and nh^2 = (1 + nl) / 2. A table over the cosines that matter: linear
+// between 2048 steps.
+class LobeWeight {
+ public:
+  explicit LobeWeight(double e) : least_(std::max(0.0, 2 * std::exp2(std::log2(1e-4) * 2 / e) - 1)) {
+    for (int i = 0; i <= steps; ++i) {
+      const double c = least_ + (1 - least_) * i / steps;
+      values_.push_back(std::exp2((e / 2 - 1) * std::log2((1 + c) / 2)) * c);
+    }
+    values_.push_back(values_.back());
+  }
+  double least() const { return least_; }  // below 1e-4 of the peak nothing is left to see
+  double at(double c) const {
+    const double at = std::min((c - least_) / (1 - least_), 1.0) * steps;
+    const auto i = static_cast<std::size_t>(at);
+    return values_[i] + (values_[i + 1] - values_[i]) * (at - static_cast<double>(i));
+  }
+
+ private:
+  static constexpr int steps = 2048;
+  double least_;
+  std::vector<double> values_;
+};
+
+Image lobe_map(const Image& map, double gloss, unsigned threads) {
+  const double e = std::exp2(12 * gloss);
+  // Half the lobe's width per pixel of the result, a quarter per pixel of what is summed.
+  const double wanted = std::clamp(6.3 * std::sqrt(e), 32.0, 256.0);
+  const Image seen = at_most(map, static_cast<int>(std::min(2 * wanted, double(prefilter_width))));
+  const Source source(seen);
+  const LobeWeight weight(e);
+  return filled(1 << static_cast<int>(std::ceil(std::log2(wanted))), threads, [&](const Vec3& r) {
+    const auto [sum, total] = gather(source, r, weight.least(), [&](double c) { return weight.at(c); });
+    return Vec3{sum[0] / total, sum[1] / total, sum[2] / total};
+  });
+}
+
+}  // namespace
+
+Environment::Environment(const Image& lat_long, double scale, const std::string& what, unsigned threads) {
+  if (lat_long.channels < 3)
+    throw Error::at(what, std::to_string(lat_long.channels) + " channels",
+                    "an environment of red, green and blue");
+  if (lat_long.width < 2 || lat_long.height < 2 || lat_long.width > 8192 || lat_long.height > 4096)
+    throw Error::at(what,
+                    std::to_string(lat_long.width) + " x " + std::to_string(lat_long.height) + " pixels",
+                    "an environment of 2 x 2 to 8192 x 4096");
+  if (!(scale >= 0) || !std::isfinite(scale))
+    throw Error::at(what, "scale " + number(scale, 6), "a factor of at least 0");
+  map_ = Image(lat_long.width, lat_long.height, 3);
+  for (int y = 0; y < map_.height; ++y)
+    for (int x = 0; x < map_.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const float value = lat_long.at(x, y)[c] * static_cast<float>(scale);
+        if (!(value >= 0) || !std::isfinite(value))
+          throw Error::at(what,
+                          "radiance " + number(double{value}, 6) + " at column " + std::to_string(x) +
+                              ", row " + std::to_string(y),
+                          "finite numbers of at least 0");
+        map_.at(x, y)[c] = value;
+      }
+
+  const Image seen = at_most(map_, prefilter_width);
+  const Image coarse = at_most(seen, 128);
+  const Source source(coarse);
+  irradiance_ = filled(64, threads,
+                       [&](const Vec3& n) { return gather(source, n, 0, [](double c) { return c; }).first; });
+  for (int i = 0; i < level_count; ++i) {
+    const double gloss = 1 - double(i) / (level_count - 1);
+    levels_.push_back({gloss, lobe_map(seen, gloss, threads)});
+  }
+
+  // A little of the mean everywhere: bilinear look-up sees light in pixels that are black themselves.
+  double mean = 0;
+  for (int y = 0; y < map_.height; ++y)
+    for (int x = 0; x < map_.width; ++x)
+      mean += luminance(map_.at(x, y).data()) * solid_angle(map_, y) / (4 * pi);
+  const double floor = mean > 0 ? 0.01 * mean : 1;
+  double total = 0;
+  for (int y = 0; y < map_.height; ++y) {
+    double row = 0;
+    for (int x = 0; x < map_.width; ++x)
+      column_sums_.push_back(row += luminance(map_.at(x, y).data()) + floor);
+    for (int x = 0; x < map_.width; ++x)
+      column_sums_[column_sums_.size() - 1 - static_cast<std::size_t>(x)] /= row;
+    row_sums_.push_back(total += row * solid_angle(map_, y));
+  }
+  for (double& sum : row_sums_) sum /= total;
+}
+
+Vec3 Environment::radiance(const Vec3& d) const {
+  return look_up(map_, place_of(d));
+}
+
+Vec3 Environment::irradiance(const Vec3& n) const {
+  return look_up(irradiance_, place_of(n));
+}
+
+Vec3 Environment::specular(const Vec3& r, double gloss) const {
+  const double at = (1 - std::clamp(gloss, 0.0, 1.0)) * (level_count - 1);
+  const auto first = std::min(static_cast<std::size_t>(at), levels_.size() - 2);
+  const double share = at - static_cast<double>(first);
+  const Place place = place_of(r);
+  const Vec3 sharp = look_up(levels_[first].map, place);
+  if (share == 0) return sharp;
+  const Vec3 dull = look_up(levels_[first + 1].map, place);
+  Vec3 out{};
+  for (std::size_t i = 0; i < 3; ++i) out[i] = sharp[i] * (1 - share) + dull[i] * share;
+  return out;
+}
+
+Vec3 Environment::sample(double u, double v) const {
+  const auto row = std::upper_bound(row_sums_.begin(), row_sums_.end() - 1, v) - row_sums_.begin();
+  const double row_before = row == 0 ? 0 : row_sums_[static_cast<std::size_t>(row - 1)];
+  const double in_row = (v - row_before) / (row_sums_[static_cast<std::size_t>(row)] - row_before);
+  const auto begin = column_sums_.begin() + row * map_.width;
+  const auto column = std::upper_bound(begin, begin + map_.width - 1, u) - begin;
+  const double column_before = column == 0 ? 0 : begin[column - 1];
+  const double in_column = (u - column_before) / (begin[column] - column_before);
+  // Even over the solid angle within a pixel: linear in the cosine.
+  const double top = std::cos(pi * double(row) / map_.height),
+               bottom = std::cos(pi * double(row + 1) / map_.height);
+  const double y = top + (bottom - top) * std::clamp(in_row, 0.0, 1.0);
+  const double phi = 2 * pi * ((double(column) + std::clamp(in_column, 0.0, 1.0)) / map_.width - 0.5);
+  const double sine = std::sqrt(std::max(0.0, (1 - y) * (1 + y)));
+  return {sine * std::sin(phi), y, -sine * std::cos(phi)};
+}
+
+double Environment::pdf(const Vec3& d) const {
+  const Place place = place_of(d);
+  const int x = std::clamp(static_cast<int>(place.u * map_.width), 0, map_.width - 1);
+  const int y = std::clamp(static_cast<int>(place.v * map_.height), 0, map_.height - 1);
+  const auto row = static_cast<std::size_t>(y);
+  const double in_row = row_sums_[row] - (row == 0 ? 0 : row_sums_[row - 1]);
+  const auto at = row * static_cast<std::size_t>(map_.width) + static_cast<std::size_t>(x);
+  const double in_column = column_sums_[at] - (x == 0 ? 0 : column_sums_[at - 1]);
+  return in_row * in_column / solid_angle(map_, y);
+}
+
+Image studio_environment(int width) {
+  const Vec3 sun{0.4924, 0.6428, 0.5868};  // 40 degrees up
+  const double sun_cosine = 1 - 0.02 / (2 * pi);
+  return filled(width, 1, [&](const Vec3& d) {
+    Vec3 out{};
+    if (d[1] < 0) {
+      const double depth = -d[1];
+      out = {0.22 - 0.10 * depth, 0.19 - 0.09 * depth, 0.16 - 0.08 * depth};
+    } else {
+      const double rise = std::pow(1 - d[1], 4);
+      out = {0.25 + 0.55 * rise, 0.42 + 0.45 * rise, 0.80 + 0.15 * rise};
+    }
+    if (dot3(d, sun) > sun_cosine) out = {60, 54, 45};
+    // The softbox: a square of side 1 on the plane x = -1.5, turned towards the object.
+    if (d[0] < -0.1) {
+      const double y = d[1] / -d[0] * 1.5, z = d[2] / -d[0] * 1.5;
+      if (y > 0.1 && y < 1.1 && z > -0.1 && z < 0.9) out = {6, 6, 6};
+    }
+    return out;
+  });
+}
+
+}  // namespace etak

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/math/mat3.h"
+
+namespace etak {
+
+/// Light from all around as a lat-long picture of radiance (linear sRGB), and what shading needs of it.
+///
+/// Columns go around the y axis: the middle of the picture lies at -z (what the camera looks at), a quarter
+/// to the right of it is +x; the top row is +y. For direction d: u = 1/2 + atan2(d.x, -d.z) / 2 pi, v =
+/// acos(d.y) / pi.
+///
+/// Two prefiltered forms, made once, as plain pictures that a GPU can take as textures:
+///   irradiance   exact sum over the map for every pixel of a small one
+///   specular     a chain of maps, one per gloss level: the mean radiance seen through Schueler's lobe of
+///   that gloss with
+///                viewer and normal along the mirror direction (so the lobe stays round at grazing view: the
+///                usual split into lobe and Fresnel; environment_error() of reference.h states what that
+///                costs)
+class Environment {
+ public:
+  /// Throws Error (naming `what`) for pictures of fewer than 3 channels, NaN, infinite or negative radiance,
+  /// or larger than 8192 x 4096.
+  ///   scale     factor on the radiance, >= 0
+  ///   threads   to prefilter with; the result is the same for any number
+  Environment(const Image& lat_long, double scale, const std::string& what, unsigned threads);
+
+  /// Radiance from direction `d` (unit vector): bilinear.
+  Vec3 radiance(const Vec3& d) const;
+
+  /// Irradiance on a plane with normal `n`: pi for a white environment of radiance 1.
+  Vec3 irradiance(const Vec3& n) const;
+
+  /// Radiance through the lobe of `gloss` around `r`: 1 for a white environment; between levels linear in
+  /// gloss.
+  Vec3 specular(const Vec3& r, double gloss) const;
+
+  struct Level {
+    double gloss;
+    Image map;
+  };
+  const Image& map() const { return map_; }
+  const Image& irradiance_map() const { return irradiance_; }
+  const std::vector<Level>& levels() const { return levels_; }  // gloss 1 first, 0 last
+
+  /// Directions by luminance: two numbers in [0, 1) to a direction; pdf in 1/sr.
+  Vec3 sample(double u, double v) const;
+  double pdf(const Vec3& d) const;
+
+ private:
+  Image map_;
+  Image irradiance_;
+  std::vector<Level> levels_;
+  std::vector<double> row_sums_;     // cumulated over rows, last 1
+  std::vector<double> column_sums_;  // per row cumulated over columns, last 1
+};
+
+/// etak's own environment, made by arithmetic: a sky that darkens upwards from a bright horizon, brown
+/// ground, a sun (0.02 sr at 40 degrees height, right of the camera's back) and a square softbox on the left.
+///   width   of the picture, 64 to 4096; its height is half of that
+Image studio_environment(int width = 512);
+
+}  // namespace etak

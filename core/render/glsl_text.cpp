@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/glsl_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/render/camera.h"
+#include "core/render/glsl_source.h"
+
+namespace etak {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+bool is_black(const Vec3& color) {
+  return color[0] == 0 && color[1] == 0 && color[2] == 0;
+}
+
+Vec3 scaled(const Vec3& color, double by) {
+  return {color[0] * by, color[1] * by, color[2] * by};
+}
+
+std::string type_name(int width) {
+  return width == 1 ? "float" : "vec" + std::to_string(width);
+}
+
+// Grows the glue: the part of the text that is this scene's own.
+class Glue {
+ public:
+  GlslText text;
+
+  void line(std::string_view code) { (body_ += code) += '\n'; }
+
+  void use(std::string name, std::string detail) {
+    text.features.push_back({std::move(name), true, std::move(detail)});
+  }
+  void leave_out(std::string name, std::string reason) {
+    text.features.push_back({std::move(name), false, std::move(reason)});
+  }
+
+  void uniform(const std::string& name, double value) {
+    add({name, 1, 1, false, {static_cast<float>(value)}});
+  }
+  void uniform(const std::string& name, const Vec3& value) { add({name, 3, 1, false, floats(value)}); }
+  void uniform(const std::string& name, double x, double y) {
+    add({name, 2, 1, false, {static_cast<float>(x), static_cast<float>(y)}});
+  }
+  void uniforms(const std::string& name, int width, const std::vector<float>& values) {
+    add({name, width, static_cast<int>(values.size()) / width, true, values});
+  }
+
+  static std::vector<float> floats(const Vec3& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+  }
+
+  GlslText finish(GlslVersion version) && {
+    const std::string glue = declarations_ + '\n' + body_;
+    const std::string head =
+        "#version " + std::string(name(version)) + '\n' +
+        (version == GlslVersion::es_300 ? "precision highp float;\nprecision highp int;\n"
+                                          "precision highp sampler2D;\n"
+                                        : "");
+    const std::string_view vertex = glsl_file("shaders/full_screen.vert");
+    text.vertex = head + std::string(vertex.substr(vertex.find('\n') + 1));
+    text.fragment = head + "#define real float\n\n" + glsl_needed_by(glue) + "// ---- this scene\n" + glue;
+    return std::move(text);
+  }
+
+ private:
+  void add(GlslUniform uniform) {
+    declarations_ += "uniform " + type_name(uniform.width) + ' ' + uniform.name +
+                     (uniform.array ? "[" + std::to_string(uniform.count) + "]" : "") + ";\n";
+    text.uniforms.push_back(std::move(uniform));
+  }
+
+  std::string declarations_, body_;
+};
+
+// Declares the model's parameters as uniforms, "specular_K", and gives the call that evaluates it. `opacity`
+// scales what is diffuse in it: every model is linear in its diffuse colour.
+std::string model_call(Glue& glue, const std::string& part, const Model& model,
+                       const std::vector<double>& values, double opacity) {
+  if (values.size() != model.value_count())
+    throw Error::at(model.id, std::to_string(values.size()) + " values",
+                    std::to_string(model.value_count()) + " for its parameters");
+  std::string call = std::string(model.entry) + "(a";
+  std::size_t at = 0;
+  for (const Parameter& parameter : model.parameters) {
+    const std::string uniform = part + '_' + std::string(parameter.name);
+    const double scale = parameter.role == Role::diffuse ? opacity : 1;
+    if (parameter.color)
+      glue.uniform(uniform, Vec3{values[at] * scale, values[at + 1] * scale, values[at + 2] * scale});
+    else
+      glue.uniform(uniform, values[at] * scale);
+    at += parameter.color ? 3 : 1;
+    call += ", " + uniform;
+  }
+  std::vector<double> derived(model.derived_count());
+  model.derive(values.data(), derived.data());
+  for (std::size_t i = 0; i < derived.size(); ++i) {
+    const std::string uniform = part + '_' + std::string(model.derived[i].name);
+    glue.uniform(uniform, derived[i]);
+    call += ", " + uniform;
+  }
+  if (!model.text.empty()) glue.line(real_literals(model.text));
+  return call + ')';
+}
+
+// Whether all values of the diffuse parameters are 0; false for a model without any.
+bool diffuse_is_black(const Model& model, const std::vector<double>& values) {
+  bool any = false;
+  std::size_t at = 0;
+  for (const Parameter& parameter : model.parameters) {
+    const std::size_t count = parameter.color ? 3 : 1;
+    if (parameter.role == Role::diffuse) {
+      any = true;
+      for (std::size_t i = at; i < std::min(at + count, values.size()); ++i)
+        if (values[i] != 0) return false;
+    }
+    at += count;
+  }
+  return any;
+}
+
+std::string loop(std::size_t count) {
+  return "  for (int i = 0; i < " + std::to_string(count) + "; ++i) {";
+}
+
+std::string counted(std::size_t count) {
+  return std::to_string(count);
+}
+
+void append(std::vector<float>& out, const Vec3& v) {
+  for (const double x : v) out.push_back(static_cast<float>(x));
+}
+
+bool shines(const Light& light) {
+  return light.intensity != 0 && !is_black(light.color);
+}
+
+// The text of one scene, part by part.
+class SceneText {
+ public:
+  explicit SceneText(const Scene& scene)
+      : scene_(scene),
+        opacity_(scene.surface.opacity),
+        lit_(std::ranges::any_of(scene.lights.lights, shines)) {}
+
+  GlslText finish(GlslVersion version) {
+    brdf();
+    lights();
+    hemispheres();
+    environment();
+    glue_.line("out vec4 pixel_color;\n");
+    if (lit_) {
+      glue_.line(
+          "vec3 lit(vec3 l, vec3 v) {\n  Angles a = angles(l, v);\n  if (a.valid <= 0.0) return vec3(0.0);");
+      glue_.line("  return (" + brdf_ + ") * a.nl;\n}\n");
+    }
+    glue_.line("vec3 shade(vec3 p, vec3 n, vec3 v) {");
+    if (lit_)
+      glue_.line(
+          "  vec3 t = tangent_of(n);\n  vec3 b = cross(n, t);\n  vec3 local_v = in_frame(v, t, b, n);");
+    glue_.line("  vec3 sum = vec3(0.0);");
+    glue_.line(light_code_ + "  return sum;\n}\n");
+    picture();
+    return std::move(glue_).finish(version);
+  }
+
+ private:
+  void brdf() {
+    const Model* specular = scene_.specular;
+    const Model* diffuse = scene_.diffuse;
+    if (specular == nullptr && diffuse == nullptr)
+      throw Error::at("scene", "no model", "a specular or a diffuse one");
+    const bool both = specular != nullptr && specular->kind == ModelKind::both;
+    const bool black = is_black(scene_.surface.diffuse) ||
+                       (both ? diffuse_is_black(*specular, scene_.specular_values)
+                             : diffuse != nullptr && diffuse_is_black(*diffuse, scene_.diffuse_values));
+    has_diffuse_ = !black && (both || diffuse != nullptr);
+    if (!lit_) {
+      // Hemispheres and environment have forms of their own.
+      glue_.leave_out("specular", "no discrete light");
+      glue_.leave_out("diffuse", "no discrete light");
+      return;
+    }
+    if (specular != nullptr) {
+      brdf_ = model_call(glue_, "specular", *specular, scene_.specular_values, opacity_);
+      glue_.use("specular", std::string(specular->id));
+    } else {
+      glue_.leave_out("specular", "no specular model");
+    }
+    if (both) {
+      glue_.use("diffuse", "part of " + std::string(specular->id));
+    } else if (has_diffuse_) {
+      brdf_ += brdf_.empty() ? "" : " + ";
+      brdf_ += model_call(glue_, "diffuse", *diffuse, scene_.diffuse_values, opacity_);
+      glue_.use("diffuse", std::string(diffuse->id));
+    } else {
+      glue_.leave_out("diffuse", diffuse == nullptr ? "no diffuse model" : "K_d is 0");
+    }
+    lit_ = !brdf_.empty();
+  }
+
+  void lights() {
+    std::vector<const Light*> kinds[3];
+    for (const Light& light : scene_.lights.lights)
+      if (lit_ && shines(light)) kinds[static_cast<std::size_t>(light.kind)].push_back(&light);
+    const double scale = scene_.lights.pi_scaled ? std::numbers::pi : 1;
+    const auto uniforms = [&](const char* name, int width, const std::vector<const Light*>& of, auto value) {
+      std::vector<float> values;
+      for (const Light* light : of) value(values, *light);
+      glue_.uniforms(name, width, values);
+    };
+    const auto strength = [scale](std::vector<float>& out, const Light& light) {
+      append(out, scaled(light.color, light.intensity * scale));
+    };
+    const auto position = [](std::vector<float>& out, const Light& light) { append(out, light.position); };
+    const auto towards = [](std::vector<float>& out, const Light& light) {
+      append(out, scaled(light.direction, -1));
+    };
+
+    if (const auto& of = kinds[static_cast<std::size_t>(LightKind::directional)]; !of.empty()) {
+      uniforms("directional_to_light", 3, of, towards);
+      uniforms("directional_irradiance", 3, of, strength);
+      light_code_ += loop(of.size()) +
+                     "\n    vec3 l = in_frame(directional_to_light[i], t, b, n);"
+                     "\n    sum += lit(l, local_v) * directional_irradiance[i];\n  }\n";
+    }
+    if (const auto& of = kinds[static_cast<std::size_t>(LightKind::point)]; !of.empty()) {
+      uniforms("point_position", 3, of, position);
+      uniforms("point_intensity", 3, of, strength);
+      light_code_ += loop(of.size()) + arriving("point") +
+                     "\n    sum += lit(l, local_v) * point_irradiance(point_intensity[i], r);\n  }\n";
+    }
+    if (const auto& of = kinds[static_cast<std::size_t>(LightKind::spot)]; !of.empty()) {
+      uniforms("spot_position", 3, of, position);
+      uniforms("spot_intensity", 3, of, strength);
+      uniforms("spot_back", 3, of, towards);
+      uniforms("spot_cosines", 2, of, [](std::vector<float>& out, const Light& light) {
+        out.push_back(static_cast<float>(std::cos(light.inner_deg * degree)));
+        out.push_back(static_cast<float>(std::cos(light.outer_deg * degree)));
+      });
+      light_code_ +=
+          loop(of.size()) + arriving("spot") +
+          "\n    float share = spot_share(dot(to, spot_back[i]) / r, spot_cosines[i].x, spot_cosines[i].y);"
+          "\n    sum += lit(l, local_v) * point_irradiance(spot_intensity[i], r) * share;\n  }\n";
+    }
+    constexpr std::pair<LightKind, const char*> rows[] = {{LightKind::directional, "directional lights"},
+                                                          {LightKind::point, "point lights"},
+                                                          {LightKind::spot, "spot lights"}};
+    for (const auto& [kind, name] : rows) {
+      const std::size_t count = kinds[static_cast<std::size_t>(kind)].size();
+      if (count > 0)
+        glue_.use(name, counted(count));
+      else
+        glue_.leave_out(name, in_setup(kind) ? "nothing for them to light" : "none in the setup");
+    }
+  }
+
+  bool in_setup(LightKind kind) const {
+    return std::ranges::any_of(scene_.lights.lights,
+                               [&](const Light& light) { return light.kind == kind && shines(light); });
+  }
+
+  // Distance and direction of a light that has a place.
+  static std::string arriving(const std::string& kind) {
+    return "\n    vec3 to = " + kind + "_position[i] - p;\n    float r = max(length(to), " +
+           std::to_string(point_light_min_r) + ");\n    vec3 l = in_frame(to / r, t, b, n);";
+  }
+
+  void hemispheres() {
+    const auto& sky = scene_.lights.hemispheres;
+    const bool dark = !sky || (is_black(sky->upper) && is_black(sky->lower));
+    const std::string reason = !sky ? "none in the setup" : "both are black";
+    const bool diffuse = !dark && has_diffuse_;
+    const bool specular = !dark && scene_.specular != nullptr;
+    if (diffuse || specular) {
+      glue_.uniform("sky_upper", sky->upper);
+      glue_.uniform("sky_lower", sky->lower);
+      glue_.uniform("sky_axis", sky->axis);
+    }
+    if (diffuse) {
+      body_uniform();
+      light_code_ += "  sum += hemisphere_diffuse(body_K, sky_lower, sky_upper, dot(n, sky_axis));\n";
+      glue_.use("diffuse hemispheres", "K_d is not 0");
+    } else {
+      glue_.leave_out("diffuse hemispheres", dark ? reason : no_body());
+    }
+    if (!specular) return glue_.leave_out("specular hemispheres", dark ? reason : "no specular model");
+    const HemisphereForm form = sky->form;
+    const std::string function = form == HemisphereForm::printed ? "hemisphere_specular_printed"
+                                 : form == HemisphereForm::wide  ? "hemisphere_specular_wide"
+                                                                 : "hemisphere_specular";
+    mirror();
+    light_code_ +=
+        "  sum += " + function + "(gloss_K, gloss, nv, dot(mirrored, sky_axis), sky_lower, sky_upper);\n";
+    glue_.use("specular hemispheres", std::string(name(form)));
+  }
+
+  void environment() {
+    if (scene_.lights.environment.empty()) return glue_.leave_out("environment", "none in the setup");
+    std::string parts;
+    if (has_diffuse_) {
+      body_uniform();
+      light_code_ += "  sum += body_K * environment_diffuse(n);\n";
+      parts = "diffuse";
+    }
+    if (scene_.specular != nullptr) {
+      mirror();
+      light_code_ += "  sum += hemisphere_fresnel(gloss_K, gloss, nv) * environment_specular(mirrored);\n";
+      parts += parts.empty() ? "specular" : " and specular";
+    }
+    if (parts.empty()) return glue_.leave_out("environment", "neither a diffuse nor a specular part");
+    glue_.use("environment", parts);
+  }
+
+  std::string no_body() const { return is_black(scene_.surface.diffuse) ? "K_d is 0" : "no diffuse model"; }
+
+  void body_uniform() {
+    if (!std::exchange(body_declared_, true))
+      glue_.uniform("body_K", scaled(scene_.surface.diffuse, opacity_));
+  }
+
+  // What hemispheres and environment need of the mirror direction.
+  void mirror() {
+    if (std::exchange(mirror_declared_, true)) return;
+    glue_.uniform("gloss_K", scene_.surface.f0);
+    glue_.uniform("gloss", scene_.surface.gloss);
+    light_code_ += "  float nv = dot(n, v);\n  vec3 mirrored = 2.0 * nv * n - v;\n";
+  }
+
+  void picture() {
+    glue_.uniform("picture_size", scene_.width, scene_.height);
+    glue_.uniform("background", scene_.background);
+    const Camera camera(scene_);
+    if (scene_.perspective) {
+      glue_.uniform("camera_distance", camera.distance());
+      glue_.uniform("camera_spread", camera.spread());
+    }
+    const bool sphere = scene_.shape == Shape::sphere;
+    glue_.use("shape", sphere ? "sphere" : "quad");
+    glue_.use("camera", scene_.perspective ? "perspective" : "orthographic");
+
+    glue_.line("void main() {");
+    glue_.line("  float pixel = 2.2 / picture_size.y;");
+    glue_.line("  vec2 at = (gl_FragCoord.xy - picture_size * 0.5) * pixel;");
+    if (!sphere)
+      glue_.line(scene_.perspective ? "  float side = 1.0 / (camera_spread * camera_distance);"
+                                    : "  float side = 1.0;");
+    glue_.line(sphere ? "  float coverage = disc_coverage(at, pixel);"
+                      : "  float coverage = square_coverage(at, side, pixel);");
+    glue_.line("  vec3 color = background;\n  if (coverage > 0.0) {");
+    if (sphere) {
+      glue_.line(scene_.perspective ? "    vec3 p = sphere_perspective(at, camera_distance, camera_spread);"
+                                    : "    vec3 p = sphere_orthographic(at);");
+      glue_.line("    vec3 n = p;");
+    } else {
+      glue_.line(scene_.perspective ? "    vec3 p = vec3(clamp(at / side, -1.0, 1.0), 0.0);"
+                                    : "    vec3 p = vec3(clamp(at, -1.0, 1.0), 0.0);");
+      glue_.line("    vec3 n = vec3(0.0, 0.0, 1.0);");
+    }
+    if (!scene_.perspective)
+      glue_.line("    vec3 v = vec3(0.0, 0.0, 1.0);");
+    else
+      glue_.line(sphere ? "    vec3 v = viewer_perspective(drawn_in(at), camera_spread);"
+                        : "    vec3 v = viewer_perspective(clamp(at, -side, side), camera_spread);");
+    glue_.line("    vec3 object = shade(p, n, v);");
+    transparency();
+    glue_.line("    color = mix(background, object, coverage);\n  }");
+    transfer();
+    glue_.line("  pixel_color = vec4(color, coverage);\n}");
+  }
+
+  void transparency() {
+    if (opacity_ >= 1) return glue_.leave_out("transparency", "opacity is 1");
+    const Vec3& f0 = scene_.surface.f0;
+    glue_.uniform("opacity", opacity_);
+    glue_.uniform("f0_luminance", luminance(f0));
+    glue_.line("    object += (1.0 - fresnel_opacity(opacity, f0_luminance, dot(n, v))) * background;");
+    glue_.use("transparency", "opacity below 1");
+  }
+
+  static double luminance(const Vec3& rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+
+  void transfer() {
+    if (scene_.exposure != 1) {
+      glue_.uniform("exposure", scene_.exposure);
+      glue_.line("  color *= exposure;");
+      glue_.use("exposure", "a factor");
+    } else {
+      glue_.leave_out("exposure", "the factor is 1");
+    }
+    const char* curve = nullptr;
+    switch (scene_.transfer) {
+      case Transfer::srgb:
+        curve = "srgb_encode";
+        break;
+      case Transfer::power_045:
+        curve = "power045_encode";
+        break;
+      case Transfer::square_root:
+        curve = "root_encode";
+        break;
+      case Transfer::linear:
+        break;
+    }
+    if (curve == nullptr) return glue_.leave_out("transfer", "values stay linear");
+    const std::string call = curve;
+    glue_.line("  color = max(color, vec3(0.0));");
+    glue_.line("  color = vec3(" + call + "(color.x), " + call + "(color.y), " + call + "(color.z));");
+    glue_.use("transfer", call);
+  }
+
+  const Scene& scene_;
+  const double opacity_;
+  Glue glue_;
+  std::string brdf_, light_code_;
+  bool lit_;  // some discrete light meets some model
+  bool has_diffuse_ = false, body_declared_ = false, mirror_declared_ = false;
+};
+
+}  // namespace
+
+std::string_view name(GlslVersion version) {
+  return version == GlslVersion::core_330 ? "330 core" : "300 es";
+}
+
+const GlslFeature* GlslText::feature(std::string_view feature_name) const {
+  const auto found = std::find_if(features.begin(), features.end(),
+                                  [&](const GlslFeature& each) { return each.name == feature_name; });
+  return found == features.end() ? nullptr : &*found;
+}
+
+GlslText glsl_text(const Scene& scene, GlslVersion version) {
+  return SceneText(scene).finish(version);
+}
+
+GlslText glsl_evaluation_text(const Model& model, const std::vector<double>& values, GlslVersion version) {
+  Glue glue;
+  const std::string call = model_call(glue, "model", model, values, 1);
+  glue.line("uniform sampler2D to_light, to_viewer;\nout vec4 value;\n");
+  glue.line("void main() {\n  ivec2 at = ivec2(gl_FragCoord.xy);");
+  glue.line("  Angles a = angles(texelFetch(to_light, at, 0).xyz, texelFetch(to_viewer, at, 0).xyz);");
+  glue.line("  value = vec4(a.valid <= 0.0 ? vec3(0.0) : " + call + ", 1.0);\n}");
+  return std::move(glue).finish(version);
+}
+
+}  // namespace etak

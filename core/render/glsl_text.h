@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/render/scene.h"
+
+namespace etak {
+
+enum class GlslVersion { core_330, es_300 };
+std::string_view name(GlslVersion version);  // "330 core", "300 es"
+
+/// Something a shader can hold. `reason`: what of it is in, or why it was left out ("K_d is 0").
+struct GlslFeature {
+  std::string name;
+  bool in = false;
+  std::string reason;
+  friend bool operator==(const GlslFeature&, const GlslFeature&) = default;
+};
+
+/// A uniform and what it is to be set to: `values` holds `count` times `width` numbers.
+struct GlslUniform {
+  std::string name;
+  int width = 1;  // 1: float, 2: vec2, 3: vec3
+  int count = 1;  // above 1 or `array`: an array
+  bool array = false;
+  std::vector<float> values;
+};
+
+/// A shader pair for one scene. The text depends on which things the scene has, the uniforms on how much of
+/// each, so that moving a slider keeps the text unless it switches something on or off.
+/// Diffuse colours come times the opacity. A scene with an environment also reads the samplers and the share
+/// of shaders/environment.glsl, which are the caller's to bind.
+struct GlslText {
+  std::string vertex, fragment;
+  std::vector<GlslFeature> features;
+  std::vector<GlslUniform> uniforms;
+
+  const GlslFeature* feature(std::string_view feature_name) const;
+};
+
+/// The shaders that draw `scene` over the whole target. Throws Error for a scene without any model, and for
+/// one whose values do not fit its models.
+GlslText glsl_text(const Scene& scene, GlslVersion version = GlslVersion::core_330);
+
+/// A fragment shader that writes f_r of `model` for the directions in two float textures, one pixel each
+/// (core/brdf's frame): what tests compare with C++.
+GlslText glsl_evaluation_text(const Model& model, const std::vector<double>& values,
+                              GlslVersion version = GlslVersion::core_330);
+
+}  // namespace etak

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/fresnel/fresnel.h"
+#include "core/image/image.h"
+
+namespace etak {
+namespace {
+
+constexpr std::array<char, 3> channel_letters{'r', 'g', 'b'};
+
+// What a surface says of a parameter; the parameter's own default where it says nothing.
+Vec3 value_of(const Parameter& parameter, const SurfaceValues& surface) {
+  const double exponent = std::exp2(12 * surface.gloss);
+  const auto all = [](double value) { return Vec3{value, value, value}; };
+  switch (parameter.role) {
+    case Role::diffuse:
+      return surface.diffuse;
+    case Role::f0:
+      return surface.f0;
+    case Role::f82: {
+      if (parameter.name.find("tint") == std::string_view::npos) return surface.f82;
+      Vec3 tint{};
+      for (std::size_t c = 0; c < 3; ++c)
+        tint[c] = surface.f82[c] / f64::f_schlick(surface.f0[c], f82_cosine);
+      return tint;
+    }
+    case Role::n:
+      return surface.n;
+    case Role::k:
+      return surface.k;
+    case Role::gloss:
+      return all(surface.gloss);
+    case Role::alpha:
+      return all(std::sqrt(2 / (exponent + 2)));
+    case Role::exponent:
+      return all(exponent);
+    case Role::other:
+      break;
+  }
+  return all(parameter.initial);
+}
+
+std::string range_text(const Parameter& parameter) {
+  return number(parameter.min, 6) + " to " + number(parameter.max, 6);
+}
+
+// Sets the numbers that `name` means: "K", "K.r". False when it means none.
+bool apply(const Model& model, const std::string& name, double value, std::vector<double>& values) {
+  std::size_t at = 0;
+  for (const Parameter& parameter : model.parameters) {
+    const std::size_t count = parameter.color ? 3 : 1;
+    const bool whole = name == parameter.name;
+    for (std::size_t c = 0; c < count; ++c) {
+      const bool channel = parameter.color && name == std::string(parameter.name) + '.' + channel_letters[c];
+      if (!whole && !channel) continue;
+      if (!(value >= parameter.min && value <= parameter.max))
+        throw Error::at(name + " of model " + std::string(model.id), number(value, 6), range_text(parameter));
+      values[at + c] = value;
+      if (channel) return true;
+    }
+    if (whole) return true;
+    at += count;
+  }
+  return false;
+}
+
+std::string parameter_names(const Model& model) {
+  std::string out;
+  for (const Parameter& parameter : model.parameters)
+    out += (out.empty() ? "" : ", ") + std::string(parameter.name);
+  return out.empty() ? "none" : out;
+}
+
+void require(bool good, const char* what, double value, const char* expected) {
+  if (!good) throw Error::at(what, number(value, 6), expected);
+}
+
+void require_color(const Vec3& color, const char* what) {
+  for (const double value : color) require(std::isfinite(value), what, value, "three finite numbers");
+}
+
+void require_values(const Model* model, const std::vector<double>& values) {
+  if (model == nullptr) return;
+  const std::string what = "parameters of model " + std::string(model->id);
+  if (values.size() != model->value_count())
+    throw Error::at(what, std::to_string(values.size()) + " numbers", std::to_string(model->value_count()));
+  for (const double value : values) require(std::isfinite(value), what.c_str(), value, "finite numbers");
+}
+
+}  // namespace
+
+std::vector<double> model_values(const Model& model, const SurfaceValues& surface,
+                                 const std::vector<std::pair<std::string, double>>& overrides,
+                                 std::vector<ClampedValue>* clamped) {
+  std::vector<double> values;
+  for (const Parameter& parameter : model.parameters) {
+    const Vec3 wanted = value_of(parameter, surface);
+    for (std::size_t c = 0; c < (parameter.color ? 3u : 1u); ++c) {
+      // Colours outside a display's gamut stay what they are (gold's red is 1.04): the models take them.
+      const bool color = parameter.role == Role::f0 || parameter.role == Role::diffuse;
+      const double used = color ? wanted[c] : std::clamp(wanted[c], parameter.min, parameter.max);
+      if (used != wanted[c] && clamped != nullptr) {
+        std::string name(parameter.name);
+        if (parameter.color) name = name + '.' + channel_letters[c];
+        clamped->push_back({std::move(name), wanted[c], used});
+      }
+      values.push_back(used);
+    }
+  }
+  for (const auto& [name, value] : overrides)
+    if (!apply(model, name, value, values))
+      throw Error::at("model " + std::string(model.id), "has no parameter " + printable(name),
+                      parameter_names(model));
+  return values;
+}
+
+std::vector<double> seen_specular_values(const Scene& scene) {
+  std::vector<double> out = scene.specular_values;
+  if (scene.specular == nullptr || scene.specular->kind != ModelKind::both) return out;
+  std::size_t at = 0;
+  for (const Parameter& each : scene.specular->parameters) {
+    const std::size_t count = each.color ? 3 : 1;
+    for (std::size_t i = at; each.role == Role::diffuse && i < at + count; ++i)
+      out[i] *= scene.surface.opacity;
+    at += count;
+  }
+  return out;
+}
+
+bool body_is_black(const Model& model, const std::vector<double>& values) {
+  bool any = false;
+  std::size_t at = 0;
+  for (const Parameter& parameter : model.parameters)
+    for (std::size_t c = 0; c < (parameter.color ? 3u : 1u); ++c, ++at)
+      if (parameter.role == Role::diffuse) {
+        any = true;
+        if (values[at] != 0) return false;
+      }
+  return any;
+}
+
+void validate(const Scene& scene) {
+  for (const int side : {scene.width, scene.height})
+    require(side >= 1 && side <= max_image_side, "size", side, "1 to 16384 pixels on a side");
+  if (scene.specular == nullptr && scene.diffuse == nullptr)
+    throw Error::at("scene", "has no model", "a specular or a diffuse model");
+  const SurfaceValues& surface = scene.surface;
+  require_color(surface.diffuse, "diffuse colour");
+  require_color(surface.f0, "F0");
+  require(surface.gloss >= 0 && surface.gloss <= 1, "gloss", surface.gloss, "0 to 1");
+  require(surface.opacity >= 0 && surface.opacity <= 1, "opacity", surface.opacity, "0 to 1");
+  for (std::size_t c = 0; c < 3; ++c) {
+    require(surface.n[c] > 0 && surface.n[c] <= 1e4, "n", surface.n[c], "above 0, at most 1e4");
+    require(surface.k[c] >= 0 && surface.k[c] <= 1e6, "k", surface.k[c], "0 to 1e6");
+  }
+  require_values(scene.specular, scene.specular_values);
+  require_values(scene.diffuse, scene.diffuse_values);
+  require_color(scene.background, "background");
+  require(scene.exposure >= 0 && std::isfinite(scene.exposure), "exposure", scene.exposure,
+          "a finite factor of at least 0");
+  require(scene.field_of_view_deg >= 1 && scene.field_of_view_deg <= 170, "field of view",
+          scene.field_of_view_deg, "1 to 170 degrees");
+  validate(scene.lights, "lights");
+}
+
+}  // namespace etak

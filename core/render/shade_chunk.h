@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// No include guard: shading of some hundred surface points at once, included in an unnamed namespace that has
+// `real`, the constants of core/math/glsl.h and ETAK_RENDER_CLONES. Arrays of one quantity each, so that the
+// loops vectorise.
+// Not sorted: each text uses those above it.
+// clang-format off
+#include "core/math/glsl.h"
+#include "core/fresnel/schueler.glsl"
+#include "core/light/hemispheres.glsl"
+#include "core/light/lights.glsl"
+#include "core/light/transparency.glsl"
+// clang-format on
+
+constexpr std::size_t chunk_size = 256;
+using Lane = std::array<real, chunk_size>;
+using Triple = std::array<Lane, 3>;
+
+struct Chunk {
+  std::size_t count = 0;
+  Triple position, normal, viewer;  // in the scene's space; filled by the caller
+  Lane tangent_x, tangent_z;        // the tangent's y is 0
+  Triple bitangent;
+  Triple local_viewer, local_light;  // in the frame of tangent, bitangent and normal
+  Triple to_light;                   // in the scene's space: point and spot lights
+  Lane irradiance;                   // E nl of one light, without its colour
+  Triple response;                   // f_r of one model
+  Triple specular, diffuse;          // radiance
+  Lane through;                      // share of the background that is seen through the object
+};
+
+// One light in numbers the loops need.
+struct ChunkLight {
+  bool directional, spot;
+  real px, py, pz;  // position
+  real dx, dy, dz;  // towards the light (directional), along the beam (spot)
+  real cos_inner, cos_outer;
+  vec3 color;  // with intensity, and pi where the setup is scaled by it
+};
+
+ETAK_RENDER_CLONES void build_frames(Chunk& c, bool orthographic) {
+  const std::size_t count = c.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const real nx = c.normal[0][i], ny = c.normal[1][i], nz = c.normal[2][i];
+    const real length2 = nx * nx + nz * nz;
+    // Below this the tangent is the x axis: at the poles of y it has no direction of its own.
+    const bool pole = length2 < real(1e-12);
+    const real inverse = 1 / std::sqrt(length2 > real(1e-12) ? length2 : real(1e-12));
+    const real tx = pole ? real(1) : nz * inverse, tz = pole ? real(0) : -nx * inverse;
+    c.tangent_x[i] = tx;
+    c.tangent_z[i] = tz;
+    c.bitangent[0][i] = ny * tz;
+    c.bitangent[1][i] = nz * tx - nx * tz;
+    c.bitangent[2][i] = -ny * tx;
+  }
+  if (orthographic) {
+    for (std::size_t i = 0; i < count; ++i) {
+      c.local_viewer[0][i] = c.tangent_z[i];
+      c.local_viewer[1][i] = c.bitangent[2][i];
+      c.local_viewer[2][i] = c.normal[2][i];
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const real x = c.viewer[0][i], y = c.viewer[1][i], z = c.viewer[2][i];
+    c.local_viewer[0][i] = c.tangent_x[i] * x + c.tangent_z[i] * z;
+    c.local_viewer[1][i] = c.bitangent[0][i] * x + c.bitangent[1][i] * y + c.bitangent[2][i] * z;
+    c.local_viewer[2][i] = c.normal[0][i] * x + c.normal[1][i] * y + c.normal[2][i] * z;
+  }
+}
+
+ETAK_RENDER_CLONES void aim_directional(Chunk& c, real x, real y, real z) {
+  const std::size_t count = c.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const real nl = c.normal[0][i] * x + c.normal[1][i] * y + c.normal[2][i] * z;
+    c.local_light[0][i] = c.tangent_x[i] * x + c.tangent_z[i] * z;
+    c.local_light[1][i] = c.bitangent[0][i] * x + c.bitangent[1][i] * y + c.bitangent[2][i] * z;
+    c.local_light[2][i] = nl;
+    c.irradiance[i] = nl > 0 ? nl : real(0);
+  }
+}
+
+ETAK_RENDER_CLONES void aim_point(Chunk& c, const ChunkLight& light) {
+  const std::size_t count = c.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const real x = light.px - c.position[0][i], y = light.py - c.position[1][i],
+               z = light.pz - c.position[2][i];
+    const real length = std::sqrt(x * x + y * y + z * z);
+    const real r = length > real(point_light_min_r) ? length : real(point_light_min_r);
+    const real lx = x / r, ly = y / r, lz = z / r;
+    const real nl = c.normal[0][i] * lx + c.normal[1][i] * ly + c.normal[2][i] * lz;
+    c.local_light[0][i] = c.tangent_x[i] * lx + c.tangent_z[i] * lz;
+    c.local_light[1][i] = c.bitangent[0][i] * lx + c.bitangent[1][i] * ly + c.bitangent[2][i] * lz;
+    c.local_light[2][i] = nl;
+    c.irradiance[i] = (nl > 0 ? nl : real(0)) * point_irradiance(vec3(1), r).x;
+    c.to_light[0][i] = lx;
+    c.to_light[1][i] = ly;
+    c.to_light[2][i] = lz;
+  }
+  if (!light.spot) return;
+  for (std::size_t i = 0; i < count; ++i) {
+    const real along =
+        -(c.to_light[0][i] * light.dx + c.to_light[1][i] * light.dy + c.to_light[2][i] * light.dz);
+    c.irradiance[i] *= spot_share(along, light.cos_inner, light.cos_outer);
+  }
+}
+
+ETAK_RENDER_CLONES void add_light(const Chunk& c, std::size_t first, std::size_t last, const vec3& color,
+                                  Triple& sum) {
+  const real r = color.x, g = color.y, b = color.z;
+  for (std::size_t i = first; i < last; ++i) {
+    sum[0][i] += c.response[0][i] * (c.irradiance[i] * r);
+    sum[1][i] += c.response[1][i] * (c.irradiance[i] * g);
+    sum[2][i] += c.response[2][i] * (c.irradiance[i] * b);
+  }
+}
+
+struct ChunkHemispheres {
+  HemisphereForm form;
+  vec3 axis, lower, upper;
+};
+
+void add_hemispheres(Chunk& c, const ChunkHemispheres& h, const vec3& f0_value, real gloss,
+                     const vec3& diffuse, bool with_specular, bool with_diffuse) {
+  for (std::size_t i = 0; i < c.count; ++i) {
+    const vec3 n(c.normal[0][i], c.normal[1][i], c.normal[2][i]);
+    const real nz = dot(n, h.axis);
+    if (with_specular) {
+      const vec3 v(c.viewer[0][i], c.viewer[1][i], c.viewer[2][i]);
+      const real nv = dot(n, v);
+      const real rz = 2 * nv * nz - dot(v, h.axis);
+      const vec3 light = h.form == HemisphereForm::corrected
+                             ? hemisphere_specular(f0_value, gloss, nv, rz, h.lower, h.upper)
+                         : h.form == HemisphereForm::wide
+                             ? hemisphere_specular_wide(f0_value, gloss, nv, rz, h.lower, h.upper)
+                             : hemisphere_specular_printed(f0_value, gloss, nv, rz, h.lower, h.upper);
+      c.specular[0][i] += light.x;
+      c.specular[1][i] += light.y;
+      c.specular[2][i] += light.z;
+    }
+    if (with_diffuse) {
+      const vec3 light = hemisphere_diffuse(diffuse, h.lower, h.upper, nz);
+      c.diffuse[0][i] += light.x;
+      c.diffuse[1][i] += light.y;
+      c.diffuse[2][i] += light.z;
+    }
+  }
+}
+
+// The prefiltered maps are looked up in double whatever `real` is: trigonometry costs more than the width.
+void add_environment(Chunk& c, const Environment& environment, const vec3& f0_value, real gloss,
+                     const vec3& diffuse, bool with_specular, bool with_diffuse) {
+  for (std::size_t i = 0; i < c.count; ++i) {
+    const Vec3 n{c.normal[0][i], c.normal[1][i], c.normal[2][i]};
+    if (with_specular) {
+      const Vec3 v{c.viewer[0][i], c.viewer[1][i], c.viewer[2][i]};
+      const double nv = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
+      const Vec3 r{2 * nv * n[0] - v[0], 2 * nv * n[1] - v[1], 2 * nv * n[2] - v[2]};
+      const Vec3 light = environment.specular(r, double(gloss));
+      const vec3 f = hemisphere_fresnel(f0_value, gloss, real(nv));
+      c.specular[0][i] += f.x * real(light[0]);
+      c.specular[1][i] += f.y * real(light[1]);
+      c.specular[2][i] += f.z * real(light[2]);
+    }
+    if (with_diffuse) {
+      const Vec3 light = environment.irradiance(n);
+      c.diffuse[0][i] += diffuse.x * real(light[0] / std::numbers::pi);
+      c.diffuse[1][i] += diffuse.y * real(light[1] / std::numbers::pi);
+      c.diffuse[2][i] += diffuse.z * real(light[2] / std::numbers::pi);
+    }
+  }
+}
+
+void see_through(Chunk& c, real opacity, real luminance) {
+  for (std::size_t i = 0; i < c.count; ++i)
+    c.through[i] = 1 - fresnel_opacity(opacity, luminance, c.local_viewer[2][i]);
+}
+
+ETAK_RENDER_CLONES void sphere_points(Chunk& c, double first_x, double step, double y) {
+  const real y_ = real(y), reach2 = real(1 - y * y), reach = std::sqrt(reach2 > 0 ? reach2 : real(0));
+  const std::size_t count = c.count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const real x = real(first_x + step * double(int(i)));
+    const real depth2 = (reach - x) * (reach + x);
+    c.normal[0][i] = x;
+    c.normal[1][i] = y_;
+    c.normal[2][i] = std::sqrt(depth2 > 0 ? depth2 : real(0));
+  }
+}
+
+// Points [first, last) of the chunk to pixels of four channels; the object covers them whole.
+ETAK_RENDER_CLONES void store_whole(const Chunk& c, std::size_t first, std::size_t last, real opacity,
+                                    float* out) {
+  for (std::size_t i = first; i < last; ++i) {
+    out[4 * i] = float(c.specular[0][i] + opacity * c.diffuse[0][i]);
+    out[4 * i + 1] = float(c.specular[1][i] + opacity * c.diffuse[1][i]);
+    out[4 * i + 2] = float(c.specular[2][i] + opacity * c.diffuse[2][i]);
+    out[4 * i + 3] = 1;
+  }
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// No include guard: from a scene to its picture, behind shade_chunk.h and a function respond() that evaluates
+// a model.
+
+vec3 narrowed(const Vec3& v) {
+  return vec3(real(v[0]), real(v[1]), real(v[2]));
+}
+
+// What all chunks of a picture share.
+struct Shading {
+  const Scene& scene;
+  const Environment* environment;
+  Camera camera;
+  const Model* specular;  // null where it gives nothing
+  const Model* diffuse;
+  std::vector<double> specular_values;
+  std::vector<ChunkLight> lights;
+  bool with_diffuse;  // some diffuse light is there, of `diffuse` or of a model of kind both
+  bool needs_positions = false;
+  double f0_luminance;
+
+  Shading(const Scene& s, const Environment* e)
+      : scene(s),
+        environment(e),
+        camera(s),
+        specular(s.specular),
+        diffuse(s.diffuse),
+        specular_values(seen_specular_values(s)) {
+    if (diffuse != nullptr && body_is_black(*diffuse, s.diffuse_values)) diffuse = nullptr;
+    const bool both = specular != nullptr && specular->kind == ModelKind::both;
+    with_diffuse = diffuse != nullptr || (both && !body_is_black(*specular, s.specular_values));
+    f0_luminance = 0.2126 * s.surface.f0[0] + 0.7152 * s.surface.f0[1] + 0.0722 * s.surface.f0[2];
+    const double scale = s.lights.pi_scaled ? std::numbers::pi : 1;
+    for (const Light& light : s.lights.lights) {
+      const bool directional = light.kind == LightKind::directional;
+      needs_positions |= !directional;
+      const double sign = directional ? -1 : 1;
+      const double radian = std::numbers::pi / 180;
+      const double power = light.intensity * scale;
+      lights.push_back({directional, light.kind == LightKind::spot, real(light.position[0]),
+                        real(light.position[1]), real(light.position[2]), real(sign * light.direction[0]),
+                        real(sign * light.direction[1]), real(sign * light.direction[2]),
+                        real(std::cos(light.inner_deg * radian)), real(std::cos(light.outer_deg * radian)),
+                        narrowed({light.color[0] * power, light.color[1] * power, light.color[2] * power})});
+    }
+  }
+};
+
+// A piece of a row: columns from `first` on, of which [whole_first, whole_last) lie inside the object.
+struct Piece {
+  int row, first;
+  std::size_t whole_first, whole_last;  // counted from `first`
+};
+
+// Fills positions, normals and viewers.
+void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
+  const Camera& camera = shading.camera;
+  const double y = camera.y(piece.row + 0.5);
+  const bool flat = camera.shape() == Shape::quad;
+  const bool quick = !flat && !camera.perspective();
+  if (quick) {
+    sphere_points(c, camera.x(piece.first + 0.5), camera.pixel(), y);
+    std::fill_n(c.viewer[0].begin(), c.count, real(0));
+    std::fill_n(c.viewer[1].begin(), c.count, real(0));
+    std::fill_n(c.viewer[2].begin(), c.count, real(1));
+  }
+  for (std::size_t i = 0; i < c.count; ++i) {
+    if (quick && i == piece.whole_first) i = piece.whole_last;
+    if (i >= c.count) break;
+    const Camera::Sight sight = camera.sight(camera.x(piece.first + static_cast<int>(i) + 0.5), y);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      c.position[axis][i] = real(sight.position[axis]);
+      c.normal[axis][i] = real(flat ? (axis == 2 ? 1 : 0) : sight.position[axis]);
+      c.viewer[axis][i] = real(sight.viewer[axis]);
+    }
+  }
+  if (!quick || !shading.needs_positions) return;
+  // A unit sphere at the origin: a point is its own normal.
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    std::copy_n(c.normal[axis].begin(), c.count, c.position[axis].begin());
+}
+
+void shade(const Shading& shading, Chunk& c) {
+  const Scene& scene = shading.scene;
+  const std::size_t count = c.count;
+  build_frames(c, !shading.camera.perspective());
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    std::fill_n(c.specular[channel].begin(), count, real(0));
+    std::fill_n(c.diffuse[channel].begin(), count, real(0));
+  }
+  for (const ChunkLight& light : shading.lights) {
+    if (light.directional)
+      aim_directional(c, light.dx, light.dy, light.dz);
+    else
+      aim_point(c, light);
+    std::size_t first = 0, last = count;
+    while (first < last && c.irradiance[first] <= 0) ++first;
+    while (first < last && c.irradiance[last - 1] <= 0) --last;
+    if (first == last) continue;
+    if (shading.specular != nullptr) {
+      respond(*shading.specular, shading.specular_values.data(), first, last, c);
+      add_light(c, first, last, light.color, c.specular);
+    }
+    if (shading.diffuse != nullptr) {
+      respond(*shading.diffuse, scene.diffuse_values.data(), first, last, c);
+      add_light(c, first, last, light.color, c.diffuse);
+    }
+  }
+  const vec3 f0_value = narrowed(scene.surface.f0), body = narrowed(scene.surface.diffuse);
+  const real gloss = real(scene.surface.gloss);
+  const bool with_specular = shading.specular != nullptr;
+  if (scene.lights.hemispheres) {
+    const Hemispheres& h = *scene.lights.hemispheres;
+    const ChunkHemispheres narrow{h.form, narrowed(h.axis), narrowed(h.lower), narrowed(h.upper)};
+    add_hemispheres(c, narrow, f0_value, gloss, body, with_specular, shading.with_diffuse);
+  }
+  if (shading.environment != nullptr)
+    add_environment(c, *shading.environment, f0_value, gloss, body, with_specular, shading.with_diffuse);
+  if (scene.surface.opacity < 1) see_through(c, real(scene.surface.opacity), real(shading.f0_luminance));
+}
+
+void store(const Shading& shading, const Piece& piece, const Chunk& c, Image& picture) {
+  const Scene& scene = shading.scene;
+  const Camera& camera = shading.camera;
+  const real opacity = real(scene.surface.opacity);
+  const vec3 behind = narrowed(scene.background);
+  const bool clear = opacity < 1;
+  float* const row = picture.at(piece.first, piece.row).data();
+  std::size_t whole_first = c.count, whole_last = c.count;
+  if (!clear) {
+    whole_first = std::min(piece.whole_first, c.count);
+    whole_last = std::min(piece.whole_last, c.count);
+    store_whole(c, whole_first, whole_last, opacity, row);
+  }
+  for (std::size_t i = 0; i < c.count; ++i) {
+    if (i == whole_first) i = whole_last;
+    if (i >= c.count) break;
+    vec3 seen(c.specular[0][i], c.specular[1][i], c.specular[2][i]);
+    seen = seen + opacity * vec3(c.diffuse[0][i], c.diffuse[1][i], c.diffuse[2][i]);
+    if (clear) seen = seen + behind * c.through[i];
+    const real cover =
+        real(camera.coverage(camera.x(piece.first + static_cast<int>(i) + 0.5), camera.y(piece.row + 0.5)));
+    const vec3 shown = mix(behind, seen, cover);
+    float* const out = row + 4 * i;
+    out[0] = float(shown.x);
+    out[1] = float(shown.y);
+    out[2] = float(shown.z);
+    out[3] = float(cover);
+  }
+}
+
+void draw(const Scene& scene, const Environment* environment, unsigned threads, Image& picture,
+          const RowsDone& rows_done) {
+  const Shading shading(scene, environment);
+  const std::array<float, 4> empty{float(scene.background[0]), float(scene.background[1]),
+                                   float(scene.background[2]), 0};
+  const auto clear = [&](int first, int last, int row) {
+    float* out =
+        picture.values.data() + (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                                 static_cast<std::size_t>(first)) *
+                                    4;
+    for (int x = first; x < last; ++x, out += 4) std::copy_n(empty.data(), 4, out);
+  };
+  std::vector<std::unique_ptr<Chunk>> chunks(threads);
+  parallel_chunks(static_cast<std::size_t>(scene.height), threads, tile_rows,
+                  [&](std::size_t begin, std::size_t end, unsigned worker) {
+                    if (!chunks[worker]) chunks[worker] = std::make_unique<Chunk>();
+                    Chunk& c = *chunks[worker];
+                    for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
+                      const Camera::Span span = shading.camera.covered(row),
+                                         whole = shading.camera.whole(row);
+                      clear(0, span.first, row);
+                      for (int x = span.first; x < span.last; x += static_cast<int>(c.count)) {
+                        c.count = std::min(chunk_size, static_cast<std::size_t>(span.last - x));
+                        const Piece piece{row, x, static_cast<std::size_t>(std::max(0, whole.first - x)),
+                                          static_cast<std::size_t>(std::max(0, whole.last - x))};
+                        place_points(shading, piece, c);
+                        shade(shading, c);
+                        store(shading, piece, c, picture);
+                      }
+                      clear(span.last, picture.width, row);
+                    }
+                    if (rows_done) rows_done(end - begin, worker);
+                  });
+}

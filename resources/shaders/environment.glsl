@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light from all around, prefiltered: see class Environment (core/render/environment.h). Lat-long maps whose
+// first row looks up.
+uniform sampler2D environment_irradiance;
+uniform sampler2D environment_sharp;  // the levels on both sides of the surface's gloss,
+uniform sampler2D environment_dull;
+uniform float environment_share;      // and the share of the duller one
+
+// With atan for both angles: acos loses its digits towards the poles.
+vec3 lat_long(sampler2D map, vec3 d) {
+  const float turn = 6.283185307179586;
+  float around = abs(d.x) + abs(d.z) > 0.0 ? atan(d.x, -d.z) : 0.0;
+  float down = atan(length(d.xz), d.y);
+  return texture(map, vec2(0.5 + around / turn, down * 2.0 / turn)).xyz;
+}
+
+// Radiance of a white diffuse surface with normal n.
+vec3 environment_diffuse(vec3 n) {
+  return lat_long(environment_irradiance, n) * 0.3183098861837907;
+}
+
+// Radiance through the gloss lobe around r.
+vec3 environment_specular(vec3 r) {
+  return mix(lat_long(environment_sharp, r), lat_long(environment_dull, r), environment_share);
+}

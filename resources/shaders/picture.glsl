@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a pixel to the surface: see struct Scene (core/render/scene.h).
+//   at      the pixel's place, in radii of the sphere's silhouette
+//   pixel   size of a pixel, in the same
+
+// Share of the pixel inside the unit circle, by its distance from the edge.
+float disc_coverage(vec2 at, float pixel) {
+  return clamp(0.5 + (1.0 - length(at)) / pixel, 0.0, 1.0);
+}
+
+// The same for a square whose sides lie at +-side.
+float square_coverage(vec2 at, float side, float pixel) {
+  vec2 inside = clamp(0.5 + (side - abs(at)) / pixel, 0.0, 1.0);
+  return inside.x * inside.y;
+}
+
+// A pixel that the edge crosses is shaded at the nearest point inside.
+vec2 drawn_in(vec2 at) {
+  return at * min(1.0, 0.9999 / max(length(at), 1e-6));
+}
+
+vec3 sphere_orthographic(vec2 at) {
+  vec2 p = drawn_in(at);
+  return vec3(p, sqrt(1.0 - dot(p, p)));
+}
+
+// The camera looks along -z from (0, 0, distance), the ray is (at * spread, -1): `spread` is the tangent of
+// the silhouette's half-angle, and the root of the discriminant is the orthographic depth.
+vec3 sphere_perspective(vec2 at, float distance_to_centre, float spread) {
+  vec2 p = drawn_in(at);
+  float r2 = dot(p, p);
+  float t = (distance_to_centre - sqrt(1.0 - r2)) / (1.0 + r2 * spread * spread);
+  return vec3(p * (spread * t), distance_to_centre - t);
+}
+
+// To the viewer from what is seen at `at`.
+vec3 viewer_perspective(vec2 at, float spread) {
+  return normalize(vec3(-at * spread, 1.0));
+}
+
+// Tangent of the surface: along the circle of latitude around y, the x axis at its poles.
+vec3 tangent_of(vec3 n) {
+  vec3 across = vec3(n.z, 0.0, -n.x);
+  float length2 = dot(across, across);
+  return length2 < 1e-12 ? vec3(1.0, 0.0, 0.0) : across * inversesqrt(length2);
+}
+
+// `w` in the frame of tangent, bitangent and normal.
+vec3 in_frame(vec3 w, vec3 t, vec3 b, vec3 n) {
+  return vec3(dot(w, t), dot(w, b), dot(w, n));
+}

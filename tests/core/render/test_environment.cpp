@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/environment.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/render/reference.h"
+#include "tests/support.h"
+
+namespace etak {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Vec3 unit(double x, double y, double z) {
+  const double length = std::sqrt(x * x + y * y + z * z);
+  return {x / length, y / length, z / length};
+}
+
+}  // namespace
+
+TEST_CASE("a white environment gives radiance 1, irradiance pi, and 1 through every lobe") {
+  const Environment white(Image(64, 32, 3, 1.0f), 1, "white", 1);
+  for (const Vec3& d : {unit(0, 0, 1), unit(1, 0, 0), unit(0, 1, 0), unit(-0.3, -0.9, 0.2)}) {
+    CHECK(white.radiance(d)[0] == Approx(1));
+    CHECK(white.irradiance(d)[1] == Approx(pi).epsilon(2e-3));
+    for (const double gloss : {0.0, 0.31, 0.5, 1.0})
+      CHECK(white.specular(d, gloss)[2] == Approx(1).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("the middle of the map is -z, a quarter right of it +x, the top +y") {
+  Image map(8, 4, 3, 0.0f);
+  map.at(4, 1)[0] = 1;
+  map.at(6, 1)[1] = 1;
+  map.at(2, 0)[2] = 1;
+  const Environment environment(map, 2, "map", 1);
+  CHECK(environment.radiance(unit(std::sin(pi / 8), std::tan(pi / 8), -std::cos(pi / 8)))[0] > 1.5);
+  CHECK(environment.radiance(unit(1, 0.4, 0.4))[1] > 1);
+  CHECK(environment.radiance(unit(-0.05, 1, -0.05))[2] >= 0);
+}
+
+TEST_CASE("the irradiance under a sky of one hemisphere is the closed form") {
+  Image map(256, 128, 3, 0.0f);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 256; ++x)
+      for (std::size_t c = 0; c < 3; ++c) map.at(x, y)[c] = 1;
+  const Environment sky(map, 1, "sky", 2);
+  // pi (1 + n.y) / 2
+  for (const double y : {-0.9, -0.5, 0.0, 0.4, 0.95}) {
+    const Vec3 n{std::sqrt(1 - y * y), y, 0};
+    CHECK(sky.irradiance(n)[0] == Approx(pi * (1 + y) / 2).epsilon(0.01).margin(0.01));
+  }
+}
+
+TEST_CASE("sampling by luminance: the density integrates to 1 and its samples estimate the integral") {
+  const Environment studio(studio_environment(128), 1, "studio", 2);
+  double mass = 0, flux = 0, estimate = 0;
+  const int rows = 256, columns = 512;
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const double theta = pi * (y + 0.5) / rows, phi = 2 * pi * (x + 0.5) / columns;
+      const Vec3 d{std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
+      const double omega = std::sin(theta) * (pi / rows) * (2 * pi / columns);
+      mass += studio.pdf(d) * omega;
+      flux += studio.radiance(d)[1] * omega;
+    }
+  CHECK(mass == Approx(1).epsilon(1e-3));
+  const int side = 64;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const Vec3 d = studio.sample((i + 0.5) / side, (j + 0.5) / side);
+      CHECK(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] == Approx(1));
+      estimate += studio.radiance(d)[1] / studio.pdf(d) / (side * side);
+    }
+  CHECK(estimate == Approx(flux).epsilon(0.03));
+}
+
+TEST_CASE("maps are the same for any number of threads") {
+  const Image map = studio_environment(128);
+  const Environment one(map, 1, "studio", 1), three(map, 1, "studio", 3);
+  CHECK(one.irradiance_map() == three.irradiance_map());
+  REQUIRE(one.levels().size() == three.levels().size());
+  for (std::size_t i = 0; i < one.levels().size(); ++i) CHECK(one.levels()[i].map == three.levels()[i].map);
+  CHECK(one.levels().front().gloss == 1);
+  CHECK(one.levels().back().gloss == 0);
+}
+
+TEST_CASE("sides that are no powers of two are taken") {
+  const Environment odd(Image(701, 333, 3, 0.5f), 2, "odd", 2);
+  CHECK(odd.irradiance(unit(0.3, 0.5, -0.2))[0] == Approx(pi).epsilon(2e-3));
+  CHECK(odd.specular(unit(0, 0, 1), 0.9)[0] == Approx(1).epsilon(1e-5));
+}
+
+TEST_CASE("broken environments are refused by name") {
+  const auto message = [](Image map, double scale = 1) {
+    return test::error_of([&] { (void)Environment(map, scale, "sky.exr", 1); });
+  };
+  CHECK(test::contains(message(Image(8, 4, 1, 1.0f)), "sky.exr"));
+  Image map(8, 4, 3, 1.0f);
+  CHECK(test::contains(message(map, -1), "scale"));
+  CHECK(test::contains(message(map, std::nan("")), "scale"));
+  map.at(3, 2)[1] = -1;
+  CHECK(test::contains(message(map), "column 3, row 2"));
+  map.at(3, 2)[1] = std::numeric_limits<float>::infinity();
+  CHECK(test::contains(message(map), "radiance"));
+}
+
+TEST_CASE("the prefiltered light is near the sampled one, nearer for sharper lobes") {
+  const Environment studio(studio_environment(256), 1, "studio", 2);
+  Scene scene;
+  scene.width = scene.height = 40;
+  scene.surface.f0 = {0.9, 0.9, 0.9};
+  scene.specular = find_model("phong-kelemen");
+  struct Bound {
+    double gloss, mean;
+  };
+  for (const Bound& bound : {Bound{0.5, 0.25}, Bound{0.75, 0.15}, Bound{1.0, 0.15}}) {
+    scene.surface.gloss = bound.gloss;
+    scene.specular_values = model_values(*scene.specular, scene.surface, {});
+    const AmbientError error = ambient_error(scene, &studio, {2, 64, 2});
+    CAPTURE(bound.gloss, error.mean, error.bias, error.worst, error.standard_error);
+    CHECK(error.mean < bound.mean);
+    CHECK(std::abs(error.bias) < bound.mean);
+  }
+  // A matte body has no lobe to split: only the map's own interpolation is left.
+  scene.specular = nullptr;
+  scene.diffuse = find_model("lambert");
+  scene.surface.diffuse = {0.8, 0.8, 0.8};
+  scene.diffuse_values = model_values(*scene.diffuse, scene.surface, {});
+  const AmbientError matte = ambient_error(scene, &studio, {2, 256, 2});
+  CAPTURE(matte.mean, matte.bias, matte.standard_error);
+  CHECK(std::abs(matte.bias) < 0.01);
+  CHECK(matte.mean < 0.05);
+}
+
+}  // namespace etak

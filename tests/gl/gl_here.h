@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+
+#include "core/render/gl_runner.h"
+
+namespace etak::test {
+
+/// The GL of this machine, one for the whole run; null, after saying why, where there is none.
+inline GlRunner* gl_here() {
+  static std::string why;
+  static std::optional<GlRunner> runner = GlRunner::open(why);
+  if (!runner) std::printf("skipped: %s\n", why.c_str());
+  return runner ? &*runner : nullptr;
+}
+
+}  // namespace etak::test

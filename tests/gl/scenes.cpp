@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/gl/scenes.h"
+
+namespace etak::test {
+namespace {
+
+Light directional() {
+  Light light;
+  light.direction = {-0.48, -0.6, -0.64};
+  light.intensity = 2;
+  return light;
+}
+
+Light point() {
+  Light light;
+  light.kind = LightKind::point;
+  light.position = {1.5, 1, 2};
+  light.color = {1, 0.8, 0.6};
+  light.intensity = 6;
+  return light;
+}
+
+Light spot() {
+  Light light;
+  light.kind = LightKind::spot;
+  light.position = {-1.5, 1.5, 2};
+  light.direction = {0.514495755427527, -0.514495755427527, -0.6859943405700353};
+  light.intensity = 8;
+  light.inner_deg = 10;
+  light.outer_deg = 25;
+  return light;
+}
+
+Scene scene_with(const Model& model) {
+  Scene scene;
+  scene.surface.f0 = {0.95, 0.64, 0.54};
+  const bool diffuse_only = model.kind == ModelKind::diffuse;
+  (diffuse_only ? scene.diffuse : scene.specular) = &model;
+  std::vector<double>& values = diffuse_only ? scene.diffuse_values : scene.specular_values;
+  values = model_values(model, scene.surface, {});
+  return scene;
+}
+
+// A diffuse colour that is not 0, in the surface and in the models' values.
+void add_body(Scene& scene) {
+  scene.surface.diffuse = {0.5, 0.4, 0.3};
+  if (scene.specular != nullptr) scene.specular_values = model_values(*scene.specular, scene.surface, {});
+  if (scene.specular == nullptr || scene.specular->kind == ModelKind::specular) {
+    if (scene.diffuse == nullptr) scene.diffuse = find_model("lambert");
+    scene.diffuse_values = model_values(*scene.diffuse, scene.surface, {});
+  }
+}
+
+using Change = void (*)(Scene&);
+struct Feature {
+  const char* name;
+  Change on, off;
+};
+
+const Feature features[] = {
+    {"diffuse", add_body,
+     [](Scene& s) {
+       s.surface.diffuse = {0, 0, 0};
+       if (s.specular != nullptr) s.diffuse = nullptr;
+       if (s.specular != nullptr) s.specular_values = model_values(*s.specular, s.surface, {});
+       if (s.diffuse != nullptr) s.diffuse_values = model_values(*s.diffuse, s.surface, {});
+     }},
+    {"directional", [](Scene& s) { s.lights.lights.push_back(directional()); },
+     [](Scene& s) {
+       std::erase_if(s.lights.lights, [](const Light& l) { return l.kind == LightKind::directional; });
+     }},
+    {"point", [](Scene& s) { s.lights.lights.push_back(point()); },
+     [](Scene& s) {
+       std::erase_if(s.lights.lights, [](const Light& l) { return l.kind == LightKind::point; });
+     }},
+    {"spot", [](Scene& s) { s.lights.lights.push_back(spot()); },
+     [](Scene& s) {
+       std::erase_if(s.lights.lights, [](const Light& l) { return l.kind == LightKind::spot; });
+     }},
+    {"hemispheres", [](Scene& s) { s.lights.hemispheres.emplace(); },
+     [](Scene& s) { s.lights.hemispheres.reset(); }},
+    {"environment", [](Scene& s) { s.lights.environment = "sky.exr"; },
+     [](Scene& s) { s.lights.environment.clear(); }},
+    {"transparency", [](Scene& s) { s.surface.opacity = 0.4; }, [](Scene& s) { s.surface.opacity = 1; }},
+    {"exposure", [](Scene& s) { s.exposure = 0.8; }, [](Scene& s) { s.exposure = 1; }},
+    {"perspective", [](Scene& s) { s.perspective = true; }, [](Scene& s) { s.perspective = false; }},
+    {"quad", [](Scene& s) { s.shape = Shape::quad; }, [](Scene& s) { s.shape = Shape::sphere; }},
+    {"srgb", [](Scene& s) { s.transfer = Transfer::srgb; }, [](Scene& s) { s.transfer = Transfer::linear; }},
+};
+
+}  // namespace
+
+Scene bare_scene(const Model& model) {
+  Scene scene = scene_with(model);
+  if (model.kind == ModelKind::diffuse) add_body(scene);
+  scene.lights.lights = {directional()};
+  scene.transfer = Transfer::linear;
+  return scene;
+}
+
+Scene full_scene(const Model& model) {
+  Scene scene = scene_with(model);
+  for (const Feature& each : features)
+    if (each.name != std::string("quad")) each.on(scene);
+  return scene;
+}
+
+std::vector<Variant> variants(const Model& model) {
+  std::vector<Variant> out{{"everything-on", full_scene(model)}, {"everything-off", bare_scene(model)}};
+  for (const Feature& each : features) {
+    out.push_back({std::string("without-") + each.name, full_scene(model)});
+    each.off(out.back().scene);
+    out.push_back({std::string("only-") + each.name, bare_scene(model)});
+    each.on(out.back().scene);
+  }
+  // Nothing lights the object: the model is not in the text at all.
+  out.push_back({"no-light", bare_scene(model)});
+  out.back().scene.lights.lights.clear();
+  for (const HemisphereForm form : {HemisphereForm::wide, HemisphereForm::printed}) {
+    out.push_back({"hemispheres-" + std::string(name(form)), full_scene(model)});
+    out.back().scene.lights.hemispheres->form = form;
+  }
+  for (const Transfer transfer : {Transfer::power_045, Transfer::square_root}) {
+    out.push_back({transfer == Transfer::power_045 ? "power-0.45" : "square-root", full_scene(model)});
+    out.back().scene.transfer = transfer;
+  }
+  return out;
+}
+
+}  // namespace etak::test

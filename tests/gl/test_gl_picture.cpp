@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
+
+#include "core/render/cpu_renderer.h"
+#include "tests/gl/gl_here.h"
+#include "tests/gl/scenes.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+const Environment& sky() {
+  static const Environment environment(studio_environment(128), 1, "studio", 2);
+  return environment;
+}
+
+// Largest difference of two pictures relative to max(|a|, 0.01), and where.
+struct Difference {
+  double most = 0;
+  int x = 0, y = 0, channel = 0;
+};
+Difference difference(const Image& a, const Image& b) {
+  REQUIRE(a.width == b.width);
+  REQUIRE(a.height == b.height);
+  REQUIRE(a.channels == b.channels);
+  Difference out;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x)
+      for (int c = 0; c < a.channels; ++c) {
+        const double p = double{a.at(x, y)[static_cast<std::size_t>(c)]},
+                     q = double{b.at(x, y)[static_cast<std::size_t>(c)]};
+        const double error = std::abs(p - q) / std::max(std::abs(p), 0.01);
+        if (!(error <= out.most)) out = {error, x, y, c};
+      }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("GL draws the CPU's picture: every feature of a scene") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  for (const char* id :
+       {"schueler-optimized-bounded", "ashikhmin-shirley-specular", "lambert", "blinn-phong"})
+    for (const Variant& variant : variants(*find_model(id))) {
+      Scene scene = variant.scene;
+      scene.width = 150;
+      scene.height = 101;
+      const bool with_sky = !scene.lights.environment.empty();
+      Image expected;
+      render_cpu(scene, with_sky ? &sky() : nullptr, 2, Precision::f64, expected);
+      const Difference found = difference(expected, gl->render(scene, with_sky ? &sky() : nullptr));
+      INFO(id << ", " << variant.name << ": column " << found.x << " row " << found.y << " channel "
+              << found.channel);
+      // The look-up of an environment map goes through atan and the driver's filter.
+      CHECK(found.most < (with_sky ? 2e-3 : 1e-3));
+    }
+}
+
+TEST_CASE("GL draws the CPU's picture: every model") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  for (const Model& model : models()) {
+    Scene scene = bare_scene(model);
+    scene.width = scene.height = 96;
+    Image expected;
+    render_cpu(scene, nullptr, 2, Precision::f64, expected);
+    const Difference found = difference(expected, gl->render(scene));
+    INFO(model.id << ": column " << found.x << " row " << found.y << " channel " << found.channel);
+    CHECK(found.most < 1e-3);
+  }
+}
+
+// Prints milliseconds per frame: etak_gl_tests "[.frame-time]".
+TEST_CASE("frame times of every model at 512 x 512 with 4 lights", "[.frame-time]") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  std::printf("%s, OpenGL %s%s\n", gl->info().renderer.c_str(), gl->info().version.c_str(),
+              gl->info().software ? ": a software rasteriser" : "");
+  for (const Model& model : models()) {
+    Scene scene = bare_scene(model);
+    scene.transfer = Transfer::srgb;
+    scene.lights.lights.resize(4, scene.lights.lights[0]);
+    for (std::size_t i = 1; i < 4; ++i)
+      scene.lights.lights[i].direction = {i == 1 ? 0.6 : 0.0, i == 2 ? 0.6 : 0.0, i == 3 ? -1.0 : -0.8};
+    const GlRunner::FrameTime time = gl->frame_time(scene, nullptr, 40);
+    std::printf("%-30s %6.2f ms least, %6.2f median, %6.1f first\n", std::string(model.id).c_str(),
+                time.least_ms, time.median_ms, time.compile_ms);
+  }
+}
