@@ -6,8 +6,8 @@ namespace {
 
 int level() {
 #ifdef ETAK_X86_64_LEVELS
-  // The features that make up the levels, as far as the loops can use them: compilers of 2022 do not know the
-  // levels by name here.
+  // The features that make up the levels, as far as the loops can use them: GCC 12 takes no level names
+  // here.
   __builtin_cpu_init();
   const bool v3 =
       __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
