@@ -181,8 +181,9 @@ void print_stats(const StageTimes& times, double find, double wall, std::size_t 
            ms(times.f0.fresnel) + ", sum " + ms(times.f0.sum) + ", print " + ms(times.print));
 }
 
-// Each worker's buffers grow and shrink with the pages it meets. What is freed is kept for the next page: given back to
-// the system it would come again as fresh memory, and on two threads wait for the other's page faults.
+// Each worker's buffers grow and shrink with the pages it meets. What is freed is kept for the next page:
+// given back to the system it would come again as fresh memory, and on two threads wait for the other's page
+// faults.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kept_bytes = 64 << 20;

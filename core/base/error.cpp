@@ -9,9 +9,11 @@ namespace {
 // Length of the UTF-8 sequence that starts at text[i], or 0 where the bytes are no valid sequence.
 std::size_t utf8_length(std::string_view text, std::size_t i) {
   const auto byte = static_cast<unsigned char>(text[i]);
-  const std::size_t length = byte < 0x80 ? 1 : byte >= 0xC2 && byte < 0xE0 ? 2 : byte >= 0xE0 && byte < 0xF0 ? 3
-                                            : byte >= 0xF0 && byte < 0xF5   ? 4
-                                                                            : 0;
+  const std::size_t length = byte < 0x80                   ? 1
+                             : byte >= 0xC2 && byte < 0xE0 ? 2
+                             : byte >= 0xE0 && byte < 0xF0 ? 3
+                             : byte >= 0xF0 && byte < 0xF5 ? 4
+                                                           : 0;
   if (length == 0 || i + length > text.size()) return 0;
   for (std::size_t j = 1; j < length; ++j)
     if ((static_cast<unsigned char>(text[i + j]) & 0xC0) != 0x80) return 0;
@@ -32,7 +34,8 @@ Error Error::at(std::string_view place, std::string_view found, std::string_view
   return Error(text);
 }
 
-Error Error::at_line(std::string_view file, std::size_t line, std::string_view found, std::string_view expected) {
+Error Error::at_line(std::string_view file, std::size_t line, std::string_view found,
+                     std::string_view expected) {
   return at(std::string(file) + ":" + std::to_string(line), found, expected);
 }
 

@@ -31,9 +31,13 @@ class Descriptor {
   int fd_;
 };
 
-std::string reason() { return std::strerror(errno); }
+std::string reason() {
+  return std::strerror(errno);
+}
 
-std::string too_large(std::size_t most) { return "at most " + std::to_string(most >> 20) + " MiB of text"; }
+std::string too_large(std::size_t most) {
+  return "at most " + std::to_string(most >> 20) + " MiB of text";
+}
 
 // Reads up to `wanted` bytes behind the present end of `out`; returns how many came.
 std::size_t read_some(int fd, std::string& out, std::size_t wanted, const std::string& path) {
@@ -74,7 +78,8 @@ void read_file(const std::string& path, std::string& out, std::size_t most) {
   struct stat info {};
   if (::fstat(file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason());
   if (S_ISDIR(info.st_mode)) throw Error::at(path, "is a folder", "a file");
-  if (!S_ISREG(info.st_mode)) throw Error::at(path, "is no regular file", "a regular file, or - for standard input");
+  if (!S_ISREG(info.st_mode))
+    throw Error::at(path, "is no regular file", "a regular file, or - for standard input");
   const auto size = static_cast<std::size_t>(info.st_size);
   if (size > most) throw Error::at(path, "holds " + std::to_string(size >> 20) + " MiB", too_large(most));
   // One byte more than the size, so that the usual file ends in a single short read.

@@ -11,9 +11,9 @@
 
 namespace etak {
 
-/// Calls body(begin, end, worker) for consecutive chunks of [0, count) on `threads` threads (the caller is one of
-/// them). Chunks are handed out in order; which worker gets which is not fixed, so results belong in places named by
-/// the index. The first exception is rethrown after all workers have stopped.
+/// Calls body(begin, end, worker) for consecutive chunks of [0, count) on `threads` threads (the caller is
+/// one of them). Chunks are handed out in order; which worker gets which is not fixed, so results belong in
+/// places named by the index. The first exception is rethrown after all workers have stopped.
 template <class Body>
 void parallel_chunks(std::size_t count, unsigned threads, std::size_t chunk, Body body) {
   std::atomic<std::size_t> next{0};

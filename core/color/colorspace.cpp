@@ -11,7 +11,9 @@ constexpr Xyz aces_white{0.32168 / 0.33767, 1, (1 - 0.32168 - 0.33767) / 0.33767
 
 }  // namespace
 
-std::string_view name(RgbSpace space) { return space_names[static_cast<std::size_t>(space)]; }
+std::string_view name(RgbSpace space) {
+  return space_names[static_cast<std::size_t>(space)];
+}
 
 std::optional<RgbSpace> rgb_space_named(std::string_view text) {
   for (const RgbSpace space : all_rgb_spaces)
@@ -21,11 +23,15 @@ std::optional<RgbSpace> rgb_space_named(std::string_view text) {
 
 std::array<std::array<double, 2>, 3> primaries(RgbSpace space) {
   switch (space) {
-    case RgbSpace::acescg: return {{{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}}};      // AP1, S-2014-004
-    case RgbSpace::rec2020: return {{{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}}};     // ITU-R BT.2020-2
-    case RgbSpace::display_p3: return {{{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}}};  // SMPTE EG 432-1
+    case RgbSpace::acescg:
+      return {{{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}}};  // AP1, S-2014-004
+    case RgbSpace::rec2020:
+      return {{{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}}};  // ITU-R BT.2020-2
+    case RgbSpace::display_p3:
+      return {{{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}}};  // SMPTE EG 432-1
     case RgbSpace::srgb:
-    case RgbSpace::xyz: break;
+    case RgbSpace::xyz:
+      break;
   }
   return {{{0.640, 0.330}, {0.300, 0.600}, {0.150, 0.060}}};  // IEC 61966-2-1
 }

@@ -25,13 +25,15 @@ std::array<std::array<double, 2>, 3> primaries(RgbSpace space);
 /// RGB to XYZ from primaries and a white with Y = 1 (SMPTE RP 177-1993): R = G = B = 1 gives `white`.
 Mat3 rgb_to_xyz(const std::array<std::array<double, 2>, 3>& primaries, const Xyz& white);
 
-/// Chromatic adaptation by Bradford (Lam 1985; linear form as in ICC.1:2010, annex E): maps white `from` onto `to`.
+/// Chromatic adaptation by Bradford (Lam 1985; linear form as in ICC.1:2010, annex E): maps white `from` onto
+/// `to`.
 Mat3 bradford(const Xyz& from, const Xyz& to);
 
 /// The matrix from XYZ under `illuminant_white` (Y = 1) to linear `space`.
-///   d65_white   white of D65 by the same observer and integration method: the white of sRGB, Rec.2020 and Display P3
-///               (ACEScg has its own: x 0.32168, y 0.33767). Where the illuminant's white is not the space's, Bradford
-///               takes one to the other.
+///   d65_white   white of D65 by the same observer and integration method: the white of sRGB, Rec.2020 and
+///   Display P3
+///               (ACEScg has its own: x 0.32168, y 0.33767). Where the illuminant's white is not the space's,
+///               Bradford takes one to the other.
 ///   returns     white to (1, 1, 1); for `xyz` the identity, so white stays white
 Mat3 xyz_to_rgb(RgbSpace space, const Xyz& illuminant_white, const Xyz& d65_white);
 

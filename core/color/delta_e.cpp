@@ -25,7 +25,9 @@ double hue_degrees(double a, double b) {
   return h < 0 ? h + 360 : h;
 }
 
-double cos_degrees(double x) { return std::cos(x / degrees); }
+double cos_degrees(double x) {
+  return std::cos(x / degrees);
+}
 
 double pow7_ratio(double chroma) {
   const double c7 = std::pow(chroma, 7);
@@ -54,12 +56,15 @@ double delta_e2000(const Lab& p, const Lab& q) {
   const double c1 = std::hypot(a1, p.b), c2 = std::hypot(a2, q.b);
   const double h1 = hue_degrees(a1, p.b), h2 = hue_degrees(a2, q.b);
 
-  double dh = 0, mean_h = h1 + h2;  // with one chroma zero: no hue difference, the sum as mean (Sharma eq. 10, 14)
+  double dh = 0,
+         mean_h = h1 + h2;  // with one chroma zero: no hue difference, the sum as mean (Sharma eq. 10, 14)
   if (c1 * c2 != 0) {
     dh = h2 - h1;
     if (dh > 180) dh -= 360;
     if (dh < -180) dh += 360;
-    mean_h = std::abs(h1 - h2) <= 180 ? (h1 + h2) / 2 : h1 + h2 < 360 ? (h1 + h2 + 360) / 2 : (h1 + h2 - 360) / 2;
+    mean_h = std::abs(h1 - h2) <= 180 ? (h1 + h2) / 2
+             : h1 + h2 < 360          ? (h1 + h2 + 360) / 2
+                                      : (h1 + h2 - 360) / 2;
   }
   const double dl = q.l - p.l, dc = c2 - c1;
   const double dhue = 2 * std::sqrt(c1 * c2) * std::sin(dh / 2 / degrees);

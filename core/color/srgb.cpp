@@ -9,7 +9,9 @@
 namespace etak {
 namespace {
 
-std::uint8_t half_up(double encoded) { return static_cast<std::uint8_t>(std::floor(255 * encoded + 0.5)); }
+std::uint8_t half_up(double encoded) {
+  return static_cast<std::uint8_t>(std::floor(255 * encoded + 0.5));
+}
 
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -28,13 +30,21 @@ double srgb_decode(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-std::uint8_t srgb_u8(double linear) { return half_up(srgb_encode(std::clamp(linear, 0.0, 1.0))); }
+std::uint8_t srgb_u8(double linear) {
+  return half_up(srgb_encode(std::clamp(linear, 0.0, 1.0)));
+}
 
-std::uint8_t power22_u8(double linear) { return half_up(std::pow(std::clamp(linear, 0.0, 1.0), 1 / 2.2)); }
+std::uint8_t power22_u8(double linear) {
+  return half_up(std::pow(std::clamp(linear, 0.0, 1.0), 1 / 2.2));
+}
 
-Srgb8 srgb_u8(const LinearRgb& c) { return {srgb_u8(c.r), srgb_u8(c.g), srgb_u8(c.b)}; }
+Srgb8 srgb_u8(const LinearRgb& c) {
+  return {srgb_u8(c.r), srgb_u8(c.g), srgb_u8(c.b)};
+}
 
-Srgb8 power22_u8(const LinearRgb& c) { return {power22_u8(c.r), power22_u8(c.g), power22_u8(c.b)}; }
+Srgb8 power22_u8(const LinearRgb& c) {
+  return {power22_u8(c.r), power22_u8(c.g), power22_u8(c.b)};
+}
 
 LinearRgb srgb_decode(const Srgb8& codes) {
   return {srgb_decode(codes.r / 255.0), srgb_decode(codes.g / 255.0), srgb_decode(codes.b / 255.0)};

@@ -5,7 +5,8 @@
 
 namespace etak {
 
-/// The cosine at which edge reflectance is stated: 1/7, 81.8 degrees, where (1/7)(6/7)^6 of Hoffman's F82 term peaks.
+/// The cosine at which edge reflectance is stated: 1/7, 81.8 degrees, where (1/7)(6/7)^6 of Hoffman's F82
+/// term peaks.
 inline constexpr double f82_cosine = 1.0 / 7;
 
 /// The formulas of conductor.glsl and schlick.glsl in double: the reference.

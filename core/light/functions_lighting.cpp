@@ -33,7 +33,8 @@ constexpr FunctionInput reference_inputs[] = {
 constexpr FunctionInput total_inputs[] = {K, g, nv};
 constexpr FunctionInput x_input[] = {{"x", "linear light", "", -largest, largest}};
 constexpr FunctionInput y_input[] = {{"y", "encoded value", "", -largest, largest}};
-constexpr FunctionInput codes_input[] = {{"codes", "how many codes there are, from 0", "", 2, 65536, false, {}, 256}};
+constexpr FunctionInput codes_input[] = {
+    {"codes", "how many codes there are, from 0", "", 2, 65536, false, {}, 256}};
 constexpr FunctionInput point_inputs[] = {
     {"I", "radiant intensity", "W/sr", 0, largest}, {"r", "distance", "m", 0, largest, true}, cosine};
 constexpr FunctionInput spot_inputs[] = {{"cos", "cosine between the ray and the cone's axis", "", -1, 1},

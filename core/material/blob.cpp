@@ -170,8 +170,8 @@ Dataset read_dataset(Reader& r) {
 
 }  // namespace
 
-// Layout: size of the index, the index (count, then id, name, aliases, offset of each), the materials. Offsets count
-// from the end of the index.
+// Layout: size of the index, the index (count, then id, name, aliases, offset of each), the materials.
+// Offsets count from the end of the index.
 std::string encode_library(const std::vector<Material>& materials) {
   Writer index, body;
   index.number(materials.size());

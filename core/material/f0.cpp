@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Based on:
 //   CIE 015:2018, "Colorimetry"
-//   Hoffman, "Physically Based Shading": the forbidden zone; Hoffman 2019, "Fresnel Equations Considered Harmful": F82
-//   Kutz et al. 2021, "Novel aspects of the Adobe Standard Material": F82 as a tint of Schlick
+//   Hoffman, "Physically Based Shading": the forbidden zone; Hoffman 2019, "Fresnel Equations Considered
+//   Harmful": F82 Kutz et al. 2021, "Novel aspects of the Adobe Standard Material": F82 as a tint of Schlick
 #include "core/material/f0.h"
 
 #include <algorithm>
@@ -49,7 +49,8 @@ struct Range {
 };
 
 Range range_of(const OpticalConstants& optics) {
-  if (const auto* formula = std::get_if<DispersionFormula>(&optics.n)) return {formula->first_nm, formula->last_nm};
+  if (const auto* formula = std::get_if<DispersionFormula>(&optics.n))
+    return {formula->first_nm, formula->last_nm};
   const auto& table = std::get<Spectrum>(optics.n);
   return {table.first_nm(), table.last_nm()};
 }
@@ -80,7 +81,9 @@ Coverage coverage_of(Range range, const Spectrum* table, const WeightSums& sums)
   coverage.first_nm = range.first_nm;
   coverage.last_nm = range.last_nm;
   coverage.is_formula = table == nullptr;
-  const auto index = [](double offset) { return static_cast<std::size_t>(std::clamp(offset, 0.0, double{grid_size})); };
+  const auto index = [](double offset) {
+    return static_cast<std::size_t>(std::clamp(offset, 0.0, double{grid_size}));
+  };
   const std::size_t first = index(std::ceil(range.first_nm - 0.5 - grid_first_nm));
   const std::size_t last = std::max(first, index(std::floor(range.last_nm + 0.5 - grid_first_nm) + 1));
   for (std::size_t c = 0; c < 3; ++c)
@@ -95,13 +98,17 @@ void intersect(Coverage& a, const Coverage& b) {
   a.first_nm = std::max(a.first_nm, b.first_nm);
   a.last_nm = std::min(a.last_nm, b.last_nm);
   a.largest_gap_nm = std::max(a.largest_gap_nm, b.largest_gap_nm);
-  a.samples_400_700 = a.is_formula ? b.samples_400_700 : b.is_formula ? a.samples_400_700 : std::min(a.samples_400_700, b.samples_400_700);
+  a.samples_400_700 = a.is_formula   ? b.samples_400_700
+                      : b.is_formula ? a.samples_400_700
+                                     : std::min(a.samples_400_700, b.samples_400_700);
   a.is_formula = a.is_formula && b.is_formula;
 }
 
 // All wavelengths at which the optics are not smooth.
 void append_knots(const Optics& optics, std::vector<double>& knots) {
-  const auto add = [&](const Spectrum& s) { knots.insert(knots.end(), s.wavelength_nm.begin(), s.wavelength_nm.end()); };
+  const auto add = [&](const Spectrum& s) {
+    knots.insert(knots.end(), s.wavelength_nm.begin(), s.wavelength_nm.end());
+  };
   if (const auto* reflectance = std::get_if<Reflectance>(&optics)) return add(reflectance->spectrum);
   const auto& constants = std::get<OpticalConstants>(optics);
   if (const auto* formula = std::get_if<DispersionFormula>(&constants.n)) {
@@ -132,17 +139,22 @@ std::string_view name(Zone zone) {
   return zone == Zone::below ? "below" : zone == Zone::inside ? "inside" : "above";
 }
 
-double Coverage::least() const { return std::min({weight[0], weight[1], weight[2]}); }
+double Coverage::least() const {
+  return std::min({weight[0], weight[1], weight[2]});
+}
 
-bool F0Result::out_of_gamut() const { return flags.has(Flag::out_of_gamut); }
+bool F0Result::out_of_gamut() const {
+  return flags.has(Flag::out_of_gamut);
+}
 
 std::string space_name(const F0Options& options) {
   return options.custom_space ? options.custom_space->name : std::string(name(options.space));
 }
 
 std::string policy(const F0Options& o) {
-  std::string text = o.interpolation == Interpolation::linear ? "n and k linear in wavelength"
-                                                              : "n and k by monotone cubic (pchip) in wavelength";
+  std::string text = o.interpolation == Interpolation::linear
+                         ? "n and k linear in wavelength"
+                         : "n and k by monotone cubic (pchip) in wavelength";
   text += ", ends held";
   if (o.method == Method::nm1)
     text += "; sum at 1 nm";
@@ -177,7 +189,8 @@ struct F0Solver::State {
   bool exact() const { return options.method == Method::exact; }
 
   Quadrature quadrature_for(std::vector<double> knots) const {
-    if (const auto* medium = std::get_if<OpticalConstants>(&options.outside.index)) append_knots(*medium, knots);
+    if (const auto* medium = std::get_if<OpticalConstants>(&options.outside.index))
+      append_knots(*medium, knots);
     std::sort(knots.begin(), knots.end());
     return make_exact_quadrature(options.viewing, knots);
   }
@@ -218,7 +231,8 @@ struct F0Solver::State {
     }
   }
 
-  // Reflectance at the nodes, at normal incidence and at cos 1/7; false with a reason where the data do not allow it.
+  // Reflectance at the nodes, at normal incidence and at cos 1/7; false with a reason where the data do not
+  // allow it.
   bool reflectance(const Optics& optics, const Quadrature& q, Scratch& scratch, std::string& refusal,
                    Stopwatch& watch, F0Timing& timing) const {
     if (const auto* table = std::get_if<Reflectance>(&optics)) {
@@ -234,7 +248,8 @@ struct F0Solver::State {
       std::fill(scratch.k.begin(), scratch.k.end(), 0.0);
     for (std::size_t i = 0; i < scratch.n.size(); ++i)
       if (!(scratch.n[i] > 0)) {
-        refusal = "n = " + number(scratch.n[i], 6) + " at " + number(q.wavelength_nm[i], 6) + " nm; n must be above 0";
+        refusal = "n = " + number(scratch.n[i], 6) + " at " + number(q.wavelength_nm[i], 6) +
+                  " nm; n must be above 0";
         return false;
       }
     divide_by_outside(q, scratch.n, scratch.k);
@@ -247,13 +262,15 @@ struct F0Solver::State {
 
   void flag_data(const Optics& optics, F0Result& result) const {
     const Coverage& coverage = result.coverage;
-    if (coverage.first_nm > core_first_nm || coverage.last_nm < core_last_nm || coverage.least() < flagged_below)
+    if (coverage.first_nm > core_first_nm || coverage.last_nm < core_last_nm ||
+        coverage.least() < flagged_below)
       result.flags.set(Flag::extrapolated);
     if (coverage.largest_gap_nm > wide_gap_nm) result.flags.set(Flag::gap);
     const auto* constants = std::get_if<OpticalConstants>(&optics);
     if (!constants) return;
     const Range n = range_of(*constants);
-    if (std::holds_alternative<DispersionFormula>(constants->n) && (n.first_nm > grid_first_nm || n.last_nm < grid_last_nm))
+    if (std::holds_alternative<DispersionFormula>(constants->n) &&
+        (n.first_nm > grid_first_nm || n.last_nm < grid_last_nm))
       result.flags.set(Flag::formula_clamped);
     if (!constants->k)
       result.flags.set(Flag::k_assumed_0);
@@ -270,7 +287,7 @@ struct F0Solver::State {
 
   // Linear values in the chosen space and in sRGB of a weighted sum.
   struct Spaces {
-    Xyz white;      // under the illuminant
+    Xyz white;  // under the illuminant
     Mat3 to_space, to_srgb, from_srgb;
     LinearRgb space_white{1, 1, 1};
   };
@@ -302,8 +319,8 @@ struct F0Solver::State {
     return options.custom_space ? options.custom_space->convert(xyz, s.white) : to_rgb(s.to_space * vec(xyz));
   }
 
-  void fill_colour(const Quadrature& q, const Spaces& s, std::span<const double> r0, std::span<const double> r82,
-                   F0Result& result) const {
+  void fill_colour(const Quadrature& q, const Spaces& s, std::span<const double> r0,
+                   std::span<const double> r82, F0Result& result) const {
     // A point method's sum is linear sRGB already; through XYZ and back it would only gain rounding.
     const auto colour = [&](std::span<const double> r, Xyz& xyz, LinearRgb& srgb) {
       const std::array<double, 3> sum = q.integrate(r);
@@ -317,7 +334,8 @@ struct F0Solver::State {
       return in_space(s, xyz);
     };
     result.linear = colour(r0, result.xyz, result.srgb_linear);
-    result.srgb8 = options.method == Method::legacy_schueler ? power22_u8(result.srgb_linear) : srgb_u8(result.srgb_linear);
+    result.srgb8 = options.method == Method::legacy_schueler ? power22_u8(result.srgb_linear)
+                                                             : srgb_u8(result.srgb_linear);
     result.luminance = result.xyz.y;
     result.zone = zone_of(result.luminance);
     const Vec3 srgb = vec(result.srgb_linear);
@@ -363,13 +381,15 @@ F0Solver::F0Solver(F0Options options) {
     state->outside_range = range_of(*medium);
     const Coverage coverage = coverage_of(state->outside_range, nullptr, state->sums);
     if (coverage.weight[1] < refused_below && !o.allow_extrapolation)
-      throw Error::at(place, "data cover " + number(coverage.weight[1], 4) + " of the Y weight", "0.95, or --allow-extrapolation");
+      throw Error::at(place, "data cover " + number(coverage.weight[1], 4) + " of the Y weight",
+                      "0.95, or --allow-extrapolation");
     if (medium->k) {
       std::array<double, grid_size> k;
       resample_to_grid(*medium->k, k);
       const double most = *std::max_element(k.begin(), k.end());
       if (most > visible_absorption)
-        throw Error::at(place, "absorbs: k = " + number(most, 4) + " at 360-830 nm", "a clear medium, k at most 0.01");
+        throw Error::at(place, "absorbs: k = " + number(most, 4) + " at 360-830 nm",
+                        "a clear medium, k at most 0.01");
       if (most > 0) state->outside_flags.set(Flag::outside_absorption_ignored);
     }
   } else {
@@ -383,7 +403,9 @@ F0Solver::F0Solver(F0Options options) {
 F0Solver::~F0Solver() = default;
 F0Solver::F0Solver(F0Solver&&) noexcept = default;
 
-const F0Options& F0Solver::options() const { return state_->options; }
+const F0Options& F0Solver::options() const {
+  return state_->options;
+}
 
 F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timing) const {
   F0Timing ignored;
@@ -403,8 +425,8 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   if (State::is_single_sample(optics)) result.flags.set(Flag::single_sample);
   state.flag_data(optics, result);
   if (result.coverage.weight[1] < refused_below && !state.options.allow_extrapolation) {
-    result.refusal = "data cover " + number(result.coverage.weight[1], 4) + " of the Y weight (" + number(range.first_nm, 6) +
-                     "-" + number(range.last_nm, 6) + " nm), 0.95 needed";
+    result.refusal = "data cover " + number(result.coverage.weight[1], 4) + " of the Y weight (" +
+                     number(range.first_nm, 6) + "-" + number(range.last_nm, 6) + " nm), 0.95 needed";
     return result;
   }
 
@@ -467,7 +489,8 @@ F0Result F0Solver::solve(const std::vector<Part>& parts, Flags data_flags) const
     }
   }
   const State::Spaces spaces = state.exact() ? state.spaces_for(q, {}) : state.fixed_spaces;
-  state.fill_colour(q, spaces, scratch.mixed0, has_f82 ? std::span<const double>(scratch.mixed82) : std::span<const double>{}, result);
+  state.fill_colour(q, spaces, scratch.mixed0,
+                    has_f82 ? std::span<const double>(scratch.mixed82) : std::span<const double>{}, result);
   return result;
 }
 

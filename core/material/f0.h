@@ -33,7 +33,8 @@ struct OutsideMedium {
 };
 
 /// An output space that etak does not build itself, such as one of an OpenColorIO config.
-///   convert   takes XYZ (Y = 1 for a perfect reflector) and the white it was seen under to the space's linear values
+///   convert   takes XYZ (Y = 1 for a perfect reflector) and the white it was seen under to the space's
+///   linear values
 struct CustomSpace {
   std::string name;
   std::function<LinearRgb(const Xyz& color, const Xyz& white)> convert;
@@ -44,7 +45,7 @@ struct F0Options {
   Viewing viewing;
   Interpolation interpolation = Interpolation::linear;
   Method method = Method::nm1;
-  RgbSpace space = RgbSpace::srgb;  // of F0Result::linear, f82, f82_tint
+  RgbSpace space = RgbSpace::srgb;          // of F0Result::linear, f82, f82_tint
   std::optional<CustomSpace> custom_space;  // when set, in place of `space`
   OutsideMedium outside;
   bool allow_extrapolation = false;
@@ -61,28 +62,29 @@ struct Coverage {
   std::array<double, 3> weight{};  // share of the X, Y, Z weight inside the data's range, [0, 1]
   double first_nm = 0, last_nm = 0;
   std::size_t samples_400_700 = 0;  // table rows inside 400..700 nm; 0 for a formula
-  double largest_gap_nm = 0;        // between neighbouring rows, within 400..700 nm (its ends count); 0 for a formula
+  double largest_gap_nm =
+      0;  // between neighbouring rows, within 400..700 nm (its ends count); 0 for a formula
   bool is_formula = false;
 
-  double least() const;             // smallest of the three weights
+  double least() const;  // smallest of the three weights
 };
 
 /// Reflectance at normal incidence as a colour, and what one must know to trust it.
 struct F0Result {
-  Xyz xyz;                     // under the chosen illuminant, Y = 1 for a perfect reflector
-  LinearRgb linear;            // in F0Options::space, never clipped
-  LinearRgb srgb_linear;       // in linear sRGB, never clipped
-  Srgb8 srgb8;                 // of srgb_linear, clipped to [0, 1] and rounded half up
-  double luminance = 0;        // Y
+  Xyz xyz;                            // under the chosen illuminant, Y = 1 for a perfect reflector
+  LinearRgb linear;                   // in F0Options::space, never clipped
+  LinearRgb srgb_linear;              // in linear sRGB, never clipped
+  Srgb8 srgb8;                        // of srgb_linear, clipped to [0, 1] and rounded half up
+  double luminance = 0;               // Y
   std::optional<LinearRgb> f82;       // reflectance at cos = 1/7, in `space`; none for reflectance data
   std::optional<LinearRgb> f82_tint;  // f82 / Schlick(F0, cos 1/7), channel by channel
   Zone zone = Zone::below;
   std::array<bool, 3> channel_in_zone{};  // of srgb_linear
-  std::array<double, 3> gamut_excess{};   // of `linear`: amount above 1 (positive) or below 0 (negative); 0 inside.
-                                          // XYZ has no gamut: always 0 there
+  std::array<double, 3> gamut_excess{};   // of `linear`: amount above 1 (positive) or below 0 (negative); 0
+                                         // inside. XYZ has no gamut: always 0 there
   Coverage coverage;
   Flags flags;
-  std::string refusal;         // not empty: no colour was computed, and why; all but coverage and flags is unset
+  std::string refusal;  // not empty: no colour was computed, and why; all but coverage and flags is unset
 
   bool refused() const { return !refusal.empty(); }
   bool out_of_gamut() const;
@@ -108,8 +110,8 @@ class F0Solver {
   ///   timing       when given, stage times are added to it
   F0Result solve(const Optics& optics, Flags data_flags = {}, F0Timing* timing = nullptr) const;
 
-  /// F0 of a polycrystal whose grains lie every way: the reflectance spectra of the axes, weighted, and so the
-  /// linear results too. (2 R_o + R_e) / 3 for uniaxial crystals, a third each for biaxial ones.
+  /// F0 of a polycrystal whose grains lie every way: the reflectance spectra of the axes, weighted, and so
+  /// the linear results too. (2 R_o + R_e) / 3 for uniaxial crystals, a third each for biaxial ones.
   ///   parts    at least one, weights sum to 1
   struct Part {
     const Optics* optics;

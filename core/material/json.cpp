@@ -23,7 +23,8 @@ constexpr double most_n = 1e4, most_k = 1e6;
 Json parse_strictly(std::string_view text, std::string_view file) {
   std::vector<std::vector<std::string>> keys;
   const auto check = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    if (depth > most_depth) throw Error::at(file, "nesting deeper than " + std::to_string(most_depth), "a material file");
+    if (depth > most_depth)
+      throw Error::at(file, "nesting deeper than " + std::to_string(most_depth), "a material file");
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key) {
@@ -67,7 +68,8 @@ struct Node {
   void expect_object(std::initializer_list<std::string_view> keys) const {
     if (!value.is_object()) fail_type("an object");
     for (const auto& [key, ignored] : value.items())
-      if (std::find(keys.begin(), keys.end(), key) == keys.end()) fail("unknown key \"" + printable(key) + "\"");
+      if (std::find(keys.begin(), keys.end(), key) == keys.end())
+        fail("unknown key \"" + printable(key) + "\"");
   }
   void expect_array() const {
     if (!value.is_array()) fail_type("an array");
@@ -107,8 +109,8 @@ double read_scale(const Node& node) {
 }
 
 // Column `column` of rows as a spectrum over column 0; every value within [lo, hi].
-Spectrum read_column(const Node& rows, std::size_t columns, std::size_t column, double scale, double lo, double hi,
-                     bool lo_excluded) {
+Spectrum read_column(const Node& rows, std::size_t columns, std::size_t column, double scale, double lo,
+                     double hi, bool lo_excluded) {
   rows.expect_array();
   if (rows.value.empty()) rows.fail("no rows", "at least one");
   Spectrum out;
@@ -122,8 +124,9 @@ Spectrum read_column(const Node& rows, std::size_t columns, std::size_t column, 
     if (!(nm > 0) || !std::isfinite(nm)) rows.at(i).fail_type("a wavelength above 0 first");
     if (!out.empty() && nm <= out.last_nm()) rows.at(i).fail_type("ascending wavelengths");
     if (!(value >= lo && value <= hi) || (lo_excluded && value == lo))
-      rows.at(i).fail("value " + etak::number(value, 9),
-                      std::string(lo_excluded ? "above " : "at least ") + etak::number(lo, 3) + ", at most " + etak::number(hi, 3));
+      rows.at(i).fail("value " + etak::number(value, 9), std::string(lo_excluded ? "above " : "at least ") +
+                                                             etak::number(lo, 3) + ", at most " +
+                                                             etak::number(hi, 3));
     out.wavelength_nm.push_back(nm);
     out.value.push_back(value);
   }
@@ -155,7 +158,8 @@ Optics read_optics(const Node& node) {
     f.number = formula.at("number").integer();
     const Node coefficients = formula.at("coefficients");
     coefficients.expect_array();
-    for (std::size_t i = 0; i < coefficients.value.size(); ++i) f.coefficients.push_back(coefficients.at(i).number());
+    for (std::size_t i = 0; i < coefficients.value.size(); ++i)
+      f.coefficients.push_back(coefficients.at(i).number());
     f.first_nm = first_nm;
     f.last_nm = last_nm;
     validate(f, std::string(node.file) + "#" + formula.pointer);
@@ -204,11 +208,12 @@ Citation read_citation(const Node& node) {
 }
 
 Dataset read_dataset(const Node& node) {
-  node.expect_object({"id", "quantity", "origin", "sample", "temperature_kelvin", "axis", "citation", "flags", "note", "unit",
-                      "valid_range", "formula", "columns", "rows", "k_rows"});
+  node.expect_object({"id", "quantity", "origin", "sample", "temperature_kelvin", "axis", "citation", "flags",
+                      "note", "unit", "valid_range", "formula", "columns", "rows", "k_rows"});
   Dataset d;
   d.id = node.at("id").text();
-  if (!is_made_of(d.id, "abcdefghijklmnopqrstuvwxyz0123456789-.")) node.at("id").fail_type("a-z, 0-9, - and . only");
+  if (!is_made_of(d.id, "abcdefghijklmnopqrstuvwxyz0123456789-."))
+    node.at("id").fail_type("a-z, 0-9, - and . only");
   const Node origin = node.at("origin");
   const auto known = origin_named(origin.text());
   if (!known) origin.fail_type("measured, fit or computed");
@@ -234,16 +239,19 @@ void append(std::string& out, double value) {
   out.append(text.data(), result.ptr);
 }
 
-// Micrometres with the digits the source printed, or nothing where no 15 digits read back as the same nanometres.
+// Micrometres with the digits the source printed, or nothing where no 15 digits read back as the same
+// nanometres.
 std::optional<double> in_micrometres(double nm) {
   double um = 0;
   if (parse_number(etak::number(nm / 1000, 15), um) && um * 1000 == nm) return um;
   return std::nullopt;
 }
 
-// Wavelengths are written in the unit in which they are short: micrometres as databases print them, or nanometres.
+// Wavelengths are written in the unit in which they are short: micrometres as databases print them, or
+// nanometres.
 bool all_in_micrometres(const std::vector<double>& wavelengths_nm) {
-  return std::all_of(wavelengths_nm.begin(), wavelengths_nm.end(), [](double nm) { return in_micrometres(nm).has_value(); });
+  return std::all_of(wavelengths_nm.begin(), wavelengths_nm.end(),
+                     [](double nm) { return in_micrometres(nm).has_value(); });
 }
 
 class Writer {
@@ -263,8 +271,8 @@ class Writer {
   std::string out_;
 };
 
-void write_rows(Writer& w, std::string_view key, const std::vector<const Spectrum*>& columns, bool micrometres,
-                bool last) {
+void write_rows(Writer& w, std::string_view key, const std::vector<const Spectrum*>& columns,
+                bool micrometres, bool last) {
   w.line(6, "\"" + std::string(key) + "\": [");
   const Spectrum& first = *columns.front();
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -288,7 +296,8 @@ std::vector<double> wavelengths_of(const Optics& optics) {
     all = {formula->first_nm, formula->last_nm};
   else
     all = std::get<Spectrum>(constants.n).wavelength_nm;
-  if (constants.k) all.insert(all.end(), constants.k->wavelength_nm.begin(), constants.k->wavelength_nm.end());
+  if (constants.k)
+    all.insert(all.end(), constants.k->wavelength_nm.begin(), constants.k->wavelength_nm.end());
   return all;
 }
 
@@ -310,7 +319,8 @@ void write_optics(Writer& w, const Optics& optics) {
   const auto& constants = std::get<OpticalConstants>(optics);
   if (const auto* formula = std::get_if<DispersionFormula>(&constants.n)) {
     range(formula->first_nm, formula->last_nm);
-    std::string text = "\"formula\": {\"number\": " + std::to_string(formula->number) + ", \"coefficients\": [";
+    std::string text =
+        "\"formula\": {\"number\": " + std::to_string(formula->number) + ", \"coefficients\": [";
     for (std::size_t i = 0; i < formula->coefficients.size(); ++i) {
       if (i > 0) text += ", ";
       append(text, formula->coefficients[i]);
@@ -369,12 +379,15 @@ void write_dataset(Writer& w, const Dataset& d) {
 Material parse_material(std::string_view text, std::string_view file) {
   const Json document = parse_strictly(text, file);
   const Node node{document, file, ""};
-  node.expect_object({"schema", "id", "name", "aliases", "class", "preferred", "preferred_reason", "datasets"});
-  if (node.at("schema").text() != schema_name) node.at("schema").fail_type("\"" + std::string(schema_name) + "\"");
+  node.expect_object(
+      {"schema", "id", "name", "aliases", "class", "preferred", "preferred_reason", "datasets"});
+  if (node.at("schema").text() != schema_name)
+    node.at("schema").fail_type("\"" + std::string(schema_name) + "\"");
 
   Material m;
   m.id = node.at("id").text();
-  if (!is_made_of(m.id, "abcdefghijklmnopqrstuvwxyz0123456789_")) node.at("id").fail_type("a-z, 0-9 and _ only");
+  if (!is_made_of(m.id, "abcdefghijklmnopqrstuvwxyz0123456789_"))
+    node.at("id").fail_type("a-z, 0-9 and _ only");
   m.name = node.at("name").text();
   if (m.name.empty()) node.at("name").fail_type("a name");
   m.aliases = node.at("aliases").texts();

@@ -32,7 +32,8 @@ std::string folded(std::string_view name) {
   return out;
 }
 
-std::vector<std::string> keys_of(const std::string& id, const std::string& name, const std::vector<std::string>& aliases) {
+std::vector<std::string> keys_of(const std::string& id, const std::string& name,
+                                 const std::vector<std::string>& aliases) {
   std::vector<std::string> keys{folded(id), folded(name)};
   for (const auto& alias : aliases) keys.push_back(folded(alias));
   return keys;
@@ -61,7 +62,8 @@ std::vector<std::string> json_files(const std::string& folder) {
   if (status) throw Error::at(folder, "cannot be opened: " + status.message(), "a folder of material files");
   for (const fs::recursive_directory_iterator end; it != end; it.increment(status)) {
     if (status) throw Error::at(folder, "cannot be read: " + status.message());
-    if (it->path().extension() == ".json" && it->is_regular_file(status)) files.push_back(it->path().string());
+    if (it->path().extension() == ".json" && it->is_regular_file(status))
+      files.push_back(it->path().string());
   }
   if (files.empty()) throw Error::at(folder, "no *.json", "material files");
   std::sort(files.begin(), files.end());
@@ -100,8 +102,10 @@ void MaterialLibrary::add_folder(const std::string& folder) {
   std::vector<std::pair<std::string, std::string>> seen;  // id, file
   for (const std::string& file : json_files(folder)) {
     Material material = parse_material(read_file(file), file);
-    const auto twin = std::find_if(seen.begin(), seen.end(), [&](const auto& s) { return s.first == material.id; });
-    if (twin != seen.end()) throw Error::at(file, "id \"" + material.id + "\" again", "an id not used by " + twin->second);
+    const auto twin =
+        std::find_if(seen.begin(), seen.end(), [&](const auto& s) { return s.first == material.id; });
+    if (twin != seen.end())
+      throw Error::at(file, "id \"" + material.id + "\" again", "an id not used by " + twin->second);
     seen.emplace_back(material.id, file);
     Entry entry;
     entry.id = material.id;

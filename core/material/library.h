@@ -18,8 +18,9 @@ class MaterialLibrary {
   /// The library inside the program (materials/**.json, preparsed when etak was built).
   static MaterialLibrary builtin();
 
-  /// Adds every *.json below `folder`, in path order; a material whose id is known already replaces the old one.
-  /// Throws Error for an unreadable or broken file, for a folder without any, and for an id twice in the folder.
+  /// Adds every *.json below `folder`, in path order; a material whose id is known already replaces the old
+  /// one. Throws Error for an unreadable or broken file, for a folder without any, and for an id twice in the
+  /// folder.
   void add_folder(const std::string& folder);
 
   /// Sorted by id.
@@ -38,8 +39,8 @@ class MaterialLibrary {
   struct Entry {
     std::string id, name;
     std::vector<std::string> aliases;
-    std::vector<std::string> keys;     // folded id, name and aliases; the id's first
-    std::size_t blob_offset = 0;       // into the built-in bytes, when material is empty
+    std::vector<std::string> keys;  // folded id, name and aliases; the id's first
+    std::size_t blob_offset = 0;    // into the built-in bytes, when material is empty
     std::optional<Material> material;
   };
   void insert(Entry entry);

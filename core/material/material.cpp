@@ -12,7 +12,9 @@ struct FlagRow {
 
 // In the order of the enumeration.
 constexpr std::array<FlagRow, flag_count> flag_rows{{
-    {"extrapolated", "the data do not cover 400-700 nm, or less than 0.99 of one of the X, Y, Z weights; end values are held"},
+    {"extrapolated",
+     "the data do not cover 400-700 nm, or less than 0.99 of one of the X, Y, Z weights; end values are "
+     "held"},
     {"out-of-gamut", "a linear channel lies outside [0, 1]; it is kept in linear and clipped in 8 bit"},
     {"channel-in-zone", "one channel, but not the luminance, lies between 0.20 and 0.45"},
     {"gap", "neighbouring samples inside 400-700 nm are more than 20 nm apart"},
@@ -24,7 +26,8 @@ constexpr std::array<FlagRow, flag_count> flag_rows{{
     {"k-assumed-0", "no k is given; 0 was taken"},
     {"k-range-short", "k is given over less of 360-830 nm than n; its end values are held"},
     {"n-not-positive", "n is zero or negative somewhere outside 360-830 nm"},
-    {"formula-clamped", "the formula was evaluated at the end of its stated range for wavelengths outside it"},
+    {"formula-clamped",
+     "the formula was evaluated at the end of its stated range for wavelengths outside it"},
     {"unpaired-coefficient", "the formula's last coefficient has no partner and was left out"},
     {"outside-absorption-ignored", "the small absorption of the outside medium was taken as 0"},
     {"reflectance-clamped", "tabulated reflectance up to 0.02 outside [0, 1] was taken as 0 or 1"},
@@ -34,8 +37,12 @@ constexpr std::array<std::string_view, 3> origin_names{"measured", "fit", "compu
 
 }  // namespace
 
-std::string_view name(Flag flag) { return flag_rows[static_cast<std::size_t>(flag)].name; }
-std::string_view meaning(Flag flag) { return flag_rows[static_cast<std::size_t>(flag)].meaning; }
+std::string_view name(Flag flag) {
+  return flag_rows[static_cast<std::size_t>(flag)].name;
+}
+std::string_view meaning(Flag flag) {
+  return flag_rows[static_cast<std::size_t>(flag)].meaning;
+}
 
 std::optional<Flag> flag_named(std::string_view text) {
   for (std::size_t i = 0; i < flag_count; ++i)
@@ -43,7 +50,9 @@ std::optional<Flag> flag_named(std::string_view text) {
   return std::nullopt;
 }
 
-std::string_view name(Origin origin) { return origin_names[static_cast<std::size_t>(origin)]; }
+std::string_view name(Origin origin) {
+  return origin_names[static_cast<std::size_t>(origin)];
+}
 
 std::optional<Origin> origin_named(std::string_view text) {
   const auto found = std::find(origin_names.begin(), origin_names.end(), text);
@@ -52,13 +61,15 @@ std::optional<Origin> origin_named(std::string_view text) {
 }
 
 std::string_view optical_kind(std::string_view material_class) {
-  if (material_class == "metal" || material_class == "alloy" || material_class == "conductor") return "conductor";
+  if (material_class == "metal" || material_class == "alloy" || material_class == "conductor")
+    return "conductor";
   if (material_class == "semiconductor" || material_class == "surface") return material_class;
   return "dielectric";
 }
 
 const Dataset* Material::dataset(std::string_view dataset_id) const {
-  const auto found = std::find_if(datasets.begin(), datasets.end(), [&](const Dataset& d) { return d.id == dataset_id; });
+  const auto found =
+      std::find_if(datasets.begin(), datasets.end(), [&](const Dataset& d) { return d.id == dataset_id; });
   return found == datasets.end() ? nullptr : &*found;
 }
 
@@ -69,7 +80,8 @@ std::string one_line(const Citation& c) {
     if (!out.empty()) out += separator;
     out += text;
   };
-  for (std::size_t i = 0; i < c.authors.size(); ++i) add(i + 1 == c.authors.size() ? " and " : ", ", c.authors[i]);
+  for (std::size_t i = 0; i < c.authors.size(); ++i)
+    add(i + 1 == c.authors.size() ? " and " : ", ", c.authors[i]);
   add(", ", c.title);
   add(", ", c.published_in);
   if (c.year != 0) add(" ", "(" + std::to_string(c.year) + ")");

@@ -13,25 +13,27 @@
 
 namespace etak {
 
-/// What was found in the data, or in the result made from them, that a user should know. Each has a short name
+/// What was found in the data, or in the result made from them, that a user should know. Each has a short
+/// name
 /// (`name(flag)`, kebab-case) that is part of the CSV and JSON interface.
 enum class Flag : std::uint8_t {
-  extrapolated,           // data do not cover 400..700 nm, or under 0.99 of one of the X, Y, Z weights
-  out_of_gamut,           // a linear channel lies outside [0, 1]
-  channel_in_zone,        // one channel, but not the luminance, lies in the forbidden zone
-  gap,                    // neighbouring samples inside 400..700 nm are more than 20 nm apart
-  single_sample,          // a table of one row
-  unsorted,               // rows were not ascending and were sorted
-  duplicate_wavelength,   // rows of equal wavelength and different values were averaged (or the first was kept)
-  duplicate_dropped,      // identical rows were dropped
-  negative_k,             // k below zero was taken as 0
-  k_assumed_0,            // no k given
-  k_range_short,          // k is tabulated over less of 360..830 nm than n; its end values are held
-  n_not_positive,         // n at or below zero outside 360..830 nm
-  formula_clamped,        // the formula was evaluated at the end of its stated range
-  unpaired_coefficient,   // a formula's last coefficient has no partner and was left out
+  extrapolated,          // data do not cover 400..700 nm, or under 0.99 of one of the X, Y, Z weights
+  out_of_gamut,          // a linear channel lies outside [0, 1]
+  channel_in_zone,       // one channel, but not the luminance, lies in the forbidden zone
+  gap,                   // neighbouring samples inside 400..700 nm are more than 20 nm apart
+  single_sample,         // a table of one row
+  unsorted,              // rows were not ascending and were sorted
+  duplicate_wavelength,  // rows of equal wavelength and different values were averaged (or the first was
+                         // kept)
+  duplicate_dropped,     // identical rows were dropped
+  negative_k,            // k below zero was taken as 0
+  k_assumed_0,           // no k given
+  k_range_short,         // k is tabulated over less of 360..830 nm than n; its end values are held
+  n_not_positive,        // n at or below zero outside 360..830 nm
+  formula_clamped,       // the formula was evaluated at the end of its stated range
+  unpaired_coefficient,  // a formula's last coefficient has no partner and was left out
   outside_absorption_ignored,  // the outside medium's small k was taken as 0
-  reflectance_clamped,    // tabulated reflectance up to 2 % outside [0, 1] was taken as 0 or 1
+  reflectance_clamped,         // tabulated reflectance up to 2 % outside [0, 1] was taken as 0 or 1
 };
 inline constexpr std::size_t flag_count = 16;
 
@@ -111,25 +113,25 @@ std::string_view name(Origin origin);
 std::optional<Origin> origin_named(std::string_view text);
 
 struct Dataset {
-  std::string id;      // unique within the material
+  std::string id;  // unique within the material
   Optics optics;
   Origin origin = Origin::measured;
   std::string sample;  // state of the sample, in etak's words; may be empty
   std::optional<double> temperature_kelvin;
-  std::string axis;    // "ordinary", "extraordinary", "alpha", "beta", "gamma"; empty: isotropic or unstated
+  std::string axis;  // "ordinary", "extraordinary", "alpha", "beta", "gamma"; empty: isotropic or unstated
   Citation citation;
-  Flags flags;         // what the importer found
-  std::string note;    // may be empty
+  Flags flags;       // what the importer found
+  std::string note;  // may be empty
   friend bool operator==(const Dataset&, const Dataset&) = default;
 };
 
 /// Families of materials; conductors, semiconductors and dielectrics are told apart by optical_kind().
 inline constexpr std::array<std::string_view, 15> material_classes{
-    "metal",   "alloy", "conductor", "semiconductor", "gem",   "mineral", "crystal", "salt",
-    "glass",   "plastic", "organic", "liquid",        "solid", "gas",     "surface"};
+    "metal", "alloy",   "conductor", "semiconductor", "gem",   "mineral", "crystal", "salt",
+    "glass", "plastic", "organic",   "liquid",        "solid", "gas",     "surface"};
 
-/// "conductor" (metal, alloy, conductor), "semiconductor", "surface" (measured reflectance of everyday things) or
-/// "dielectric" (all the rest).
+/// "conductor" (metal, alloy, conductor), "semiconductor", "surface" (measured reflectance of everyday
+/// things) or "dielectric" (all the rest).
 std::string_view optical_kind(std::string_view material_class);
 
 struct Material {

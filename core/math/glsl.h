@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: this file gives a namespace the part of GLSL that etak's formula texts (*.glsl) use. Include it
-// inside a namespace that has the type `real` and the constant `tiny`; the names here hide the standard ones.
+// No include guard: this file gives a namespace the part of GLSL that etak's formula texts (*.glsl) use.
+// Include it inside a namespace that has the type `real` and the constant `tiny`; the names here hide the
+// standard ones.
 // clang-format off
 // NOLINTBEGIN
 struct vec3 {

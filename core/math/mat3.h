@@ -24,7 +24,9 @@ constexpr Mat3 operator*(const Mat3& a, const Mat3& b) {
   return out;
 }
 
-constexpr Mat3 diagonal(const Vec3& d) { return {{{d[0], 0, 0}, {0, d[1], 0}, {0, 0, d[2]}}}; }
+constexpr Mat3 diagonal(const Vec3& d) {
+  return {{{d[0], 0, 0}, {0, d[1], 0}, {0, 0, d[2]}}};
+}
 
 inline constexpr Mat3 identity3 = diagonal({1, 1, 1});
 

@@ -80,10 +80,14 @@ std::string_view name(Observer observer) {
 
 std::string_view name(Illuminant illuminant) {
   switch (illuminant) {
-    case Illuminant::d65: return "D65";
-    case Illuminant::d50: return "D50";
-    case Illuminant::a: return "A";
-    case Illuminant::e: break;
+    case Illuminant::d65:
+      return "D65";
+    case Illuminant::d50:
+      return "D50";
+    case Illuminant::a:
+      return "A";
+    case Illuminant::e:
+      break;
   }
   return "E";
 }
@@ -106,10 +110,14 @@ std::span<const std::array<double, 3>, grid_size> matching_functions(Observer ob
 
 std::span<const double, grid_size> relative_power(Illuminant illuminant) {
   switch (illuminant) {
-    case Illuminant::d65: return power_d65;
-    case Illuminant::d50: return power_d50;
-    case Illuminant::a: return power_a;
-    case Illuminant::e: break;
+    case Illuminant::d65:
+      return power_d65;
+    case Illuminant::d50:
+      return power_d50;
+    case Illuminant::a:
+      return power_a;
+    case Illuminant::e:
+      break;
   }
   return power_e;
 }

@@ -16,8 +16,8 @@ enum class Observer { cie1931_2deg, cie1964_10deg };
 /// CIE illuminants, 5 nm, linear between entries as CIE prescribes; E is 1 everywhere.
 enum class Illuminant { d65, d50, a, e };
 
-std::string_view name(Observer observer);        // "1931-2deg", "1964-10deg"
-std::string_view name(Illuminant illuminant);    // "D65", "D50", "A", "E"
+std::string_view name(Observer observer);      // "1931-2deg", "1964-10deg"
+std::string_view name(Illuminant illuminant);  // "D65", "D50", "A", "E"
 std::optional<Observer> observer_named(std::string_view text);
 std::optional<Illuminant> illuminant_named(std::string_view text);
 

@@ -11,8 +11,15 @@
 namespace etak {
 namespace {
 
-constexpr std::array<std::string_view, 9> method_names{
-    "1nm", "exact", "5nm", "10nm", "20nm", "e308-10nm", "e308-20nm", "point-650-550-450", "point-643-562-396"};
+constexpr std::array<std::string_view, 9> method_names{"1nm",
+                                                       "exact",
+                                                       "5nm",
+                                                       "10nm",
+                                                       "20nm",
+                                                       "e308-10nm",
+                                                       "e308-20nm",
+                                                       "point-650-550-450",
+                                                       "point-643-562-396"};
 
 // Illuminant x observer at grid point i.
 std::array<double, 3> weight_at(Viewing viewing, std::size_t i) {
@@ -42,13 +49,15 @@ void normalise(Quadrature& q) {
 
 Quadrature sampled(Viewing viewing, std::size_t step) {
   Quadrature q = empty_quadrature(grid_size / step + 1);
-  for (std::size_t i = 0; i < grid_size; i += step) add(q, grid_first_nm + static_cast<double>(i), weight_at(viewing, i));
+  for (std::size_t i = 0; i < grid_size; i += step)
+    add(q, grid_first_nm + static_cast<double>(i), weight_at(viewing, i));
   normalise(q);
   return q;
 }
 
-// Every 1 nm weight is shared out to the samples from which Lagrange's polynomial would interpolate the reflectance
-// there: four neighbours inside, three in the first and last interval, the last sample alone beyond it.
+// Every 1 nm weight is shared out to the samples from which Lagrange's polynomial would interpolate the
+// reflectance there: four neighbours inside, three in the first and last interval, the last sample alone
+// beyond it.
 Quadrature folded(Viewing viewing, std::size_t step) {
   const std::size_t count = (grid_size - 1) / step + 1;
   Quadrature q = empty_quadrature(count);
@@ -86,14 +95,16 @@ Quadrature three_samples(double red, double green, double blue) {
 }
 
 // Nodes and weights of the five-point Gauss-Legendre rule on [-1, 1]; exact for polynomials up to degree 9.
-constexpr std::array<double, 5> gauss_node{-0.90617984593866399, -0.53846931010568309, 0.0, 0.53846931010568309,
-                                           0.90617984593866399};
+constexpr std::array<double, 5> gauss_node{-0.90617984593866399, -0.53846931010568309, 0.0,
+                                           0.53846931010568309, 0.90617984593866399};
 constexpr std::array<double, 5> gauss_weight{0.23692688505618909, 0.47862867049936647, 0.56888888888888889,
                                              0.47862867049936647, 0.23692688505618909};
 
 }  // namespace
 
-std::string_view name(Method method) { return method_names[static_cast<std::size_t>(method)]; }
+std::string_view name(Method method) {
+  return method_names[static_cast<std::size_t>(method)];
+}
 
 std::optional<Method> method_named(std::string_view text) {
   for (const Method m : all_methods)
@@ -101,7 +112,9 @@ std::optional<Method> method_named(std::string_view text) {
   return std::nullopt;
 }
 
-bool samples_rgb(Method method) { return method == Method::legacy_point || method == Method::legacy_schueler; }
+bool samples_rgb(Method method) {
+  return method == Method::legacy_point || method == Method::legacy_schueler;
+}
 
 std::array<double, 3> Quadrature::integrate(std::span<const double> reflectance) const {
   const std::size_t n = wavelength_nm.size(), whole = n / 4 * 4;
@@ -124,15 +137,24 @@ std::array<double, 3> Quadrature::white() const {
 
 Quadrature make_quadrature(Method method, Viewing viewing) {
   switch (method) {
-    case Method::nm5: return sampled(viewing, 5);
-    case Method::nm10: return sampled(viewing, 10);
-    case Method::nm20: return sampled(viewing, 20);
-    case Method::e308_10: return folded(viewing, 10);
-    case Method::e308_20: return folded(viewing, 20);
-    case Method::legacy_point: return three_samples(650, 550, 450);
-    case Method::legacy_schueler: return three_samples(643, 562, 396);
-    case Method::exact: return make_exact_quadrature(viewing, {});
-    case Method::nm1: break;
+    case Method::nm5:
+      return sampled(viewing, 5);
+    case Method::nm10:
+      return sampled(viewing, 10);
+    case Method::nm20:
+      return sampled(viewing, 20);
+    case Method::e308_10:
+      return folded(viewing, 10);
+    case Method::e308_20:
+      return folded(viewing, 20);
+    case Method::legacy_point:
+      return three_samples(650, 550, 450);
+    case Method::legacy_schueler:
+      return three_samples(643, 562, 396);
+    case Method::exact:
+      return make_exact_quadrature(viewing, {});
+    case Method::nm1:
+      break;
   }
   return sampled(viewing, 1);
 }

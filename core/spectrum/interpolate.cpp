@@ -12,7 +12,8 @@
 namespace etak {
 namespace {
 
-// Slope at an end from the nearest two intervals; kept on the sign of the nearest one and within three times it.
+// Slope at an end from the nearest two intervals; kept on the sign of the nearest one and within three times
+// it.
 double end_slope(double h0, double h1, double d0, double d1) {
   const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
   if (slope * d0 <= 0) return 0;
@@ -41,7 +42,8 @@ std::vector<double> pchip_slopes(const Spectrum& s) {
   return slope;
 }
 
-// Walks both ascending lists once; between(j, w) gives the value at w in the interval that starts at sample j.
+// Walks both ascending lists once; between(j, w) gives the value at w in the interval that starts at sample
+// j.
 template <class Between>
 void merge(const Spectrum& s, std::span<const double> at_nm, std::span<double> out, Between between) {
   const auto& w = s.wavelength_nm;
@@ -99,7 +101,8 @@ void resample_to_grid(const Spectrum& s, std::span<double, grid_size> out) {
   };
   std::size_t i = clamped(w.front());
   std::fill_n(out.begin(), i, s.value.front());
-  for (std::size_t j = std::upper_bound(w.begin(), w.end(), double{grid_first_nm}) - w.begin(); j < w.size() && i < grid_size; ++j) {
+  for (std::size_t j = std::upper_bound(w.begin(), w.end(), double{grid_first_nm}) - w.begin();
+       j < w.size() && i < grid_size; ++j) {
     if (j == 0) continue;
     const std::size_t end = std::min(grid_size, clamped(w[j]));
     const double span = w[j] - w[j - 1], rise = s.value[j] - s.value[j - 1];

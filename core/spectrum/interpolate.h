@@ -9,11 +9,12 @@
 
 namespace etak {
 
-/// How values between two samples are found. Outside the table both hold the end value (and the caller reports the
-/// share of the visible weight that lies outside). An unconstrained cubic is not offered: it overshoots at steps,
-/// and k or R below zero follows.
+/// How values between two samples are found. Outside the table both hold the end value (and the caller
+/// reports the share of the visible weight that lies outside). An unconstrained cubic is not offered: it
+/// overshoots at steps, and k or R below zero follows.
 ///   linear   straight line in wavelength: the reference policy
-///   pchip    piecewise cubic Hermite, monotone; slopes by Fritsch and Butland 1984 (harmonic mean), ends one-sided
+///   pchip    piecewise cubic Hermite, monotone; slopes by Fritsch and Butland 1984 (harmonic mean), ends
+///   one-sided
 ///            three-point and limited as in Fritsch and Carlson 1980
 enum class Interpolation { linear, pchip };
 

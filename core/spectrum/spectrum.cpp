@@ -16,7 +16,8 @@ void validate(const Spectrum& spectrum, std::string_view what) {
   if (spectrum.empty()) throw Error::at(what, "no samples", "at least one");
   for (std::size_t i = 0; i < spectrum.size(); ++i) {
     const double w = spectrum.wavelength_nm[i];
-    if (!std::isfinite(w) || w <= 0) throw Error::at(what, "wavelength " + number(w, 9) + " nm", "a positive number");
+    if (!std::isfinite(w) || w <= 0)
+      throw Error::at(what, "wavelength " + number(w, 9) + " nm", "a positive number");
     if (!std::isfinite(spectrum.value[i]))
       throw Error::at(what, number(spectrum.value[i], 9) + " at " + number(w, 9) + " nm", "a finite number");
     if (i > 0 && spectrum.wavelength_nm[i - 1] >= w)

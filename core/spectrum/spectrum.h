@@ -21,8 +21,8 @@ struct Spectrum {
   friend bool operator==(const Spectrum&, const Spectrum&) = default;
 };
 
-/// Throws Error (naming `what` and the first offending wavelength) unless the spectrum holds at least one sample,
-/// all numbers are finite and the wavelengths are positive and strictly ascending.
+/// Throws Error (naming `what` and the first offending wavelength) unless the spectrum holds at least one
+/// sample, all numbers are finite and the wavelengths are positive and strictly ascending.
 void validate(const Spectrum& spectrum, std::string_view what);
 
 /// The reference grid: 360, 361, ..., 830 nm.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """check.py ETAK SOURCE: what etak writes, and what it is built from, follows its own schemas.
 
-Every material file, etak's JSON and JSON Lines for the whole library (a refused material and other spaces among it),
-and what import writes. Exits with 77 (skipped) where Python has no jsonschema.
+Every material file, the JSON of every verb (for the whole library where the verb takes materials), and what import
+writes. Exits with 77 (skipped) where Python has no jsonschema.
 """
 import glob
 import json
@@ -59,4 +59,34 @@ with tempfile.TemporaryDirectory() as folder:
     run("import", page, "-o", out)
     with open(out, encoding="utf-8") as file:
         check(material, json.load(file), "import")
+ids = [entry["id"] for entry in json.loads(run("list", "--format", "json"))["materials"]]
+show = schema("show")
+for name in ids:
+    document = json.loads(run("show", name, "--format", "json"))
+    check(show, document, f"show {name}")
+    check(material, document["material"], f"show {name}, material")
+    check(f0, document["f0"], f"show {name}, f0")
+
+calls = {
+    "list": [[], ["--class", "metal"], ["--zone", "inside"]],
+    "nearest": [["#ffe49c"], ["0.5,0.5,0.5", "--linear"]],
+    "models": [[]],
+    "shader": [["gold"], ["pmma", "--diffuse", "0.5,0.1,0.1"], ["water", "--model", "abc-schlick", "--es"],
+               ["silicon", "--model", "phong", "--lights", "0", "--hemispheres"]],
+}
+for verb, variants in calls.items():
+    validator = schema(verb)
+    for options in variants:
+        check(validator, json.loads(run(verb, *options, "--format", "json")), f"{verb} {options}")
+check(schema("functions"), json.loads(run("eval", "--list", "--format", "json")), "eval --list")
+
+if os.path.exists(os.path.join(os.path.dirname(etak), "etak-image")) and "etak_image_io" in sys.argv[3:]:
+    render = schema("render")
+    with tempfile.TemporaryDirectory() as folder:
+        for options in (["gold"], ["pmma", "--diffuse", "0.5,0.1,0.1"], ["iron", "--model", "phong"],
+                        ["gold", "--reference", "--spp", "4"], ["water", "--env", "studio"]):
+            picture = os.path.join(folder, "out.png")
+            text = run("render", *options, "--size", "16x16", "--format", "json", "-o", picture, "--force")
+            check(render, json.loads(text), f"render {options}")
+
 print(f"{len(files)} materials and etak's JSON follow their schemas")
