@@ -5,7 +5,8 @@
 //   m   rms slope, > 0
 real d_beckmann_s2(real m, real nm, real s2) {
   real c2 = max(nm * nm, real(1e-12));
-  real value = exp(max(-s2 / (c2 * m * m), exponent_floor)) / (pi * m * m * c2 * c2);
+  real steep = 1 / (c2 * m * m);
+  real value = exp(max(-s2 * steep, exponent_floor)) * ((steep * m) * (steep * m) * (1 / pi));
   return nm > 0 ? value : real(0);
 }
 

@@ -5,10 +5,10 @@ real g_cook_torrance(real nh, real nv, real nl, real vh) {
   return min(real(1), 2 * nh / max(vh, tiny) * min(nv, nl));
 }
 
-// G / (4 nl nv) with the small cosine divided out where it can be: finite at grazing light or view unless
+// G / (4 nl nv) = min(1 / (4 nl nv), nh / (2 lh max(nl, nv))) over one divisor: finite at grazing light or view unless
 // both graze.
 real v_cook_torrance(Angles a) {
   real most = max(a.nl, a.nv);
   real least = min(a.nl, a.nv);
-  return min(1 / (4 * max(least, tiny)), a.nh / (2 * max(a.lh, tiny))) / max(most, tiny);
+  return min(a.lh, 2 * a.nh * least) / max(4 * a.lh * least * most, tiny);
 }
