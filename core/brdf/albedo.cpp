@@ -92,9 +92,10 @@ class Ring {
 
 }  // namespace
 
+// Cosines as sines of the complement: 90 - theta is exact where the cosine is small.
 Vec3 direction_deg(double theta_deg, double phi_deg) {
   const double s = sin_deg(theta_deg);
-  return {s * sin_deg(90 + phi_deg), s * sin_deg(phi_deg), sin_deg(90 + theta_deg)};
+  return {s * sin_deg(90 - phi_deg), s * sin_deg(phi_deg), sin_deg(90 - theta_deg)};
 }
 
 double directional_albedo(const Reflectance& f, double theta_v_deg, const AlbedoOptions& options) {
