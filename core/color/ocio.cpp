@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/color/colorspace.h"
 #include "core/color/ocio_config.h"
@@ -72,23 +73,6 @@ std::vector<std::string> space_names(const ocio::Config& config, ocio::ColorSpac
   for (int i = 0; i < count; ++i)
     names.emplace_back(config.getColorSpaceNameByIndex(ocio::SEARCH_REFERENCE_SPACE_ALL, visibility, i));
   return names;
-}
-
-// Levenshtein distance, upper and lower case alike.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
 }
 
 // "\"A\", \"B\", \"C\"": the three spaces of the config whose name or alias is nearest.

@@ -1,92 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <nlohmann/json.hpp>
-#include <set>
 
 #include "core/base/error.h"
+#include "core/base/json_node.inc"
 #include "core/light/lights.h"
 
 namespace etak {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::string_view schema_name = "etak-lights/1";
 constexpr int most_depth = 8;
 constexpr std::size_t most_lights = 256;
 
-// Parses and refuses what nlohmann lets pass: equal keys in one object, and depth without end.
-Json parse_strictly(std::string_view text, std::string_view file) {
-  std::vector<std::set<std::string>> keys;
-  const auto check = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    if (depth > most_depth)
-      throw Error::at(file, "nesting deeper than " + std::to_string(most_depth), "a light setup");
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-      throw Error::at(file, "key \"" + printable(parsed.get<std::string>()) + "\" twice in one object",
-                      "each key once");
-    return true;
-  };
-  try {
-    return Json::parse(text.begin(), text.end(), check);
-  } catch (const Json::exception& e) {
-    std::string_view what =
-        e.what();  // "[json.exception.parse_error.101] parse error at ...": without the tag
-    if (const auto tag = what.find("] "); tag != what.npos) what.remove_prefix(tag + 2);
-    throw Error::at(file, printable(what, 200), "a JSON document");
-  }
+using Node = JsonNode;
+
+Vec3 three(const Node& node) {
+  if (!node.value.is_array() || node.size() != 3) node.fail_type("three numbers");
+  return {node.at(0).number(), node.at(1).number(), node.at(2).number()};
 }
 
-// A value and where it stands, for messages.
-struct Node {
-  const Json& value;
-  std::string_view file;
-  std::string pointer;
-
-  [[noreturn]] void fail(std::string_view found, std::string_view expected = {}) const {
-    throw Error::at(std::string(file) + '#' + (pointer.empty() ? "/" : pointer), found, expected);
-  }
-  [[noreturn]] void fail_type(std::string_view expected) const {
-    fail(printable(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60), expected);
-  }
-  bool has(std::string_view key) const { return value.contains(key); }
-  Node at(std::string_view key) const {
-    const auto found = value.find(key);
-    if (found == value.end()) fail("no \"" + std::string(key) + "\"", "this key");
-    return {*found, file, pointer + '/' + std::string(key)};
-  }
-  Node at(std::size_t index) const { return {value[index], file, pointer + '/' + std::to_string(index)}; }
-
-  void expect_object(std::initializer_list<std::string_view> keys) const {
-    if (!value.is_object()) fail_type("an object");
-    for (const auto& [key, ignored] : value.items())
-      if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        fail("unknown key \"" + printable(key) + "\"");
-  }
-  std::string text() const {
-    if (!value.is_string()) fail_type("a string");
-    return value.get<std::string>();
-  }
-  double number() const {
-    if (!value.is_number()) fail_type("a number");
-    const double number = value.get<double>();
-    if (!std::isfinite(number)) fail_type("a finite number");
-    return number;
-  }
-  Vec3 three() const {
-    if (!value.is_array() || value.size() != 3) fail_type("three numbers");
-    return {at(0).number(), at(1).number(), at(2).number()};
-  }
-  Vec3 unit_vector() const {
-    const Vec3 v = three();
-    const double length = std::hypot(v[0], v[1], v[2]);
-    if (!(length > 1e-12) || !std::isfinite(length)) fail("a direction of length zero");
-    return {v[0] / length, v[1] / length, v[2] / length};
-  }
-};
+Vec3 unit_vector(const Node& node) {
+  const Vec3 v = three(node);
+  const double length = std::hypot(v[0], v[1], v[2]);
+  if (!(length > 1e-12) || !std::isfinite(length)) node.fail("a direction of length zero");
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
 
 Light read_light(const Node& node) {
   if (!node.value.is_object()) node.fail_type("an object");
@@ -108,9 +47,9 @@ Light read_light(const Node& node) {
       light.outer_deg = node.at("outer_deg").number();
       break;
   }
-  if (light.kind != LightKind::directional) light.position = node.at("position").three();
-  if (light.kind != LightKind::point) light.direction = node.at("direction").unit_vector();
-  if (node.has("color")) light.color = node.at("color").three();
+  if (light.kind != LightKind::directional) light.position = three(node.at("position"));
+  if (light.kind != LightKind::point) light.direction = unit_vector(node.at("direction"));
+  if (node.has("color")) light.color = three(node.at("color"));
   light.intensity = node.at("intensity").number();
   return light;
 }
@@ -118,9 +57,9 @@ Light read_light(const Node& node) {
 Hemispheres read_hemispheres(const Node& node) {
   node.expect_object({"upper", "lower", "axis", "form"});
   Hemispheres out;
-  out.upper = node.at("upper").three();
-  out.lower = node.at("lower").three();
-  if (node.has("axis")) out.axis = node.at("axis").unit_vector();
+  out.upper = three(node.at("upper"));
+  out.lower = three(node.at("lower"));
+  if (node.has("axis")) out.axis = unit_vector(node.at("axis"));
   if (node.has("form")) {
     const auto form = hemisphere_form_named(node.at("form").text());
     if (!form) node.at("form").fail_type("\"corrected\", \"wide\" or \"printed\"");
@@ -132,7 +71,7 @@ Hemispheres read_hemispheres(const Node& node) {
 }  // namespace
 
 LightSetup parse_lights(std::string_view text, std::string_view file) {
-  const Json json = parse_strictly(text, file);
+  const Json json = parse_json_strictly(text, file, most_depth, "a light setup");
   const Node root{json, file, ""};
   root.expect_object({"schema", "lights", "hemispheres", "environment", "pi_scaled"});
   if (root.at("schema").text() != schema_name)

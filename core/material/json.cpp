@@ -3,99 +3,20 @@
 
 #include <algorithm>
 #include <charconv>
-#include <initializer_list>
-#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/json_node.inc"
 #include "core/base/number.h"
 #include "core/material/dispersion.h"
 
 namespace etak {
 namespace {
 
-using Json = nlohmann::json;
+using Node = JsonNode;
 
 constexpr std::string_view schema_name = "etak-material/1";
 constexpr int most_depth = 16;
 constexpr double most_n = 1e4, most_k = 1e6;
-
-// Parses and refuses what nlohmann lets pass: equal keys in one object, and depth without end.
-Json parse_strictly(std::string_view text, std::string_view file) {
-  std::vector<std::vector<std::string>> keys;
-  const auto check = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    if (depth > most_depth)
-      throw Error::at(file, "nesting deeper than " + std::to_string(most_depth), "a material file");
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key) {
-      const auto key = parsed.get<std::string>();
-      if (std::find(keys.back().begin(), keys.back().end(), key) != keys.back().end())
-        throw Error::at(file, "key \"" + printable(key) + "\" twice in one object", "each key once");
-      keys.back().push_back(key);
-    }
-    return true;
-  };
-  try {
-    return Json::parse(text.begin(), text.end(), check);
-  } catch (const Json::exception& e) {
-    // "[json.exception.parse_error.101] parse error at line 3, column 5: ..." without the library's own tag.
-    std::string_view what = e.what();
-    if (const auto tag = what.find("] "); tag != what.npos) what.remove_prefix(tag + 2);
-    throw Error::at(file, printable(what, 200), "a JSON document");
-  }
-}
-
-// A value and where it stands, for messages.
-struct Node {
-  const Json& value;
-  std::string_view file;
-  std::string pointer;
-
-  [[noreturn]] void fail(std::string_view found, std::string_view expected = {}) const {
-    throw Error::at(std::string(file) + "#" + (pointer.empty() ? "/" : pointer), found, expected);
-  }
-  [[noreturn]] void fail_type(std::string_view expected) const {
-    fail(printable(value.dump(-1, ' ', false, Json::error_handler_t::replace), 60), expected);
-  }
-  Node at(std::string_view key) const {
-    const auto found = value.find(key);
-    if (found == value.end()) fail("no \"" + std::string(key) + "\"", "this key");
-    return {*found, file, pointer + "/" + std::string(key)};
-  }
-  bool has(std::string_view key) const { return value.contains(key); }
-  Node at(std::size_t index) const { return {value[index], file, pointer + "/" + std::to_string(index)}; }
-
-  void expect_object(std::initializer_list<std::string_view> keys) const {
-    if (!value.is_object()) fail_type("an object");
-    for (const auto& [key, ignored] : value.items())
-      if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        fail("unknown key \"" + printable(key) + "\"");
-  }
-  void expect_array() const {
-    if (!value.is_array()) fail_type("an array");
-  }
-  std::string text() const {
-    if (!value.is_string()) fail_type("a string");
-    return value.get<std::string>();
-  }
-  std::string text_or_empty(std::string_view key) const { return has(key) ? at(key).text() : std::string(); }
-  double number() const {
-    if (!value.is_number()) fail_type("a number");
-    const double number = value.get<double>();
-    if (!std::isfinite(number)) fail_type("a finite number");
-    return number;
-  }
-  int integer() const {
-    if (!value.is_number_integer() || value < -1000000 || value > 1000000) fail_type("a whole number");
-    return value.get<int>();
-  }
-  std::vector<std::string> texts() const {
-    expect_array();
-    std::vector<std::string> out;
-    for (std::size_t i = 0; i < value.size(); ++i) out.push_back(at(i).text());
-    return out;
-  }
-};
 
 bool is_made_of(std::string_view text, std::string_view characters) {
   return !text.empty() && text.find_first_not_of(characters) == text.npos;
@@ -377,7 +298,7 @@ void write_dataset(Writer& w, const Dataset& d) {
 }  // namespace
 
 Material parse_material(std::string_view text, std::string_view file) {
-  const Json document = parse_strictly(text, file);
+  const Json document = parse_json_strictly(text, file, most_depth, "a material file");
   const Node node{document, file, ""};
   node.expect_object(
       {"schema", "id", "name", "aliases", "class", "preferred", "preferred_reason", "datasets"});

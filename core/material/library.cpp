@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/material/blob.h"
@@ -37,22 +38,6 @@ std::vector<std::string> keys_of(const std::string& id, const std::string& name,
   std::vector<std::string> keys{folded(id), folded(name)};
   for (const auto& alias : aliases) keys.push_back(folded(alias));
   return keys;
-}
-
-// Levenshtein distance.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t up = row[j];
-      row[j] = std::min({up + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
-      diagonal = up;
-    }
-  }
-  return row[b.size()];
 }
 
 std::vector<std::string> json_files(const std::string& folder) {
