@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/dispersion.h"
+#include "core/material/f0_data.h"
+#include "core/spectrum/refinement.h"
 
 namespace etak {
 namespace {
@@ -23,6 +26,8 @@ constexpr double refused_below = 0.95;
 constexpr double flagged_below = 0.99;
 constexpr double wide_gap_nm = 20;
 constexpr double visible_absorption = 0.01;
+// What data finer than 1 nm may move the reference sum before that is said: three quarters of a code at 0.04.
+constexpr double flagged_grid_error = 1e-3;
 // Rounding of a perfect reflector is no gamut matter.
 constexpr double gamut_tolerance = 1e-9;
 
@@ -44,82 +49,6 @@ class Stopwatch {
   Clock::time_point last_;
 };
 
-struct Range {
-  double first_nm, last_nm;
-};
-
-Range range_of(const OpticalConstants& optics) {
-  if (const auto* formula = std::get_if<DispersionFormula>(&optics.n))
-    return {formula->first_nm, formula->last_nm};
-  const auto& table = std::get<Spectrum>(optics.n);
-  return {table.first_nm(), table.last_nm()};
-}
-
-void count_samples(const Spectrum& table, Coverage& coverage) {
-  const auto& w = table.wavelength_nm;
-  for (std::size_t i = 0; i < w.size(); ++i) {
-    if (w[i] >= core_first_nm && w[i] <= core_last_nm) ++coverage.samples_400_700;
-    if (i == 0 || w[i] <= core_first_nm || w[i - 1] >= core_last_nm) continue;
-    const double gap = std::min(w[i], core_last_nm) - std::max(w[i - 1], core_first_nm);
-    coverage.largest_gap_nm = std::max(coverage.largest_gap_nm, gap);
-  }
-}
-
-// Running sums of the three weights over the reference grid; [0] is 0.
-using WeightSums = std::array<std::array<double, 3>, grid_size + 1>;
-
-WeightSums weight_sums(Viewing viewing) {
-  const Quadrature q = make_quadrature(Method::nm1, viewing);
-  WeightSums sums{};
-  for (std::size_t i = 0; i < grid_size; ++i)
-    for (std::size_t c = 0; c < 3; ++c) sums[i + 1][c] = sums[i][c] + q.weight[c][i];
-  return sums;
-}
-
-Coverage coverage_of(Range range, const Spectrum* table, const WeightSums& sums) {
-  Coverage coverage;
-  coverage.first_nm = range.first_nm;
-  coverage.last_nm = range.last_nm;
-  coverage.is_formula = table == nullptr;
-  const auto index = [](double offset) {
-    return static_cast<std::size_t>(std::clamp(offset, 0.0, double{grid_size}));
-  };
-  const std::size_t first = index(std::ceil(range.first_nm - 0.5 - grid_first_nm));
-  const std::size_t last = std::max(first, index(std::floor(range.last_nm + 0.5 - grid_first_nm) + 1));
-  for (std::size_t c = 0; c < 3; ++c)
-    coverage.weight[c] = (sums[last][c] - sums[first][c]) / sums[grid_size][c];
-  if (table) count_samples(*table, coverage);
-  return coverage;
-}
-
-// Two sources at once (axes of a crystal): only what all of them cover counts.
-void intersect(Coverage& a, const Coverage& b) {
-  for (std::size_t c = 0; c < 3; ++c) a.weight[c] = std::min(a.weight[c], b.weight[c]);
-  a.first_nm = std::max(a.first_nm, b.first_nm);
-  a.last_nm = std::min(a.last_nm, b.last_nm);
-  a.largest_gap_nm = std::max(a.largest_gap_nm, b.largest_gap_nm);
-  a.samples_400_700 = a.is_formula   ? b.samples_400_700
-                      : b.is_formula ? a.samples_400_700
-                                     : std::min(a.samples_400_700, b.samples_400_700);
-  a.is_formula = a.is_formula && b.is_formula;
-}
-
-// All wavelengths at which the optics are not smooth.
-void append_knots(const Optics& optics, std::vector<double>& knots) {
-  const auto add = [&](const Spectrum& s) {
-    knots.insert(knots.end(), s.wavelength_nm.begin(), s.wavelength_nm.end());
-  };
-  if (const auto* reflectance = std::get_if<Reflectance>(&optics)) return add(reflectance->spectrum);
-  const auto& constants = std::get<OpticalConstants>(optics);
-  if (const auto* formula = std::get_if<DispersionFormula>(&constants.n)) {
-    knots.push_back(formula->first_nm);
-    knots.push_back(formula->last_nm);
-  } else {
-    add(std::get<Spectrum>(constants.n));
-  }
-  if (constants.k) add(*constants.k);
-}
-
 // What solve() needs per thread: kept between calls, so that a database run allocates once.
 struct Scratch {
   std::vector<double> n, k, r0, r82, mixed0, mixed82;
@@ -139,10 +68,6 @@ std::string_view name(Zone zone) {
   return zone == Zone::below ? "below" : zone == Zone::inside ? "inside" : "above";
 }
 
-double Coverage::least() const {
-  return std::min({weight[0], weight[1], weight[2]});
-}
-
 bool F0Result::out_of_gamut() const {
   return flags.has(Flag::out_of_gamut);
 }
@@ -158,6 +83,9 @@ std::string policy(const F0Options& o) {
   text += ", ends held";
   if (o.method == Method::nm1)
     text += "; sum at 1 nm";
+  else if (o.method == Method::automatic)
+    text += "; integration auto: 20, 10, 5, 1 nm or exact, until X, Y, Z are within " +
+            number(o.integration_bound, 3) + " (estimated)";
   else
     text.append("; integration ").append(name(o.method));
   if (samples_rgb(o.method)) {
@@ -180,24 +108,95 @@ std::string policy(const F0Options& o) {
 struct F0Solver::State {
   F0Options options;
   WeightSums sums;
-  Quadrature quadrature;        // of every method but exact
+  Quadrature quadrature;        // of every method but exact and automatic
   std::vector<double> outside;  // n of the outside medium at the quadrature's wavelengths; empty: constant
   double outside_n = 1;
   Flags outside_flags;
   Range outside_range{0, 0};
 
-  bool exact() const { return options.method == Method::exact; }
+  // Made when first needed: few data are finer than the reference grid.
+  mutable std::once_flag refinement_made;
+  mutable std::optional<Refinement> made_refinement;
 
-  Quadrature quadrature_for(std::vector<double> knots) const {
+  bool exact() const { return options.method == Method::exact; }
+  bool needs_knots() const { return exact() || options.method == Method::automatic; }
+
+  const Refinement& refinement() const {
+    std::call_once(refinement_made, [&] { made_refinement.emplace(options.viewing); });
+    return *made_refinement;
+  }
+
+  // With those of the outside medium.
+  std::vector<double> all_knots(std::vector<double> knots) const {
     if (const auto* medium = std::get_if<OpticalConstants>(&options.outside.index))
       append_knots(*medium, knots);
-    std::sort(knots.begin(), knots.end());
-    return make_exact_quadrature(options.viewing, knots);
+    return knots;
+  }
+
+  // The rule for some data, and which that is where the method is automatic.
+  struct Rule {
+    const Quadrature* quadrature;
+    Quadrature own;  // what `quadrature` points to where it is of these data only
+    std::optional<IntegrationStep> step;
+  };
+
+  // Estimated errors of the steps of refinement(); empty where the data have no reflectance. `reflect` gives
+  // it at the wavelengths of a quadrature.
+  template <class Reflect>
+  std::vector<double> estimate(std::span<const double> knots, const Reflect& reflect) const {
+    Quadrature places;
+    places.wavelength_nm = Refinement::places(knots);
+    const std::span<const double> reflectance = reflect(places);
+    if (reflectance.empty()) return {};
+    return refinement().estimate(places.wavelength_nm, reflectance);
+  }
+
+  template <class Reflect>
+  void choose_rule(std::vector<double> knots, const Reflect& reflect, Rule& rule) const {
+    rule.quadrature = &quadrature;
+    if (!needs_knots()) return;
+    knots = all_knots(std::move(knots));
+    if (!exact()) {
+      const auto errors = estimate(knots, reflect);
+      for (std::size_t i = 0; i < errors.size(); ++i)
+        if (errors[i] <= options.integration_bound) {
+          rule.quadrature = &refinement().steps()[i].rule;
+          rule.step = {refinement().steps()[i].method, errors[i], true};
+          return;
+        }
+      rule.step.emplace();
+    }
+    rule.own = make_exact_quadrature(options.viewing, knots);
+    rule.quadrature = &rule.own;
+  }
+
+  // The estimate of the exact method needs the reflectance at its own points.
+  void finish_step(Rule& rule, std::span<const double> reflectance, F0Result& result) const {
+    if (rule.step && rule.step->method == Method::exact) {
+      rule.step->error = exact_method_error(*rule.quadrature, reflectance);
+      rule.step->within_bound = rule.step->error <= options.integration_bound;
+    }
+    result.integration = rule.step;
+  }
+
+  // Says so where a sum's step is wider than the data's. The reference sum is fine enough for nearly all data
+  // that are finer than it, so that of it only what may show is flagged.
+  template <class Reflect>
+  void flag_grid(const Optics& optics, const Reflect& reflect, F0Result& result) const {
+    const int step = step_nm(options.method);
+    if (step == 0 || !(finest_spacing_nm(optics) < step * (1 - 1e-9))) return;
+    if (options.method == Method::nm1) {
+      std::vector<double> knots;
+      append_knots(optics, knots);
+      const auto errors = estimate(all_knots(std::move(knots)), reflect);
+      if (errors.empty() || errors.back() <= flagged_grid_error) return;
+    }
+    result.flags.set(Flag::finer_than_grid);
   }
 
   // n or k at the nodes of q.
   void values(const Spectrum& table, const Quadrature& q, std::span<double> out) const {
-    if (options.method == Method::nm1 && options.interpolation == Interpolation::linear)
+    if (&q == &quadrature && options.method == Method::nm1 && options.interpolation == Interpolation::linear)
       resample_to_grid(table, out.subspan<0, grid_size>());
     else
       resample(table, options.interpolation, q.wavelength_nm, out);
@@ -214,7 +213,7 @@ struct F0Solver::State {
     if (const auto* medium = std::get_if<OpticalConstants>(&options.outside.index)) {
       std::vector<double> computed;
       const std::vector<double>* n0 = &outside;
-      if (exact()) {
+      if (&q != &quadrature) {
         computed.resize(n.size());
         index(*medium, q, computed);
         n0 = &computed;
@@ -292,7 +291,7 @@ struct F0Solver::State {
     LinearRgb space_white{1, 1, 1};
   };
 
-  Spaces spaces_for(const Quadrature& q, std::span<const double> knots) const {
+  Spaces spaces_for(const Quadrature& q) const {
     const Viewing d65{options.viewing.observer, Illuminant::d65};
     Spaces s;
     Xyz d65_white;
@@ -302,7 +301,7 @@ struct F0Solver::State {
     } else {
       s.white = to_xyz(q.white());
       d65_white = options.viewing == d65 ? s.white
-                  : exact()              ? to_xyz(make_exact_quadrature(d65, knots).white())
+                  : exact()              ? to_xyz(make_exact_quadrature(d65, {}).white())
                                          : to_xyz(make_quadrature(options.method, d65).white());
     }
     s.to_srgb = xyz_to_rgb(RgbSpace::srgb, s.white, d65_white);
@@ -369,9 +368,11 @@ F0Solver::F0Solver(F0Options options) {
   auto state = std::make_unique<State>();
   state->options = std::move(options);
   const F0Options& o = state->options;
+  if (!(o.integration_bound > 0))
+    throw Error::at("integration bound", number(o.integration_bound, 6), "a number above 0");
   state->sums = weight_sums(o.viewing);
   state->quadrature = make_quadrature(o.method, o.viewing);
-  if (!state->exact()) state->fixed_spaces = state->spaces_for(state->quadrature, {});
+  if (!state->exact()) state->fixed_spaces = state->spaces_for(state->quadrature);
   if (const auto* medium = std::get_if<OpticalConstants>(&o.outside.index)) {
     const std::string place = "outside medium " + o.outside.label;
     state->outside.resize(state->quadrature.wavelength_nm.size());
@@ -430,21 +431,21 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
     return result;
   }
 
-  Quadrature exact;
-  State::Spaces exact_spaces;
-  const Quadrature* q = &state.quadrature;
-  const State::Spaces* spaces = &state.fixed_spaces;
-  if (state.exact()) {
-    std::vector<double> knots;
-    append_knots(optics, knots);
-    exact = state.quadrature_for(knots);
-    exact_spaces = state.spaces_for(exact, {});
-    q = &exact;
-    spaces = &exact_spaces;
-  }
-  scratch.resize(q->wavelength_nm.size());
-  if (!state.reflectance(optics, *q, scratch, result.refusal, watch, times)) return result;
-  state.fill_colour(*q, *spaces, scratch.r0, table ? std::span<const double>{} : scratch.r82, result);
+  const auto reflect = [&](const Quadrature& at) -> std::span<const double> {
+    scratch.resize(at.wavelength_nm.size());
+    if (!state.reflectance(optics, at, scratch, result.refusal, watch, times)) return {};
+    return scratch.r0;
+  };
+  state.flag_grid(optics, reflect, result);
+  std::vector<double> knots;
+  if (state.needs_knots()) append_knots(optics, knots);
+  State::Rule rule;
+  state.choose_rule(std::move(knots), reflect, rule);
+  if (result.refused() || reflect(*rule.quadrature).empty()) return result;
+  state.finish_step(rule, scratch.r0, result);
+  const Quadrature& q = *rule.quadrature;
+  state.fill_colour(q, state.exact() ? state.spaces_for(q) : state.fixed_spaces, scratch.r0,
+                    table ? std::span<const double>{} : scratch.r82, result);
   watch.lap(times.sum);
   return result;
 }
@@ -474,22 +475,28 @@ F0Result F0Solver::solve(const std::vector<Part>& parts, Flags data_flags) const
   result.flags = Flags::from_bits(result.flags.bits() & ~(1u << static_cast<unsigned>(Flag::out_of_gamut)) &
                                   ~(1u << static_cast<unsigned>(Flag::channel_in_zone)));
 
-  const Quadrature q = state.exact() ? state.quadrature_for(knots) : state.quadrature;
   Scratch scratch;
-  scratch.resize(q.wavelength_nm.size());
-  std::fill(scratch.mixed0.begin(), scratch.mixed0.end(), 0.0);
-  std::fill(scratch.mixed82.begin(), scratch.mixed82.end(), 0.0);
   F0Timing ignored;
   Stopwatch watch(false);
-  for (const Part& part : parts) {
-    state.reflectance(*part.optics, q, scratch, result.refusal, watch, ignored);
-    for (std::size_t i = 0; i < scratch.r0.size(); ++i) {
-      scratch.mixed0[i] += part.weight * scratch.r0[i];
-      scratch.mixed82[i] += part.weight * scratch.r82[i];
+  const auto reflect = [&](const Quadrature& at) -> std::span<const double> {
+    scratch.resize(at.wavelength_nm.size());
+    std::fill(scratch.mixed0.begin(), scratch.mixed0.end(), 0.0);
+    std::fill(scratch.mixed82.begin(), scratch.mixed82.end(), 0.0);
+    for (const Part& part : parts) {
+      if (!state.reflectance(*part.optics, at, scratch, result.refusal, watch, ignored)) return {};
+      for (std::size_t i = 0; i < scratch.r0.size(); ++i) {
+        scratch.mixed0[i] += part.weight * scratch.r0[i];
+        scratch.mixed82[i] += part.weight * scratch.r82[i];
+      }
     }
-  }
-  const State::Spaces spaces = state.exact() ? state.spaces_for(q, {}) : state.fixed_spaces;
-  state.fill_colour(q, spaces, scratch.mixed0,
+    return scratch.mixed0;
+  };
+  State::Rule rule;
+  state.choose_rule(std::move(knots), reflect, rule);
+  if (result.refused() || reflect(*rule.quadrature).empty()) return result;
+  state.finish_step(rule, scratch.mixed0, result);
+  const Quadrature& q = *rule.quadrature;
+  state.fill_colour(q, state.exact() ? state.spaces_for(q) : state.fixed_spaces, scratch.mixed0,
                     has_f82 ? std::span<const double>(scratch.mixed82) : std::span<const double>{}, result);
   return result;
 }

@@ -45,6 +45,7 @@ struct F0Options {
   Viewing viewing;
   Interpolation interpolation = Interpolation::linear;
   Method method = Method::nm1;
+  double integration_bound = 1e-5;          // of X, Y and Z (Y = 1 for a perfect reflector); automatic only
   RgbSpace space = RgbSpace::srgb;          // of F0Result::linear, f82, f82_tint
   std::optional<CustomSpace> custom_space;  // when set, in place of `space`
   OutsideMedium outside;
@@ -69,6 +70,13 @@ struct Coverage {
   double least() const;  // smallest of the three weights
 };
 
+/// Which method Method::automatic took, and what that one is estimated to miss.
+struct IntegrationStep {
+  Method method = Method::exact;
+  double error = 0;          // the largest of X, Y and Z, estimated
+  bool within_bound = true;  // false: even the exact method is estimated to miss more than the bound
+};
+
 /// Reflectance at normal incidence as a colour, and what one must know to trust it.
 struct F0Result {
   Xyz xyz;                            // under the chosen illuminant, Y = 1 for a perfect reflector
@@ -81,9 +89,10 @@ struct F0Result {
   Zone zone = Zone::below;
   std::array<bool, 3> channel_in_zone{};  // of srgb_linear
   std::array<double, 3> gamut_excess{};   // of `linear`: amount above 1 (positive) or below 0 (negative); 0
-                                         // inside. XYZ has no gamut: always 0 there
+                                          // inside. XYZ has no gamut: always 0 there
   Coverage coverage;
   Flags flags;
+  std::optional<IntegrationStep> integration;  // of Method::automatic
   std::string refusal;  // not empty: no colour was computed, and why; all but coverage and flags is unset
 
   bool refused() const { return !refusal.empty(); }
@@ -98,7 +107,8 @@ struct F0Timing {
 /// Turns optics into F0 under fixed options. Built once, const and shared between threads in use.
 class F0Solver {
  public:
-  /// Throws Error when the outside medium absorbs visibly (k > 0.01 inside 360..830 nm) or lacks coverage.
+  /// Throws Error when the outside medium absorbs visibly (k > 0.01 inside 360..830 nm) or lacks coverage,
+  /// and for an integration bound that is not above 0.
   explicit F0Solver(F0Options options);
   ~F0Solver();
   F0Solver(F0Solver&&) noexcept;

@@ -31,6 +31,9 @@ constexpr std::array<FlagRow, flag_count> flag_rows{{
     {"unpaired-coefficient", "the formula's last coefficient has no partner and was left out"},
     {"outside-absorption-ignored", "the small absorption of the outside medium was taken as 0"},
     {"reflectance-clamped", "tabulated reflectance up to 0.02 outside [0, 1] was taken as 0 or 1"},
+    {"finer-than-grid",
+     "the samples are closer than the step of the sum, which may miss what they hold; --method auto finds a "
+     "step"},
 }};
 
 constexpr std::array<std::string_view, 3> origin_names{"measured", "fit", "computed"};

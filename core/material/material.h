@@ -34,8 +34,9 @@ enum class Flag : std::uint8_t {
   unpaired_coefficient,  // a formula's last coefficient has no partner and was left out
   outside_absorption_ignored,  // the outside medium's small k was taken as 0
   reflectance_clamped,         // tabulated reflectance up to 2 % outside [0, 1] was taken as 0 or 1
+  finer_than_grid,             // samples closer than the step of the sum, which may miss what they hold
 };
-inline constexpr std::size_t flag_count = 16;
+inline constexpr std::size_t flag_count = 17;
 
 std::string_view name(Flag flag);
 std::string_view meaning(Flag flag);  // one sentence, for docs and pages

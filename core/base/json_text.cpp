@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/json_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/base/text.h"
+
+namespace etak {
+
+std::string json(double value) {
+  if (!std::isfinite(value)) return "null";
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string json(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : valid_utf8(text)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      append(out, '\\', c);
+    else if (byte < 0x20)
+      append(out, "\\u00", digits[byte >> 4], digits[byte & 15]);
+    else
+      out += c;
+  }
+  return out += '"';
+}
+
+std::string json(const char* text) {
+  return json(std::string_view(text));
+}
+
+std::string json(bool value) {
+  return value ? "true" : "false";
+}
+
+std::string json(std::size_t value) {
+  return std::to_string(value);
+}
+
+std::string json_array(std::span<const std::string> items) {
+  std::string out = "[";
+  for (std::size_t i = 0; i < items.size(); ++i) append(out, i == 0 ? "" : ", ", items[i]);
+  return out += ']';
+}
+
+std::string json_object(std::span<const JsonMember> members, int indent) {
+  const std::string start = indent < 0 ? "" : "\n" + std::string(static_cast<std::size_t>(indent) + 2, ' ');
+  std::string out = "{";
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (i > 0) out += indent < 0 ? ", " : ",";
+    append(out, start, json(members[i].key), ": ", members[i].value);
+  }
+  if (indent >= 0) out.append(1, '\n').append(static_cast<std::size_t>(indent), ' ');
+  return out += '}';
+}
+
+}  // namespace etak

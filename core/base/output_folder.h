@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace etak {
+
+/// A folder of files that belong together (textures and their layout): all of them appear at once or none,
+/// and an old set stays whole until then, even when the process is killed.
+///   How: everything is written to a new folder ".NAME.etak-XXXXXX" beside the target, then the two are
+///   exchanged in one step (renameat2 RENAME_EXCHANGE; a plain rename when the target is not there yet).
+///   Files of the target that the new set does not replace and the caller did not name to remove_old move
+///   along as they are (hard links; folders are moved). Where that cannot be, the files are renamed into the
+///   target one by one, "layout*.json" last: each file is then whole at any time, but a process killed
+///   between two renames leaves a mixed set, in which the layout is the old one. It cannot be where the file
+///   system has no exchange or no hard links; where the target is a mount point; where its parent cannot be
+///   written (the new folder is then made in the target); and where the target holds the working folder,
+///   which a shell would lose.
+/// A symbolic link to a folder stays, and the folder it leads to is the target.
+class OutputFolder {
+ public:
+  /// Creates the new folder. The parents of `path` must exist. Remains of killed runs for the same target are
+  /// removed; runs that live are known by a lock (flock) on theirs.
+  ///   overwrite   false: a file of this set that the target already has is an Error, told at commit
+  OutputFolder(const std::string& path, bool overwrite);
+  /// Removes what was not committed.
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// A new file "name" (no '/'), written by calling `body` with a sink for its bytes, and flushed to disk.
+  /// Throws Error, also for a full disk; what `body` throws comes out, and the file is gone. Different files
+  /// may be written from different threads.
+  void write(const std::string& name,
+             const std::function<void(const std::function<void(std::string_view)>&)>& body);
+  void write(const std::string& name, std::string_view bytes);
+
+  /// Names of files of an earlier set in the target that are not to live on. A name that is not there, or
+  /// that this set has too, does nothing.
+  void remove_old(const std::string& name);
+
+  /// Flushes to disk and puts the set in place. Throws Error; the target is then as it was. Once.
+  void commit();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace etak
