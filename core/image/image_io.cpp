@@ -7,10 +7,12 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <memory>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/image/picture_bytes.h"
 
 namespace etak {
 namespace {
@@ -32,45 +34,126 @@ std::string one_line(const std::string& text) {
   return printable(out, 200);
 }
 
-std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path) {
+// OpenImageIO's reader, over bytes in memory or a file. The reader looks at the bytes as long as it lives.
+struct Input {
+  std::unique_ptr<std::string> kept;  // the file, where it was read whole
+  std::string_view bytes;             // those or the caller's; empty where the reader reads the file
+  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;
+  std::unique_ptr<OIIO::ImageInput> reader;
+};
+
+[[noreturn]] void fail_no_picture(const std::string& label, const std::string& why) {
+  throw Error::at(label, "cannot be read as a picture (" + why + ")",
+                  "a PNG, JPEG, WebP, OpenEXR, Radiance HDR or TIFF file");
+}
+
+void check_spec(const OIIO::ImageSpec& spec, const std::string& label) {
+  if (spec.width < 1 || spec.height < 1 || spec.width > max_image_side || spec.height > max_image_side ||
+      spec.depth > 1)
+    throw Error::at(label,
+                    "is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels",
+                    "1 to " + std::to_string(max_image_side) + " on a side");
+  if (spec.nchannels < 1 || spec.nchannels > 4)
+    throw Error::at(label, "has " + std::to_string(spec.nchannels) + " channels", "1 to 4");
+  if (spec.deep) throw Error::at(label, "is a deep picture", "one value for each channel of a pixel");
+  for (const char* attribute : {"jpeg:ColorSpace", "tiff:ColorSpace", "psd:ColorMode"})
+    if (const std::string space = spec.get_string_attribute(attribute); space == "CMYK" || space == "YCCK")
+      throw Error::at(label, "holds CMYK colours", "grey or RGB");
+}
+
+// By the format's name, so that no other reader is tried on foreign bytes. With bytes of none: `label` is
+// opened.
+void open_reader(Input& input, const std::string& format, const std::string& label) {
+  input.reader = OIIO::ImageInput::create(format);
+  if (!input.reader) fail_no_picture(label, one_line(OIIO::geterror()));
+  if (!input.bytes.empty()) {
+    // Before the decoder, which fills up what it does not find.
+    check_whole(input.bytes, format, label);
+    if (!input.reader->supports("ioproxy"))
+      fail_no_picture(label, "OpenImageIO reads " + format + " only from files");
+    input.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(input.bytes.data(), input.bytes.size());
+    input.reader->set_ioproxy(input.memory.get());
+  }
+  OIIO::ImageSpec config, spec;
+  config[unassociated] = 1;
+  if (!input.reader->open(input.bytes.empty() ? label : "etak." + format, spec, config))
+    fail_no_picture(label, one_line(input.reader->geterror()));
+}
+
+Input open_bytes(std::string_view bytes, const std::string& label) {
+  Input out;
+  out.bytes = bytes;
+  if (bytes.empty()) throw Error::at(label, "is empty", "a picture");
+  const std::string format = picture_format(bytes, label);
+  if (format.empty()) fail_no_picture(label, "its first bytes are those of no known format");
+  open_reader(out, format, label);
+  check_spec(out.reader->spec(), label);
+  return out;
+}
+
+// Formats that can be large, and whose decoders notice an early end, are read piece by piece; formats that
+// are not known by their first bytes are left to OpenImageIO, which goes by the ending and then tries all.
+Input open_path(const std::string& path) {
   struct stat info {};
   if (::stat(path.c_str(), &info) != 0)
     throw Error::at(path, std::string("cannot be opened: ") + std::strerror(errno));
   if (!S_ISREG(info.st_mode)) throw Error::at(path, "is no regular file", "a picture file");
-  OIIO::ImageSpec config;
-  config[unassociated] = 1;
-  auto input = OIIO::ImageInput::open(path, &config);
-  if (!input)
-    throw Error::at(path, "cannot be read as a picture (" + one_line(OIIO::geterror()) + ")",
-                    "a PNG, OpenEXR, Radiance HDR or TIFF file");
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.width > max_image_side || spec.height > max_image_side ||
-      spec.depth > 1)
-    throw Error::at(path,
-                    "is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels",
-                    "1 to " + std::to_string(max_image_side) + " on a side");
-  if (spec.nchannels < 1 || spec.nchannels > 4)
-    throw Error::at(path, "has " + std::to_string(spec.nchannels) + " channels", "1 to 4");
-  return input;
+  if (info.st_size == 0) throw Error::at(path, "is empty", "a picture");
+  std::string head(32, '\0');
+  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  const std::string format = picture_format(head, path);
+  Input out;
+  if (format.empty()) {
+    OIIO::ImageSpec config;
+    config[unassociated] = 1;
+    out.reader = OIIO::ImageInput::open(path, &config);
+    if (!out.reader) fail_no_picture(path, one_line(OIIO::geterror()));
+  } else {
+    if (format != "openexr" && format != "tiff") {
+      out.kept = std::make_unique<std::string>(read_file(path, std::size_t{1} << 31));
+      out.bytes = *out.kept;
+    }
+    open_reader(out, format, path);
+  }
+  check_spec(out.reader->spec(), path);
+  return out;
 }
 
-ImageInfo info_of(const OIIO::ImageInput& input) {
-  const OIIO::ImageSpec& spec = input.spec();
-  return {spec.width,
-          spec.height,
-          spec.nchannels,
-          static_cast<int>(spec.format.basesize() * 8),
-          spec.format.is_floating_point(),
-          input.format_name()};
+ImageInfo info_of(const Input& input) {
+  const OIIO::ImageSpec& spec = input.reader->spec();
+  ImageInfo out;
+  out.width = spec.width;
+  out.height = spec.height;
+  out.channels = spec.nchannels;
+  out.bits = static_cast<int>(spec.format.basesize() * 8);
+  out.floating = spec.format.is_floating_point();
+  out.format = input.reader->format_name();
+  out.lossy = is_lossy(input.bytes, out.format, spec.get_string_attribute("compression"));
+  out.icc_profile = spec.find_attribute("ICCProfile") != nullptr;
+  out.srgb_tag = spec.get_int_attribute("Exif:ColorSpace") == 1;
+  out.colour_space = spec.get_string_attribute("oiio:ColorSpace");
+  return out;
 }
 
 template <class Value>
-Pixels<Value> read_pixels(OIIO::ImageInput& input, const std::string& path, OIIO::TypeDesc type) {
-  const OIIO::ImageSpec spec = input.spec();
+Pixels<Value> read_pixels(const Input& input, const std::string& label, OIIO::TypeDesc type) {
+  const OIIO::ImageSpec spec = input.reader->spec();
   Pixels<Value> image(spec.width, spec.height, spec.nchannels);
-  if (!input.read_image(0, 0, 0, spec.nchannels, type, image.values.data()))
-    throw Error::at(path, "is damaged (" + one_line(input.geterror()) + ")");
+  const bool good = input.reader->read_image(0, 0, 0, spec.nchannels, type, image.values.data());
+  if (!good || input.reader->has_error())
+    throw Error::at(label, "is damaged (" + one_line(input.reader->geterror()) + ")");
   return image;
+}
+
+template <class Value>
+Pixels<Value> read_codes(const std::string& path, int bits, OIIO::TypeDesc type) {
+  const Input input = open_path(path);
+  const ImageInfo info = info_of(input);
+  if (info.bits != bits || info.floating)
+    throw Error::at(
+        path, "holds values of " + std::to_string(info.bits) + " bits" + (info.floating ? " (float)" : ""),
+        std::to_string(bits) + " bits");
+  return read_pixels<Value>(input, path, type);
 }
 
 template <class Value>
@@ -92,23 +175,53 @@ void write(const std::string& path, const Pixels<Value>& image, const char* form
   write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, overwrite);
 }
 
+template <class Value>
+void write_tiff_of(const std::string& path, const Pixels<Value>& image, OIIO::TypeDesc type, bool overwrite) {
+  OIIO::ImageSpec spec(image.width, image.height, image.channels, type);
+  spec.alpha_channel = image.channels % 2 == 0 ? image.channels - 1 : -1;
+  spec["compression"] = "zip";
+  write(path, image, "tif", type, spec, overwrite);
+}
+
 }  // namespace
 
 ImageInfo read_image_info(const std::string& path) {
-  return info_of(*open_input(path));
+  return info_of(open_path(path));
 }
 
 Image read_image(const std::string& path) {
-  const auto input = open_input(path);
-  return read_pixels<float>(*input, path, OIIO::TypeFloat);
+  return read_pixels<float>(open_path(path), path, OIIO::TypeFloat);
 }
 
 Image8 read_image8(const std::string& path) {
-  const auto input = open_input(path);
-  const ImageInfo info = info_of(*input);
-  if (info.bits != 8 || info.floating)
-    throw Error::at(path, "holds values of " + std::to_string(info.bits) + " bits", "8 bits");
-  return read_pixels<std::uint8_t>(*input, path, OIIO::TypeUInt8);
+  return read_codes<std::uint8_t>(path, 8, OIIO::TypeUInt8);
+}
+
+Image16 read_image16(const std::string& path) {
+  return read_codes<std::uint16_t>(path, 16, OIIO::TypeUInt16);
+}
+
+namespace {
+
+AnyImage read_any(const Input& input, const std::string& label) {
+  AnyImage out{info_of(input), {}};
+  if (!out.info.floating && out.info.bits == 8)
+    out.pixels = read_pixels<std::uint8_t>(input, label, OIIO::TypeUInt8);
+  else if (!out.info.floating && out.info.bits == 16)
+    out.pixels = read_pixels<std::uint16_t>(input, label, OIIO::TypeUInt16);
+  else
+    out.pixels = read_pixels<float>(input, label, OIIO::TypeFloat);
+  return out;
+}
+
+}  // namespace
+
+AnyImage read_any_image(const std::string& path) {
+  return read_any(open_path(path), path);
+}
+
+AnyImage read_any_image(std::string_view bytes, const std::string& label) {
+  return read_any(open_bytes(bytes, label), label);
 }
 
 void write_png(const std::string& path, const Image8& image, bool overwrite) {
@@ -123,6 +236,18 @@ void write_exr(const std::string& path, const Image& image, bool floats, bool ov
   Image finite = image;
   for (float& value : finite.values) value = std::clamp(value, -largest_half, largest_half);
   write(path, finite, "exr", OIIO::TypeFloat, spec, overwrite);
+}
+
+void write_tiff(const std::string& path, const Image8& image, bool overwrite) {
+  write_tiff_of(path, image, OIIO::TypeUInt8, overwrite);
+}
+
+void write_tiff(const std::string& path, const Image16& image, bool overwrite) {
+  write_tiff_of(path, image, OIIO::TypeUInt16, overwrite);
+}
+
+void write_tiff(const std::string& path, const Image& image, bool overwrite) {
+  write_tiff_of(path, image, OIIO::TypeFloat, overwrite);
 }
 
 }  // namespace etak

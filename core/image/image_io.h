@@ -2,20 +2,26 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <variant>
 
 #include "core/image/image.h"
 
 namespace etak {
 
 // The one door to OpenImageIO (target etak::image_io, only where that library is found; no part of
-// etak::core, so that the start-up program stays light).
+// etak::core, so that the start-up program stays light). core/image/load.h opens any picture, and PNG without
+// OpenImageIO.
 //
 // The fourth channel of etak's pictures is gloss as often as opacity, and colour under opacity 0 counts.
 // OpenImageIO takes a fourth channel of a PNG for opacity and multiplies the colour by it (its issues 528,
 // 760, 2887, 3917, 4314), losing both; so every input is opened and every output written with
 // oiio:UnassociatedAlpha = 1.
 //
-// All throw Error that names the path.
+// All throw Error that names the path: also for files that are empty or cut short (OpenImageIO fills up what
+// is missing of some and calls it success), for CMYK (OpenImageIO converts by a formula that no printer
+// uses), deep pictures, and those of more than max_image_side on a side or 4 channels. A palette is expanded
+// to RGB or RGBA.
 
 /// What a file says of itself.
 struct ImageInfo {
@@ -23,15 +29,34 @@ struct ImageInfo {
   int bits = 0;           // of one value: 8, 16, 32
   bool floating = false;  // half or float
   std::string format;     // "png", "openexr", "hdr", ...
+  bool lossy =
+      false;  // what went in was changed by the compression: JPEG, lossy WebP, DWA, block formats, ...
+  bool icc_profile = false;  // an ICC profile is embedded
+  bool srgb_tag = false;     // EXIF says sRGB
+  std::string colour_space;  // oiio:ColorSpace: what the file says, or OpenImageIO's guess from the format
 };
 ImageInfo read_image_info(const std::string& path);
 
 /// Any picture file OpenImageIO knows, 8- and 16-bit codes as code / 255 and code / 65535. No curve is
-/// undone: PNG codes stay encoded. At most max_image_side on a side and 4 channels.
+/// undone: PNG codes stay encoded. NaN and infinity stay for the caller to judge.
 Image read_image(const std::string& path);
 
-/// The codes of an 8-bit file, untouched. Throws Error for files of another depth.
+/// The codes of an 8-bit file, or of a 16-bit one, untouched. Throw Error for files of another depth.
 Image8 read_image8(const std::string& path);
+Image16 read_image16(const std::string& path);
+
+/// A picture in the kind of values its file has: 8-bit codes, 16-bit codes, or float for the rest.
+struct AnyImage {
+  ImageInfo info;
+  std::variant<Image8, Image16, Image> pixels;
+};
+
+AnyImage read_any_image(const std::string& path);
+
+/// The same of a file that is in memory. The format is known by its first bytes, else by the ending of
+/// `label`.
+///   label   for messages: the path, or what the bytes are a part of
+AnyImage read_any_image(std::string_view bytes, const std::string& label);
 
 /// The whole file is made in memory and put in place at once (write_file of core/base/file.h).
 ///   overwrite   false: an existing file is an Error
@@ -40,5 +65,11 @@ void write_png(const std::string& path, const Image8& image, bool overwrite);
 /// OpenEXR, ZIP compression.
 ///   floats   32-bit values; else half: 11 bits of precision, at most 65504 (larger ones are written as that)
 void write_exr(const std::string& path, const Image& image, bool floats, bool overwrite);
+
+/// TIFF with 8-bit codes, 16-bit codes or 32-bit floats; ZIP compression, and a last channel of two or four
+/// that is no factor of the colour ("unassociated").
+void write_tiff(const std::string& path, const Image8& image, bool overwrite);
+void write_tiff(const std::string& path, const Image16& image, bool overwrite);
+void write_tiff(const std::string& path, const Image& image, bool overwrite);
 
 }  // namespace etak

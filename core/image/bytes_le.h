@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Little-endian numbers in file headers; for ktx2.cpp and dds.cpp only.
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace etak::bytes_le {
+
+inline void append(std::string& out, std::uint64_t value, int bytes) {
+  for (int i = 0; i < bytes; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xff));
+}
+inline void append32(std::string& out, std::uint64_t value) {
+  append(out, value, 4);
+}
+inline void append64(std::string& out, std::uint64_t value) {
+  append(out, value, 8);
+}
+
+/// The caller has looked whether the bytes are there.
+inline std::uint64_t number(std::string_view bytes, std::size_t at, int count) {
+  assert(at + static_cast<std::size_t>(count) <= bytes.size());
+  std::uint64_t value = 0;
+  for (int i = count; i-- > 0;)
+    value = value << 8 | static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(i)]);
+  return value;
+}
+inline std::uint32_t number32(std::string_view bytes, std::size_t at) {
+  return static_cast<std::uint32_t>(number(bytes, at, 4));
+}
+inline std::uint64_t number64(std::string_view bytes, std::size_t at) {
+  return number(bytes, at, 8);
+}
+
+}  // namespace etak::bytes_le

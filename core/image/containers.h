@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/image/image.h"
+
+namespace etak {
+
+/// One RGBA8 texture with its mip chain: levels[l] has max(1, side >> l) texels a side, 4 channels.
+struct TextureLevels {
+  std::span<const Image8> levels;
+  bool srgb = true;  // the colour is sRGB-encoded; alpha never is
+};
+
+/// A KTX 2.0 file (Khronos KTX 2.0 specification): VK_FORMAT_R8G8B8A8_UNORM or _SRGB with its data format
+/// descriptor, straight alpha, KTXorientation "rd", KTXwriter "etak".
+///   zstd_level   0: no supercompression; 1..22: Zstandard. Throws Error above 0 where etak was built without
+///   it.
+std::string ktx2_bytes(const TextureLevels& texture, int zstd_level);
+
+/// Whether ktx2_bytes takes a zstd_level above 0, and read_ktx2 files that were written so.
+bool has_zstd();
+
+/// How a DDS file says what it holds.
+///   dx10     DXGI_FORMAT_R8G8B8A8_UNORM or _UNORM_SRGB, with the alpha mode
+///   legacy   bit masks of Direct3D 9 (A8B8G8R8): no word on sRGB or on alpha, but older readers know it
+///            (OpenImageIO 2.4 refuses RGBA8 under a DX10 header and reads this one)
+enum class DdsHeader { dx10, legacy };
+
+/// A DDS file, level 0 first, rows without padding; alpha mode straight for colour + alpha and custom for the
+/// rest.
+///   custom_alpha   the fourth channel is not an opacity (gloss); DX10 only
+///   header         legacy cannot say sRGB: throws Error for such a texture
+std::string dds_bytes(const TextureLevels& texture, bool custom_alpha, DdsHeader header = DdsHeader::dx10);
+
+/// Reads back what the two above write (and other uncompressed RGBA8 files of these kinds: 2-D, one layer,
+/// one face, alpha not premultiplied). Sizes, level counts and places are checked before anything is
+/// allocated. Throws Error.
+struct TextureFile {
+  std::vector<Image8> levels;
+  bool srgb = true;
+  bool custom_alpha = false;  // DDS with a DX10 header only
+};
+TextureFile read_ktx2(std::string_view bytes, std::string_view path);
+TextureFile read_dds(std::string_view bytes, std::string_view path);
+
+}  // namespace etak

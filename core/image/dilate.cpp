@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/image/dilate.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+#include "core/image/linear_tables.h"
+#include "core/image/mips.h"
+
+namespace etak {
+namespace {
+
+// Copies one texel over `count` places.
+void repeat(const std::uint8_t* texel, std::uint8_t* out, int count, int channels) {
+  for (int i = 0; i < count; ++i)
+    std::memmove(out + static_cast<std::size_t>(i) * static_cast<std::size_t>(channels), texel,
+                 static_cast<std::size_t>(channels));
+}
+
+// Four lanes: linear R, G, B and a fourth value.
+using Float4 = float __attribute__((vector_size(16)));
+
+// The mean of what is visible in a block. Fourth lanes: of A 1 where anything is, else 0; of B 1/e.
+struct Block {
+  Float4 a{}, b{};
+
+  void add(const Block& one) {
+    a += one.a;
+    b += one.b;
+  }
+  void divide() {
+    if (a[3] <= 1) return;
+    const float share = 1 / a[3];
+    a *= share;
+    b *= share;
+  }
+};
+
+struct BlockLevel {
+  int width, height;
+  std::vector<Block> blocks;
+  Block* row(int y) { return blocks.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
+};
+
+BlockLevel level_above(int width, int height) {
+  BlockLevel out{(width + 1) / 2, (height + 1) / 2, {}};
+  out.blocks.resize(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+  return out;
+}
+
+BlockLevel pulled(const PixelsView8& a, const PixelsView8& b) {
+  const LinearTables& tables = linear_tables();
+  const auto linear = [&](const std::uint8_t* c, float last) {
+    return Float4{tables.srgb[c[0]], tables.srgb[c[1]], tables.srgb[c[2]], last};
+  };
+  BlockLevel out = level_above(a.width, a.height);
+  for (int y = 0; y < out.height; ++y) {
+    Block* const blocks = out.row(y);
+    for (int x = 0; x < out.width; ++x) {
+      Block sum;
+      for (int v = 2 * y; v < std::min(2 * y + 2, a.height); ++v)
+        for (int u = 2 * x; u < std::min(2 * x + 2, a.width); ++u) {
+          const std::uint8_t* code = a.at(u, v);
+          if (code[3] == 0) continue;
+          sum.a += linear(code, 1);
+          if (b.data == nullptr) continue;
+          code = b.at(u, v);
+          sum.b += linear(code, tables.inverse[code[3]]);
+        }
+      sum.divide();
+      blocks[x] = sum;
+    }
+  }
+  return out;
+}
+
+BlockLevel pulled(BlockLevel& below) {
+  BlockLevel out = level_above(below.width, below.height);
+  for (int y = 0; y < below.height; ++y)
+    for (int x = 0; x < below.width; ++x) out.row(y / 2)[x / 2].add(below.row(y)[x]);
+  for (Block& block : out.blocks) block.divide();
+  return out;
+}
+
+}  // namespace
+
+PixelBox grown(const PixelBox& box, int gutter, int width, int height) {
+  const int left = std::max(0, box.x - gutter), top = std::max(0, box.y - gutter);
+  return {left, top, std::min(width, box.x + box.width + gutter) - left,
+          std::min(height, box.y + box.height + gutter) - top};
+}
+
+void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBox& cell) {
+  const int right = box.x + box.width, cell_right = cell.x + cell.width;
+  for (int y = box.y; y < box.y + box.height; ++y) {
+    if (cell.x < box.x) repeat(page.at(box.x, y), page.at(cell.x, y), box.x - cell.x, page.channels);
+    if (right < cell_right)
+      repeat(page.at(right - 1, y), page.at(right, y), cell_right - right, page.channels);
+  }
+  const auto bytes = static_cast<std::size_t>(cell.width) * static_cast<std::size_t>(page.channels);
+  for (int y = cell.y; y < box.y; ++y) std::memcpy(page.at(cell.x, y), page.at(cell.x, box.y), bytes);
+  const int last = box.y + box.height - 1;
+  for (int y = last + 1; y < cell.y + cell.height; ++y)
+    std::memcpy(page.at(cell.x, y), page.at(cell.x, last), bytes);
+}
+
+void replicate_edges(const PixelsView8& page, const PixelBox& box, int gutter) {
+  replicate_edges(page, box, grown(box, gutter, page.width, page.height));
+}
+
+void fill_from_nearest(const PixelsView8& page, const PixelBox& cell, const ConstPixelsView8& source, int x,
+                       int y) {
+  assert(page.channels == source.channels);
+  for (int row = cell.y; row < cell.y + cell.height; ++row)
+    for (int column = cell.x; column < cell.x + cell.width; ++column)
+      std::memmove(
+          page.at(column, row),
+          source.at(std::clamp(column - x, 0, source.width - 1), std::clamp(row - y, 0, source.height - 1)),
+          static_cast<std::size_t>(page.channels));
+}
+
+std::size_t bleed_under_alpha(const PixelsView8& a, const PixelsView8& b) {
+  assert(a.channels == 4);
+  assert(b.data == nullptr || (b.channels == 4 && b.width == a.width && b.height == a.height));
+  std::size_t hidden = 0;
+  for (int y = 0; y < a.height; ++y) {
+    const std::uint8_t* row = a.row(y);
+    for (int x = 0; x < a.width; ++x) hidden += row[4 * x + 3] == 0 ? 1 : 0;
+  }
+  if (hidden == 0 || hidden == static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height))
+    return 0;
+
+  std::vector<BlockLevel> levels;
+  levels.push_back(pulled(a, b));
+  // Levels are needed up to the one where all blocks have something visible in them.
+  const auto has_hole = [](const BlockLevel& level) {
+    return std::any_of(level.blocks.begin(), level.blocks.end(),
+                       [](const Block& block) { return block.a[3] == 0; });
+  };
+  while (has_hole(levels.back())) levels.push_back(pulled(levels.back()));
+  for (std::size_t l = levels.size() - 1; l-- > 0;)
+    for (int y = 0; y < levels[l].height; ++y)
+      for (int x = 0; x < levels[l].width; ++x)
+        if (Block& block = levels[l].row(y)[x]; block.a[3] == 0) block = levels[l + 1].row(y / 2)[x / 2];
+
+  const LinearTables& tables = linear_tables();
+  for (int y = 0; y < a.height; ++y) {
+    std::uint8_t *row_a = a.row(y), *row_b = b.data == nullptr ? nullptr : b.row(y);
+    int filled_column = -1;  // of blocks; its codes are in these two
+    std::uint8_t code_a[3]{}, code_b[4]{};
+    for (int x = 0; x < a.width; ++x) {
+      if (row_a[4 * x + 3] != 0) continue;
+      if (x / 2 != filled_column) {
+        filled_column = x / 2;
+        const Block& block = levels[0].row(y / 2)[x / 2];
+        for (int c = 0; c < 3; ++c) {
+          code_a[c] = tables.srgb_code(block.a[c]);
+          code_b[c] = tables.srgb_code(block.b[c]);
+        }
+        code_b[3] = tables.gloss_code(block.b[3]);
+      }
+      std::copy_n(code_a, 3, row_a + 4 * x);
+      if (row_b != nullptr) std::copy_n(code_b, 4, row_b + 4 * x);
+    }
+  }
+  return hidden;
+}
+
+std::size_t bleed_under_alpha(Image8& a, Image8& b) {
+  return bleed_under_alpha(view(a), view(b));
+}
+
+}  // namespace etak

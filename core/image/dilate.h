@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "core/image/pixels_view.h"
+
+namespace etak {
+
+// What lies around and under the texels in use, so that filtering finds nothing foreign.
+
+/// The box and `gutter` more on each side, cut off at a page of width x height.
+PixelBox grown(const PixelBox& box, int gutter, int width, int height);
+
+/// Texels of `cell` outside of `box` become those of `box` that are nearest (edges and corners repeated).
+/// `box` lies in `cell`, and `cell` in the page. All channels.
+void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBox& cell);
+
+/// The same for a gutter of equal width, cut off at the page's edges.
+void replicate_edges(const PixelsView8& page, const PixelBox& box, int gutter);
+
+/// Texels of `cell` become the nearest of `source`, whose left upper corner is thought at column x, row y of
+/// the page (inside or outside of the cell). `source` does not lie in the cell, or has one texel.
+void fill_from_nearest(const PixelsView8& page, const PixelBox& cell, const ConstPixelsView8& source, int x,
+                       int y);
+
+/// Fills texels of alpha 0 (the fourth channel of `a`) in all channels of A but alpha, and in B, if B has
+/// data.
+///
+/// Pull-push with this rule: a texel is visible where alpha is above 0. A block of level l + 1 covers up to
+/// 2 x 2 of level l and is visible where one of them is; its value is the plain mean of the visible ones,
+/// colours in linear light and gloss as 1/e. Each texel that is not visible gets the value of the smallest
+/// block around it that is, rounded half up. Blocks lie at even columns and rows; texels are neither weighted
+/// by alpha nor blurred, so that what is filled stays in flat squares, which compress well.
+///
+/// Visible texels do not change; nothing changes where none is visible. Idempotent as alpha stays.
+///   a, b      4 channels, of one size; b.data may be null
+///   returns   how many texels were filled
+std::size_t bleed_under_alpha(const PixelsView8& a, const PixelsView8& b);
+
+}  // namespace etak

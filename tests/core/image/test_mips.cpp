@@ -1,0 +1,424 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/image/mips.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+
+#include "core/color/srgb.h"
+#include "core/image/linear_tables.h"
+#include "core/image/mip_chain.h"
+#include "tests/core/image/mip_reference.h"
+
+namespace etak {
+namespace {
+
+using test::noise_picture;
+
+// Largest difference in codes from the chain in double.
+int off_from_reference(const Image8& a, const Image8& b, const MipOptions& options) {
+  const MipPair pair = mip_pair(a, b, options);
+  test::ReferenceLevel level = test::reference_base(a, b);
+  int most = 0;
+  for (std::size_t l = 1; l < pair.diffuse_alpha.size(); ++l) {
+    level = test::reference_next(level, options.alpha_weights_diffuse);
+    REQUIRE(pair.diffuse_alpha[l].width == level.width);
+    REQUIRE(pair.specular_gloss[l].height == level.height);
+    for (std::size_t i = 0; i < level.texels.size(); ++i) {
+      const auto expected = test::reference_codes(level.texels[i]);
+      for (std::size_t c = 0; c < 4; ++c) {
+        most = std::max(most, std::abs(int{pair.diffuse_alpha[l].values[4 * i + c]} - expected[c]));
+        most = std::max(most, std::abs(int{pair.specular_gloss[l].values[4 * i + c]} - expected[4 + c]));
+      }
+    }
+  }
+  return most;
+}
+
+Image8 constant(int width, int height, std::uint8_t code) {
+  return Image8(width, height, 4, code);
+}
+
+Image8 filled(int width, int height, const std::function<std::uint8_t(int, int, int)>& code) {
+  Image8 out(width, height, 4);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 4; ++c) out.at(x, y)[static_cast<std::size_t>(c)] = code(x, y, c);
+  return out;
+}
+
+double share_that_passes(const Image8& image, double cutoff) {
+  return mip_detail::coverage(image.width, image.height, static_cast<float>(255 * cutoff), 1,
+                              [&](int y, float* out) {
+                                for (int x = 0; x < image.width; ++x) out[x] = image.at(x, y)[3];
+                              });
+}
+
+const std::pair<int, int> odd_and_even_sizes[] = {{64, 64},  {3, 5},  {1, 1},   {1, 37},
+                                                  {41, 1},   {2, 2},  {7, 8},   {63, 65},
+                                                  {127, 31}, {96, 6}, {200, 3}, {130, 258}};
+
+}  // namespace
+
+TEST_CASE("tables give each float the code that the double formula gives") {
+  const LinearTables& t = linear_tables();
+  test::Noise noise{7};
+  for (int i = 0; i < 200000; ++i) {
+    const float x = static_cast<float>(noise.next()) / 2147483648.0f;
+    REQUIRE(t.srgb_code(x) == srgb_u8(double{x}));
+    const float v = std::exp2(-12.5f * x);
+    const auto gloss = static_cast<int>(std::max(0.0, 255 * (-std::log2(double{v}) / 12)) + 0.5);
+    REQUIRE(t.gloss_code(v) == std::min(255, gloss));
+  }
+  for (int c = 0; c < 256; ++c) {
+    const auto at = static_cast<std::size_t>(c);
+    CHECK(t.srgb_code(t.srgb[at]) == c);
+    CHECK(t.gloss_code(t.inverse[at]) == c);
+    if (c == 0) continue;
+    CHECK(t.srgb_code(t.srgb_step[at]) == c);
+    CHECK(t.srgb_code(std::nextafter(t.srgb_step[at], 0.0f)) == c - 1);
+    CHECK(t.gloss_code(t.gloss_step[at]) == c);
+    CHECK(t.gloss_code(std::nextafter(t.gloss_step[at], 2.0f)) == c - 1);
+  }
+  CHECK(t.srgb_code(-1) == 0);
+  CHECK(t.srgb_code(2) == 255);
+  CHECK(t.gloss_code(1e30f) == 0);
+  CHECK(t.gloss_code(INFINITY) == 0);
+  CHECK(t.gloss_code(1e-30f) == 255);
+}
+
+TEST_CASE("mips are within one code of the chain in double, on noise of odd and even sides") {
+  for (const auto& [width, height] : odd_and_even_sizes) {
+    CAPTURE(width, height);
+    const Image8 a = noise_picture(width, height, 1), b = noise_picture(width, height, 2);
+    CHECK(off_from_reference(a, b, {}) <= 1);
+    MipOptions plain;
+    plain.alpha_weights_diffuse = false;
+    CHECK(off_from_reference(a, b, plain) <= 1);
+  }
+}
+
+TEST_CASE("mips of a 1-px checker and of an impulse are within one code of the chain in double") {
+  for (const auto& [width, height] : odd_and_even_sizes) {
+    CAPTURE(width, height);
+    const Image8 checker = filled(width, height, [](int x, int y, int c) {
+      return static_cast<std::uint8_t>((x + y) % 2 == 0 ? 255 : 20 * c);
+    });
+    CHECK(off_from_reference(checker, checker, {}) <= 1);
+    Image8 impulse = constant(width, height, 0);
+    for (auto& code : impulse.at(width / 2, height / 3)) code = 255;
+    CHECK(off_from_reference(impulse, impulse, {}) <= 1);
+  }
+}
+
+TEST_CASE("constant pictures stay exactly constant, for all codes and channels") {
+  for (const auto& [width, height] : {std::pair{16, 16}, {13, 7}})
+    for (int code = 0; code < 256; ++code) {
+      const auto a =
+          filled(width, height, [&](int, int, int c) { return static_cast<std::uint8_t>(code + 64 * c); });
+      const auto b =
+          filled(width, height, [&](int, int, int c) { return static_cast<std::uint8_t>(code + 37 * c); });
+      const MipPair pair = mip_pair(a, b, {});
+      for (std::size_t l = 1; l < pair.diffuse_alpha.size(); ++l)
+        for (std::size_t i = 0; i < pair.diffuse_alpha[l].values.size(); ++i) {
+          REQUIRE(pair.diffuse_alpha[l].values[i] == a.values[i % 4]);
+          REQUIRE(pair.specular_gloss[l].values[i] == b.values[i % 4]);
+        }
+    }
+}
+
+TEST_CASE("a linear ramp keeps its centre of mass on odd sides, where plain 2 x 2 boxes shift it") {
+  for (const int width : {64, 63, 37, 101, 5}) {
+    CAPTURE(width);
+    Image a(width, 1, 4), b(width, 1, 4, 0.5f);
+    for (int x = 0; x < width; ++x)
+      for (auto& v : a.at(x, 0)) v = (static_cast<float>(x) + 0.5f) / static_cast<float>(width);
+    MipOptions plain;
+    plain.alpha_weights_diffuse = false;
+    for (const Image& level : mip_pair(a, b, plain).diffuse_alpha) {
+      double mass = 0;
+      for (int x = 0; x < level.width; ++x) {
+        mass += double{level.at(x, 0)[0]} / level.width;
+        // A mean of a ramp over an area is the ramp in its middle; a second odd level sees steps, not the
+        // ramp.
+        if (2 * level.width >= width - 1)
+          CHECK(level.at(x, 0)[1] ==
+                Approx((x + 0.5) / level.width).margin(1e-6 + 0.6 / width / level.width));
+      }
+      CHECK(mass == Approx(0.5).epsilon(1e-5));
+    }
+  }
+}
+
+TEST_CASE("means of light: a black and white checker becomes code 188, not 128") {
+  const Image8 checker = filled(8, 8, [](int x, int y, int c) {
+    return static_cast<std::uint8_t>(c == 3 || (x + y) % 2 == 0 ? 255 : 0);
+  });
+  const MipPair pair = mip_pair(checker, checker, {});
+  CHECK(int{pair.diffuse_alpha[1].at(0, 0)[0]} == 188);
+  CHECK(int{pair.diffuse_alpha.back().at(0, 0)[2]} == 188);
+}
+
+TEST_CASE("diffuse under alpha 0 does not count, and counts alike where all is hidden") {
+  Image8 a(2, 2, 4, 0);
+  a.at(0, 0)[0] = 200;
+  a.at(0, 0)[3] = 255;
+  for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}, {1, 1}}) a.at(x, y)[1] = 250;
+  const Image8 b = constant(2, 2, 100);
+  const MipPair weighted = mip_pair(a, b, {});
+  CHECK(int{weighted.diffuse_alpha[1].at(0, 0)[0]} == 200);
+  CHECK(int{weighted.diffuse_alpha[1].at(0, 0)[1]} == 0);
+  CHECK(int{weighted.diffuse_alpha[1].at(0, 0)[3]} == 64);  // 63.75
+  a.at(0, 0)[3] = 0;
+  CHECK(int{mip_pair(a, b, {}).diffuse_alpha[1].at(0, 0)[1]} > 200);
+  // The specular colour knows nothing of alpha.
+  CHECK(weighted.specular_gloss[1] == constant(1, 1, 100));
+}
+
+TEST_CASE("gloss is the mean of 1/e, weighted by the luminance of F0") {
+  Image8 a = constant(2, 1, 255), b = constant(2, 1, 128);
+  b.at(0, 0)[3] = 255;  // e = 4096
+  b.at(1, 0)[3] = 0;    // e = 1
+  // 1/e' = (1 + 1/4096) / 2, so g' = 0.0833 and the code 21.2.
+  CHECK(int{mip_pair(a, b, {}).specular_gloss[1].at(0, 0)[3]} == 21);
+  // Where nothing is reflected the lobe does not matter.
+  for (std::size_t c = 0; c < 3; ++c) b.at(1, 0)[c] = 0;
+  CHECK(int{mip_pair(a, b, {}).specular_gloss[1].at(0, 0)[3]} == 255);
+}
+
+TEST_CASE("a bumpy normal map widens the lobe as the mean of the lobes turned does") {
+  // Slopes of +-s along both axes; the reference turns the lobe cos^e each way and measures the mean lobe's
+  // second moment, per axis, against that of one lobe.
+  const double s = 0.08;
+  const std::uint8_t gloss = 140;
+  const double e = std::exp2(12 * gloss / 255.0);
+  Image8 normals(16, 16, 3);
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x) {
+      const double p = x % 2 == 0 ? s : -s, q = y % 2 == 0 ? s : -s, length = std::sqrt(1 + p * p + q * q);
+      const double n[3] = {p / length, q / length, 1 / length};
+      for (std::size_t c = 0; c < 3; ++c)
+        normals.at(x, y)[c] = static_cast<std::uint8_t>(std::floor((n[c] + 1) * 127.5 + 0.5));
+    }
+  const auto second_moment = [&](double p, double q) {
+    // Of p' over the plane of slopes, weight cos^e of the angle to the normal (p, q, 1).
+    double weight = 0, moment = 0;
+    for (double u = -1; u <= 1; u += 0.01)
+      for (double v = -1; v <= 1; v += 0.01) {
+        const double cosine = (1 + u * p + v * q) / std::sqrt((1 + u * u + v * v) * (1 + p * p + q * q));
+        const double w = std::pow(cosine, e);
+        weight += w;
+        moment += w * u * u;
+      }
+    return moment / weight;
+  };
+  const double widened = second_moment(s, s) - second_moment(0, 0);
+  const Image8 a = constant(16, 16, 255), b = constant(16, 16, gloss);
+  for (const NormalVariance kind : {NormalVariance::toksvig, NormalVariance::slopes}) {
+    MipOptions options;
+    options.normals = &normals;
+    options.normal_variance = kind;
+    const MipPair pair = mip_pair(a, b, options);
+    CHECK(pair.specular_gloss[0] == b);
+    const double expected = -std::log2(1 / e + widened) / 12 * 255;
+    // One code is 3 % of the variance; the normals are 8-bit themselves.
+    CHECK(std::abs(int{pair.specular_gloss[1].at(0, 0)[3]} - expected) <= 2);
+    CHECK(int{pair.specular_gloss.back().at(0, 0)[3]} == int{pair.specular_gloss[1].at(0, 0)[3]});
+    CHECK(expected < gloss - 8);
+    CHECK(pair.gloss_clamped == 0);
+  }
+}
+
+TEST_CASE("a flat normal map leaves gloss alone; a lobe wider than gloss 0 is counted") {
+  const Image8 a = constant(8, 8, 255), b = constant(8, 8, 90);
+  Image8 normals(8, 8, 3, 128);
+  for (std::size_t i = 2; i < normals.values.size(); i += 3) normals.values[i] = 255;
+  MipOptions options;
+  options.normals = &normals;
+  CHECK(mip_pair(a, b, options).specular_gloss == mip_pair(a, b, {}).specular_gloss);
+  // Normals that lie flat in opposite ways have a mean of nearly none.
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      normals.at(x, y)[0] = x % 2 == 0 ? 0 : 255;
+      normals.at(x, y)[2] = 128;
+    }
+  const MipPair wide = mip_pair(a, b, options);
+  CHECK(wide.gloss_clamped == 16 + 4 + 1);
+  CHECK(int{wide.specular_gloss[1].at(0, 0)[3]} == 0);
+}
+
+TEST_CASE("a mask's coverage stays, where the plain mean loses it") {
+  // Leaves of grass: thin opaque strokes on nothing.
+  const Image8 a = filled(256, 256, [](int x, int y, int c) {
+    return static_cast<std::uint8_t>(c < 3 ? 120 : (x + y / 5) % 7 < 2 && (y * 3 + x) % 31 < 24 ? 255 : 0);
+  });
+  const Image8 b = noise_picture(256, 256, 5);
+  MipOptions options;
+  options.alpha_cutoff = 0.5;
+  const MipPair kept = mip_pair(a, b, options), plain = mip_pair(a, b, {});
+  const double share = share_that_passes(a, 0.5);
+  REQUIRE(share > 0.1);
+  REQUIRE(share < 0.4);
+  for (std::size_t l = 1; l <= 5; ++l) {
+    CAPTURE(l);
+    const double now = share_that_passes(kept.diffuse_alpha[l], 0.5);
+    CHECK(std::abs(now - share) <= std::abs(share_that_passes(plain.diffuse_alpha[l], 0.5) - share));
+    CHECK(now == Approx(share).margin(l <= 3 ? 0.02 : 0.12));
+  }
+  CHECK(share_that_passes(plain.diffuse_alpha[4], 0.5) < share / 2);
+  // Only opacity changes, and a level does not depend on how many others there are.
+  CHECK(kept.specular_gloss == plain.specular_gloss);
+  for (std::size_t i = 0; i < kept.diffuse_alpha[2].values.size(); ++i)
+    if (i % 4 != 3) REQUIRE(kept.diffuse_alpha[2].values[i] == plain.diffuse_alpha[2].values[i]);
+  options.levels = 3;
+  CHECK(mip_pair(a, b, options).diffuse_alpha[2] == kept.diffuse_alpha[2]);
+  // All or nothing needs no factor.
+  for (const int alpha : {0, 100, 255}) {
+    Image8 flat = a;
+    for (std::size_t i = 3; i < flat.values.size(); i += 4) flat.values[i] = static_cast<std::uint8_t>(alpha);
+    options.levels = 0;
+    CHECK(mip_pair(flat, b, options).diffuse_alpha == mip_pair(flat, b, {}).diffuse_alpha);
+  }
+}
+
+TEST_CASE("threads and the number of levels asked for change nothing") {
+  const Image8 a = noise_picture(203, 517, 1), b = noise_picture(203, 517, 2);
+  MipOptions options;
+  options.alpha_cutoff = 0.3;
+  const MipPair one = mip_pair(a, b, options, 1);
+  CHECK(one.diffuse_alpha.size() == 10);
+  for (const unsigned threads : {2u, 3u, 16u}) {
+    const MipPair many = mip_pair(a, b, options, threads);
+    CHECK(many.diffuse_alpha == one.diffuse_alpha);
+    CHECK(many.specular_gloss == one.specular_gloss);
+  }
+  for (const int levels : {1, 2, 6, 7, 99}) {
+    options.levels = levels;
+    const MipPair some = mip_pair(a, b, options);
+    REQUIRE(some.diffuse_alpha.size() == std::min<std::size_t>(10, static_cast<std::size_t>(levels)));
+    for (std::size_t l = 0; l < some.diffuse_alpha.size(); ++l) {
+      CHECK(some.diffuse_alpha[l] == one.diffuse_alpha[l]);
+      CHECK(some.specular_gloss[l] == one.specular_gloss[l]);
+    }
+  }
+}
+
+TEST_CASE("a full chain has the levels that halving gives") {
+  CHECK(full_mip_levels(1, 1) == 1);
+  CHECK(full_mip_levels(2, 1) == 2);
+  CHECK(full_mip_levels(3, 5) == 3);
+  CHECK(full_mip_levels(16384, 16384) == 15);
+  CHECK(full_mip_levels(4095, 8) == 12);
+}
+
+TEST_CASE("float mips agree with those of 8 bits") {
+  const int width = 45, height = 30;
+  const Image8 a = noise_picture(width, height, 3), b = noise_picture(width, height, 4);
+  Image linear_a(width, height, 4), linear_b(width, height, 4);
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const auto value = [&](std::uint8_t code) {
+      return static_cast<float>(i % 4 == 3 ? code / 255.0 : srgb_decode(code / 255.0));
+    };
+    linear_a.values[i] = value(a.values[i]);
+    linear_b.values[i] = value(b.values[i]);
+  }
+  const MipPair codes = mip_pair(a, b, {});
+  const MipPairFloat floats = mip_pair(linear_a, linear_b, {});
+  REQUIRE(floats.diffuse_alpha.size() == codes.diffuse_alpha.size());
+  for (std::size_t l = 0; l < codes.diffuse_alpha.size(); ++l)
+    for (std::size_t i = 0; i < codes.diffuse_alpha[l].values.size(); ++i) {
+      const auto code = [&](float v) { return i % 4 == 3 ? to_code(v) : srgb_u8(double{v}); };
+      REQUIRE(std::abs(code(floats.diffuse_alpha[l].values[i]) - codes.diffuse_alpha[l].values[i]) <= 1);
+      REQUIRE(std::abs(code(floats.specular_gloss[l].values[i]) - codes.specular_gloss[l].values[i]) <= 1);
+    }
+}
+
+TEST_CASE("float mips keep values above 1 and let NaN through, without a fault") {
+  Image a(4, 4, 4, 1), b(4, 4, 4, 0.25f);
+  a.at(1, 1)[0] = 101;
+  b.at(3, 3)[1] = std::nanf("");
+  b.at(0, 0)[3] = -1;
+  MipOptions options;
+  options.alpha_cutoff = 0.5;
+  const MipPairFloat pair = mip_pair(a, b, options);
+  CHECK(pair.diffuse_alpha[1].at(0, 0)[0] == Approx(26));
+  CHECK(std::isnan(pair.specular_gloss[1].at(1, 1)[1]));
+  CHECK(pair.specular_gloss[1].at(1, 0)[3] == Approx(0.25));
+}
+
+namespace {
+
+struct Page {
+  std::vector<Image8> a, b;
+  std::vector<PixelsView8> view_a, view_b;
+  Page(int width, int height, std::uint8_t fill) {
+    for (int l = 0; l < full_mip_levels(width, height); ++l)
+      for (std::vector<Image8>* images : {&a, &b})
+        images->emplace_back(std::max(1, width >> l), std::max(1, height >> l), 4, fill);
+    for (Image8& image : a) view_a.push_back(view(image));
+    for (Image8& image : b) view_b.push_back(view(image));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a region's mips on a page are those of the region alone, with its own edges around") {
+  Page page(128, 64, 9);
+  const PixelBox box{32, 16, 32, 16};
+  const Image8 a = noise_picture(32, 16, 1), b = noise_picture(32, 16, 2);
+  paste(a, box.x, box.y, page.a[0]);
+  paste(b, box.x, box.y, page.b[0]);
+  mips_into_pages(page.view_a, page.view_b, box, 8, {}, 2);
+  const MipPair alone = mip_pair(a, b, {});
+  for (int l = 0; l < 8; ++l) {
+    CAPTURE(l);
+    const auto at = static_cast<std::size_t>(l);
+    const Image8& own = alone.diffuse_alpha[std::min<std::size_t>(at, alone.diffuse_alpha.size() - 1)];
+    const Image8& level = page.a[at];
+    for (int y = 0; y < level.height; ++y)
+      for (int x = 0; x < level.width; ++x) {
+        const bool cell = x >= 24 >> l && x < 72 >> l && y >= 8 >> l && y < 40 >> l;
+        for (std::size_t c = 0; c < 4; ++c) {
+          const int expected = cell ? own.at(std::clamp(x - (32 >> l), 0, own.width - 1),
+                                             std::clamp(y - (16 >> l), 0, own.height - 1))[c]
+                                    : 9;
+          REQUIRE(int{level.at(x, y)[c]} == expected);
+        }
+      }
+  }
+}
+
+TEST_CASE("regions of any place and size fill their own cells only, in any order") {
+  // Three cells that tile a page of odd sides; one region is a single column.
+  const PixelBox boxes[] = {{2, 3, 21, 38}, {27, 3, 1, 17}, {32, 3, 28, 38}};
+  const auto packed = [&](std::initializer_list<std::size_t> order) {
+    Page page(61, 43, 7);
+    for (const std::size_t i : order) {
+      const PixelBox& box = boxes[i];
+      paste(Image8(box.width, box.height, 4, static_cast<std::uint8_t>(50 * (i + 1))), box.x, box.y,
+            page.a[0]);
+      paste(Image8(box.width, box.height, 4, static_cast<std::uint8_t>(50 * (i + 1))), box.x, box.y,
+            page.b[0]);
+      mips_into_pages(page.view_a, page.view_b, box, 2, {});
+    }
+    return page;
+  };
+  const Page page = packed({0, 1, 2}), again = packed({2, 0, 1});
+  CHECK(page.a == again.a);
+  CHECK(page.b == again.b);
+  // Constant regions stay what they are: no level mixes them.
+  for (const Image8& level : page.a)
+    for (const std::uint8_t code : level.values) REQUIRE((code == 7 || code % 50 == 0));
+  // The whole page, as one region, has its whole chain, also where one side is long at 1.
+  for (const auto& [width, height] : {std::pair{61, 43}, {64, 3}, {1, 20}}) {
+    Page whole(width, height, 7);
+    whole.a[0] = noise_picture(width, height, 1);
+    whole.b[0] = noise_picture(width, height, 2);
+    whole.view_a[0] = view(whole.a[0]);
+    whole.view_b[0] = view(whole.b[0]);
+    mips_into_pages(whole.view_a, whole.view_b, {0, 0, width, height}, 4, {});
+    CHECK(whole.a == mip_pair(whole.a[0], whole.b[0], {}).diffuse_alpha);
+  }
+}
+
+}  // namespace etak
