@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/scene/glb.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "core/base/error.h"
+
+namespace etak {
+namespace {
+
+constexpr std::uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
+
+std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
+  std::uint32_t out = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    out |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+  return out;
+}
+
+}  // namespace
+
+bool is_glb(std::string_view bytes) {
+  return bytes.size() >= 4 && u32_at(bytes, 0) == glb_magic;
+}
+
+GlbParts split_glb(std::string_view bytes, std::string_view file) {
+  const auto fail = [&](const std::string& found, std::string_view expected) {
+    throw Error::at(file, found, expected);
+  };
+  if (bytes.size() < 12 || !is_glb(bytes)) fail("no header of 12 bytes", "a binary glTF");
+  if (u32_at(bytes, 4) != 2) fail("container version " + std::to_string(u32_at(bytes, 4)), "version 2");
+  const std::size_t length = u32_at(bytes, 8);
+  if (length > bytes.size())
+    fail("a header that says " + std::to_string(length) + " bytes in a file of " +
+             std::to_string(bytes.size()),
+         "the whole file");
+  GlbParts parts;
+  std::size_t at = 12;
+  for (int chunk = 0; at < length; ++chunk) {
+    const std::string name = "chunk " + std::to_string(chunk);
+    if (length - at < 8) fail(name + " cut off", "a length and a type");
+    const std::size_t size = u32_at(bytes, at);
+    const std::uint32_t type = u32_at(bytes, at + 4);
+    at += 8;
+    if (size > length - at)
+      fail(name + " of " + std::to_string(size) + " bytes with " + std::to_string(length - at) + " left",
+           "a chunk inside the file");
+    const std::string_view data = bytes.substr(at, size);
+    if (chunk == 0 && type != json_chunk) fail("chunk 0 is not JSON", "the JSON chunk first");
+    if (chunk == 0) parts.json = data;
+    if (chunk == 1 && type == binary_chunk) parts.binary = data;
+    at += size;
+  }
+  if (parts.json.empty()) fail("no JSON chunk", "a binary glTF");
+  return parts;
+}
+
+}  // namespace etak

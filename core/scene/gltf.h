@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/uv_transform.h"
+
+namespace etak {
+
+// glTF 2.0 scenes as an atlas needs them: which materials the scene reaches, their textures and factors, and
+// where on their textures its triangles lie. Geometry is kept as UVs and areas, not as meshes. Based on:
+// Khronos glTF 2.0 specification; KHR_materials_ior, KHR_materials_specular,
+// KHR_materials_pbrSpecularGlossiness (archived), KHR_texture_transform, KHR_materials_variants.
+
+enum class Wrap { repeat, mirrored, clamp };
+struct GltfSampler {
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  bool mipmaps = true;  // the minification filter reads mips
+  bool nearest = false;
+  friend bool operator==(const GltfSampler&, const GltfSampler&) = default;
+};
+
+/// A picture: a file beside the scene, or bytes inside it.
+struct GltfImage {
+  std::string path;   // empty when inside
+  std::string bytes;  // PNG or JPEG file, when inside (buffer view or data URI)
+  std::string label;  // for messages: the path, or "SCENE#/images/3"
+};
+
+/// One lookup of a material: which picture, read how, where.
+struct GltfTexture {
+  int image = -1;
+  GltfSampler sampler;
+  int uv_set = 0;
+  UvTransform transform;
+  friend bool operator==(const GltfTexture&, const GltfTexture&) = default;
+};
+
+enum class AlphaMode { opaque, mask, blend };
+
+/// A material with the defaults of the specification filled in. Factors are linear.
+struct GltfMaterial {
+  std::string name;
+  int index = -1;  // in the document
+  // metallic-roughness
+  std::array<double, 4> base_color{1, 1, 1, 1};
+  std::optional<GltfTexture> base_color_texture;  // sRGB RGB, alpha
+  double metallic = 1, roughness = 1;
+  std::optional<GltfTexture> metallic_roughness_texture;  // G roughness, B metallic
+  // KHR_materials_ior, KHR_materials_specular
+  double ior = 1.5;
+  double specular = 1;
+  std::optional<GltfTexture> specular_texture;  // A
+  std::array<double, 3> specular_color{1, 1, 1};
+  std::optional<GltfTexture> specular_color_texture;  // sRGB RGB
+  // KHR_materials_pbrSpecularGlossiness; replaces all of the above when present
+  bool specular_glossiness = false;
+  std::array<double, 4> diffuse{1, 1, 1, 1};
+  std::optional<GltfTexture> diffuse_texture;  // sRGB RGB, alpha
+  std::array<double, 3> specular_f0{1, 1, 1};
+  double glossiness = 1;
+  std::optional<GltfTexture> specular_glossiness_texture;  // sRGB F0, A glossiness
+
+  std::optional<GltfTexture> normal_texture;
+  double normal_scale = 1;
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  double alpha_cutoff = 0.5;
+  bool double_sided = false;
+};
+
+/// The first texture an atlas replaces (colour, then metal-rough or specular-gloss, then the extensions'):
+/// whose UV set, transform and sampler stand for all of them. None for a material of factors alone.
+const GltfTexture* leading_texture(const GltfMaterial& material);
+
+/// Whether all textures an atlas replaces are looked up at the same place: one set, transform and wrap.
+bool textures_agree(const GltfMaterial& material);
+
+/// Triangles of one primitive under one material, once for every node that draws it: UVs per set, and the
+/// world area and texture area they stand for.
+struct GltfUse {
+  int material = -1;    // index into GltfScene::materials
+  int same_uv_as = -1;  // an earlier use of the same primitive and material (another node draws it)
+  std::vector<std::array<std::array<float, 2>, 3>> uv[2];  // per uv set; empty when the primitive lacks it
+  std::vector<float> world_area;                           // per triangle, after the node's transform
+  std::vector<std::array<float, 3>> world_center;          // per triangle
+};
+
+struct GltfCamera {
+  std::string name;
+  bool perspective = true;
+  double yfov = 0.8, znear = 0.01;  // perspective
+  double ymag = 1;                  // orthographic: half height
+  std::array<double, 3> position{0, 0, 0};
+  std::array<double, 3> direction{0, 0, -1};  // world
+};
+
+struct GltfOptions {
+  std::optional<int> scene;  // none: the document's, else the first
+  bool all_scenes = false;
+  bool variants = true;  // materials of KHR_materials_variants count as used
+};
+
+struct GltfScene {
+  std::string path;
+  GltfOptions options;                  // what it was read with
+  std::vector<GltfImage> images;        // all of the document
+  std::vector<GltfMaterial> materials;  // all of the document; [i].index == i
+  std::vector<bool> material_used;      // reached from the scene (and from variants, when those are kept)
+  std::vector<bool> image_used;         // by a used material
+  std::vector<GltfUse> uses;
+  std::vector<GltfCamera> cameras;  // reached
+  std::size_t scenes = 0, variants = 0;
+  std::vector<std::string> variant_names;
+  std::shared_ptr<const std::string> json;                  // the document's JSON text, for the writer
+  std::shared_ptr<const std::vector<std::string>> buffers;  // bytes of each buffer
+};
+
+/// The limits of what is read: triangles of all uses together, and elements of an accessor that has no bytes
+/// of its own (so that a small file cannot ask for much memory).
+inline constexpr std::size_t most_gltf_triangles = std::size_t{1} << 24;
+inline constexpr std::size_t most_gltf_elements_without_bytes = std::size_t{1} << 20;
+inline constexpr std::size_t most_gltf_buffer_bytes = std::size_t{1} << 31;
+
+/// Reads .gltf or .glb with its buffers and inside images (pictures beside it are not opened). Throws Error
+/// naming file and JSON pointer: broken JSON, indices and accessors out of range, wrong types, files outside
+/// of the scene's folder ("..", absolute, with a scheme; links are followed), nodes that are reached twice,
+/// required extensions that are not known, Draco or meshopt compression.
+///   Triangles are those of modes 4, 5 and 6; skins and morph targets do not move them. Optional extensions
+///   that place copies (EXT_mesh_gpu_instancing) are not looked at. Primitives without a material are no use.
+GltfScene read_gltf(const std::string& path, const GltfOptions& options);
+
+/// The same from bytes in memory; `path` names them and its folder holds the files they refer to.
+GltfScene parse_gltf(std::string_view bytes, const std::string& path, const GltfOptions& options);
+
+/// A box of a material's texture that was moved by itself.
+struct AtlasIsland {
+  std::array<int, 4> box{0, 0, 0, 0};  // x, y, width, height in texels of the texture
+  UvTransform region;                  // as AtlasMaterial::region, for this box
+};
+
+/// What the atlas puts in place of a material's textures.
+struct AtlasMaterial {
+  int material = -1;  // index in the document
+  // From the UVs of the material's texture (after the material's own transform; [0,1]^2 is the whole texture,
+  // so a crop is part of the offset) to those of the page: see region_transform() and TexelUse::fold. The
+  // writer composes it with the material's own transform, and rewrites the UVs where the two make a shear.
+  UvTransform region;
+  int uv_set = 0;                  // which the material's textures read
+  std::optional<UvTransform> own;  // none: that of leading_texture()
+  // Boxes that share no transform: the UVs of the material's triangles are rewritten vertex by vertex, into a
+  // set of their own where other textures still read the old one; vertices that two boxes share are doubled.
+  // Boxes may not overlap, and each triangle must lie in one, up to half a texel. `region` is then not used.
+  std::vector<AtlasIsland> islands;
+  int texture_width = 0, texture_height = 0;  // the texels of the boxes; needed with islands
+
+  // Indices into GltfOutput::images; none: the scalars below hold. With an image its scalar is not used.
+  std::optional<int> diffuse_alpha_image;
+  std::optional<int> specular_gloss_image;    // A: 1 - roughness, read by form specular_glossiness alone
+  std::optional<int> roughness_image;         // G roughness, B = 0 (no metal)
+  std::array<double, 4> diffuse{1, 1, 1, 1};  // factors (linear) where no texture
+  std::array<double, 3> specular{0.04, 0.04, 0.04};  // F0
+  double roughness = 1;
+  // Of form metal_rough alone, solved by metal_rough_of() of core/scene/material_texels.h.
+  std::optional<int> base_color_image;          // sRGB RGB, alpha
+  std::optional<int> metallic_roughness_image;  // G roughness, B metallic
+  std::array<double, 4> base_color{1, 1, 1, 1};
+  double metallic = 0;
+
+  // How the page is sampled; none: clamped, filtered as leading_texture() is.
+  std::optional<GltfSampler> sampler;
+};
+
+/// How a material is written.
+///   specular_ior          metallic 0, F0 in specularColorTexture of KHR_materials_specular, and
+///                         KHR_materials_ior 0, which makes that F0's scale 1: lossless. Where light passes
+///                         through (transmission, volume) the index stays and the scale is divided out.
+///   specular_glossiness   KHR_materials_pbrSpecularGlossiness
+///   metal_rough           plain core glTF, solved from F0 and diffuse: lossy
+enum class GltfForm { specular_ior, specular_glossiness, metal_rough };
+
+struct GltfOutput {
+  std::vector<std::string> images;  // file names beside the glTF
+  std::vector<AtlasMaterial> materials;
+  // One, or metal_rough and specular_glossiness together (core and extension of one material).
+  // KHR_materials_specular may not stand beside the other two in one material: that takes two files.
+  std::vector<GltfForm> forms{GltfForm::specular_ior};
+  std::string buffer_name = "scene.bin";
+};
+
+/// The document with the materials' textures replaced by the atlas: everything else (meshes, nodes, cameras,
+/// animations, other textures such as normal maps) stays; materials not named in `output` stay as they are.
+/// Unreached materials, images, textures and samplers are left out, and primitives that only unreached scenes
+/// draw lose their material. Returns the JSON text; `buffer` gets the bytes of the one buffer it names,
+/// without inside images that went. Files the document names keep their URIs. KHR_texture_transform becomes
+/// required where it is used. Throws Error for what cannot be kept: animated materials,
+/// EXT_lights_image_based, morphed UVs that would have to be rewritten; and for `output` that contradicts
+/// itself.
+std::string write_gltf(const GltfScene& scene, const GltfOutput& output, std::string& buffer);
+
+}  // namespace etak

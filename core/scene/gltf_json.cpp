@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// Based on: Khronos Group, glTF 2.0 specification, and the extensions named in gltf.h.
+#include "core/scene/gltf_json.inc"
+
+#include <filesystem>
+
+#include "core/base/file.h"
+#include "core/scene/glb.h"
+#include "core/scene/uri.h"
+
+namespace etak {
+namespace {
+
+constexpr int most_depth = 64;
+
+/// Extensions that may be required: those read here, and those that change nothing an atlas depends on.
+bool can_be_required(std::string_view name) {
+  return name.starts_with("KHR_materials_") || name == "KHR_texture_transform" ||
+         name == "KHR_mesh_quantization" || name == "KHR_lights_punctual" || name == "EXT_texture_webp";
+}
+
+void check_head(const GltfDocument& document) {
+  const JsonNode root = document.node();
+  root.expect_object();
+  const JsonNode asset = root.at("asset");
+  asset.expect_object();
+  const std::string version = asset.at("version").text();
+  if (!version.starts_with("2.")) asset.at("version").fail("\"" + printable(version) + "\"", "version 2.x");
+  if (asset.has("minVersion") && asset.at("minVersion").text() != "2.0")
+    asset.at("minVersion").fail_type("at most \"2.0\"");
+  if (!root.has("extensionsRequired")) return;
+  const JsonNode required = root.at("extensionsRequired");
+  const auto names = required.texts();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == "KHR_draco_mesh_compression" || names[i].ends_with("_meshopt_compression"))
+      required.at(i).fail("meshes compressed by " + names[i], "meshes that are not compressed");
+    if (!can_be_required(names[i]))
+      required.at(i).fail("required extension \"" + printable(names[i]) + "\"", "extensions that etak knows");
+  }
+}
+
+std::string beside(std::string_view scene, const std::string& file) {
+  return (std::filesystem::path(scene).parent_path() / file).string();
+}
+
+std::vector<std::string> buffers_of(const GltfDocument& document,
+                                    std::optional<std::string_view> binary_chunk) {
+  std::vector<std::string> out;
+  const int count = static_cast<int>(document.count("buffers"));
+  for (int i = 0; i < count; ++i) {
+    const JsonNode node = document.element("buffers", i);
+    const std::size_t length = size_at(node.at("byteLength"), "", 0);
+    std::string& bytes = out.emplace_back();
+    if (node.has("uri")) {
+      const std::string uri = node.at("uri").text();
+      const std::string place = std::string(document.file) + '#' + node.pointer + "/uri";
+      if (auto data = data_of_uri(uri, place))
+        bytes = std::move(*data);
+      else
+        read_file(beside(document.file, file_of_uri(uri, place)), bytes, most_gltf_buffer_bytes);
+    } else if (i == 0 && binary_chunk) {
+      bytes = *binary_chunk;
+    } else if (extension(node.value, "EXT_meshopt_compression") ||
+               extension(node.value, "KHR_meshopt_compression")) {
+      continue;  // a fallback without bytes: whoever needs it is told
+    } else {
+      node.fail("a buffer without bytes", "\"uri\", or the BIN chunk of a .glb");
+    }
+    if (length > bytes.size())
+      node.at("byteLength")
+          .fail(std::to_string(length) + " with " + std::to_string(bytes.size()) + " bytes there",
+                "no more than there are");
+    bytes.resize(length);  // the chunk of a .glb is padded
+  }
+  return out;
+}
+
+std::string_view bytes_of_view(const GltfDocument& document, const JsonNode& number) {
+  const JsonNode view = document.element("bufferViews", document.index(number, "bufferViews"));
+  const auto buffer = static_cast<std::size_t>(document.index(view.at("buffer"), "buffers"));
+  const std::string_view bytes = document.buffers[buffer];
+  const std::size_t offset = size_at(view, "byteOffset", 0), length = size_at(view.at("byteLength"), "", 0);
+  if (offset > bytes.size() || length > bytes.size() - offset)
+    view.fail("bytes beyond the end of its buffer", "bytes inside the buffer");
+  return bytes.substr(offset, length);
+}
+
+std::vector<GltfImage> images_of(const GltfDocument& document) {
+  std::vector<GltfImage> out;
+  const int count = static_cast<int>(document.count("images"));
+  std::size_t inside = 0;
+  for (int i = 0; i < count; ++i) {
+    const JsonNode node = document.element("images", i);
+    const std::string place = std::string(document.file) + '#' + node.pointer;
+    GltfImage& image = out.emplace_back();
+    image.label = place;
+    if (node.has("uri")) {
+      const std::string uri = node.at("uri").text();
+      if (auto data = data_of_uri(uri, place + "/uri"))
+        image.bytes = std::move(*data);
+      else
+        image.path = image.label = beside(document.file, file_of_uri(uri, place + "/uri"));
+    } else if (node.has("bufferView")) {
+      image.bytes = bytes_of_view(document, node.at("bufferView"));
+    } else {
+      node.fail("an image without a picture", "\"uri\" or \"bufferView\"");
+    }
+    // Many images may name the same bytes: a small file must not ask for much memory.
+    if ((inside += image.bytes.size()) > most_gltf_buffer_bytes)
+      node.fail("images inside of more than 2 GiB", "at most so much");
+  }
+  return out;
+}
+
+void mark_used_images(const GltfDocument& document, GltfScene& scene) {
+  scene.image_used.assign(scene.images.size(), false);
+  for (std::size_t i = 0; i < scene.material_used.size(); ++i) {
+    if (!scene.material_used[i]) continue;
+    each_texture_info(document.root["materials"][i], [&](const Json& info) {
+      const std::string pointer = "/materials/" + std::to_string(i) + "/.../index";
+      const int texture = document.index({info["index"], document.file, pointer}, "textures");
+      if (const int image = image_of_texture(document, texture); image >= 0)
+        scene.image_used[static_cast<std::size_t>(image)] = true;
+    });
+  }
+}
+
+void read_variants(const GltfDocument& document, GltfScene& scene) {
+  if (!extension(document.root, "KHR_materials_variants")) return;
+  const JsonNode variants = document.node().at("extensions").at("KHR_materials_variants").at("variants");
+  variants.expect_array();
+  scene.variants = variants.size();
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    variants.at(i).expect_object();
+    scene.variant_names.push_back(variants.at(i).text_or_empty("name"));
+  }
+}
+
+}  // namespace
+
+GltfScene parse_gltf(std::string_view bytes, const std::string& path, const GltfOptions& options) {
+  GltfScene scene;
+  scene.path = path;
+  scene.options = options;
+  std::optional<std::string_view> binary_chunk;
+  std::string_view text = bytes;
+  if (is_glb(bytes)) {
+    const GlbParts parts = split_glb(bytes, path);
+    text = parts.json;
+    binary_chunk = parts.binary;
+  }
+  const Json root = parse_json_strictly(text, path, most_depth, "a glTF document");
+  GltfDocument document{root, path, {}};
+  check_head(document);
+  scene.json = std::make_shared<const std::string>(text);
+  scene.buffers = std::make_shared<const std::vector<std::string>>(buffers_of(document, binary_chunk));
+  document.buffers.assign(scene.buffers->begin(), scene.buffers->end());
+  scene.images = images_of(document);
+  scene.materials = materials_of(document);
+  scene.material_used.assign(scene.materials.size(), false);
+  scene.scenes = document.count("scenes");
+  read_variants(document, scene);
+  walk_scenes(document, scene);
+  mark_used_images(document, scene);
+  return scene;
+}
+
+GltfScene read_gltf(const std::string& path, const GltfOptions& options) {
+  std::string bytes;
+  read_file(path, bytes, most_gltf_buffer_bytes);
+  return parse_gltf(bytes, path, options);
+}
+
+}  // namespace etak

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes, nodes, meshes and cameras of glTF 2.0 (specification, sections 3.5, 3.7 and 3.10).
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "core/math/mat3.h"
+#include "core/scene/gltf_json.inc"
+
+namespace etak {
+namespace {
+
+/// An affine transform of space: linear part and origin.
+struct Placement {
+  Mat3 linear = identity3;
+  Vec3 origin{0, 0, 0};
+
+  Vec3 operator()(const Vec3& p) const {
+    Vec3 out = linear * p;
+    for (std::size_t i = 0; i < 3; ++i) out[i] += origin[i];
+    return out;
+  }
+};
+
+/// First `inner`, then `outer`.
+Placement within(const Placement& outer, const Placement& inner) {
+  return {outer.linear * inner.linear, outer(inner.origin)};
+}
+
+constexpr double widest = 1e12;  // no scene is larger: keeps areas within what a float holds
+
+Placement placement_of(const JsonNode& node) {
+  Placement out;
+  if (node.has("matrix")) {
+    std::array<double, 16> m{};
+    numbers_into(node.at("matrix"), m.data(), 16, -widest, widest);
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 3; ++column) out.linear[row][column] = m[4 * column + row];
+      out.origin[row] = m[12 + row];
+    }
+    return out;
+  }
+  Vec3 scale{1, 1, 1};
+  std::array<double, 4> q{0, 0, 0, 1};
+  numbers_at(node, "translation", out.origin, -widest, widest);
+  numbers_at(node, "scale", scale, -widest, widest);
+  numbers_at(node, "rotation", q, -2, 2);
+  const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  if (length == 0) node.at("rotation").fail("a quaternion of length 0", "a unit quaternion");
+  const double x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
+  out.linear = {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
+                 {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
+                 {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}}};
+  out.linear = out.linear * diagonal(scale);
+  return out;
+}
+
+class Walk {
+ public:
+  Walk(const GltfDocument& document, GltfScene& scene) : document_(document), scene_(scene) {}
+
+  void scene(int index) {
+    const JsonNode node = document_.element("scenes", index);
+    if (!node.has("nodes")) return;
+    const JsonNode roots = node.at("nodes");
+    roots.expect_array();
+    struct Step {
+      int node;
+      Placement parent;
+    };
+    std::vector<Step> open;
+    for (std::size_t i = roots.size(); i-- > 0;) open.push_back({document_.index(roots.at(i), "nodes"), {}});
+    // A tree is walked without recursion, so that its depth is not the stack's.
+    while (!open.empty()) {
+      const Step step = open.back();
+      open.pop_back();
+      const JsonNode at = document_.element("nodes", step.node);
+      int& seen_in = seen_in_.try_emplace(step.node, -1).first->second;
+      if (seen_in == index)
+        at.fail("reached twice in scene " + std::to_string(index), "each node under one parent");
+      // Another scene drew it already: in a strict tree that was from the same parents.
+      const bool drawn = seen_in >= 0;
+      seen_in = index;
+      const Placement place = within(step.parent, placement_of(at));
+      for (const auto& row : place.linear)
+        for (const double value : row)
+          if (!(std::abs(value) <= widest))
+            at.fail("a transform beyond 1e12", "a scene of a size that can be computed");
+      if (!drawn) visit(at, place);
+      if (!at.has("children")) continue;
+      const JsonNode children = at.at("children");
+      children.expect_array();
+      for (std::size_t i = children.size(); i-- > 0;)
+        open.push_back({document_.index(children.at(i), "nodes"), place});
+    }
+  }
+
+ private:
+  void visit(const JsonNode& node, const Placement& place) {
+    if (node.has("camera"))
+      camera(document_.element("cameras", document_.index(node.at("camera"), "cameras")), place);
+    if (!node.has("mesh")) return;
+    const int index = document_.index(node.at("mesh"), "meshes");
+    const JsonNode primitives = document_.element("meshes", index).at("primitives");
+    primitives.expect_array();
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      primitives.at(i).expect_object();
+      primitive(primitives.at(i), {index, static_cast<int>(i)}, place);
+    }
+  }
+
+  void primitive(const JsonNode& node, std::pair<int, int> id, const Placement& place) {
+    const auto materials = materials_of_primitive(document_, node, scene_.options.variants);
+    if (materials.empty()) return;
+    for (const int material : materials) scene_.material_used[static_cast<std::size_t>(material)] = true;
+    const JsonNode attributes = node.at("attributes");
+    attributes.expect_object();
+    if (!attributes.has("POSITION")) {
+      if (extension(node.value, "KHR_draco_mesh_compression")) refuse_draco(node);
+      return;  // nothing is drawn, says the specification
+    }
+    const int position_index = document_.index(attributes.at("POSITION"), "accessors");
+    if (extension(node.value, "KHR_draco_mesh_compression") &&
+        !document_.element("accessors", position_index).has("bufferView"))
+      refuse_draco(node);
+    const GltfElements positions = open_accessor(document_, position_index);
+    if (positions.components != 3) attributes.at("POSITION").fail("an accessor of another type", "VEC3");
+    GltfUse use = areas(node, attributes, positions, place);
+    read_uvs(attributes, positions.count, use);
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+      if (i > 0) count(node, triangles_.size());
+      use.material = materials[i];
+      const int here = static_cast<int>(scene_.uses.size());
+      const auto [first, is_new] = first_use_.try_emplace({id.first, id.second, materials[i]}, here);
+      use.same_uv_as = is_new ? -1 : first->second;
+      scene_.uses.push_back(use);
+    }
+  }
+
+  /// Triangles of a primitive into triangles_, their areas and centres into a use.
+  GltfUse areas(const JsonNode& node, const JsonNode& attributes, const GltfElements& positions,
+                const Placement& place) {
+    triangles_ = triangles_of(document_, node, positions.count, most_gltf_triangles - total_);
+    count(node, triangles_.size());
+    GltfUse use;
+    use.world_area.reserve(triangles_.size());
+    use.world_center.reserve(triangles_.size());
+    for (const auto& triangle : triangles_) {
+      std::array<Vec3, 3> corner;
+      for (std::size_t i = 0; i < 3; ++i) {
+        Vec3 at;
+        for (std::size_t c = 0; c < 3; ++c) at[c] = positions.number(triangle[i], c);
+        corner[i] = place(at);
+        for (const double value : corner[i])
+          if (!(std::abs(value) <= widest))
+            attributes.at("POSITION")
+                .fail("a position that is not finite or beyond 1e12", "a finite position");
+      }
+      Vec3 a, b, center;
+      for (std::size_t c = 0; c < 3; ++c) {
+        a[c] = corner[1][c] - corner[0][c];
+        b[c] = corner[2][c] - corner[0][c];
+        center[c] = (corner[0][c] + corner[1][c] + corner[2][c]) / 3;
+      }
+      const double twice =
+          std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+      use.world_area.push_back(static_cast<float>(twice / 2));
+      use.world_center.push_back(
+          {static_cast<float>(center[0]), static_cast<float>(center[1]), static_cast<float>(center[2])});
+    }
+    return use;
+  }
+
+  void read_uvs(const JsonNode& attributes, std::size_t vertices, GltfUse& use) {
+    for (std::size_t set = 0; set < 2; ++set) {
+      const std::string name = "TEXCOORD_" + std::to_string(set);
+      if (!attributes.has(name)) continue;
+      const GltfElements uvs = open_accessor(document_, document_.index(attributes.at(name), "accessors"));
+      if (uvs.components != 2 || uvs.count != vertices)
+        attributes.at(name).fail("an accessor of another type or count", "VEC2, one for each POSITION");
+      use.uv[set].reserve(triangles_.size());
+      for (const auto& triangle : triangles_) {
+        auto& corners = use.uv[set].emplace_back();
+        for (std::size_t i = 0; i < 3; ++i)
+          corners[i] = {static_cast<float>(uvs.number(triangle[i], 0)),
+                        static_cast<float>(uvs.number(triangle[i], 1))};
+      }
+    }
+  }
+
+  void count(const JsonNode& node, std::size_t triangles) {
+    total_ += triangles;
+    if (total_ > most_gltf_triangles)
+      node.fail("triangles beyond " + std::to_string(most_gltf_triangles), "at most so many in all");
+  }
+
+  [[noreturn]] static void refuse_draco(const JsonNode& node) {
+    node.fail("a mesh compressed by KHR_draco_mesh_compression alone", "a mesh that is not compressed");
+  }
+
+  void camera(const JsonNode& node, const Placement& place) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    GltfCamera out;
+    out.name = node.text_or_empty("name");
+    const std::string type = node.at("type").text();
+    out.perspective = type == "perspective";
+    if (!out.perspective && type != "orthographic") node.at("type").fail_type("perspective or orthographic");
+    const JsonNode lens = node.at(type);
+    lens.expect_object();
+    if (out.perspective)
+      out.yfov = number_at(lens, "yfov", out.yfov, 0, 4);
+    else
+      out.ymag = number_at(lens, "ymag", out.ymag, -infinite, infinite);
+    out.znear = number_at(lens, "znear", out.znear, 0, infinite);
+    out.position = place.origin;
+    // A camera looks along its own -z.
+    const Vec3 along = place.linear * Vec3{0, 0, -1};
+    const double length = std::hypot(along[0], along[1], along[2]);
+    if (length > 0)
+      for (std::size_t i = 0; i < 3; ++i) out.direction[i] = along[i] / length;
+    scene_.cameras.push_back(out);
+  }
+
+  const GltfDocument& document_;
+  GltfScene& scene_;
+  std::map<int, int> seen_in_;                           // node to the last scene that reached it
+  std::map<std::array<int, 3>, int> first_use_;          // mesh, primitive, material to its first use
+  std::vector<std::array<std::uint32_t, 3>> triangles_;  // of the primitive at hand
+  std::size_t total_ = 0;
+};
+
+}  // namespace
+
+std::vector<int> materials_of_primitive(const GltfDocument& document, const JsonNode& primitive,
+                                        bool variants) {
+  std::vector<int> out;
+  const auto add = [&](const JsonNode& node) {
+    const int material = document.index(node, "materials");
+    if (std::find(out.begin(), out.end(), material) == out.end()) out.push_back(material);
+  };
+  if (primitive.has("material")) add(primitive.at("material"));
+  if (!variants || !extension(primitive.value, "KHR_materials_variants")) return out;
+  const JsonNode mappings = primitive.at("extensions").at("KHR_materials_variants").at("mappings");
+  mappings.expect_array();
+  for (std::size_t i = 0; i < mappings.size(); ++i) {
+    mappings.at(i).expect_object();
+    add(mappings.at(i).at("material"));
+  }
+  return out;
+}
+
+void walk_scenes(const GltfDocument& document, GltfScene& scene) {
+  const int scenes = static_cast<int>(document.count("scenes"));
+  Walk walk(document, scene);
+  if (scene.options.scene && (*scene.options.scene < 0 || *scene.options.scene >= scenes))
+    throw Error::at(document.file, "no scene " + std::to_string(*scene.options.scene),
+                    "one of its " + std::to_string(scenes) + " scenes");
+  if (scenes == 0) {
+    // A library of materials and meshes, says the specification: nothing is reached.
+    return;
+  }
+  int first = 0;
+  if (document.root.contains("scene")) first = document.index(document.node().at("scene"), "scenes");
+  if (scene.options.scene) first = *scene.options.scene;
+  if (!scene.options.all_scenes) return walk.scene(first);
+  for (int i = 0; i < scenes; ++i) walk.scene(i);
+}
+
+}  // namespace etak

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/scene/gltf_write_json.inc"
+
+namespace etak {
+namespace {
+
+/// What refers to materials, images or buffers in ways that are not followed here.
+void refuse_unkept(const GltfRewrite& rewrite) {
+  const Json& root = rewrite.root;
+  if (extension(root, "EXT_lights_image_based"))
+    throw Error::at(rewrite.scene.path, "EXT_lights_image_based",
+                    "a scene without it: its images are not followed");
+  each_key(root, [&](const std::string& key, const Json& value) {
+    if (key == "pointer" && value.is_string() && value.get<std::string>().starts_with("/materials/"))
+      throw Error::at(rewrite.scene.path, "an animation of " + printable(value.get<std::string>()),
+                      "no animated materials");
+  });
+}
+
+/// Compressed copies of meshes go: what was read is what stands beside them.
+void remove_compression(Json& root) {
+  for (const char* array : {"buffers", "bufferViews"})
+    if (root.contains(array))
+      for (Json& element : root[array])
+        for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+          remove_extension(element, name);
+  if (root.contains("meshes"))
+    for (Json& mesh : root["meshes"])
+      if (mesh.contains("primitives"))
+        for (Json& primitive : mesh["primitives"]) remove_extension(primitive, "KHR_draco_mesh_compression");
+}
+
+/// Without variants their materials are not reached: the mappings go.
+void remove_variants(Json& root) {
+  remove_extension(root, "KHR_materials_variants");
+  if (!root.contains("meshes")) return;
+  for (Json& mesh : root["meshes"])
+    if (mesh.contains("primitives"))
+      for (Json& primitive : mesh["primitives"]) remove_extension(primitive, "KHR_materials_variants");
+}
+
+}  // namespace
+
+int GltfRewrite::append(const char* array, Json element) {
+  Json& elements = root[array];
+  if (!elements.is_array()) elements = Json::array();
+  elements.push_back(std::move(element));
+  return static_cast<int>(elements.size()) - 1;
+}
+
+void remove_extension(Json& object, const char* name) {
+  if (!object.is_object()) return;
+  const auto extensions = object.find("extensions");
+  if (extensions == object.end() || !extensions->is_object()) return;
+  extensions->erase(name);
+  if (extensions->empty()) object.erase(extensions);
+}
+
+namespace {
+
+std::string written(const GltfScene& scene, const GltfOutput& output, std::string& buffer) {
+  GltfRewrite rewrite{scene, output, parse_json_strictly(*scene.json, scene.path, 64, "a glTF document"),
+                      {},    {},     {}};
+  rewrite.buffers.assign(scene.buffers->begin(), scene.buffers->end());
+  check_output(rewrite);
+  refuse_unkept(rewrite);
+  const Json before = rewrite.root;
+  remove_compression(rewrite.root);
+  if (!scene.options.variants) remove_variants(rewrite.root);
+  for (const AtlasMaterial& material : output.materials) {
+    if (const auto transform = transform_of(scene, material)) {
+      write_material(rewrite, material, material.uv_set, *transform);
+      continue;
+    }
+    // The material first: what other textures remain in it decides whether its UV set may be written over.
+    write_material(rewrite, material, material.uv_set, {});
+    const int set = uv_set_for(rewrite, material);
+    if (set != material.uv_set) write_material(rewrite, material, set, {});
+    rewrite_uvs(rewrite, material, set);
+  }
+  drop_unused(rewrite, before);
+  buffer = compact_buffers(rewrite);
+  name_extensions(rewrite, before);
+  return rewrite.root.dump(1) + "\n";
+}
+
+}  // namespace
+
+std::string write_gltf(const GltfScene& scene, const GltfOutput& output, std::string& buffer) {
+  try {
+    return written(scene, output, buffer);
+  } catch (const Json::exception& e) {
+    // What no scene reaches was not looked at when the document was read.
+    throw Error::at(scene.path, printable(e.what(), 200), "a document that follows the specification");
+  }
+}
+
+}  // namespace etak

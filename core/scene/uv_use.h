@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/scene/gltf.h"
+
+namespace etak {
+
+/// Which texels of a width x height texture the triangles of some uses touch.
+struct TexelUse {
+  int width = 0, height = 0;
+  // No one shift brings all triangles into [0,1] (up to half a texel) along an axis whose sampler wraps: the
+  // whole period is in use.
+  bool tiles = false;
+  // Each triangle by itself lies in one period, though not all in the same: `tiles` can be undone by
+  // rewriting UVs (AtlasMaterial::islands do).
+  bool foldable = true;
+  // Brings UVs (after the texture's own transform) into [0,1]: whole periods are taken away, mirrored ones
+  // turned over. The identity where nothing is to be shifted, or `tiles`.
+  UvTransform fold;
+  // x, y, width, height of what is touched inside the texture, bilinear footprint included; whole when
+  // `tiles`
+  std::array<int, 4> box{0, 0, 0, 0};
+  // The same before wrapping or clamping, after `fold`: where it leaves the texture the sampler's wrap
+  // supplies the texels, and a gutter must hold them. Up to one texel unless `tiles` or the sampler clamps.
+  // Bounded by
+  // +-2^29.
+  std::array<int, 4> extent{0, 0, 0, 0};
+  // 1 per touched texel (conservative: any overlap of the bilinear footprint). Triangles that leave the
+  // texture mark the texels that the wrap brings them to; those half a texel that a footprint reaches across
+  // a border without the triangle doing so are in `extent` alone.
+  std::vector<std::uint8_t> mask;
+  std::size_t touched = 0;
+  // Per triangle: first and last column and row of its footprint (left, top, right, bottom) after folding,
+  // cut to the texture. Empty unless `foldable`.
+  std::vector<std::array<std::int16_t, 4>> footprints;
+};
+
+/// Rasterises conservatively: no texel that bilinear filtering at level 0 can read is missed. Triangles
+/// without the texture's UV set, and sets beyond the second, count as touching everything. A triangle over
+/// more than four periods counts as touching everything too. Throws Error for UVs that are NaN or beyond
+/// +-1e6.
+TexelUse texel_use(const GltfScene& scene, int material, const GltfTexture& texture, int width, int height);
+
+/// The footprint of one triangle, as texel_use() sees it.
+struct Footprint {
+  std::array<int, 4> texels{0, 0, 0, 0};  // left, top, right, bottom, cut to the texture
+  UvTransform fold;                       // brings the triangle into [0,1]
+};
+/// `uv`: after the texture's own transform. None when the triangle does not lie in one period.
+std::optional<Footprint> footprint_of(const std::array<Uv, 3>& uv, const GltfSampler& sampler, int width,
+                                      int height);
+
+/// A box of a texture.
+struct Island {
+  int x = 0, y = 0, width = 0, height = 0;
+  friend bool operator==(const Island&, const Island&) = default;
+};
+
+/// Boxes that hold what the triangles touch, of little area in sum: every footprint grown by `margin` (inside
+/// the texture) lies in at least one box. A box more is worth it when it saves `merge_cost` texels. Charts
+/// are cut where that pays, and boxes may overlap: every triangle is to be looked up in the smallest box that
+/// holds its footprint, and finds all the texels there that it reads. In order of y, then x.
+///   `use` without footprints gives its box, grown by the margin.
+std::vector<Island> islands(const TexelUse& use, int margin, std::size_t merge_cost);
+
+}  // namespace etak
