@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/pack_rects.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "app/cli/options.h"
+#include "app/cli/output.h"
+#include "core/atlas/rects.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/number.h"
+
+namespace etak::cli {
+namespace {
+
+constexpr int exit_not_offered = 3;
+constexpr int largest_side = 1 << 22;
+
+std::optional<int> whole_number(std::string_view text) {
+  int value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::string_view next_word(std::string_view& rest) {
+  const std::size_t begin = rest.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos) return rest = {};
+  const std::size_t end = std::min(rest.find_first_of(" \t\r", begin), rest.size());
+  const std::string_view word = rest.substr(begin, end - begin);
+  rest.remove_prefix(end);
+  return word;
+}
+
+std::vector<RectSize> read_rects(const std::string& path) {
+  const std::string text = read_file(path);
+  std::vector<RectSize> out;
+  std::string_view rest = text;
+  for (std::size_t line = 1; !rest.empty(); ++line) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view words = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::string_view whole = words;
+    const std::string_view first = next_word(words);
+    if (first.empty() || first.front() == '#') continue;
+    const std::optional<int> w = whole_number(first), h = whole_number(next_word(words));
+    if (!w || !h || !next_word(words).empty())
+      throw Error::at_line(path, line, "'" + printable(whole) + "'", "two whole numbers, width and height");
+    if (*w < 1 || *h < 1 || *w > largest_side || *h > largest_side)
+      throw Error::at_line(path, line, "'" + printable(whole) + "'",
+                           "sides of 1 to " + std::to_string(largest_side));
+    out.push_back({*w, *h});
+  }
+  return out;
+}
+
+// The form and side that --mode names; none for a mode that is not offered.
+std::optional<RectOptions> options_of(const std::string& mode, int pad) {
+  RectOptions out;
+  out.largest_side = largest_side + pad;
+  const std::size_t colon = mode.find(':');
+  const std::string name = mode.substr(0, colon);
+  const bool with_side = name == "strip" || name == "pages" || name == "mixed";
+  if (name == "square") {
+    out.form = PageForm::square;
+  } else if (name == "pot") {
+    out.form = PageForm::power_of_two;
+  } else if (name == "free") {
+    out.form = PageForm::free;
+  } else if (with_side) {
+    out.form = name == "strip" ? PageForm::strip : name == "pages" ? PageForm::pages : PageForm::mixed;
+  } else {
+    return std::nullopt;
+  }
+  if (with_side != (colon != std::string::npos))
+    throw Error::at("--mode", "'" + printable(mode) + "'", "square, pot, free, strip:W, pages:S or mixed:S");
+  if (!with_side) return out;
+  const std::optional<int> side = whole_number(std::string_view(mode).substr(colon + 1));
+  if (!side || *side < 1 || *side > largest_side)
+    throw Error::at("--mode", "'" + printable(mode) + "'", "a side of 1 to " + std::to_string(largest_side));
+  // The padding lies between rectangles, not along the page's far sides; sides of mixed stay powers of two.
+  out.side = *side + (out.form == PageForm::mixed ? 0 : pad);
+  return out;
+}
+
+}  // namespace
+
+void add_pack_rects_options(CLI::App& verb, PackRectsArguments& a) {
+  const std::string group = "Bare rectangles";
+  verb.add_flag(
+          "--rects", a.asked,
+          "pack the rectangles of --in (lines 'w h') and write 'page x y w h rot' lines to --out; --rotate "
+          "then takes 0 or 1")
+      ->group(group);
+  verb.add_option("--in", a.in, "file of rectangles")->type_name("FILE")->group(group);
+  verb.add_option("--mode", a.mode, "page: square, pot, free, strip:W, pages:S or mixed:S")
+      ->type_name("MODE")
+      ->capture_default_str()
+      ->group(group);
+  verb.add_option("--pad", a.pad, "between rectangles")->check(CLI::Range(0, 65536))->group(group);
+
+  const auto listen = [&](const char* name, const std::function<void(const std::string&)>& heard) {
+    CLI::Option* option = verb.get_option_no_throw(name);
+    if (option) option->each(heard);
+    return option != nullptr;
+  };
+  if (!listen("--out", [&a](const std::string& text) { a.out = text; }))
+    verb.add_option("-o,--out", a.out, "file to write")->type_name("FILE")->group(group);
+  if (!listen("--effort",
+              [&a](const std::string& text) { a.effort = whole_number(text).value_or(a.effort); }))
+    verb.add_option("--effort", a.effort, "tries")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str()
+        ->group(group);
+  const auto hear_threads = [&a](const std::string& text) {
+    a.threads = static_cast<unsigned>(whole_number(text).value_or(0));
+  };
+  listen("--jobs", hear_threads);
+  if (!listen("--threads", hear_threads))
+    verb.add_option("--threads", a.threads, "threads; 0: all cores")->group(group);
+  // A verb whose --rotate is a flag takes the 0 or 1 behind it for its input.
+  if (!listen("--rotate", [&a](const std::string& text) { a.rotate = text; }))
+    verb.add_option("--rotate", a.rotate, "0 or 1")->group(group);
+  listen("input", [&a](const std::string& text) { a.input = text; });
+}
+
+int pack_rects_command(const PackRectsArguments& a) {
+  std::optional<RectOptions> options = options_of(a.mode, a.pad);
+  if (!options) {
+    complain("--mode: '" + printable(a.mode) + "'; expected square, pot, free, strip:W, pages:S or mixed:S");
+    return exit_not_offered;
+  }
+  if (a.in.empty()) throw Error::at("--in", "is missing", "a file of rectangles");
+  if (a.out.empty()) throw Error::at("--out", "is missing", "a file to write");
+  const std::string& rotate = a.input.empty() ? a.rotate : a.input;
+  if (rotate != "0" && rotate != "1" && rotate != "true" && rotate != "false")
+    throw Error::at(a.input.empty() ? "--rotate" : printable(a.input),
+                    a.input.empty() ? "'" + printable(rotate) + "'" : "is not looked for with --rects",
+                    a.input.empty() ? "0 or 1" : "--in FILE, and 0 or 1 behind --rotate");
+  options->rotate = rotate == "1" || rotate == "true";
+  options->effort = a.effort;
+  options->threads = thread_count(a.threads);
+
+  std::vector<RectSize> sizes = read_rects(a.in);
+  for (RectSize& size : sizes) size = {size.width + a.pad, size.height + a.pad};
+  const auto begin = std::chrono::steady_clock::now();
+  const RectLayout layout = pack_rects(sizes, *options);
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
+
+  std::string text = "# pack_ms " + number(spent.count(), 6) + "\n";
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const RectPlace& place = layout.places[i];
+    const int w = sizes[i].width - a.pad, h = sizes[i].height - a.pad;
+    for (const int value : {place.page, place.x, place.y, place.rotated ? h : w, place.rotated ? w : h})
+      text += std::to_string(value) + " ";
+    text += place.rotated ? "1\n" : "0\n";
+  }
+  write_file(a.out, text, true);
+  return exit_ok;
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/compose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "core/atlas/content_hash.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/image/dilate.h"
+#include "core/image/mips.h"
+
+namespace etak {
+namespace {
+
+// Rows are decoded and interleaved in strips that stay in the second-level cache.
+constexpr std::size_t strip_bytes = std::size_t{192} << 10;
+
+std::size_t index_of(Texture texture) {
+  return static_cast<std::size_t>(texture);
+}
+
+bool is_whole(const PixelBox& box, const PackInput& m) {
+  return box == PixelBox{0, 0, m.width, m.height};
+}
+
+// Interleaves the strips of two planes into `out`, which has the material's size; act(first row, rows).
+template <class Act>
+void read_strips(const PackInput& m, Texture texture, std::array<FileBytes, 2>& files, const PixelsView8& out,
+                 std::size_t& clamped, Act act) {
+  const std::size_t t = index_of(texture);
+  PlaneRows color(m.color[t], files[0]), grey(m.grey[t], files[1]);
+  for (const PlaneRows* rows : {&color, &grey})
+    if (rows->width() != 0 && (rows->width() != m.width || rows->height() != m.height))
+      throw Error::at(
+          rows->source().path, "is " + std::to_string(rows->width()) + " x " + std::to_string(rows->height()),
+          std::to_string(m.width) + " x " + std::to_string(m.height) + ", as when it was looked at");
+  const auto width = static_cast<std::size_t>(m.width);
+  const int rows = static_cast<int>(std::max<std::size_t>(1, strip_bytes / (8 * width)));
+  for (int y = 0; y < m.height; y += rows) {
+    const int count = std::min(rows, m.height - y);
+    const std::uint8_t* c = color.width() != 0 ? color.read(count) : nullptr;
+    const std::uint8_t* g = grey.width() != 0 ? grey.read(count) : nullptr;
+    const std::size_t color_stride = c == nullptr ? 0 : width * static_cast<std::size_t>(color.step());
+    const std::size_t grey_stride = g == nullptr ? 0 : width * static_cast<std::size_t>(grey.step());
+    for (int i = 0; i < count; ++i)
+      interleave(out.row(y + i), width, c == nullptr ? c : c + static_cast<std::size_t>(i) * color_stride,
+                 color, g == nullptr ? g : g + static_cast<std::size_t>(i) * grey_stride, grey);
+    act(y, count);
+  }
+  clamped += color.clamped() + grey.clamped();
+}
+
+// The column or row of a picture that a sampler reads at `at`.
+int wrapped(int at, int size, Wrap wrap) {
+  if (at >= 0 && at < size) return at;
+  if (wrap == Wrap::clamp) return std::clamp(at, 0, size - 1);
+  const int period = wrap == Wrap::mirrored ? 2 * size : size;
+  const int in = (at % period + period) % period;
+  return in < size ? in : period - 1 - in;
+}
+
+// The cell's texels outside of the box, from the box: its edges, or what lies there when it is a whole
+// picture that wraps.
+void fill_gutter(const PixelsView8& page, const PixelBox& box, const PixelBox& cell, std::array<Wrap, 2> wrap,
+                 bool rotated) {
+  if (box == cell) return;
+  if (rotated) std::swap(wrap[0], wrap[1]);
+  if (wrap == std::array{Wrap::clamp, Wrap::clamp}) return replicate_edges(page, box, cell);
+  for (int y = cell.y; y < cell.y + cell.height; ++y)
+    for (int x = cell.x; x < cell.x + cell.width; ++x) {
+      const int from_x = box.x + wrapped(x - box.x, box.width, wrap[0]);
+      const int from_y = box.y + wrapped(y - box.y, box.height, wrap[1]);
+      if (from_x != x || from_y != y) std::memcpy(page.at(x, y), page.at(from_x, from_y), 4);
+    }
+}
+
+PixelBox cut(const PixelBox& box, const PixelsView8& page) {
+  PixelBox out = box;
+  out.x = std::min(out.x, page.width - 1);
+  out.y = std::min(out.y, page.height - 1);
+  out.width = std::clamp(out.width, 1, page.width - out.x);
+  out.height = std::clamp(out.height, 1, page.height - out.y);
+  return out;
+}
+
+Image8 copy_of(const PixelsView8& page, const PixelBox& box, bool rotated) {
+  Image8 out(rotated ? box.height : box.width, rotated ? box.width : box.height, 4);
+  for (int y = 0; y < box.height; ++y) {
+    if (!rotated) {
+      std::memcpy(out.at(0, y).data(), page.at(box.x, box.y + y), 4 * static_cast<std::size_t>(box.width));
+      continue;
+    }
+    for (int x = 0; x < box.width; ++x)
+      std::memcpy(out.at(y, box.width - 1 - x).data(), page.at(box.x + x, box.y + y), 4);
+  }
+  return out;
+}
+
+// mip_pair() takes gloss as Schueler's. Roughness averages as the squared width alpha^2 = roughness^4 of its
+// lobe, each level from the first.
+void average_roughness(std::vector<Image8>& levels, GlossForm form) {
+  const Image8& first = levels.front();
+  Image squared(first.width, first.height, 1);
+  for (std::size_t i = 0; i < squared.values.size(); ++i) {
+    const double r = converted_gloss(first.values[4 * i + 3] / 255.0, form, GlossForm::roughness);
+    squared.values[i] = static_cast<float>(r * r * r * r);
+  }
+  for (std::size_t l = 1; l < levels.size(); ++l) {
+    const Image mean = shrunk(squared, levels[l].width, levels[l].height);
+    for (std::size_t i = 0; i < mean.values.size(); ++i) {
+      const double r = std::sqrt(std::sqrt(std::clamp(double{mean.values[i]}, 0.0, 1.0)));
+      levels[l].values[4 * i + 3] =
+          static_cast<std::uint8_t>(255 * converted_gloss(r, GlossForm::roughness, form) + 0.5);
+    }
+  }
+}
+
+// The part of a normal map that belongs to a box of its material.
+Image8 normals_of(const PackInput& m, const PixelBox& box) {
+  FileBytes memory;
+  PlaneRows rows(m.normal, memory);
+  if (rows.width() != m.width || rows.height() != m.height)
+    throw Error::at(m.normal.path,
+                    "is " + std::to_string(rows.width()) + " x " + std::to_string(rows.height()),
+                    std::to_string(m.width) + " x " + std::to_string(m.height) + ", as " + m.name + " is");
+  Image8 out(box.width, box.height, 3);
+  const auto pick = rows.pick();
+  const auto step = static_cast<std::size_t>(rows.step());
+  for (int y = 0; y < box.y + box.height; ++y) {
+    const std::uint8_t* row = rows.read(1);
+    if (y < box.y) continue;
+    for (int x = 0; x < box.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        out.at(x, y - box.y)[c] =
+            row[static_cast<std::size_t>(box.x + x) * step + static_cast<std::size_t>(pick[c])];
+  }
+  return out;
+}
+
+}  // namespace
+
+void copy_texels(const ConstPixelsView8& picture, const PixelBox& box, const PixelsView8& page, int x, int y,
+                 bool rotated) {
+  if (!rotated) {
+    for (int row = 0; row < box.height; ++row)
+      std::memcpy(page.at(x, y + row), picture.at(box.x, box.y + row),
+                  4 * static_cast<std::size_t>(box.width));
+    return;
+  }
+  for (int row = 0; row < box.height; ++row)
+    for (int column = 0; column < box.width; ++column)
+      std::memcpy(page.at(x + box.height - 1 - row, y + column), picture.at(box.x + column, box.y + row), 4);
+}
+
+MaterialPair load_pair(const PackInput& m, std::vector<std::string>& remarks) {
+  if (m.convert) return m.convert(remarks);
+  MaterialPair out{Image8(m.width, m.height, 4), Image8(m.width, m.height, 4)};
+  std::array<FileBytes, 2> files;
+  std::size_t clamped = 0;
+  for (const Texture texture : both_textures) {
+    Image8& picture = texture == Texture::diffuse_alpha ? out.diffuse_alpha : out.specular_gloss;
+    read_strips(m, texture, files, view(picture), clamped, [](int, int) {});
+  }
+  return out;
+}
+
+void PagePixels::start(const Page& page, int levels) {
+  page_ = page;
+  levels_ = levels;
+  for (const Texture texture : both_textures) {
+    auto& planes = planes_[index_of(texture)];
+    planes.resize(static_cast<std::size_t>(levels));
+    if (!page.has[index_of(texture)]) continue;
+    for (int l = 0; l < levels; ++l) {
+      Plane& plane = planes[static_cast<std::size_t>(l)];
+      const std::size_t bytes = 4 * static_cast<std::size_t>(std::max(1, page.width >> l)) *
+                                static_cast<std::size_t>(std::max(1, page.height >> l));
+      if (plane.memory.size() < bytes) {
+        plane.memory = PageMemory();
+        plane.memory = PageMemory(bytes);
+      } else if (plane.used) {
+        std::memset(plane.memory.data(), 0, bytes);
+      }
+      plane.used = true;
+    }
+  }
+}
+
+void PagePixels::release() {
+  for (auto& planes : planes_) planes.clear();
+}
+
+PixelsView8 PagePixels::view(Texture texture, int level) const {
+  const int width = std::max(1, page_.width >> level), height = std::max(1, page_.height >> level);
+  return {planes_[index_of(texture)][static_cast<std::size_t>(level)].memory.data(),
+          4 * static_cast<std::size_t>(width), width, height, 4};
+}
+
+void Composer::stream(const Task& task, const PixelsView8& page, Learned& learned,
+                      std::array<FileBytes, 2>& files) {
+  const Place& at = plan_.places[task.region];
+  const PackInput& m = materials_[regions_[task.region].material];
+  const PixelsView8 out = page.part({at.x, at.y, m.width, m.height});
+  ContentHash hash;
+  const auto width = static_cast<std::size_t>(m.width);
+  read_strips(m, task.texture, files, out, learned.clamped[index_of(task.texture)],
+              [&](int first, int count) {
+                for (int y = first; y < first + count; ++y) {
+                  add_texels(learned.range, task.texture, out.row(y), width);
+                  hash.add(out.row(y), 4 * width);
+                }
+              });
+  learned.hash[index_of(task.texture)] = hash.value();
+  learned.seen[index_of(task.texture)] = true;
+}
+
+void Composer::place(const Task& task, const PixelsView8& page, const Image8& picture,
+                     Learned& learned) const {
+  const Place& at = plan_.places[task.region];
+  if (!materials_[regions_[task.region].material].facts.learned) {
+    const ConstPixelsView8 all = etak::view(picture);
+    ContentHash hash;
+    for (int y = 0; y < all.height; ++y) {
+      add_texels(learned.range, task.texture, all.row(y), static_cast<std::size_t>(all.width));
+      hash.add(all.row(y), all.stride);
+    }
+    learned.hash[index_of(task.texture)] = hash.value();
+    learned.seen[index_of(task.texture)] = true;
+  }
+  const PackInput& m = materials_[regions_[task.region].material];
+  const PixelBox& box = regions_[task.region].box;
+  copy_texels(etak::view(picture), box, page, at.x, at.y, at.rotated);
+  if (at.gutter == 0) return;
+  // What the sampler would have read around the box: the picture's own texels, and beyond its edges as it
+  // wraps.
+  const auto around = [&](int column, int row) {
+    const int x = at.rotated ? at.x + box.height - 1 - row : at.x + column,
+              y = at.rotated ? at.y + column : at.y + row;
+    std::memcpy(
+        page.at(x, y),
+        picture.at(wrapped(box.x + column, m.width, m.wrap[0]), wrapped(box.y + row, m.height, m.wrap[1]))
+            .data(),
+        4);
+  };
+  for (int row = -at.gutter; row < box.height + at.gutter; ++row)
+    for (int column = -at.gutter; column < box.width + at.gutter; ++column)
+      if (row < 0 || row >= box.height || column < 0 || column >= box.width) around(column, row);
+}
+
+const MaterialPair& Composer::pair_of(std::size_t material) {
+  Cached* cached = nullptr;
+  {
+    const std::lock_guard lock(pairs_lock_);
+    cached = &pairs_[material];
+  }
+  std::call_once(cached->once, [&] {
+    std::vector<std::string> ignored;  // told when the material was first looked at
+    cached->pair = load_pair(materials_[material], ignored);
+  });
+  return cached->pair;
+}
+
+void Composer::texels(int page, PagePixels& pixels, std::vector<Learned>& learned,
+                      const std::function<void()>& region_done) {
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < regions_.size(); ++i)
+    for (const Texture texture : both_textures)
+      if (plan_.places[i].page == page && plan_.pages[static_cast<std::size_t>(page)].has[index_of(texture)])
+        tasks.push_back({i, texture});
+  // The largest first, so that none is left for the end.
+  std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) {
+    const PixelBox &first = regions_[a.region].box, &second = regions_[b.region].box;
+    return std::int64_t{first.width} * first.height > std::int64_t{second.width} * second.height;
+  });
+  // The two textures of a material are read by different threads; each has its own half of what is learned.
+  std::vector<std::array<Learned, 2>> halves(materials_.size());
+  std::vector<std::array<FileBytes, 2>> files(options_.threads);
+  parallel_chunks(tasks.size(), options_.threads, 1, [&](std::size_t begin, std::size_t, unsigned worker) {
+    const Task& task = tasks[begin];
+    const std::size_t owner = regions_[task.region].material;
+    const PackInput& m = materials_[owner];
+    const PixelsView8 out = pixels.view(task.texture);
+    if (!m.convert && is_whole(regions_[task.region].box, m) && !plan_.places[task.region].rotated)
+      stream(task, out, halves[owner][index_of(task.texture)], files[worker]);
+    else
+      place(task, out, pair_of(owner).of(task.texture), halves[owner][index_of(task.texture)]);
+    if (region_done) region_done();
+  });
+  pairs_.clear();
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    for (std::size_t t = 0; t < 2; ++t) {
+      const Learned& half = halves[i][t];
+      if (!half.seen[t]) continue;
+      learned[i].range.add(half.range);
+      learned[i].hash[t] = half.hash[t];
+      learned[i].seen[t] = true;
+      learned[i].clamped[t] = half.clamped[t];
+    }
+  }
+}
+
+void Composer::mips(int page, PagePixels& pixels) {
+  const Page& size = plan_.pages[static_cast<std::size_t>(page)];
+  std::vector<std::size_t> here;
+  int clean = 1;
+  for (std::size_t i = 0; i < regions_.size(); ++i)
+    if (plan_.places[i].page == page) {
+      here.push_back(i);
+      clean = std::max(clean, plan_.places[i].clean_levels);
+    }
+  parallel_chunks(here.size(), options_.threads, 1,
+                  [&](std::size_t begin, std::size_t, unsigned) { region_mips(here[begin], pixels); });
+  if (pixels.levels() > clean && size.width > 0) page_mips(pixels, clean);
+}
+
+void Composer::region_mips(std::size_t region, PagePixels& pixels) const {
+  const Place& at = plan_.places[region];
+  const PackInput& m = materials_[regions_[region].material];
+  const Page& page = plan_.pages[static_cast<std::size_t>(at.page)];
+  const PixelBox source = regions_[region].box;
+  const PixelBox box{at.x, at.y, at.rotated ? source.height : source.width,
+                     at.rotated ? source.width : source.height};
+  const bool both = page.has[0] && page.has[1];
+  const std::array<Wrap, 2> wrap = is_whole(source, m) ? m.wrap : std::array{Wrap::clamp, Wrap::clamp};
+  int clean = 1;
+  for (const Place& each : plan_.places)
+    if (each.page == at.page) clean = std::max(clean, each.clean_levels);
+  const int levels = std::min(pixels.levels(), clean);
+  if (levels > 1 || options_.bleed) {
+    // The mips need both halves of a texel: a missing one counts as opaque, or as black of gloss 0.
+    const auto half = [&](Texture texture) {
+      if (page.has[index_of(texture)]) return copy_of(pixels.view(texture), box, at.rotated);
+      return Image8(source.width, source.height, 4, texture == Texture::diffuse_alpha ? 255 : 0);
+    };
+    Image8 a = half(Texture::diffuse_alpha), b = half(Texture::specular_gloss);
+    if (options_.bleed && bleed_under_alpha(etak::view(a), both ? etak::view(b) : PixelsView8{}) > 0)
+      for (const Texture texture : both_textures)
+        if (page.has[index_of(texture)])
+          copy_texels(etak::view(texture == Texture::diffuse_alpha ? a : b),
+                      {0, 0, source.width, source.height}, pixels.view(texture), box.x, box.y, at.rotated);
+    MipOptions options;
+    options.levels = levels;
+    if (m.alpha_mode == AlphaMode::mask) options.alpha_cutoff = m.alpha_cutoff;
+    std::optional<Image8> normals;
+    if (m.normal.is_image() && options_.gloss == GlossForm::schueler) {
+      normals = normals_of(m, source);
+      options.normals = &*normals;
+    }
+    MipPair chain = mip_pair(a, b, options);
+    if (options_.gloss != GlossForm::schueler) average_roughness(chain.specular_gloss, options_.gloss);
+    for (const Texture texture : both_textures) {
+      if (!page.has[index_of(texture)]) continue;
+      const auto& images = texture == Texture::diffuse_alpha ? chain.diffuse_alpha : chain.specular_gloss;
+      for (int l = 1; l < levels; ++l) {
+        const PixelsView8 out = pixels.view(texture, l);
+        const Image8& image = images[std::min(static_cast<std::size_t>(l), images.size() - 1)];
+        const PixelBox cell =
+            cut({at.cell.x >> l, at.cell.y >> l, at.cell.width >> l, at.cell.height >> l}, out);
+        PixelBox part{cell.x + (at.gutter >> l), cell.y + (at.gutter >> l),
+                      at.rotated ? image.height : image.width, at.rotated ? image.width : image.height};
+        part = cut(part, out);
+        copy_texels(etak::view(image),
+                    {0, 0, at.rotated ? part.height : part.width, at.rotated ? part.width : part.height}, out,
+                    part.x, part.y, at.rotated);
+        fill_gutter(out, part, cell, wrap, at.rotated);
+      }
+    }
+  }
+  // Level 0 may have its gutter from the picture already; then only the rounding of the cell is left.
+  PixelBox filled = box;
+  if (m.convert || at.rotated)
+    filled = {box.x - at.gutter, box.y - at.gutter, box.width + 2 * at.gutter, box.height + 2 * at.gutter};
+  for (const Texture texture : both_textures)
+    if (page.has[index_of(texture)])
+      fill_gutter(pixels.view(texture), filled, at.cell,
+                  filled == box ? wrap : std::array{Wrap::clamp, Wrap::clamp}, at.rotated);
+}
+
+// Mips beyond those of the regions mix neighbours; they are made from the page as it is.
+void Composer::page_mips(PagePixels& pixels, int first) const {
+  const auto whole = [&](Texture texture) {
+    const PixelsView8 from = pixels.view(texture, first - 1);
+    if (from.data == nullptr) return Image8();
+    return copy_of(from, {0, 0, from.width, from.height}, false);
+  };
+  Image8 a = whole(Texture::diffuse_alpha), b = whole(Texture::specular_gloss);
+  if (a.values.empty()) a = Image8(b.width, b.height, 4, 255);
+  if (b.values.empty()) b = Image8(a.width, a.height, 4, 0);
+  MipOptions options;
+  options.levels = pixels.levels() - first + 1;
+  MipPair chain = mip_pair(a, b, options, options_.threads);
+  if (options_.gloss != GlossForm::schueler) average_roughness(chain.specular_gloss, options_.gloss);
+  for (const Texture texture : both_textures) {
+    const auto& images = texture == Texture::diffuse_alpha ? chain.diffuse_alpha : chain.specular_gloss;
+    for (int l = first; l < pixels.levels(); ++l) {
+      const PixelsView8 out = pixels.view(texture, l);
+      if (out.data == nullptr) continue;
+      const Image8& image = images[static_cast<std::size_t>(l - first + 1)];
+      std::memcpy(out.data, image.values.data(), image.values.size());
+    }
+  }
+}
+
+}  // namespace etak

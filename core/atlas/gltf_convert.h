@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/atlas/manifest.h"
+#include "core/atlas/sources.h"
+#include "core/scene/gltf.h"
+
+namespace etak {
+
+/// The picture of an image of the document, 8-bit codes.
+using SceneImages = std::function<const Image8&(int image)>;
+
+/// A glTF material as texture pair of its largest texture's size; smaller textures are filtered up
+/// bilinearly, colours in linear light. Alpha is 255 for opaque materials unless `keep_alpha`. Diffuse
+/// colours are those that glTF reduces when shading (material_texels.h).
+///   clamped   texels whose gloss had to be brought back to 0..1
+MaterialPair scene_material_pair(const GltfMaterial& material, const SceneImages& images, GlossForm gloss,
+                                 bool keep_alpha, std::size_t& clamped);
+
+/// The textures that make up the pair; none are null.
+std::vector<const GltfTexture*> pair_textures(const GltfMaterial& material);
+
+}  // namespace etak

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/atlas/channels.h"
+#include "core/atlas/manifest.h"
+#include "core/image/pixels_view.h"
+
+namespace etak {
+
+// The table that goes with an atlas (resources/schema/atlas-layout.schema.json).
+
+/// A region of a material. Materials that share texels have a row each.
+struct AtlasRect {
+  std::string name;  // of the material
+  int island = 0;    // 0 but for materials in several parts
+  int page = 0;
+  int x = 0, y = 0, width = 0, height = 0;  // level-0 texels on the page, without gutter
+  bool rotated = false;  // by 90 degrees: column c of the picture is row c, rows run from right to left
+  PixelBox crop;         // what of the picture it shows, in texels
+  int source_width = 0, source_height = 0;  // of the whole picture
+  int gutter = 0, mips = 1;                 // mips free of neighbours
+  double inset = 0;      // above 0: UVs must stay so many level-0 texels inside, for want of a gutter
+  bool repeats = false;  // the page is this one region, and wraps
+  friend bool operator==(const AtlasRect&, const AtlasRect&) = default;
+};
+
+/// What a material needs besides its regions.
+struct AtlasMaterialRow {
+  std::string name;
+  bool texels = true;  // false: the constants are all there is
+  AlphaMode alpha_mode = AlphaMode::blend;
+  double alpha_cutoff = 0.5;
+  std::array<std::optional<std::uint8_t>, channel_count> constant;
+  std::vector<std::string> defines;  // for a shader
+  friend bool operator==(const AtlasMaterialRow&, const AtlasMaterialRow&) = default;
+};
+
+struct AtlasPage {
+  int width = 0, height = 0;
+  std::array<std::vector<std::string>, 2> files;  // by Texture; one per format, then those of mips
+  friend bool operator==(const AtlasPage&, const AtlasPage&) = default;
+};
+
+struct AtlasLayout {
+  GlossForm gloss = GlossForm::schueler;  // what texture B's fourth channel holds
+  int levels = 1;
+  std::vector<AtlasPage> pages;
+  std::vector<AtlasRect> rects;             // by name, then island
+  std::vector<AtlasMaterialRow> materials;  // by name
+  std::string settings_hash, content_hash;
+  std::vector<std::string> other_files;  // "scene.gltf", ...
+  friend bool operator==(const AtlasLayout&, const AtlasLayout&) = default;
+};
+
+std::string layout_json(const AtlasLayout& layout);
+
+/// Throws Error with the JSON pointer.
+AtlasLayout parse_layout(std::string_view text, std::string_view file);
+
+}  // namespace etak

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/layout.h"
+
+#include "core/base/json_node.inc"
+#include "core/base/json_text.h"
+#include "core/image/image.h"
+
+namespace etak {
+namespace {
+
+constexpr const char* schema = "etak-atlas-layout/1";
+constexpr int most_depth = 8;
+
+std::string box_json(const PixelBox& box) {
+  return "[" + std::to_string(box.x) + ", " + std::to_string(box.y) + ", " + std::to_string(box.width) +
+         ", " + std::to_string(box.height) + "]";
+}
+
+std::string texts_json(const std::vector<std::string>& texts) {
+  std::vector<std::string> items;
+  for (const std::string& each : texts) items.push_back(json(each));
+  return json_array(items);
+}
+
+// The first file is the texture by name; the rest are the same in other formats, and mips in files of
+// their own.
+std::string page_json(const AtlasPage& page) {
+  std::string out = "{";
+  std::vector<std::string> more;
+  for (const Texture texture : both_textures) {
+    const auto& files = page.files[static_cast<std::size_t>(texture)];
+    out += json(name(texture)) + ": " + (files.empty() ? "null" : json(files[0])) + ", ";
+  }
+  out += "\"width\": " + std::to_string(page.width) + ", \"height\": " + std::to_string(page.height);
+  for (const Texture texture : both_textures) {
+    const auto& files = page.files[static_cast<std::size_t>(texture)];
+    if (files.size() > 1)
+      out += ", " + json(std::string(name(texture)) + "_more") + ": " +
+             texts_json({files.begin() + 1, files.end()});
+  }
+  return out + "}";
+}
+
+std::string rect_json(const AtlasRect& r) {
+  std::string out = "{\"name\": " + json(r.name) + ", \"page\": " + std::to_string(r.page) +
+                    ", \"x\": " + std::to_string(r.x) + ", \"y\": " + std::to_string(r.y) +
+                    ", \"w\": " + std::to_string(r.width) + ", \"h\": " + std::to_string(r.height) +
+                    ", \"rotated\": " + json(r.rotated) + ", \"crop\": " + box_json(r.crop) +
+                    ", \"source\": [" + std::to_string(r.source_width) + ", " +
+                    std::to_string(r.source_height) + "], \"gutter\": " + std::to_string(r.gutter) +
+                    ", \"mips\": " + std::to_string(r.mips);
+  if (r.island > 0) out += ", \"island\": " + std::to_string(r.island);
+  if (r.inset > 0) out += ", \"inset\": " + json(r.inset);
+  if (r.repeats) out += ", \"repeats\": true";
+  return out + "}";
+}
+
+const char* mode_name(AlphaMode mode) {
+  return mode == AlphaMode::opaque ? "opaque" : mode == AlphaMode::mask ? "mask" : "blend";
+}
+
+std::string material_json(const AtlasMaterialRow& m) {
+  std::string constants;
+  for (std::size_t c = 0; c < channel_count; ++c)
+    if (m.constant[c])
+      constants +=
+          (constants.empty() ? "" : ", ") + json(channel_names[c]) + ": " + std::to_string(*m.constant[c]);
+  std::string out = "{\"name\": " + json(m.name) + ", \"texels\": " + json(m.texels) +
+                    ", \"alpha_mode\": " + json(mode_name(m.alpha_mode));
+  if (m.alpha_mode == AlphaMode::mask) out += ", \"alpha_cutoff\": " + json(m.alpha_cutoff);
+  return out + ", \"constant\": {" + constants + "}, \"defines\": " + texts_json(m.defines) + "}";
+}
+
+template <class Rows, class Form>
+std::string rows_json(const Rows& rows, Form form) {
+  std::string out = "[";
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    out += std::string(i == 0 ? "\n" : ",\n") + "    " + form(rows[i]);
+  return out + (rows.empty() ? "]" : "\n  ]");
+}
+
+PixelBox box_of(const JsonNode& node) {
+  node.expect_array();
+  if (node.size() != 4) node.fail_type("[x, y, width, height]");
+  return {node.at(0).integer(0, max_image_side), node.at(1).integer(0, max_image_side),
+          node.at(2).integer(1, max_image_side), node.at(3).integer(1, max_image_side)};
+}
+
+AtlasPage read_page(const JsonNode& node) {
+  node.expect_object();
+  AtlasPage out;
+  out.width = node.at("width").integer(1, max_image_side);
+  out.height = node.at("height").integer(1, max_image_side);
+  for (const Texture texture : both_textures) {
+    auto& files = out.files[static_cast<std::size_t>(texture)];
+    const JsonNode first = node.at(name(texture));
+    if (!first.value.is_null()) files.push_back(first.text());
+    const std::string more = std::string(name(texture)) + "_more";
+    if (node.has(more))
+      for (const std::string& each : node.at(more).texts()) files.push_back(each);
+  }
+  return out;
+}
+
+AtlasRect read_rect(const JsonNode& node, std::size_t pages) {
+  node.expect_object();
+  AtlasRect out;
+  out.name = node.at("name").text();
+  out.page = node.at("page").integer(0, static_cast<int>(pages) - 1);
+  out.x = node.at("x").integer(0, max_image_side);
+  out.y = node.at("y").integer(0, max_image_side);
+  out.width = node.at("w").integer(1, max_image_side);
+  out.height = node.at("h").integer(1, max_image_side);
+  out.rotated = node.at("rotated").boolean();
+  out.crop = box_of(node.at("crop"));
+  const JsonNode source = node.at("source");
+  source.expect_array();
+  if (source.size() != 2) source.fail_type("[width, height]");
+  out.source_width = source.at(0).integer(1, max_image_side);
+  out.source_height = source.at(1).integer(1, max_image_side);
+  out.gutter = node.at("gutter").integer(0, max_image_side);
+  out.mips = node.at("mips").integer(1, 15);
+  if (node.has("island")) out.island = node.at("island").integer(0);
+  if (node.has("inset")) out.inset = node.at("inset").number();
+  if (node.has("repeats")) out.repeats = node.at("repeats").boolean();
+  return out;
+}
+
+AtlasMaterialRow read_material(const JsonNode& node) {
+  node.expect_object();
+  AtlasMaterialRow out;
+  out.name = node.at("name").text();
+  out.texels = node.at("texels").boolean();
+  const std::string mode = node.at("alpha_mode").text();
+  out.alpha_mode = mode == "opaque" ? AlphaMode::opaque : mode == "mask" ? AlphaMode::mask : AlphaMode::blend;
+  if (node.has("alpha_cutoff")) out.alpha_cutoff = node.at("alpha_cutoff").number();
+  const JsonNode constant = node.at("constant");
+  constant.expect_object();
+  for (std::size_t c = 0; c < channel_count; ++c)
+    if (constant.has(channel_names[c]))
+      out.constant[c] = static_cast<std::uint8_t>(constant.at(channel_names[c]).integer(0, 255));
+  out.defines = node.at("defines").texts();
+  return out;
+}
+
+}  // namespace
+
+std::string layout_json(const AtlasLayout& layout) {
+  std::vector<JsonMember> members{
+      {"schema", json(schema)},
+      {"settings_hash", json(layout.settings_hash)},
+      {"content_hash", json(layout.content_hash)},
+      {"gloss", json(name(layout.gloss))},
+      {"levels", std::to_string(layout.levels)},
+      {"pages", rows_json(layout.pages, page_json)},
+      {"rects", rows_json(layout.rects, rect_json)},
+      {"materials", rows_json(layout.materials, material_json)},
+      {"other_files", texts_json(layout.other_files)},
+  };
+  return json_object(members, 0) + "\n";
+}
+
+AtlasLayout parse_layout(std::string_view text, std::string_view file) {
+  const Json document = parse_json_strictly(text, file, most_depth, "an atlas layout");
+  const JsonNode root{document, file, {}};
+  root.expect_object();
+  if (root.text_or_empty("schema") != schema)
+    root.fail("not an atlas layout", std::string("\"schema\": \"") + schema + "\"");
+  AtlasLayout out;
+  const auto form = gloss_form_named(root.at("gloss").text());
+  if (!form) root.at("gloss").fail_type("schueler, one_minus_roughness or roughness");
+  out.gloss = *form;
+  out.levels = root.at("levels").integer(1, 15);
+  out.settings_hash = root.text_or_empty("settings_hash");
+  out.content_hash = root.text_or_empty("content_hash");
+  const JsonNode pages = root.at("pages"), rects = root.at("rects"), materials = root.at("materials");
+  pages.expect_array(), rects.expect_array(), materials.expect_array();
+  for (std::size_t i = 0; i < pages.size(); ++i) out.pages.push_back(read_page(pages.at(i)));
+  for (std::size_t i = 0; i < rects.size(); ++i)
+    out.rects.push_back(read_rect(rects.at(i), out.pages.size()));
+  for (std::size_t i = 0; i < materials.size(); ++i) out.materials.push_back(read_material(materials.at(i)));
+  if (root.has("other_files")) out.other_files = root.at("other_files").texts();
+  return out;
+}
+
+}  // namespace etak

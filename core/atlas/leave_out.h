@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/atlas/channels.h"
+#include "core/image/pixels_view.h"
+#include "core/scene/gltf.h"
+
+namespace etak {
+
+// What an atlas need not hold: decided here from facts about the materials, without touching a picture.
+
+/// The kinds of things that are left out, in the order in which they are looked for; names of --keep.
+///   unreached   materials that the scene does not reach
+///   equal       materials whose texels another one has
+///   alpha       alpha of opaque materials
+///   constant    channels that hold one code over the texels in use, and materials that have no others
+///   crop        texels outside of the box that the triangles use
+///   islands     texels between the islands that the triangles use (only when islands are asked for)
+///   textures    one texture of regions that vary only in the other one, where a page of their own is smaller
+inline constexpr std::array<std::string_view, 7> leave_out_names{
+    "unreached", "equal", "alpha", "constant", "crop", "islands", "textures"};
+
+/// What is known of a material. Without `learned`, its texels have not been looked at yet: it is then taken
+/// to need them all.
+struct MaterialFacts {
+  std::string name;
+  int width = 0, height = 0;
+  bool reached = true;
+  bool opaque = false;  // alpha plays no part
+  bool learned = false;
+  ChannelRange range;  // over the texels in use, alpha 255 when opaque
+  std::array<std::uint64_t, 2> color_hash{}, alpha_hash{}, specular_hash{};  // of all texels
+  std::string source;             // the same text: the same files read in the same way
+  PixelBox crop;                  // of the texels in use; the whole where that is not known
+  std::vector<PixelBox> islands;  // empty: the crop box is the only one
+  bool tiles = false;             // the whole period is in use
+
+  friend bool operator==(const MaterialFacts&, const MaterialFacts&) = default;
+};
+
+/// What becomes of a material.
+struct MaterialFate {
+  std::size_t owner = 0;                   // whose texels it uses: its own index, or a lower or higher one
+  bool texels = true;                      // false: numbers say everything (or it is not in the scene at all)
+  std::array<bool, 2> varies{true, true};  // by Texture: some channel of it varies
+  std::array<std::optional<std::uint8_t>, channel_count>
+      constant;                 // the code of a channel that does not vary
+  std::vector<PixelBox> boxes;  // of an owner: the parts of its picture to keep; may overlap
+};
+
+/// What one step took away.
+struct LeaveOutLine {
+  std::string what;           // of leave_out_names
+  std::string detail;         // "3 materials", in words
+  std::size_t materials = 0;  // touched by it
+  std::uint64_t texels = 0;   // RGBA texels of the two textures
+  std::uint64_t channel_texels = 0;
+  std::uint64_t bytes = 0;  // uncompressed: 4 a texel
+  double error = 0;         // largest difference in codes over the texels in use
+  friend bool operator==(const LeaveOutLine&, const LeaveOutLine&) = default;
+};
+
+/// Level-0 texels of the regions alone: no gutters, no waste of pages, no mips.
+///   texels           RGBA texels of both textures: what a picture file with four channels holds
+///   channel_texels   single numbers of the channels that vary: what a format with fitting channels would
+///   hold
+struct TexelAccount {
+  std::uint64_t texels = 0, channel_texels = 0;
+  friend bool operator==(const TexelAccount&, const TexelAccount&) = default;
+};
+
+struct LeaveOutOptions {
+  std::set<std::string> keep;  // of leave_out_names
+  bool islands = false;
+
+  bool leaves(std::string_view what) const { return !keep.contains(std::string(what)); }
+};
+
+struct LeaveOut {
+  std::vector<MaterialFate> fates;  // in the order of the facts
+  std::vector<LeaveOutLine> lines;
+  TexelAccount before, after;
+};
+
+/// Materials that share texels get the owner of the lowest index among those that need alpha, else the
+/// lowest.
+LeaveOut leave_out(const std::vector<MaterialFacts>& materials, const LeaveOutOptions& options);
+
+/// Throws Error at --keep for a name that is none ("all" stands for every one).
+std::set<std::string> parse_keep(const std::vector<std::string>& names);
+
+}  // namespace etak

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/color/rgb.h"
+#include "core/scene/gltf.h"
+
+namespace etak {
+
+// What is to be packed, as a person or a script writes it down (resources/schema/atlas-manifest.schema.json).
+
+/// What a gloss channel holds.
+///   schueler              g of exponent e = 2^(12 g)
+///   one_minus_roughness   1 - perceptual roughness, as in Unity and KHR_materials_pbrSpecularGlossiness
+///   roughness             perceptual roughness, alpha = roughness^2
+enum class GlossForm { schueler, one_minus_roughness, roughness };
+std::string_view name(GlossForm form);  // "schueler", "one_minus_roughness", "roughness"
+std::optional<GlossForm> gloss_form_named(std::string_view text);
+
+/// A picture file.
+///   channels   letters of "rgba", three for a colour, one for a grey quantity; empty: the first ones
+///   space      "srgb", "linear", "power-2.2" or a colour space of an OpenColorIO config; empty: srgb for
+///   colours, linear for grey quantities
+struct ImageSource {
+  std::string path, channels, space;
+  friend bool operator==(const ImageSource&, const ImageSource&) = default;
+};
+
+/// A material of the library: F0 where specular is asked for, the measured reflectance for diffuse.
+struct LibrarySource {
+  std::string material, dataset, outside;
+  friend bool operator==(const LibrarySource&, const LibrarySource&) = default;
+};
+
+/// A number for everywhere. `codes` when it was given as "#rrggbb", which then is kept to the bit.
+struct ConstantSource {
+  LinearRgb linear;
+  std::optional<Srgb8> codes;
+  friend bool operator==(const ConstantSource&, const ConstantSource&) = default;
+};
+
+using TextureSource = std::variant<ImageSource, LibrarySource, ConstantSource>;
+
+/// One material of a manifest. Missing: diffuse is black, alpha 1. Either specular (and diffuse), or
+/// base_color with metallic (glTF's meaning); either gloss or roughness.
+struct ManifestMaterial {
+  std::string name;
+  std::optional<TextureSource> diffuse, specular, gloss, roughness, alpha, base_color, metallic;
+  std::string normal;  // file of a tangent-space normal map; empty: none
+  AlphaMode alpha_mode = AlphaMode::blend;
+  double alpha_cutoff = 0.5;
+  std::optional<int> width, height;  // checked against the pictures; the size where there are none
+  std::string place;                 // "FILE#/materials/3", for messages
+};
+
+struct AtlasManifest {
+  GlossForm gloss = GlossForm::schueler;  // of every "gloss"
+  std::vector<ManifestMaterial> materials;
+};
+
+/// Reads a manifest. Paths in it are relative to its own folder and come out relative to the working folder.
+/// Throws Error with the JSON pointer: unknown keys, wrong types, two materials of one name, values outside
+/// of their range.
+AtlasManifest parse_manifest(std::string_view text, const std::string& file);
+
+/// The materials of a folder whose files follow a pattern such as "{name}_{role}.png". Roles: diffuse,
+/// specular, gloss, roughness, alpha, basecolor, metallic, normal. Files that do not match are left alone;
+/// a folder in which none does is an Error. Sorted by name.
+AtlasManifest manifest_of_folder(const std::string& folder, const std::string& pattern);
+
+}  // namespace etak

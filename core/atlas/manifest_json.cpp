@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "core/atlas/manifest.h"
+#include "core/base/json_node.inc"
+#include "core/color/srgb.h"
+#include "core/image/image.h"
+
+namespace etak {
+namespace {
+
+constexpr int most_depth = 8;
+constexpr std::size_t most_materials = 100000;
+constexpr const char* source_forms =
+    "a file name, the name of a library material, a number, [r, g, b], \"#rrggbb\", or an object with "
+    "\"image\" "
+    "or \"material\"";
+
+// A colour or a grey quantity: what its constants may be and how its channels are called.
+struct Role {
+  const char* key;
+  bool color;
+};
+
+class ManifestReader {
+ public:
+  ManifestReader(const Json& document, std::string_view file)
+      : root_{document, file, {}}, folder_(std::filesystem::path(file).parent_path()) {}
+
+  AtlasManifest read() {
+    root_.expect_object({"schema", "gloss", "materials"});
+    AtlasManifest out;
+    if (root_.has("schema") && root_.at("schema").text() != "etak-atlas-manifest/1")
+      root_.at("schema").fail_type("\"etak-atlas-manifest/1\"");
+    if (root_.has("gloss")) {
+      const auto form = gloss_form_named(root_.at("gloss").text());
+      if (!form) root_.at("gloss").fail_type("schueler, one_minus_roughness or roughness");
+      out.gloss = *form;
+    }
+    const JsonNode list = root_.at("materials");
+    list.expect_array();
+    if (list.size() == 0) list.fail("no material", "at least one");
+    if (list.size() > most_materials)
+      list.fail(std::to_string(list.size()) + " materials", "at most " + std::to_string(most_materials));
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      out.materials.push_back(material(list.at(i)));
+      if (!names.insert(out.materials.back().name).second)
+        list.at(i).fail("a second material \"" + printable(out.materials.back().name) + "\"",
+                        "each name once");
+    }
+    return out;
+  }
+
+ private:
+  ManifestMaterial material(const JsonNode& node) {
+    node.expect_object({"name", "diffuse", "specular", "gloss", "roughness", "alpha", "basecolor", "metallic",
+                        "normal", "alpha_mode", "alpha_cutoff", "width", "height"});
+    ManifestMaterial out;
+    out.place = std::string(node.file) + '#' + node.pointer;
+    out.name = node.at("name").text();
+    if (out.name.empty()) node.at("name").fail("an empty name", "a name");
+    out.diffuse = source(node, {"diffuse", true});
+    out.specular = source(node, {"specular", true});
+    out.base_color = source(node, {"basecolor", true});
+    out.metallic = source(node, {"metallic", false});
+    out.gloss = source(node, {"gloss", false});
+    out.roughness = source(node, {"roughness", false});
+    out.alpha = source(node, {"alpha", false});
+    out.normal = node.has("normal") ? path_of(node.at("normal")) : "";
+    if (node.has("width")) out.width = node.at("width").integer(1, max_image_side);
+    if (node.has("height")) out.height = node.at("height").integer(1, max_image_side);
+    if (node.has("alpha_mode")) {
+      const std::string mode = node.at("alpha_mode").text();
+      if (mode != "opaque" && mode != "mask" && mode != "blend")
+        node.at("alpha_mode").fail_type("opaque, mask or blend");
+      out.alpha_mode = mode == "opaque" ? AlphaMode::opaque
+                       : mode == "mask" ? AlphaMode::mask
+                                        : AlphaMode::blend;
+    }
+    if (node.has("alpha_cutoff")) out.alpha_cutoff = unit_number(node.at("alpha_cutoff"));
+    check_roles(node, out);
+    return out;
+  }
+
+  static void check_roles(const JsonNode& node, const ManifestMaterial& m) {
+    if (m.base_color || m.metallic) {
+      if (m.diffuse || m.specular)
+        node.fail("both \"basecolor\" or \"metallic\" and \"diffuse\" or \"specular\"", "one way of the two");
+      if (!m.base_color) node.fail("no \"basecolor\" beside \"metallic\"", "this key");
+    } else if (!m.specular) {
+      node.fail("no \"specular\"", "this key, or \"basecolor\" and \"metallic\"");
+    }
+    if (m.gloss && m.roughness) node.fail("both \"gloss\" and \"roughness\"", "one of the two");
+    if (!m.gloss && !m.roughness) node.fail("no \"gloss\"", "this key, or \"roughness\"");
+  }
+
+  std::optional<TextureSource> source(const JsonNode& material, const Role& role) {
+    if (!material.has(role.key)) return std::nullopt;
+    const JsonNode node = material.at(role.key);
+    if (node.value.is_string()) return source_text(node, role);
+    if (node.value.is_number()) {
+      const double v = unit_number(node);
+      return ConstantSource{{v, v, v}, {}};
+    }
+    if (node.value.is_array()) {
+      if (!role.color) node.fail_type("a number");
+      if (node.size() != 3) node.fail_type("[r, g, b]");
+      return ConstantSource{{unit_number(node.at(0)), unit_number(node.at(1)), unit_number(node.at(2))}, {}};
+    }
+    if (!node.value.is_object()) node.fail_type(source_forms);
+    if (node.has("material")) {
+      node.expect_object({"material", "dataset", "outside"});
+      if (!role.color) node.fail("a library material", "a file or a number");
+      return LibrarySource{node.at("material").text(), node.text_or_empty("dataset"),
+                           node.text_or_empty("outside")};
+    }
+    node.expect_object({"image", "channels", "space"});
+    ImageSource image{path_of(node.at("image")), node.text_or_empty("channels"), node.text_or_empty("space")};
+    check_channels(node, image.channels, role);
+    return image;
+  }
+
+  TextureSource source_text(const JsonNode& node, const Role& role) {
+    const std::string text = node.text();
+    if (text.starts_with('#')) {
+      if (!role.color) node.fail_type("a number");
+      const bool digits =
+          text.size() == 7 && text.find_first_not_of("0123456789abcdefABCDEF", 1) == text.npos;
+      if (!digits) node.fail_type("\"#rrggbb\"");
+      const Srgb8 codes = parse_hex(text);
+      return ConstantSource{srgb_decode(codes), codes};
+    }
+    if (text.empty()) node.fail_type(source_forms);
+    if (text.find_first_of("./") != text.npos) return ImageSource{path_of(node), "", ""};
+    if (!role.color)
+      node.fail("\"" + printable(text) + "\", which is no file name (it has no ending)",
+                "a file or a number");
+    return LibrarySource{text, "", ""};
+  }
+
+  static void check_channels(const JsonNode& node, const std::string& channels, const Role& role) {
+    if (channels.empty()) return;
+    const bool known = channels.find_first_not_of("rgba") == channels.npos;
+    if (!known || channels.size() != (role.color ? 3u : 1u))
+      node.at("channels")
+          .fail_type(role.color ? "three of the letters r, g, b, a" : "one of the letters r, g, b, a");
+  }
+
+  static double unit_number(const JsonNode& node) {
+    const double v = node.number();
+    if (v < 0 || v > 1) node.fail_type("a number from 0 to 1");
+    return v;
+  }
+
+  std::string path_of(const JsonNode& node) const {
+    const std::string text = node.text();
+    if (text.empty() || text.find('\0') != text.npos) node.fail_type("a file name");
+    return (folder_ / text).string();
+  }
+
+  JsonNode root_;
+  std::filesystem::path folder_;
+};
+
+}  // namespace
+
+std::string_view name(GlossForm form) {
+  return form == GlossForm::schueler              ? "schueler"
+         : form == GlossForm::one_minus_roughness ? "one_minus_roughness"
+                                                  : "roughness";
+}
+
+std::optional<GlossForm> gloss_form_named(std::string_view text) {
+  for (const GlossForm form : {GlossForm::schueler, GlossForm::one_minus_roughness, GlossForm::roughness})
+    if (text == name(form)) return form;
+  return std::nullopt;
+}
+
+AtlasManifest parse_manifest(std::string_view text, const std::string& file) {
+  const Json document = parse_json_strictly(text, file, most_depth, "an atlas manifest");
+  AtlasManifest out = ManifestReader(document, file).read();
+  // By name, so that the order in the file cannot change the atlas.
+  std::sort(out.materials.begin(), out.materials.end(),
+            [](const ManifestMaterial& a, const ManifestMaterial& b) { return a.name < b.name; });
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/outputs.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/image/containers.h"
+
+namespace etak {
+namespace {
+
+Image8 image_of(const PixelsView8& pixels) {
+  Image8 out(pixels.width, pixels.height, 4);
+  std::memcpy(out.values.data(), pixels.data, out.values.size());
+  return out;
+}
+
+void write_container(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
+                     const std::string& format, const WriteOptions& options) {
+  std::vector<Image8> levels;
+  for (int l = 0; l < pixels.levels(); ++l) levels.push_back(image_of(pixels.view(texture, l)));
+  const TextureLevels whole{levels, true};
+  folder.write(page_file(page, texture, format), format == "ktx2"
+                                                     ? ktx2_bytes(whole, options.zstd_level)
+                                                     : dds_bytes(whole, texture == Texture::specular_gloss));
+}
+
+void write_pngs(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
+                const WriteOptions& options) {
+  for (int l = 0; l < pixels.levels(); ++l) {
+    const PixelsView8 view = pixels.view(texture, l);
+    PngOptions png;
+    png.level = options.png_level;
+    png.threads = options.threads;
+    folder.write(page_file(page, texture, "png", l), [&](const std::function<void(std::string_view)>& sink) {
+      write_png({{view.width, view.height, 4, 8}, view.data, view.stride}, png, sink);
+    });
+  }
+}
+
+}  // namespace
+
+std::string page_file(int page, Texture texture, std::string_view format, int level) {
+  return "page" + std::to_string(page) + "_" + std::string(name(texture)) +
+         (level == 0 ? "" : ".mip" + std::to_string(level)) + "." + std::string(format);
+}
+
+std::vector<std::string> page_files(int page, Texture texture, int levels,
+                                    const std::vector<std::string>& formats) {
+  std::vector<std::string> out;
+  for (const std::string& format : formats) out.push_back(page_file(page, texture, format));
+  if (std::find(formats.begin(), formats.end(), "png") != formats.end())
+    for (int l = 1; l < levels; ++l) out.push_back(page_file(page, texture, "png", l));
+  return out;
+}
+
+void write_page(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
+                const WriteOptions& options) {
+  for (const std::string& format : options.formats) {
+    if (format == "png")
+      write_pngs(folder, page, texture, pixels, options);
+    else
+      write_container(folder, page, texture, pixels, format, options);
+  }
+}
+
+}  // namespace etak

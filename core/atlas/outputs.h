@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/atlas/compose.h"
+#include "core/atlas/layout.h"
+#include "core/base/output_folder.h"
+#include "core/image/png.h"
+
+namespace etak {
+
+/// What page textures are written as: "png" (mips in files of their own), "ktx2" and "dds" (mips inside).
+inline constexpr std::array<std::string_view, 3> page_formats{"png", "ktx2", "dds"};
+
+struct WriteOptions {
+  std::vector<std::string> formats{"png"};
+  PngLevel png_level = PngLevel::fast;
+  int zstd_level = 0;  // of ktx2
+  unsigned threads = 1;
+};
+
+/// "page0_diffuse_alpha.png"; mips of PNG: "page0_diffuse_alpha.mip1.png".
+std::string page_file(int page, Texture texture, std::string_view format, int level = 0);
+
+/// The files that write_page() makes for a texture, in its order.
+std::vector<std::string> page_files(int page, Texture texture, int levels,
+                                    const std::vector<std::string>& formats);
+
+/// Writes one texture of a page.
+void write_page(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
+                const WriteOptions& options);
+
+}  // namespace etak

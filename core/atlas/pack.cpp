@@ -1,0 +1,468 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/pack.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <mutex>
+
+#include "core/atlas/compose.h"
+#include "core/atlas/content_hash.h"
+#include "core/atlas/defines.h"
+#include "core/atlas/gltf_pack.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/parallel.h"
+#include "core/image/mips.h"
+
+namespace etak {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* layout_name = "layout.json";
+// What the texels teach once can teach more only where a material that another one had hidden comes to light.
+constexpr int most_passes = 4;
+
+bool exists(const std::string& path) {
+  struct stat info {};
+  return ::stat(path.c_str(), &info) == 0;
+}
+
+class Packing {
+ public:
+  Packing(const std::string& input, const std::string& output, const PackOptions& options,
+          const MaterialLibrary& library)
+      : input_(input), output_(output), options_(options), library_(library) {
+    report_.input = input;
+    report_.output = output;
+    report_.dry_run = options.dry_run;
+  }
+
+  PackReport run() {
+    timed("inputs", [&] { read_inputs(); });
+    timed("earlier result", [&] { look_at_target(); });
+    if (options_.update && up_to_date()) {
+      report_.up_to_date = true;
+      report_.files = owned_;
+      return std::move(report_);
+    }
+    if (!options_.previous.empty()) previous_ = parse_layout(read_file(options_.previous), options_.previous);
+    for (report_.passes = 1;; ++report_.passes) {
+      timed("layout", [&] { decide(); });
+      if (make_pages() || report_.passes == most_passes) break;
+    }
+    finish();
+    return std::move(report_);
+  }
+
+ private:
+  template <class Act>
+  void timed(const char* name, Act act) {
+    const auto begin = Clock::now();
+    act();
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    for (PackStage& stage : report_.stages)
+      if (stage.name == name) {
+        stage.seconds += seconds;
+        return;
+      }
+    report_.stages.push_back({name, seconds});
+  }
+
+  void read_inputs() {
+    std::error_code failure;
+    if (fs::is_directory(input_, failure)) {
+      inputs_ = resolve_manifest(manifest_of_folder(input_, options_.pattern), library_, options_.gloss,
+                                 options_.door, options_.open_space);
+      inputs_.settings += options_.pattern;
+    } else if (input_.ends_with(".gltf") || input_.ends_with(".glb")) {
+      scene_ = std::make_unique<ScenePack>(input_, options_);
+      inputs_ = scene_->inputs();
+    } else {
+      const std::string text = read_file(input_);
+      inputs_ = resolve_manifest(parse_manifest(text, input_), library_, options_.gloss, options_.door,
+                                 options_.open_space);
+      inputs_.settings += text;
+    }
+    learned_.resize(inputs_.materials.size());
+    report_.materials = inputs_.materials.size();
+    report_.gloss = inputs_.gloss;
+    report_.remarks = inputs_.remarks;
+  }
+
+  // ---- the result in place
+
+  void look_at_target() {
+    const std::string path = output_ + '/' + layout_name;
+    if (!exists(path)) return;
+    try {
+      old_ = parse_layout(read_file(path), path);
+    } catch (const Error&) {
+      return;  // no layout of ours, so nothing there is ours to replace
+    }
+    owned_.push_back(layout_name);
+    for (const AtlasPage& page : old_->pages)
+      for (const auto& files : page.files) owned_.insert(owned_.end(), files.begin(), files.end());
+    owned_.insert(owned_.end(), old_->other_files.begin(), old_->other_files.end());
+  }
+
+  std::string settings_hash() const {
+    ContentHash hash;
+    std::string text = options_.version + '|' + inputs_.settings + '|';
+    for (const std::string& each : options_.keep) text += each + ',';
+    for (const std::string& each : options_.write.formats) text += each + ',';
+    for (const GltfForm form : options_.forms) text += std::to_string(static_cast<int>(form)) + ',';
+    const auto number = [&](auto value) { text += std::to_string(value) + '|'; };
+    number(static_cast<int>(inputs_.gloss));
+    number(options_.form ? static_cast<int>(*options_.form) : -1);
+    number(static_cast<int>(options_.write.png_level));
+    number(options_.write.zstd_level);
+    number(options_.page);
+    number(int{options_.rotate} + 2 * int{options_.islands} + 4 * int{options_.bleed});
+    number(options_.effort);
+    number(options_.max_seconds);
+    number(options_.gutter.value_or(-1));
+    number(options_.mips.value_or(-1));
+    number(options_.most_extra_area);
+    number(options_.scene.scene.value_or(-1));
+    number(int{options_.scene.all_scenes} + 2 * int{options_.scene.variants});
+    hash.add(text);
+    return hash.hex();
+  }
+
+  std::string content_hash() const {
+    std::vector<std::string> files;
+    for (const PackInput& m : inputs_.materials) {
+      files.insert(files.end(), m.files.begin(), m.files.end());
+      if (m.normal.is_image()) files.push_back(m.normal.path);
+    }
+    if (scene_) scene_->add_files(files);
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    std::vector<std::string> hashes(files.size());
+    std::vector<FileBytes> memory(options_.threads);
+    parallel_chunks(files.size(), options_.threads, 1, [&](std::size_t begin, std::size_t, unsigned worker) {
+      memory[worker].load(files[begin]);
+      ContentHash hash;
+      hash.add(memory[worker].view());
+      hashes[begin] = hash.hex();
+    });
+    ContentHash all;
+    std::string text;
+    for (const std::string& each : hashes) text += each;
+    all.add(text);
+    return all.hex();
+  }
+
+  bool up_to_date() {
+    if (!old_ || old_->settings_hash != settings_hash()) return false;
+    for (const std::string& name : owned_)
+      if (!exists(output_ + '/' + name)) return false;
+    content_hash_ = content_hash();
+    return old_->content_hash == content_hash_;
+  }
+
+  // ---- what goes where
+
+  void decide() {
+    std::vector<MaterialFacts> facts;
+    for (const PackInput& m : inputs_.materials) facts.push_back(m.facts);
+    left_out_ = leave_out(facts, {options_.keep, options_.islands});
+    regions_ = regions();
+    std::vector<std::string> names;
+    for (const PackInput& m : inputs_.materials) names.push_back(m.name);
+    const AtlasLayout* previous = previous_ ? &*previous_ : nullptr;
+    plan_ = plan_pages(regions_, names, plan_options(), previous);
+  }
+
+  std::vector<Region> regions() const {
+    std::vector<Region> out;
+    for (std::size_t i = 0; i < left_out_.fates.size(); ++i) {
+      const MaterialFate& fate = left_out_.fates[i];
+      if (!fate.texels || fate.owner != i) continue;
+      std::array<bool, 2> in{false, false};
+      for (const MaterialFate& user : left_out_.fates)
+        if (user.texels && user.owner == i)
+          for (std::size_t t = 0; t < 2; ++t) in[t] = in[t] || user.varies[t];
+      if (options_.keep.contains("textures")) in = {true, true};
+      for (const PixelBox& box : fate.boxes) out.push_back({i, box, in, inputs_.materials[i].own_page});
+    }
+    return out;
+  }
+
+  int levels() const {
+    if (options_.mips) return *options_.mips;
+    const auto& formats = options_.write.formats;
+    const bool container = std::any_of(formats.begin(), formats.end(), [](const std::string& format) {
+      return format == "ktx2" || format == "dds";
+    });
+    return container ? 0 : 1;
+  }
+
+  PlanOptions plan_options() const {
+    PlanOptions out;
+    out.rects.form = options_.form.value_or(PageForm::mixed);
+    out.rects.side = options_.page;
+    out.rects.largest_side = options_.page;
+    out.rects.rotate = options_.rotate;
+    out.rects.effort = options_.effort;
+    out.rects.max_seconds = options_.max_seconds;
+    out.rects.threads = options_.threads;
+    out.levels = levels();
+    out.gutter = options_.gutter;
+    out.split_textures = !options_.keep.contains("textures");
+    if (scene_) {
+      // Viewers make the mips that samplers ask for by themselves, and UVs cannot be inset without shrinking
+      // the picture.
+      out.may_inset = false;
+      out.free_first = !options_.form;
+      out.least_gutter = 1;
+      out.levels = scene_->sampled_levels(out.levels);
+    }
+    return out;
+  }
+
+  int page_levels(const Page& page) const {
+    const int full = full_mip_levels(page.width, page.height), wanted = levels();
+    return wanted == 0 ? full : std::min(wanted, full);
+  }
+
+  // ---- pages
+
+  // False: what the texels taught changes the layout, and nothing was kept.
+  bool make_pages() {
+    std::optional<OutputFolder> folder;
+    if (!options_.dry_run) folder.emplace(output_, true);
+    ComposeOptions compose;
+    compose.threads = options_.threads;
+    compose.bleed = options_.bleed;
+    compose.gloss = inputs_.gloss;
+    Composer composer(inputs_.materials, regions_, plan_, compose);
+    PagePixels pixels;
+    std::size_t done = 0;
+    std::mutex lock;
+    const auto region_done = [&] {
+      if (!options_.progress) return;
+      const std::lock_guard guard(lock);
+      options_.progress(++done, 2 * regions_.size());
+    };
+    for (int p = 0; p < static_cast<int>(plan_.pages.size()); ++p) {
+      const Page& page = plan_.pages[static_cast<std::size_t>(p)];
+      check_memory(page);
+      pixels.start(page, page_levels(page));
+      timed("texels", [&] { composer.texels(p, pixels, learned_, region_done); });
+      if (learn()) return false;
+      timed("gutters and mips", [&] { composer.mips(p, pixels); });
+      if (!folder) continue;
+      WriteOptions write = options_.write;
+      write.threads = options_.threads;
+      timed("write", [&] {
+        for (const Texture texture : both_textures)
+          if (page.has[static_cast<std::size_t>(texture)]) write_page(*folder, p, texture, pixels, write);
+        if (scene_) scene_->write_page(*folder, p, pixels, write);
+      });
+    }
+    pixels.release();
+    timed("table", [&] { layout_ = make_layout(); });
+    if (folder) timed("commit", [&] { commit(*folder); });
+    return true;
+  }
+
+  void check_memory(const Page& page) const {
+    std::size_t bytes = 0;
+    for (int l = 0; l < page_levels(page); ++l)
+      bytes += 8 * static_cast<std::size_t>(std::max(1, page.width >> l)) *
+               static_cast<std::size_t>(std::max(1, page.height >> l));
+    if (options_.memory != 0 && bytes > options_.memory)
+      throw Error::at("--memory",
+                      "a page of " + std::to_string(page.width) + " x " + std::to_string(page.height) +
+                          " takes " + std::to_string((bytes >> 20) + 1) + " MiB",
+                      "more memory, or a smaller --page");
+  }
+
+  // Takes what the texels taught into the facts; true when it changes which regions there are.
+  bool learn() {
+    for (std::size_t i = 0; i < learned_.size(); ++i) {
+      const Learned& from = learned_[i];
+      MaterialFacts& to = inputs_.materials[i].facts;
+      if (to.learned || !from.seen[0] || !from.seen[1]) continue;
+      to.learned = true;
+      to.range = from.range;
+      to.color_hash = from.hash[0];
+      to.specular_hash = from.hash[1];
+    }
+    // The same files read in the same way were read once.
+    std::map<std::string, const MaterialFacts*> known;
+    for (const PackInput& m : inputs_.materials)
+      if (m.facts.learned) known.try_emplace(m.facts.source, &m.facts);
+    std::vector<MaterialFacts> facts;
+    for (PackInput& m : inputs_.materials) {
+      if (const auto same = known.find(m.facts.source); !m.facts.learned && same != known.end()) {
+        m.facts.learned = true;
+        m.facts.range = same->second->range;
+        m.facts.color_hash = same->second->color_hash;
+        m.facts.specular_hash = same->second->specular_hash;
+      }
+      facts.push_back(m.facts);
+    }
+    left_out_ = leave_out(facts, {options_.keep, options_.islands});
+    const std::vector<Region> now = regions();
+    return now.size() != regions_.size() ||
+           !std::equal(now.begin(), now.end(), regions_.begin(), [](const Region& a, const Region& b) {
+             return a.material == b.material && a.box == b.box && a.in == b.in && a.own_page == b.own_page;
+           });
+  }
+
+  AtlasLayout make_layout() {
+    AtlasLayout out;
+    out.gloss = inputs_.gloss;
+    for (int p = 0; p < static_cast<int>(plan_.pages.size()); ++p) {
+      const Page& page = plan_.pages[static_cast<std::size_t>(p)];
+      AtlasPage row{page.width, page.height, {}};
+      out.levels = std::max(out.levels, page_levels(page));
+      for (const Texture texture : both_textures)
+        if (page.has[static_cast<std::size_t>(texture)])
+          row.files[static_cast<std::size_t>(texture)] =
+              page_files(p, texture, page_levels(page), options_.write.formats);
+      out.pages.push_back(std::move(row));
+    }
+    for (std::size_t i = 0; i < inputs_.materials.size(); ++i) {
+      const PackInput& m = inputs_.materials[i];
+      const MaterialFate& fate = left_out_.fates[i];
+      if (!m.facts.reached && !fate.texels) continue;
+      AtlasMaterialRow row{m.name, fate.texels, m.alpha_mode, m.alpha_cutoff, fate.constant, {}};
+      row.defines = material_defines(fate, m.alpha_mode);
+      out.materials.push_back(std::move(row));
+      if (fate.texels) add_rects(m, fate.owner, out);
+    }
+    out.settings_hash = settings_hash();
+    out.content_hash = content_hash_.empty() ? content_hash() : content_hash_;
+    return out;
+  }
+
+  void add_rects(const PackInput& m, std::size_t owner, AtlasLayout& out) const {
+    int island = 0;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (regions_[r].material != owner) continue;
+      const PixelBox& box = regions_[r].box;
+      const Place& at = plan_.places[r];
+      AtlasRect rect;
+      rect.name = m.name;
+      rect.island = island++;
+      rect.page = at.page;
+      rect.x = at.x;
+      rect.y = at.y;
+      rect.width = at.rotated ? box.height : box.width;
+      rect.height = at.rotated ? box.width : box.height;
+      rect.rotated = at.rotated;
+      rect.crop = box;
+      rect.source_width = m.width;
+      rect.source_height = m.height;
+      rect.gutter = at.gutter;
+      rect.mips = at.clean_levels;
+      rect.inset = plan_.inset ? 0.5 * (1 << (at.clean_levels - 1)) : 0;
+      rect.repeats = inputs_.materials[owner].own_page;
+      out.rects.push_back(rect);
+    }
+  }
+
+  void commit(OutputFolder& folder) {
+    if (scene_)
+      for (const std::string& name : scene_->write_scene(folder, layout_, plan_, regions_, left_out_))
+        layout_.other_files.push_back(name);
+    folder.write(layout_name, layout_json(layout_));
+    std::set<std::string> files{layout_name};
+    for (const AtlasPage& page : layout_.pages)
+      for (const auto& names : page.files) files.insert(names.begin(), names.end());
+    files.insert(layout_.other_files.begin(), layout_.other_files.end());
+    for (const std::string& name : files) {
+      const bool owned = std::find(owned_.begin(), owned_.end(), name) != owned_.end();
+      if (!owned && !options_.overwrite && exists(output_ + '/' + name))
+        throw Error::at(output_ + '/' + name, "exists already and is of no earlier atlas",
+                        "another folder, or --force to replace it");
+    }
+    for (const std::string& name : owned_)
+      if (!files.contains(name)) folder.remove_old(name);
+    folder.commit();
+    report_.files.assign(files.begin(), files.end());
+  }
+
+  // ---- report
+
+  void finish() {
+    report_.regions = regions_.size();
+    report_.pages = plan_.pages;
+    report_.method = plan_.method;
+    report_.tries = plan_.tries;
+    report_.cut_by_time = plan_.cut_by_time;
+    report_.kept_previous = plan_.kept_previous;
+    report_.moved = plan_.moved;
+    report_.inset = plan_.inset;
+    report_.levels = layout_.levels;
+    account();
+    for (std::size_t i = 0; i < learned_.size(); ++i)
+      for (std::size_t t = 0; t < 2; ++t)
+        if (const std::size_t clamped = learned_[i].clamped[t]; clamped > 0) {
+          const double all = static_cast<double>(inputs_.materials[i].width) * inputs_.materials[i].height;
+          char share[32];
+          std::snprintf(share, sizeof share, "%.3g", 100 * static_cast<double>(clamped) / all);
+          report_.remarks.push_back(inputs_.materials[i].name + ": " + share + " % of the texels of " +
+                                    std::string(name(both_textures[t])) +
+                                    " lay outside of what it can hold and were brought back to its ends");
+        }
+    if (scene_) scene_->add_remarks(report_.remarks);
+    report_.left_out = std::move(left_out_);
+    report_.left_out.fates.clear();
+  }
+
+  // Texels of regions, gutters and waste; and what pages without one texture saved.
+  void account() {
+    std::uint64_t cells = 0, regions = 0, single = 0;
+    std::size_t singles = 0;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      const PixelBox &box = regions_[r].box, &cell = plan_.places[r].cell;
+      const Page& page = plan_.pages[static_cast<std::size_t>(plan_.places[r].page)];
+      const auto textures = static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
+      const auto area = static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
+      regions += textures * area;
+      cells += textures * static_cast<std::uint64_t>(cell.width) * static_cast<std::uint64_t>(cell.height);
+      if (textures == 1) single += area, ++singles;
+    }
+    report_.region_texels = regions;
+    report_.gutter_texels = cells - regions;
+    report_.waste_texels = plan_.page_texels() - cells;
+    if (singles == 0) return;
+    left_out_.lines.push_back({"textures", std::to_string(singles) + " regions need one texture only",
+                               singles, single, 0, 4 * single, 0});
+    left_out_.after.texels -= single;
+  }
+
+  const std::string input_, output_;
+  const PackOptions& options_;
+  const MaterialLibrary& library_;
+  PackReport report_;
+  PackInputs inputs_;
+  std::unique_ptr<ScenePack> scene_;
+  std::optional<AtlasLayout> old_, previous_;
+  std::vector<std::string> owned_;
+  std::string content_hash_;
+  std::vector<Learned> learned_;
+  LeaveOut left_out_;
+  std::vector<Region> regions_;
+  Plan plan_;
+  AtlasLayout layout_;
+};
+
+}  // namespace
+
+PackReport pack(const std::string& input, const std::string& output, const PackOptions& options,
+                const MaterialLibrary& library) {
+  return Packing(input, output, options, library).run();
+}
+
+}  // namespace etak

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/atlas/leave_out.h"
+#include "core/atlas/outputs.h"
+#include "core/atlas/plan.h"
+#include "core/atlas/sources.h"
+#include "core/material/library.h"
+
+namespace etak {
+
+// The street from a list of materials to an atlas on disk (target etak::pack, no part of etak::core: it reads
+// and writes picture files).
+
+struct PackOptions {
+  // input
+  std::string pattern = "{name}_{role}.png";  // of a folder
+  std::optional<GlossForm> gloss;             // what texture B is to hold; none: as the input
+  GltfOptions scene;
+  SpaceOpener open_space;
+  PictureDoor door;
+  // leaving out
+  std::set<std::string> keep;
+  bool islands = false;
+  // layout
+  int page = 4096;
+  std::optional<PageForm> form;  // none: mixed; for scenes one free page where that holds everything
+  bool rotate = false;
+  int effort = 100;
+  double max_seconds = 0;
+  std::optional<int> gutter;  // none: from the mips
+  std::optional<int> mips;    // levels; 0: down to 1 x 1; none: 1, or all where a format holds them
+  std::string previous;       // layout.json of an earlier run; empty: none
+  double most_extra_area = 0.05;
+  // output
+  WriteOptions write;
+  std::vector<GltfForm> forms{GltfForm::specular_ior};
+  bool bleed = false;
+  bool overwrite = false;
+  bool update = false;     // nothing is done when the result in place is of the same input and options
+  bool dry_run = false;    // everything but writing
+  std::size_t memory = 0;  // bytes that pages and decoded pictures may take; 0: any
+  unsigned threads = 1;
+  std::string version;  // of the program: part of the settings
+  std::function<void(std::size_t done, std::size_t all)> progress;
+};
+
+struct PackStage {
+  std::string name;
+  double seconds = 0;
+};
+
+/// What was done, for people and machines.
+struct PackReport {
+  std::string input, output;
+  bool up_to_date = false, dry_run = false;
+  std::size_t materials = 0, regions = 0;
+  std::vector<Page> pages;
+  std::uint64_t region_texels = 0, gutter_texels = 0, waste_texels = 0;  // level 0, both textures
+  LeaveOut left_out;                                                     // fates are emptied
+  std::string method;
+  int tries = 0, levels = 1;
+  bool cut_by_time = false, kept_previous = false, inset = false;
+  std::size_t moved = 0;
+  int passes = 1;  // 2: what the texels taught changed the layout
+  std::vector<std::string> files, remarks;
+  std::vector<PackStage> stages;
+  GlossForm gloss = GlossForm::schueler;
+};
+
+/// Packs one input into the folder `output`: all files of it appear at once, or none.
+///   input   manifest (.json), glTF scene (.gltf, .glb) or folder of pictures
+/// Throws Error.
+PackReport pack(const std::string& input, const std::string& output, const PackOptions& options,
+                const MaterialLibrary& library);
+
+std::string report_text(const PackReport& report, bool stages);
+std::string report_json(const PackReport& report, bool stages);
+
+}  // namespace etak

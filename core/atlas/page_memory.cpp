@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/page_memory.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <new>
+
+#include "core/base/error.h"
+
+namespace etak {
+namespace {
+
+constexpr std::size_t huge_page = std::size_t{2} << 20;
+constexpr std::size_t largest_file = std::size_t{4} << 30;
+
+}  // namespace
+
+PageMemory::PageMemory(std::size_t bytes) : size_(bytes) {
+  if (bytes == 0) return;
+  // Whole huge pages: the kernel aligns such mappings, and a tail in small pages would be touched one by one.
+  if (bytes >= huge_page) size_ = (bytes + huge_page - 1) / huge_page * huge_page;
+  void* mapped = ::mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+  if (bytes >= huge_page) (void)::madvise(mapped, size_, MADV_HUGEPAGE);  // only a wish
+#endif
+  data_ = static_cast<std::uint8_t*>(mapped);
+}
+
+PageMemory::~PageMemory() {
+  if (data_ != nullptr) ::munmap(data_, size_);
+}
+
+void FileBytes::load(const std::string& path) {
+  size_ = 0;
+  // O_NONBLOCK: a FIFO without a writer must not hang the call.
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  const auto fail = [&](const std::string& found, std::string_view expected = {}) {
+    if (file >= 0) ::close(file);
+    throw Error::at(path, found, expected);
+  };
+  if (file < 0) fail(std::string("cannot be opened: ") + std::strerror(errno));
+  struct stat info {};
+  if (::fstat(file, &info) != 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+  if (!S_ISREG(info.st_mode))
+    fail(S_ISDIR(info.st_mode) ? "is a folder" : "is no regular file", "a picture file");
+  const auto size = static_cast<std::size_t>(info.st_size);
+  if (size > largest_file) fail("holds " + std::to_string(size >> 20) + " MiB", "at most 4096 MiB");
+  // Past the end lie some zero bytes that a reader's vector loads may touch.
+  if (memory_.size() < size + 64) {
+    memory_ = PageMemory();  // the old one first: both at once would count twice
+    memory_ = PageMemory(size + 64);
+  }
+  while (size_ < size) {
+    const ssize_t got = ::read(file, memory_.data() + size_, size - size_);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+    if (got == 0) break;
+    size_ += static_cast<std::size_t>(got);
+  }
+  ::close(file);
+}
+
+}  // namespace etak

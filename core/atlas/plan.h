@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/atlas/layout.h"
+#include "core/atlas/rects.h"
+#include "core/image/pixels_view.h"
+
+namespace etak {
+
+// Where the regions of an atlas go: gutters and alignment from the mips, then rectangles on pages.
+
+/// A part of a material's texels that gets a place of its own.
+struct Region {
+  std::size_t material = 0;            // index of the owner
+  PixelBox box;                        // in its picture
+  std::array<bool, 2> in{true, true};  // by Texture: which of the two textures must hold it
+  bool own_page = false;               // a page of just its size, whose edges wrap
+};
+
+struct PlanOptions {
+  RectOptions rects;           // form, side, rotation, effort, threads
+  bool free_first = false;     // one page of any sides where that holds everything, else `rects.form`
+  int levels = 1;              // mips that will be sampled, level 0 among them; 0: down to 1 x 1
+  std::optional<int> gutter;   // texels on every side; none: from the mips of each region
+  int least_gutter = 0;        // of those from the mips
+  bool may_inset = true;       // no gutters where they would cost more than a quarter of the area
+  bool split_textures = true;  // regions that one texture can do without may go to pages of their own
+};
+
+/// A region's place. The texels lie at x, y; around them are `gutter` texels that repeat the edge.
+struct Place {
+  int page = 0, x = 0, y = 0;
+  bool rotated = false;
+  int gutter = 0;
+  int clean_levels = 1;  // so many mips are free of the neighbours under bilinear filtering
+  PixelBox cell;         // texels that are this region's alone: gutter and rounding included
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+struct Page {
+  int width = 0, height = 0;
+  std::array<bool, 2> has{true, true};  // by Texture
+  friend bool operator==(const Page&, const Page&) = default;
+};
+
+struct Plan {
+  std::vector<Page> pages;
+  std::vector<Place> places;  // in the order of the regions
+  bool inset = false;  // no gutters: whoever samples must stay half a texel of the last clean mip inside
+  std::string method;
+  int tries = 0;
+  bool cut_by_time = false, kept_previous = false;
+  std::size_t moved = 0;
+
+  std::uint64_t page_texels() const;  // of both textures
+};
+
+/// Mips that a region of these sides keeps clean at a gutter of a 32nd of its smaller side: 1 below 64
+/// texels.
+int default_clean_levels(int width, int height);
+
+/// Deterministic in the set of regions: their order plays no part beyond ties of equal sizes, which go by
+/// index.
+///   previous   of the same materials, matched by name, island and size
+/// Throws Error for a region that fits no page.
+Plan plan_pages(const std::vector<Region>& regions, const std::vector<std::string>& names,
+                const PlanOptions& options, const AtlasLayout* previous = nullptr);
+
+}  // namespace etak

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/plane.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+#include "core/base/error.h"
+
+namespace etak {
+namespace {
+
+std::uint32_t big_endian(const unsigned char* bytes) {
+  return (std::uint32_t{bytes[0]} << 24) | (std::uint32_t{bytes[1]} << 16) | (std::uint32_t{bytes[2]} << 8) |
+         bytes[3];
+}
+
+// The head of a PNG that png.h reads, without its other bytes. What is wrong with it PngReader tells later.
+std::optional<PictureHeader> png_header(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0) return std::nullopt;
+  unsigned char head[29];
+  const ssize_t got = ::pread(file, head, sizeof head, 0);
+  ::close(file);
+  constexpr unsigned char first[] = {0x89, 'P', 'N', 'G', 13, 10, 26, 10, 0, 0, 0, 13, 'I', 'H', 'D', 'R'};
+  if (got != static_cast<ssize_t>(sizeof head) || std::memcmp(head, first, sizeof first) != 0)
+    return std::nullopt;
+  const std::uint32_t width = big_endian(head + 16), height = big_endian(head + 20);
+  const int bits = head[24], color = head[25];
+  const int channels = color == 0 ? 1 : color == 4 ? 2 : color == 2 ? 3 : color == 6 ? 4 : 0;
+  const bool ours = (bits == 8 || bits == 16) && channels != 0 && head[28] == 0;
+  const bool sizes = width >= 1 && height >= 1 && width <= std::uint32_t{max_image_side} &&
+                     height <= std::uint32_t{max_image_side};
+  if (!ours || !sizes) return std::nullopt;
+  return PictureHeader{static_cast<int>(width), static_cast<int>(height), channels, bits, true};
+}
+
+std::uint8_t code_of(double encoded) {
+  const double clamped = encoded > 0 ? (encoded < 1 ? encoded : 1.0) : 0.0;
+  return static_cast<std::uint8_t>(255 * clamped + 0.5);
+}
+
+// Half a code beyond the ends is what rounding makes of the ends themselves.
+bool outside(double encoded) {
+  return !(encoded > -0.5 / 255 && encoded < 1 + 0.5 / 255);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> CodeCurve::codes(int bits, std::vector<bool>* clamped) const {
+  const std::size_t count = std::size_t{1} << bits;
+  std::vector<std::uint8_t> out(count);
+  if (clamped != nullptr) clamped->assign(count, false);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double value = static_cast<double>(i) / static_cast<double>(count - 1);
+    const double encoded = apply ? apply(value) : value;
+    out[i] = code_of(encoded);
+    if (clamped != nullptr && outside(encoded)) (*clamped)[i] = true;
+  }
+  return out;
+}
+
+PictureHeader picture_header(const std::string& path, const PictureDoor& door) {
+  if (const auto png = png_header(path)) return *png;
+  // Told here, because the door may stand for another program.
+  if (::access(path.c_str(), R_OK) != 0)
+    throw Error::at(path, std::string("cannot be opened: ") + std::strerror(errno));
+  PictureHeader header = door.header(path);
+  header.strips = false;
+  return header;
+}
+
+PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&source) {
+  if (!source.is_image()) return;
+  memory.load(source.path);
+  png_ = PngReader::open(memory.view(), source.path);
+  if (!png_) {
+    open_whole(source);
+    return;
+  }
+  const PngInfo& info = png_->info();
+  width_ = info.width;
+  height_ = info.height;
+  bits_ = info.bits;
+  check_channels(info.channels);
+  if (bits_ == 16 || (source.curve && source.curve->apply)) {
+    static const CodeCurve unchanged;
+    codes_ = (source.curve ? *source.curve : unchanged).codes(bits_, &clamps_);
+    for (const bool each : clamps_) may_clamp_ = may_clamp_ || each;
+  }
+}
+
+void PlaneRows::check_channels(int channels) {
+  channels_ = channels;
+  pick_ = source_->pick;
+  // A grey picture serves as a colour; a colour that is to be a grey quantity must say which channel.
+  if (source_->color && !source_->picked && channels <= 2) pick_ = {0, 0, 0};
+  const int last = source_->color ? std::max({pick_[0], pick_[1], pick_[2]}) : pick_[0];
+  if (last >= channels)
+    throw Error::at(source_->path, "has " + std::to_string(channels) + " channels",
+                    "at least " + std::to_string(last + 1));
+}
+
+// Formats without strips of their own: the whole picture at once, as codes.
+void PlaneRows::open_whole(const PlaneSource& source) {
+  const auto loaded = source.door->load(source.path);
+  std::visit(
+      [&](const auto& picture) {
+        width_ = picture.width;
+        height_ = picture.height;
+        check_channels(picture.channels);
+      },
+      loaded);
+  static const CodeCurve unchanged;
+  const CodeCurve& curve = source.curve ? *source.curve : unchanged;
+  if (const auto* codes = std::get_if<Image8>(&loaded)) {
+    whole_ = *codes;
+    if (curve.apply) {
+      codes_ = curve.codes(8, &clamps_);
+      convert(codes->values.data(), codes->values.size());
+      whole_.values.swap(rows_);
+    }
+    return;
+  }
+  const Image& picture = std::get<Image>(loaded);
+  whole_ = Image8(picture.width, picture.height, picture.channels);
+  // Files of floats hold linear colours, codes of 16 bits encoded ones.
+  const bool floats = source.door->header(source.path).bits != 16;
+  const auto& apply = floats && curve.apply_float ? curve.apply_float : curve.apply;
+  for (std::size_t i = 0; i < picture.values.size(); ++i) {
+    const double value = double{picture.values[i]};
+    if (!std::isfinite(value))
+      throw Error::at(source.path, "holds a value that is no finite number", "finite numbers");
+    const double encoded = apply ? apply(value) : value;
+    whole_.values[i] = code_of(encoded);
+    clamped_ += outside(encoded) ? 1 : 0;
+  }
+}
+
+template <class Sample>
+void PlaneRows::convert(const Sample* in, std::size_t samples) {
+  rows_.resize(samples);
+  for (std::size_t i = 0; i < samples; ++i) rows_[i] = codes_[in[i]];
+  if (!may_clamp_) return;
+  for (std::size_t i = 0; i < samples; ++i) clamped_ += clamps_[in[i]] ? 1 : 0;
+}
+
+const std::uint8_t* PlaneRows::read(int count) {
+  assert(width_ > 0 && row_ + count <= height_);
+  const auto samples = static_cast<std::size_t>(width_) * static_cast<std::size_t>(channels_);
+  const auto first = static_cast<std::size_t>(row_) * samples;
+  row_ += count;
+  if (!png_) return whole_.values.data() + first;
+  const std::size_t stride = samples * static_cast<std::size_t>(bits_ / 8),
+                    all = samples * static_cast<std::size_t>(count);
+  raw_.resize(stride * static_cast<std::size_t>(count));
+  png_->read_rows(raw_.data(), stride, count);
+  if (codes_.empty()) return raw_.data();
+  if (bits_ == 8) {
+    convert(raw_.data(), all);
+  } else {
+    std::vector<std::uint16_t> wide(all);
+    std::memcpy(wide.data(), raw_.data(), 2 * all);
+    convert(wide.data(), all);
+  }
+  return rows_.data();
+}
+
+}  // namespace etak

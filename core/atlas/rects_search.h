@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <climits>
+#include <memory>
+
+#include "core/atlas/rects_portfolio.h"
+
+namespace etak::rects {
+
+/// How much may still be tried. Counted in tries and in operations, so that it is the same on every machine;
+/// the clock only where it was asked for.
+class Budget {
+ public:
+  /// effort       tries at most; all of them together at most `effort` times what one of ordinary cost takes
+  /// max_seconds  0: no clock
+  Budget(int effort, int n, double max_seconds);
+  void allow(int effort);  // starts again with this much; the clock and the counts go on
+  bool open();             // is there anything left?
+  void charge(std::int64_t work);
+  int tries() const { return tries_; }
+  bool cut() const { return cut_; }
+
+ private:
+  int n_, tries_left_ = 0, tries_ = 0;
+  std::int64_t work_left_ = 0;
+  bool timed_, cut_ = false;
+  std::chrono::steady_clock::time_point end_;
+};
+
+/// The best layout on one page so far, in units.
+struct Best {
+  bool any = false;
+  int width = 0, height = 0;  // extent
+  std::vector<Spot> spots;
+  std::string method;
+};
+
+/// Pages with one free side. In units of `unit` texels; page sides are rounded up to `multiple` texels.
+struct Family {
+  int width = 0;  // 0: squares
+  int least = 1;  // no page with a smaller side holds the set
+  int most = 0;   // the largest allowed
+  int unit = 1, multiple = 1;
+  int below = INT_MAX;  // larger sides are of no use
+
+  int width_at(int side) const { return width > 0 ? width : side; }
+  /// The largest side whose page is not larger than that of `side`.
+  int full(int side) const;
+  /// The largest side with a smaller page; may be below `least`.
+  int smaller(int side) const;
+};
+
+/// The side of `best` in a family.
+int side_of(const Family& family, const Best& best);
+
+/// The least height that `width` allows: by area, by the largest rectangle, and, upright, because all sides
+/// may be multiples of a number.
+int least_height(const Set& set, bool rotate, int width);
+int least_square(const Set& set, bool rotate);
+bool can_hold(const Set& set, bool rotate, int width, int height);
+
+/// Looks for the layout with the least side within a family. The steps are taken as if one after the other:
+/// threads only compute results before they are asked for.
+class Search {
+ public:
+  Search(const Set& set, bool rotate, unsigned threads, Budget& budget);
+  ~Search();
+
+  /// Improves `best` (a layout of the family, or none) until the least side or the end of the budget: the
+  /// portfolio, the most promising on still smaller pages, then changed orders.
+  void run(const Family& family, Best& best);
+
+  /// The heights that a few rules which build from below reach in a page of the family's width that is open
+  /// at the top.
+  void look(const Family& family, Best& best);
+
+  /// Places what it can of `members` in one page, by entry `which` of the portfolio.
+  Outcome fill(int width, int height, std::span<const int> members, std::size_t which,
+               std::vector<Spot>& spots);
+  std::size_t entries() const { return portfolio_.size(); }
+
+ private:
+  struct Worker;
+  struct Leader;
+  struct Step;
+  Outcome evaluate(const Try& how, std::span<const int> order, int width, int height, bool partial,
+                   unsigned worker);
+  void spots_of(const Try& how, unsigned worker, std::vector<Spot>& out) const;
+  const std::vector<int>& order(const Try& how);
+  int target(const Family& family, const Best& best, int depth) const;
+  void start(const Family& family, Best& best);
+  void descend(const Family& family, Best& best, const Try& how, std::span<const int> order);
+  bool settle(const Family& family, Best& best, Step& step);
+  template <class Make, class Done>
+  void go_through(std::size_t count, const Family& family, Best& best, Make make, Done done);
+  void change_orders(const Family& family, Best& best, std::vector<Leader>& leaders);
+
+  const Set& set_;
+  Set turned_;  // width and height swapped
+  bool rotate_;
+  unsigned threads_;
+  Budget& budget_;
+  std::vector<Try> portfolio_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  std::vector<int> all_;
+  std::vector<int> orders_[2][key_count];
+};
+
+}  // namespace etak::rects

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <numeric>
+
+#include "core/atlas/rects_pack.h"
+
+namespace etak::rects {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+struct Filler {
+  Filler(const Set& s, bool rotate, const Frame& frame, Budget& b)
+      : set(s), search(s, rotate, frame.threads, b) {}
+  const Set& set;
+  Search search;
+};
+
+struct Filled {
+  std::vector<int> left;
+  std::int64_t last_area = 0;  // in the last page
+};
+
+void take(const std::vector<Spot>& spots, int page, Packed& out, std::vector<int>& left) {
+  std::vector<int> rest;
+  for (const int i : left) {
+    if (spots[at(i)].x < 0) {
+      rest.push_back(i);
+      continue;
+    }
+    out.spots[at(i)] = spots[at(i)];
+    out.page_of[at(i)] = page;
+  }
+  left.swap(rest);
+}
+
+// One page after the other, all by entry `which` of the portfolio, or each by the entry that fills it best.
+// Gives up when more than `most` pages would be needed.
+Packed fill_all(Filler& filler, Budget& budget, const std::vector<Page>& pages, std::size_t most, int which,
+                Filled& filled) {
+  Packed out;
+  out.spots.assign(filler.set.items.size(), {-1, 0, false});
+  out.page_of.assign(filler.set.items.size(), -1);
+  filled.left.resize(filler.set.items.size());
+  std::iota(filled.left.begin(), filled.left.end(), 0);
+  std::vector<Spot> spots, best_spots;
+  const std::size_t tries = which < 0 ? std::min<std::size_t>(8, filler.search.entries()) : 1;
+  while (!filled.left.empty() && out.pages.size() < most) {
+    const Page page = pages[std::min(out.pages.size(), pages.size() - 1)];
+    std::int64_t best = -1;
+    for (std::size_t t = 0; t < tries; ++t) {
+      if (t > 0 && !budget.open()) break;
+      const std::size_t entry = which < 0 ? t : at(which);
+      const Outcome outcome = filler.search.fill(page.width, page.height, filled.left, entry, spots);
+      if (outcome.placed <= best) continue;
+      best = outcome.placed;
+      best_spots.swap(spots);
+      if (outcome.all) break;
+    }
+    // A page that takes nothing is left out; the one after it may be larger in the other direction.
+    const int index = static_cast<int>(out.pages.size());
+    out.pages.push_back(page);
+    filled.last_area = best;
+    take(best_spots, index, out, filled.left);
+    if (best <= 0 && out.pages.size() >= pages.size()) break;
+  }
+  return out;
+}
+
+// Drops pages nothing lies in.
+void drop_empty(Packed& packed) {
+  std::vector<int> number(packed.pages.size(), -1);
+  for (const int page : packed.page_of) number[at(page)] = 0;
+  std::vector<Page> kept;
+  for (std::size_t p = 0; p < number.size(); ++p) {
+    if (number[p] < 0) continue;
+    number[p] = static_cast<int>(kept.size());
+    kept.push_back(packed.pages[p]);
+  }
+  for (int& page : packed.page_of) page = number[at(page)];
+  packed.pages.swap(kept);
+}
+
+}  // namespace
+
+Packed pack_pages(const Set& set, const Frame& frame, int width, int height, Budget& budget) {
+  const std::int64_t page = std::int64_t{width} * height;
+  const auto least = static_cast<std::size_t>(std::max<std::int64_t>(1, (set.area + page - 1) / page));
+  Packed best;
+  std::int64_t best_last = 0;
+  for (int pass = 0; pass < (frame.rotate ? 2 : 1); ++pass) {
+    const bool rotate = pass == 1;
+    if (!rotate && (set.widest > width || set.tallest > height)) continue;
+    budget.allow(frame.effort);
+    Filler filler(set, rotate, frame, budget);
+    for (int which = -1; which < static_cast<int>(filler.search.entries()); ++which) {
+      if (!best.pages.empty() && (!budget.open() || best.pages.size() <= least)) break;
+      Filled filled;
+      const std::size_t most = best.pages.empty() ? set.items.size() : best.pages.size();
+      Packed packed = fill_all(filler, budget, {{width, height}}, most, which, filled);
+      if (!filled.left.empty()) continue;
+      // Of as many pages the one with the emptiest last page: the next rectangle goes there.
+      const bool better = best.pages.empty() || packed.pages.size() < best.pages.size() ||
+                          (packed.pages.size() == best.pages.size() && filled.last_area < best_last);
+      if (!better) continue;
+      packed.method = which < 0 ? "the fullest of 8 rules for each page"
+                                : portfolio(set.size(), rotate)[at(which)].name();
+      best = std::move(packed);
+      best_last = filled.last_area;
+    }
+  }
+  return best;
+}
+
+namespace {
+
+int power_below(int value) {
+  int out = 1;
+  while (out <= value / 2) out *= 2;
+  return out;
+}
+
+// Pages of powers of two with `total` texels, the largest first: full ones, then halves by halves.
+std::vector<Page> pages_of(std::int64_t total, int side, std::int64_t grain, bool lying) {
+  std::vector<Page> out;
+  int w = side, h = side;
+  while (total >= grain) {
+    const std::int64_t area = std::int64_t{w} * h;
+    if (area <= total) {
+      out.push_back({w, h});
+      total -= area;
+      continue;
+    }
+    if (area <= grain) break;
+    if (w == h) {
+      (lying ? h : w) /= 2;
+    } else {
+      w = h = std::min(w, h);
+    }
+  }
+  return out;
+}
+
+std::int64_t texels_of(const Packed& packed, const Frame& frame) {
+  std::int64_t out = 0;
+  for (std::size_t p = 0; p < packed.pages.size(); ++p) {
+    out += std::int64_t{power_of_two_texels(frame, packed.pages[p].width)} *
+           power_of_two_texels(frame, packed.pages[p].height);
+  }
+  return out;
+}
+
+// The extents of what lies in each page instead of the page.
+void shrink(const Set& set, Packed& packed) {
+  for (Page& page : packed.pages) page = {};
+  for (std::size_t i = 0; i < packed.spots.size(); ++i) {
+    Page& page = packed.pages[at(packed.page_of[i])];
+    const Spot& spot = packed.spots[i];
+    const RectSize& size = set.items[i];
+    page.width = std::max(page.width, spot.x + (spot.rotated ? size.height : size.width));
+    page.height = std::max(page.height, spot.y + (spot.rotated ? size.width : size.height));
+  }
+}
+
+}  // namespace
+
+Packed pack_mixed(const Set& set, const Frame& frame, Budget& budget) {
+  const int side_texels = power_below(frame.side_in_texels);
+  const int side = side_texels / frame.unit;
+  Packed best = pack_pages(set, frame, side, side, budget);
+  shrink(set, best);
+  best.method = "pages of one size, " + best.method;
+  std::int64_t best_texels = texels_of(best, frame);
+
+  const std::int64_t full = std::int64_t{side_texels} * side_texels;
+  const std::int64_t unit_area = std::int64_t{frame.unit} * frame.unit;
+  // The smallest step of the total: fine where there are few pages.
+  std::int64_t grain = std::max<std::int64_t>(1, full / 256);
+  while (grain * 512 < set.area * unit_area) grain *= 2;
+  for (int pass = 0; pass < (frame.rotate ? 2 : 1); ++pass) {
+    const bool rotate = pass == 1;
+    budget.allow(frame.effort);
+    Filler filler(set, rotate, frame, budget);
+    const auto holds = [&](std::int64_t total) {
+      const std::size_t rules = std::min<std::size_t>(4, filler.search.entries());
+      for (const bool lying : {true, false}) {
+        std::vector<Page> pages = pages_of(total, side_texels, grain, lying);
+        if (pages.empty()) continue;
+        for (Page& page : pages) page = {page.width / frame.unit, page.height / frame.unit};
+        for (int which = -1; which < static_cast<int>(rules); ++which) {
+          if (!budget.open()) return false;
+          Filled filled;
+          Packed packed = fill_all(filler, budget, pages, pages.size(), which, filled);
+          if (!filled.left.empty()) continue;
+          drop_empty(packed);
+          shrink(set, packed);
+          const std::int64_t texels = texels_of(packed, frame);
+          if (texels < best_texels) {
+            packed.method =
+                "sizes halved down, " + (which < 0 ? std::string("the fullest of 8 rules for each page")
+                                                   : portfolio(set.size(), rotate)[at(which)].name());
+            best = std::move(packed);
+            best_texels = texels;
+          }
+          return true;
+        }
+      }
+      return false;
+    };
+    // Totals from the least upward, with longer and longer steps.
+    std::int64_t total = (set.area * unit_area + grain - 1) / grain * grain;
+    for (std::int64_t step = grain; total < best_texels && budget.open(); total += step) {
+      if (holds(total)) break;
+      if (total > step * 32) step *= 2;
+    }
+  }
+  return best;
+}
+
+}  // namespace etak::rects

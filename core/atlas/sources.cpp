@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/color/srgb.h"
+#include "core/material/f0.h"
+
+namespace etak {
+namespace {
+
+constexpr double largest_exponent = 1e12;  // roughness 0 has none; this is far beyond any texture's codes
+
+std::string size_text(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
+class Resolver {
+ public:
+  Resolver(const AtlasManifest& manifest, const MaterialLibrary& library, std::optional<GlossForm> gloss,
+           const PictureDoor& door)
+      : manifest_(manifest), library_(library), door_(door) {
+    out_.gloss = gloss.value_or(manifest.gloss);
+  }
+
+  PackInputs resolve() {
+    for (const ManifestMaterial& m : manifest_.materials) add(m);
+    return std::move(out_);
+  }
+
+ private:
+  void add(const ManifestMaterial& m) {
+    PackInput in;
+    in.name = m.name;
+    in.alpha_mode = m.alpha_mode;
+    in.alpha_cutoff = m.alpha_cutoff;
+    in.normal.path = m.normal;
+    in.normal.door = &door_;
+    if (!m.normal.empty() && out_.gloss != GlossForm::schueler)
+      out_.remarks.push_back(m.name +
+                             ": its normal map plays no part: normals widen gloss of the form schueler only");
+    constexpr auto a = static_cast<std::size_t>(Texture::diffuse_alpha);
+    constexpr auto b = static_cast<std::size_t>(Texture::specular_gloss);
+    if (m.base_color)
+      metallic(m, in);
+    else {
+      in.color[a] = m.diffuse ? color(m, *m.diffuse, "diffuse") : PlaneSource{};
+      in.color[b] = color(m, *m.specular, "specular");
+    }
+    in.grey[a] =
+        m.alpha && m.alpha_mode != AlphaMode::opaque ? grey(m, *m.alpha, "alpha", nullptr) : fixed_grey(255);
+    in.grey[b] = gloss_plane(m);
+    sizes(m, in);
+    facts(in);
+    out_.materials.push_back(std::move(in));
+  }
+
+  static PlaneSource fixed_grey(std::uint8_t code) {
+    PlaneSource out;
+    out.color = false;
+    out.pick = {0, 0, 0};
+    out.constant = {code, code, code};
+    return out;
+  }
+
+  PlaneSource gloss_plane(const ManifestMaterial& m) {
+    const GlossForm from = m.roughness ? GlossForm::roughness : manifest_.gloss, to = out_.gloss;
+    std::shared_ptr<CodeCurve> curve;
+    if (from != to) {
+      curve = std::make_shared<CodeCurve>();
+      curve->apply = [from, to](double v) { return converted_gloss(v, from, to); };
+    }
+    return grey(m, m.roughness ? *m.roughness : *m.gloss, m.roughness ? "roughness" : "gloss", curve);
+  }
+
+  PlaneSource grey(const ManifestMaterial& m, const TextureSource& source, const char* role,
+                   std::shared_ptr<const CodeCurve> curve) {
+    PlaneSource out = fixed_grey(0);
+    if (const auto* constant = std::get_if<ConstantSource>(&source)) {
+      const double value = constant->linear.r, encoded = curve ? curve->apply(value) : value;
+      note_clamped(m, role, encoded);
+      out.constant.fill(static_cast<std::uint8_t>(255 * std::clamp(encoded, 0.0, 1.0) + 0.5));
+      return out;
+    }
+    const auto& image = std::get<ImageSource>(source);
+    out.path = image.path;
+    out.door = &door_;
+    out.curve = std::move(curve);
+    if (!image.channels.empty()) out.pick.fill(channel(image.channels[0])), out.picked = true;
+    if (!image.space.empty() && image.space != "linear")
+      throw Error::at(m.place + '/' + role + "/space", printable(image.space), "linear, or nothing");
+    return out;
+  }
+
+  static int channel(char letter) { return static_cast<int>(std::string_view("rgba").find(letter)); }
+
+  PlaneSource color(const ManifestMaterial& m, const TextureSource& source, const char* role) {
+    PlaneSource out;
+    if (const auto* constant = std::get_if<ConstantSource>(&source)) {
+      const Srgb8 codes = constant->codes ? *constant->codes : srgb_u8(constant->linear);
+      out.constant = {codes.r, codes.g, codes.b};
+      return out;
+    }
+    if (const auto* material = std::get_if<LibrarySource>(&source)) {
+      const Srgb8 codes = library_color(m, *material, role);
+      out.constant = {codes.r, codes.g, codes.b};
+      return out;
+    }
+    const auto& image = std::get<ImageSource>(source);
+    out.path = image.path;
+    out.door = &door_;
+    out.curve = color_curve(m, image.space, role);
+    if (!image.channels.empty()) {
+      out.picked = true;
+      for (std::size_t i = 0; i < 3; ++i) out.pick[i] = channel(image.channels[i]);
+    }
+    return out;
+  }
+
+  static std::shared_ptr<const CodeCurve> color_curve(const ManifestMaterial& m, const std::string& space,
+                                                      const char* role) {
+    static const std::shared_ptr<const CodeCurve> floats_linear = [] {
+      // Codes of files of 8 and 16 bits are sRGB-encoded already; numbers of EXR and HDR files are linear.
+      auto curve = std::make_shared<CodeCurve>();
+      curve->apply_float = [](double v) { return srgb_encode(v); };
+      return curve;
+    }();
+    if (space.empty() || space == "srgb") return space.empty() ? floats_linear : nullptr;
+    auto curve = std::make_shared<CodeCurve>();
+    if (space == "linear")
+      curve->apply = [](double v) { return srgb_encode(v); };
+    else if (space == "power-2.2")
+      curve->apply = [](double v) { return srgb_encode(std::pow(std::max(v, 0.0), 2.2)); };
+    else
+      throw Error::at(m.place + '/' + role + "/space", printable(space), "srgb, linear or power-2.2");
+    return curve;
+  }
+
+  Srgb8 library_color(const ManifestMaterial& m, const LibrarySource& source, const char* role) {
+    const std::string place = m.place + '/' + role;
+    const auto material = library_.find(source.material);
+    if (!material) {
+      std::string nearest;
+      for (const std::string& id : library_.nearest(source.material))
+        nearest += (nearest.empty() ? "" : ", ") + id;
+      throw Error::at(place, "no material of the library is called " + printable(source.material),
+                      "a file name with its ending, or one of the nearest names: " + nearest);
+    }
+    const bool diffuse = std::string_view(role) == "diffuse";
+    const Dataset* dataset = &material->preferred_dataset();
+    if (!source.dataset.empty()) dataset = material->dataset(source.dataset);
+    if (dataset == nullptr)
+      throw Error::at(place, printable(source.dataset), "a dataset of " + material->id + ", see etak show");
+    if (diffuse && !std::holds_alternative<Reflectance>(dataset->optics))
+      throw Error::at(place, material->id + " has n and k, which say nothing of a diffuse colour",
+                      "a material with measured reflectance");
+    F0Options options;
+    options.outside = outside(place, source.outside);
+    const F0Result result = F0Solver(std::move(options)).solve(dataset->optics, dataset->flags);
+    if (result.refused()) throw Error::at(place, material->id + ": " + result.refusal);
+    const LinearRgb& c = result.srgb_linear;
+    for (const double v : {c.r, c.g, c.b})
+      if (v < 0 || v > 1) {
+        out_.remarks.push_back(m.name + ": " + material->id + " is outside of sRGB (" + number(c.r, 4) +
+                               ", " + number(c.g, 4) + ", " + number(c.b, 4) +
+                               " linear); brought back to 0..1");
+        break;
+      }
+    return result.srgb8;
+  }
+
+  OutsideMedium outside(const std::string& place, const std::string& text) {
+    OutsideMedium medium;
+    if (text.empty()) return medium;
+    medium.label = text;
+    if (double index = 0; parse_number(text, index)) {
+      if (!(index > 0))
+        throw Error::at(place + "/outside", text, "an index of refraction above 0, or a material");
+      medium.index = index;
+      return medium;
+    }
+    const auto material = library_.find(text);
+    const auto* constants =
+        material ? std::get_if<OpticalConstants>(&material->preferred_dataset().optics) : nullptr;
+    if (constants == nullptr)
+      throw Error::at(place + "/outside", printable(text),
+                      "a transparent material of the library, or a number");
+    medium.index = *constants;
+    return medium;
+  }
+
+  // Base colour and metalness: diffuse = c (1 - m), F0 = 0.04 (1 - m) + c m, in linear light.
+  void metallic(const ManifestMaterial& m, PackInput& in) {
+    const PlaneSource base = color(m, *m.base_color, "basecolor");
+    const PlaneSource metal = m.metallic ? grey(m, *m.metallic, "metallic", nullptr) : fixed_grey(0);
+    in.color[0] = base;
+    metal_ = metal;
+    base_ = base;
+    in.streamed = false;
+  }
+
+  // The size that all pictures share.
+  void sizes(const ManifestMaterial& m, PackInput& in) {
+    std::vector<const PlaneSource*> planes{&in.color[0], &in.grey[0], &in.color[1], &in.grey[1]};
+    if (m.base_color) planes.push_back(&metal_);
+    std::string first;
+    for (const PlaneSource* plane : planes) {
+      if (!plane->is_image()) continue;
+      const PictureHeader header = picture_header(plane->path, door_);
+      in.files.push_back(plane->path);
+      if (m.width && (header.width != *m.width || (m.height && header.height != *m.height)))
+        throw Error::at(plane->path, "is " + size_text(header.width, header.height),
+                        size_text(*m.width, m.height.value_or(header.height)) + ", as " + m.place + " says");
+      if (!first.empty() && (header.width != in.width || header.height != in.height))
+        throw Error::at(
+            plane->path, "is " + size_text(header.width, header.height),
+            size_text(in.width, in.height) + " like " + first + ", which is of the same material");
+      in.width = header.width;
+      in.height = header.height;
+      in.streamed = in.streamed && header.strips;
+      first = plane->path;
+    }
+    if (first.empty()) in.width = m.width.value_or(1), in.height = m.height.value_or(1);
+    if (m.base_color) set_metallic(in);
+  }
+
+  void set_metallic(PackInput& in) {
+    const auto planes = std::make_shared<std::array<PlaneSource, 4>>(
+        std::array<PlaneSource, 4>{base_, in.grey[0], metal_, in.grey[1]});
+    const int width = in.width, height = in.height;
+    in.convert = [planes, width, height](std::vector<std::string>&) {
+      MaterialPair out{Image8(width, height, 4), Image8(width, height, 4)};
+      std::array<FileBytes, 4> files;
+      std::vector<PlaneRows> rows;
+      for (std::size_t i = 0; i < 4; ++i) rows.emplace_back((*planes)[i], files[i]);
+      for (int y = 0; y < height; ++y) {
+        std::array<const std::uint8_t*, 4> at{};
+        for (std::size_t i = 0; i < 4; ++i) at[i] = (*planes)[i].is_image() ? rows[i].read(1) : nullptr;
+        auto* a = out.diffuse_alpha.at(0, y).data();
+        auto* b = out.specular_gloss.at(0, y).data();
+        const auto texels = static_cast<std::size_t>(width);
+        interleave(a, texels, at[0], rows[0], at[1], rows[1]);
+        interleave(b, texels, at[2], rows[2], at[3], rows[3]);
+        for (std::size_t x = 0; x < texels; ++x) {
+          const double metal = b[4 * x] / 255.0;
+          for (std::size_t c = 0; c < 3; ++c) {
+            const double base = srgb_decode(a[4 * x + c] / 255.0);
+            a[4 * x + c] = srgb_u8(base * (1 - metal));
+            b[4 * x + c] = srgb_u8(0.04 + (base - 0.04) * metal);
+          }
+        }
+      }
+      return out;
+    };
+    in.color[1] = PlaneSource{};
+  }
+
+  static std::string plane_text(const PlaneSource& p) {
+    std::string out = p.path + '|' + (p.curve ? "c" : "-");
+    for (const int pick : p.pick) out += std::to_string(pick);
+    for (const std::uint8_t code : p.constant) out += ',' + std::to_string(code);
+    return out;
+  }
+
+  // A material of numbers alone is known before anything is read.
+  static void facts(PackInput& in) {
+    MaterialFacts& f = in.facts;
+    f.name = in.name;
+    f.width = in.width;
+    f.height = in.height;
+    f.opaque = in.alpha_mode == AlphaMode::opaque;
+    f.crop = {0, 0, in.width, in.height};
+    for (std::size_t t = 0; t < 2; ++t) f.source += plane_text(in.color[t]) + plane_text(in.grey[t]);
+    if (in.convert) f.source += in.name;
+    if (!in.files.empty() || in.convert) return;
+    f.learned = true;
+    for (std::size_t t = 0; t < 2; ++t) {
+      const std::array<std::uint8_t, 4> texel{in.color[t].constant[0], in.color[t].constant[1],
+                                              in.color[t].constant[2], in.grey[t].constant[0]};
+      add_texels(f.range, both_textures[t], texel.data(), 1);
+      std::uint64_t packed = 0;
+      for (const std::uint8_t code : texel) packed = packed << 8 | code;
+      (t == 0 ? f.color_hash : f.specular_hash) = {packed, std::numeric_limits<std::uint64_t>::max()};
+    }
+  }
+
+  void note_clamped(const ManifestMaterial& m, const char* role, double encoded) {
+    if (encoded < 0 || encoded > 1)
+      out_.remarks.push_back(m.name + ": " + role + " comes out as " + number(encoded, 4) + " in the form " +
+                             std::string(name(out_.gloss)) + "; brought back to 0..1");
+  }
+
+  const AtlasManifest& manifest_;
+  const MaterialLibrary& library_;
+  const PictureDoor& door_;
+  PackInputs out_;
+  PlaneSource base_, metal_;
+};
+
+}  // namespace
+
+double converted_gloss(double value, GlossForm from, GlossForm to) {
+  if (from == to) return value;
+  double roughness = value;
+  if (from == GlossForm::one_minus_roughness) roughness = 1 - value;
+  if (from == GlossForm::schueler) {
+    const double exponent = std::exp2(12 * value);
+    roughness = std::pow(2 / (exponent + 2), 0.25);
+  }
+  if (to == GlossForm::roughness) return roughness;
+  if (to == GlossForm::one_minus_roughness) return 1 - roughness;
+  const double alpha_squared = roughness * roughness * roughness * roughness;
+  const double exponent = alpha_squared > 0 ? 2 / alpha_squared - 2 : largest_exponent;
+  // Exponents at or below 0 (roughness 1) have no g; they are as far below as any.
+  return std::log2(std::max(exponent, 1 / largest_exponent)) / 12;
+}
+
+PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,
+                            std::optional<GlossForm> gloss, const PictureDoor& door, const SpaceOpener&) {
+  return Resolver(manifest, library, gloss, door).resolve();
+}
+
+}  // namespace etak

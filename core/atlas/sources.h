@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/atlas/channels.h"
+#include "core/atlas/leave_out.h"
+#include "core/atlas/manifest.h"
+#include "core/atlas/plane.h"
+#include "core/material/library.h"
+
+namespace etak {
+
+/// Both textures of a material in memory, of one size, RGBA.
+struct MaterialPair {
+  Image8 diffuse_alpha, specular_gloss;
+  const Image8& of(Texture texture) const {
+    return texture == Texture::diffuse_alpha ? diffuse_alpha : specular_gloss;
+  }
+};
+
+/// A material as the packer reads it: two planes a texture that can be read in strips, or a function that
+/// makes the whole pair.
+struct PackInput {
+  std::string name;
+  int width = 1, height = 1;
+  AlphaMode alpha_mode = AlphaMode::blend;
+  double alpha_cutoff = 0.5;
+  PlaneSource normal;                      // tangent-space normal map, or a constant for none
+  std::array<PlaneSource, 2> color, grey;  // by Texture
+  std::function<MaterialPair(std::vector<std::string>& remarks)> convert;  // set: in place of the planes
+  MaterialFacts facts;
+  bool streamed = true;                                // every picture can be read in strips
+  std::array<Wrap, 2> wrap{Wrap::clamp, Wrap::clamp};  // what lies beyond the picture's edges, by axis
+  bool own_page = false;           // tiles over a surface, which only a page of its own can do
+  int document_index = -1;         // in a glTF
+  std::vector<std::string> files;  // all that are read
+
+  bool repeats() const { return wrap[0] == Wrap::repeat && wrap[1] == Wrap::repeat; }
+};
+
+struct PackInputs {
+  GlossForm gloss = GlossForm::schueler;  // what comes out
+  std::vector<PackInput> materials;
+  std::vector<std::string> remarks;  // what had to be changed
+  std::string settings;              // everything but the files' bytes that decides the result
+};
+
+/// Opens a colour space that etak does not have itself: linear sRGB from its values, `count` pixels of three
+/// in place.
+using SpaceOpener =
+    std::function<std::function<void(float* rgb, std::size_t count)>(const std::string& name)>;
+
+/// Turns manifest entries into inputs: sizes from the headers, constants and library materials into codes.
+///   gloss   what texture B is to hold; as in the manifest where not given
+///   door    must outlive the inputs
+/// Throws Error: files that are missing or of different sizes, unknown materials, spaces and channels.
+PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,
+                            std::optional<GlossForm> gloss, const PictureDoor& door,
+                            const SpaceOpener& open_space);
+
+/// One form of gloss as another, both in [0, 1]. The result may leave [0, 1]: g of very smooth and very rough
+/// surfaces.
+///   from   e = 2 / alpha^2 - 2 (Beckmann width alpha = roughness^2 against Blinn-Phong's exponent), Walter
+///          et al. 2007, Microfacet Models for Refraction; e = 2^(12 g) Schueler 2009
+double converted_gloss(double value, GlossForm from, GlossForm to);
+
+}  // namespace etak

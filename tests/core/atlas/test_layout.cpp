@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include "core/atlas/layout.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+AtlasLayout layout() {
+  AtlasLayout out;
+  out.gloss = GlossForm::one_minus_roughness;
+  out.levels = 3;
+  AtlasPage page{64, 32, {}};
+  page.files[0] = {"page0_diffuse_alpha.png", "page0_diffuse_alpha.ktx2"};
+  out.pages.push_back(page);
+  AtlasRect rect;
+  rect.name = "a \"quoted\" name\n";
+  rect.x = 4, rect.y = 8, rect.width = 10, rect.height = 20;
+  rect.rotated = true;
+  rect.crop = {1, 2, 20, 10};
+  rect.source_width = 30, rect.source_height = 40;
+  rect.gutter = 2, rect.mips = 2;
+  rect.inset = 0.5;
+  rect.repeats = true;
+  rect.island = 3;
+  out.rects.push_back(rect);
+  AtlasMaterialRow row;
+  row.name = rect.name;
+  row.alpha_mode = AlphaMode::mask;
+  row.alpha_cutoff = 0.25;
+  row.constant[4] = 56;
+  row.defines = {"ETAK_SCALAR_F0"};
+  out.materials.push_back(row);
+  out.settings_hash = "12", out.content_hash = "34";
+  out.other_files = {"scene.gltf"};
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a layout reads back as it was written") {
+  CHECK(parse_layout(layout_json(layout()), "l") == layout());
+}
+
+TEST_CASE("a layout that is wrong is told where") {
+  const auto fault = [](const std::string& from, const std::string& to) {
+    std::string text = layout_json(layout());
+    const auto at = text.find(from);
+    REQUIRE(at != text.npos);
+    text.replace(at, from.size(), to);
+    return error_of([&] { (void)parse_layout(text, "l.json"); });
+  };
+  CHECK(contains(fault("etak-atlas-layout/1", "other"), "l.json#/: not an atlas layout"));
+  CHECK(contains(fault("\"page\": 0", "\"page\": 1"), "#/rects/0/page"));
+  CHECK(contains(fault("\"w\": 10", "\"w\": 0"), "#/rects/0/w"));
+  CHECK(contains(fault("\"specular_r\": 56", "\"specular_r\": 256"), "#/materials/0/constant/specular_r"));
+  CHECK(contains(error_of([] { (void)parse_layout("[]", "l.json"); }), "l.json"));
+}

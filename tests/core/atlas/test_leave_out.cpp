@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "core/atlas/leave_out.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+// All channels vary from 0 to 255 but those named constant.
+MaterialFacts facts(const std::string& name, int side,
+                    const std::vector<std::pair<std::size_t, int>>& constant = {}) {
+  MaterialFacts f;
+  f.name = f.source = name;
+  f.width = f.height = side;
+  f.crop = {0, 0, side, side};
+  f.learned = true;
+  f.range.least.fill(0);
+  f.range.most.fill(255);
+  for (const auto& [channel, code] : constant)
+    f.range.least[channel] = f.range.most[channel] = static_cast<std::uint8_t>(code);
+  static std::uint64_t unique = 0;
+  f.color_hash = {++unique, 0};
+  f.specular_hash = {unique, 1};
+  return f;
+}
+
+const LeaveOutLine* line(const LeaveOut& out, const std::string& what) {
+  for (const LeaveOutLine& each : out.lines)
+    if (each.what == what) return &each;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("a scene that needs everything loses nothing") {
+  const LeaveOut out = leave_out({facts("a", 16), facts("b", 8)}, {});
+  CHECK(out.lines.empty());
+  CHECK(out.before == out.after);
+  CHECK(out.before.texels == 2 * (256 + 64));
+  CHECK(out.before.channel_texels == 8 * (256 + 64));
+}
+
+TEST_CASE("what is not reached, not seen or the same everywhere goes, each with its texels") {
+  std::vector<MaterialFacts> m{
+      facts("opaque", 16, {{3, 255}, {4, 56}, {5, 56}, {6, 56}}), facts("unused", 32),
+      facts("flat", 8, {{0, 9}, {1, 9}, {2, 9}, {3, 255}, {4, 1}, {5, 2}, {6, 3}, {7, 4}})};
+  m[0].opaque = true;
+  m[0].crop = {4, 4, 8, 8};
+  m[1].reached = false;
+  const LeaveOut out = leave_out(m, {});
+  CHECK(line(out, "unreached")->texels == 2 * 32 * 32);
+  CHECK(line(out, "alpha")->channel_texels == 256);
+  CHECK(line(out, "constant")->texels == 2 * 64);
+  CHECK(line(out, "constant")->channel_texels == 3 * 256 + 8 * 64);
+  CHECK(line(out, "crop")->texels == 2 * (256 - 64));
+  CHECK(out.after.texels == 2 * 64);
+  CHECK(out.after.channel_texels == 4 * 64);
+  CHECK(out.fates[0].constant[4] == 56);
+  CHECK_FALSE(out.fates[2].texels);
+  CHECK(out.fates[2].constant[7] == 4);
+}
+
+TEST_CASE("--keep switches each line off") {
+  std::vector<MaterialFacts> m{facts("a", 16, {{3, 255}}), facts("b", 16)};
+  m[0].opaque = true;
+  m[0].crop = {0, 0, 4, 4};
+  m[1].reached = false;
+  for (const std::string_view what : leave_out_names) {
+    LeaveOutOptions options;
+    options.keep = {std::string(what)};
+    CHECK(line(leave_out(m, options), std::string(what)) == nullptr);
+  }
+  LeaveOutOptions all;
+  all.keep = parse_keep({"all"});
+  CHECK(leave_out(m, all).lines.empty());
+  CHECK(
+      contains(error_of([] { (void)parse_keep({"gutter"}); }), "--keep: gutter; expected unreached, equal"));
+}
+
+TEST_CASE("an opaque material uses the texels of one that needs alpha, not the other way round") {
+  std::vector<MaterialFacts> m{facts("opaque", 16), facts("blend", 16), facts("other alpha", 16)};
+  m[0].opaque = true;
+  for (MaterialFacts& each : m) each.color_hash = {7, 7}, each.specular_hash = {8, 8};
+  m[1].alpha_hash = {1, 1};
+  m[2].alpha_hash = {2, 2};
+  m[0].crop = {0, 0, 4, 4};
+  m[1].crop = {8, 8, 4, 4};
+  const LeaveOut out = leave_out(m, {});
+  CHECK(out.fates[0].owner == 1);
+  CHECK(out.fates[1].owner == 1);
+  CHECK(out.fates[2].owner == 2);
+  CHECK(out.fates[1].boxes == std::vector<PixelBox>{{0, 0, 12, 12}});
+}
+
+TEST_CASE("islands are taken only where they are fewer texels than the box around them") {
+  std::vector<MaterialFacts> m{facts("a", 100)};
+  m[0].crop = {0, 0, 100, 100};
+  m[0].islands = {{0, 0, 10, 10}, {90, 90, 10, 10}};
+  LeaveOutOptions options;
+  CHECK(leave_out(m, options).fates[0].boxes.size() == 1);
+  options.islands = true;
+  const LeaveOut out = leave_out(m, options);
+  CHECK(out.fates[0].boxes.size() == 2);
+  CHECK(out.after.texels == 2 * 200);
+  m[0].crop = {0, 0, 12, 10};
+  m[0].islands = {{0, 0, 10, 10}, {2, 0, 10, 10}};
+  CHECK(leave_out(m, options).fates[0].boxes.size() == 1);
+}
+
+TEST_CASE("the lines of a report add up to what is gone") {
+  std::mt19937 random(5);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<MaterialFacts> m;
+    for (int i = 0; i < 6; ++i) {
+      MaterialFacts f = facts("m" + std::to_string(i), 4 << (random() % 4));
+      for (std::size_t c = 0; c < channel_count; ++c)
+        if (random() % 2) f.range.least[c] = f.range.most[c] = 3;
+      f.opaque = random() % 2;
+      if (f.opaque) f.range.least[3] = f.range.most[3] = 255;
+      f.reached = random() % 4 != 0;
+      f.learned = random() % 5 != 0;
+      if (random() % 3 == 0 && i > 0) {
+        f.color_hash = m[0].color_hash, f.specular_hash = m[0].specular_hash, f.source = m[0].source;
+        f.width = f.height = m[0].width;
+        f.range = m[0].range;
+      }
+      f.crop = {0, 0, 1 + static_cast<int>(random()) % f.width, f.height};
+      if (f.crop.width < 1) f.crop.width = f.width;
+      m.push_back(f);
+    }
+    LeaveOutOptions options;
+    options.islands = true;
+    const LeaveOut out = leave_out(m, options);
+    TexelAccount gone;
+    for (const LeaveOutLine& each : out.lines) {
+      gone.texels += each.texels;
+      gone.channel_texels += each.channel_texels;
+      CHECK(each.bytes == 4 * each.texels);
+    }
+    CHECK(out.before.texels == out.after.texels + gone.texels);
+    CHECK(out.before.channel_texels == out.after.channel_texels + gone.channel_texels);
+    for (std::size_t i = 0; i < m.size(); ++i)
+      if (out.fates[i].texels) {
+        const MaterialFate& owner = out.fates[out.fates[i].owner];
+        CHECK(owner.owner == out.fates[i].owner);
+        CHECK(owner.texels);
+      }
+  }
+}

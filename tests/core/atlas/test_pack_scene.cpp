@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "core/atlas/gltf_convert.h"
+#include "core/atlas/pack.h"
+#include "core/color/srgb.h"
+#include "core/image/load.h"
+#include "core/scene/gltf.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+const MaterialLibrary& library() {
+  static const MaterialLibrary built_in = MaterialLibrary::builtin();
+  return built_in;
+}
+
+std::optional<std::string> asset(const std::string& name) {
+  const auto shared = shared_folder();
+  if (!shared) {
+    WARN("no shared folder: scenes not packed");
+    return std::nullopt;
+  }
+  return *shared + "/data/assets/" + name;
+}
+
+const std::vector<std::string> real_scenes{"flight_helmet/FlightHelmet.gltf",
+                                           "tennis_racquet/TennisRacquet.gltf",
+                                           "wicker_chair/WickerChair.gltf", "mixer/Mixer.gltf"};
+
+Image8 picture_of(const GltfImage& image) {
+  const std::string bytes = image.path.empty() ? image.bytes : slurp(image.path);
+  return std::get<Image8>(load_picture(bytes, image.label).pixels);
+}
+
+// The pictures of a scene, read when first asked for.
+class Pictures {
+ public:
+  explicit Pictures(const GltfScene& scene) : scene_(scene) {}
+  const Image8& operator()(int image) {
+    const auto found = pictures_.find(image);
+    if (found != pictures_.end()) return found->second;
+    return pictures_[image] = picture_of(scene_.images[static_cast<std::size_t>(image)]);
+  }
+
+ private:
+  const GltfScene& scene_;
+  std::map<int, Image8> pictures_;
+};
+
+double wrapped(double at, int size, Wrap wrap) {
+  if (wrap == Wrap::clamp) return std::clamp(at, 0.0, size - 1.0);
+  const double period = wrap == Wrap::mirrored ? 2.0 * size : size;
+  const double in = at - std::floor(at / period) * period;
+  return in < size ? in : period - 1 - in;
+}
+
+// Bilinear, of codes as numbers, which is enough to see a texel out of its place.
+std::array<double, 4> lookup(const Image8& image, const GltfTexture& texture,
+                             const std::array<float, 2>& uv) {
+  const Uv at = transformed(texture.transform, {double{uv[0]}, double{uv[1]}});
+  const double u = at[0] * image.width - 0.5, v = at[1] * image.height - 0.5;
+  const double left = std::floor(u), top = std::floor(v);
+  std::array<double, 4> sum{};
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 2; ++i) {
+      const double share = (i == 0 ? 1 - (u - left) : u - left) * (j == 0 ? 1 - (v - top) : v - top);
+      const int x = static_cast<int>(wrapped(left + i, image.width, texture.sampler.wrap_u));
+      const int y = static_cast<int>(wrapped(top + j, image.height, texture.sampler.wrap_v));
+      for (std::size_t c = 0; c < static_cast<std::size_t>(image.channels); ++c)
+        sum[c] += share * image.at(x, y)[c];
+    }
+  return sum;
+}
+
+std::array<double, 3> code_of(const std::array<double, 3>& linear) {
+  std::array<double, 3> out;
+  for (std::size_t c = 0; c < 3; ++c) out[c] = 255 * srgb_encode(linear[c]);
+  return out;
+}
+
+// What a triangle's corner looks like: diffuse, alpha, F0 and roughness in codes.
+struct Look {
+  std::array<double, 8> codes{};
+};
+
+Look look_of(const GltfMaterial& m, const MaterialPair& pair, const std::array<float, 2>& uv) {
+  Look out;
+  const GltfTexture* lead = leading_texture(m);
+  const GltfTexture any = lead ? *lead : GltfTexture{};
+  const auto a = lookup(pair.diffuse_alpha, any, uv), b = lookup(pair.specular_gloss, any, uv);
+  for (std::size_t c = 0; c < 4; ++c) out.codes[c] = a[c], out.codes[4 + c] = b[c];
+  if (m.alpha_mode == AlphaMode::opaque) out.codes[3] = 255;
+  out.codes[7] = 255 - out.codes[7];
+  return out;
+}
+
+// The same from the packed scene, whose material reads several page pictures with factors.
+Look packed_look(const GltfMaterial& m, Pictures& pictures, const std::array<float, 2>& uv) {
+  Look out;
+  const auto base = code_of({m.base_color[0], m.base_color[1], m.base_color[2]});
+  const auto f0 = code_of({m.specular_color[0], m.specular_color[1], m.specular_color[2]});
+  for (std::size_t c = 0; c < 3; ++c) out.codes[c] = base[c], out.codes[4 + c] = f0[c];
+  out.codes[3] = m.alpha_mode == AlphaMode::opaque ? 255 : 255 * m.base_color[3];
+  out.codes[7] = 255 * m.roughness;
+  if (m.base_color_texture) {
+    const auto a = lookup(pictures(m.base_color_texture->image), *m.base_color_texture, uv);
+    for (std::size_t c = 0; c < 3; ++c) out.codes[c] = a[c];
+    if (m.alpha_mode != AlphaMode::opaque) out.codes[3] = a[3];
+  }
+  if (m.specular_color_texture) {
+    const auto b = lookup(pictures(m.specular_color_texture->image), *m.specular_color_texture, uv);
+    for (std::size_t c = 0; c < 3; ++c) out.codes[4 + c] = b[c];
+  }
+  if (m.metallic_roughness_texture)
+    out.codes[7] =
+        lookup(pictures(m.metallic_roughness_texture->image), *m.metallic_roughness_texture, uv)[1];
+  return out;
+}
+
+// Largest difference in codes between a scene and its packed form over the corners and centres of triangles.
+double worst_difference(const std::string& path, const std::string& packed_path) {
+  const GltfScene before = read_gltf(path, {}), after = read_gltf(packed_path, {});
+  REQUIRE(before.uses.size() == after.uses.size());
+  Pictures old_pictures(before), new_pictures(after);
+  std::map<int, MaterialPair> pairs;
+  double worst = 0;
+  for (std::size_t u = 0; u < before.uses.size(); ++u) {
+    const GltfUse &from = before.uses[u], &to = after.uses[u];
+    const GltfMaterial& m = before.materials[static_cast<std::size_t>(from.material)];
+    const GltfMaterial& p = after.materials[static_cast<std::size_t>(to.material)];
+    REQUIRE(m.name == p.name);
+    auto [pair, fresh] = pairs.try_emplace(from.material);
+    std::size_t clamped = 0;
+    if (fresh)
+      pair->second = scene_material_pair(
+          m, [&](int image) -> const Image8& { return old_pictures(image); }, GlossForm::one_minus_roughness,
+          false, clamped);
+    const GltfTexture *lead = leading_texture(m), *new_lead = leading_texture(p);
+    if (lead == nullptr) continue;
+    const auto& old_uvs = from.uv[lead->uv_set];
+    const auto& new_uvs = to.uv[new_lead == nullptr ? lead->uv_set : new_lead->uv_set];
+    REQUIRE(old_uvs.size() == new_uvs.size());
+    for (std::size_t t = 0; t < old_uvs.size(); t += std::max<std::size_t>(1, old_uvs.size() / 4000)) {
+      const auto middle = [](const std::array<std::array<float, 2>, 3>& uv) {
+        return std::array<float, 2>{(uv[0][0] + uv[1][0] + uv[2][0]) / 3,
+                                    (uv[0][1] + uv[1][1] + uv[2][1]) / 3};
+      };
+      for (int k = 0; k < 4; ++k) {
+        const auto a = k < 3 ? old_uvs[t][static_cast<std::size_t>(k)] : middle(old_uvs[t]);
+        const auto b = k < 3 ? new_uvs[t][static_cast<std::size_t>(k)] : middle(new_uvs[t]);
+        const Look x = look_of(m, pair->second, a), y = packed_look(p, new_pictures, b);
+        for (std::size_t c = 0; c < 8; ++c) worst = std::max(worst, std::abs(x.codes[c] - y.codes[c]));
+      }
+    }
+  }
+  return worst;
+}
+
+PackReport pack_scene(const std::string& path, const std::string& out, bool islands) {
+  PackOptions options;
+  options.islands = islands;
+  options.threads = 2;
+  options.door.load_bytes = [](std::string_view bytes,
+                               const std::string& label) -> std::variant<Image8, Image> {
+    return std::get<Image8>(load_picture(bytes, label).pixels);
+  };
+  return pack(path, out, options, library());
+}
+
+}  // namespace
+
+TEST_CASE("real scenes keep at most 60 % of two full-size textures, 45 % with islands, and look the same") {
+  if (!asset("")) return;
+  for (const bool islands : {false, true}) {
+    TexelAccount before, after;
+    for (const std::string& name : real_scenes) {
+      const TempFolder folder;
+      const PackReport report = pack_scene(*asset(name), folder.file("out"), islands);
+      before.channel_texels += report.left_out.before.channel_texels;
+      after.channel_texels += report.left_out.after.channel_texels;
+      INFO(name << (islands ? " with islands" : ""));
+      CHECK(worst_difference(*asset(name), folder.file("out/scene.gltf")) <= 1);
+    }
+    const double share =
+        static_cast<double>(after.channel_texels) / static_cast<double>(before.channel_texels);
+    CHECK(share <= (islands ? 0.45 : 0.60));
+  }
+}
+
+TEST_CASE("every planted fact of the synthetic scene is found") {
+  if (!asset("")) return;
+  const TempFolder folder;
+  const PackReport report = pack_scene(*asset("synthetic_a/scene.gltf"), folder.file("out"), false);
+  const AtlasLayout layout = parse_layout(slurp(folder.file("out/layout.json")), "layout.json");
+  const auto row = [&](const std::string& name) {
+    const auto found = std::find_if(layout.materials.begin(), layout.materials.end(),
+                                    [&](const auto& m) { return m.name == name; });
+    REQUIRE(found != layout.materials.end());
+    return *found;
+  };
+  const auto rect = [&](const std::string& name) {
+    const auto found =
+        std::find_if(layout.rects.begin(), layout.rects.end(), [&](const auto& r) { return r.name == name; });
+    REQUIRE(found != layout.rects.end());
+    return *found;
+  };
+  // One material is not reached, two are of one colour, two have the same pixels, one tiles.
+  CHECK(std::none_of(layout.materials.begin(), layout.materials.end(),
+                     [](const auto& m) { return m.name == "m07"; }));
+  CHECK_FALSE(row("m01").texels);
+  CHECK_FALSE(row("m02").texels);
+  const std::array<int, 8> flat{220, 48, 148, 255, 56, 56, 56, 36};
+  for (std::size_t c = 0; c < channel_count; ++c) CHECK(row("m01").constant[c] == flat[c]);
+  CHECK(rect("m06").x == rect("m14").x);
+  CHECK(rect("m06").y == rect("m14").y);
+  CHECK(rect("m16").repeats);
+  // What varies and what does not, channel by channel.
+  const auto varying = [&](const std::string& name) {
+    std::string out;
+    const AtlasMaterialRow found = row(name);
+    for (std::size_t c = 0; c < channel_count; ++c) out += found.constant[c] ? '-' : "rgbaRGBg"[c];
+    return out;
+  };
+  CHECK(varying("m00") == "rgb----g");
+  CHECK(varying("m03") == "rgb-----");
+  CHECK(varying("m04") == "rgba---g");
+  CHECK(varying("m05") == "----RGBg");
+  CHECK(varying("m06") == "rgb-RGBg");
+  CHECK(varying("m08") == "----RGBg");
+  CHECK(varying("m09") == "rgb----g");
+  CHECK(varying("m10") == "rgb-RGBg");
+  CHECK(varying("m17") == "rgb----g");
+  CHECK(row("m17").constant[4] == 54);
+  CHECK(row("m03").constant[7] == 104);
+  // Boxes: half of the picture each way, and a quarter by a half; one texel more on each side is filtered.
+  CHECK(std::abs(rect("m11").crop.width - 128) <= 2);
+  CHECK(std::abs(rect("m11").crop.height - 128) <= 2);
+  CHECK(std::abs(rect("m13").crop.width - 32) <= 2);
+  CHECK(std::abs(rect("m13").crop.height - 64) <= 2);
+  CHECK(report.left_out.after.texels < report.left_out.before.texels);
+  CHECK(worst_difference(*asset("synthetic_a/scene.gltf"), folder.file("out/scene.gltf")) <= 1);
+}
+
+TEST_CASE("a scene packed with everything kept keeps everything") {
+  if (!asset("")) return;
+  const TempFolder folder;
+  PackOptions options;
+  options.keep = parse_keep({"all"});
+  const PackReport report = pack(*asset("synthetic_a/scene.gltf"), folder.file("out"), options, library());
+  CHECK(report.left_out.lines.empty());
+  CHECK(report.left_out.before == report.left_out.after);
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "core/atlas/plan.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+std::vector<std::string> names(std::size_t count) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < count; ++i) out.push_back("m" + std::to_string(i));
+  return out;
+}
+
+Region region(std::size_t material, int width, int height) {
+  return {material, {0, 0, width, height}, {true, true}, false};
+}
+
+PlanOptions options(int side) {
+  PlanOptions out;
+  out.rects.form = PageForm::mixed;
+  out.rects.side = out.rects.largest_side = side;
+  return out;
+}
+
+// No two cells share a texel, none leaves its page, each region and its gutter lie in their cell.
+std::string fault_of(const Plan& plan, const std::vector<Region>& regions) {
+  for (std::size_t p = 0; p < plan.pages.size(); ++p) {
+    const Page& page = plan.pages[p];
+    std::vector<bool> taken(static_cast<std::size_t>(page.width) * static_cast<std::size_t>(page.height));
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      const Place& at = plan.places[i];
+      if (at.page != static_cast<int>(p)) continue;
+      const PixelBox& box = regions[i].box;
+      const int width = at.rotated ? box.height : box.width, height = at.rotated ? box.width : box.height;
+      const PixelBox& cell = at.cell;
+      if (cell.x < 0 || cell.y < 0 || cell.x + cell.width > page.width || cell.y + cell.height > page.height)
+        return "outside";
+      if (at.x - at.gutter < cell.x || at.y - at.gutter < cell.y ||
+          at.x + width + at.gutter > cell.x + cell.width || at.y + height + at.gutter > cell.y + cell.height)
+        return "out of its cell";
+      for (int y = cell.y; y < cell.y + cell.height; ++y)
+        for (int x = cell.x; x < cell.x + cell.width; ++x) {
+          const std::size_t texel = static_cast<std::size_t>(y) * static_cast<std::size_t>(page.width) +
+                                    static_cast<std::size_t>(x);
+          if (taken[texel]) return "overlap";
+          taken[texel] = true;
+        }
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("64 power-of-two regions fill one page by default, without gutters but with insets") {
+  std::vector<Region> regions;
+  for (std::size_t i = 0; i < 64; ++i) regions.push_back(region(i, 64, 64));
+  const Plan plan = plan_pages(regions, names(64), options(512));
+  REQUIRE(plan.pages.size() == 1);
+  CHECK(plan.pages[0].width * plan.pages[0].height == 512 * 512);
+  CHECK(plan.inset);
+  CHECK(fault_of(plan, regions).empty());
+}
+
+TEST_CASE("regions of the largest page's size need no gutter to fit") {
+  const Plan plan = plan_pages({region(0, 256, 256)}, names(1), options(256));
+  CHECK(plan.pages.size() == 1);
+  CHECK(plan.places[0].gutter == 0);
+}
+
+TEST_CASE("cells never overlap or leave the page, and mips never share a texel") {
+  std::mt19937 random(3);
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Region> regions;
+    const std::size_t count = 1 + random() % 30;
+    for (std::size_t i = 0; i < count; ++i) {
+      regions.push_back(
+          region(i, 1 + static_cast<int>(random() % 150), 1 + static_cast<int>(random() % 150)));
+      regions.back().in = {random() % 4 != 0, true};
+    }
+    PlanOptions o = options(512);
+    o.rects.rotate = round % 2 == 0;
+    o.levels = static_cast<int>(random() % 5);
+    if (round % 3 == 0) o.gutter = static_cast<int>(random() % 5);
+    const Plan plan = plan_pages(regions, names(count), o);
+    CHECK(fault_of(plan, regions) == "");
+    int clean = 1;
+    for (const Place& at : plan.places) clean = std::max(clean, at.clean_levels);
+    for (const Place& at : plan.places) {
+      CHECK(plan.pages[static_cast<std::size_t>(at.page)].has[1]);
+      if (o.levels == 1) continue;
+      CHECK(at.cell.x % (1 << (clean - 1)) == 0);
+      CHECK(at.cell.width % (1 << (clean - 1)) == 0);
+    }
+  }
+}
+
+TEST_CASE("regions that lack a texture share pages that lack it, where that is smaller") {
+  std::vector<Region> regions;
+  for (std::size_t i = 0; i < 8; ++i) {
+    regions.push_back(region(i, 128, 128));
+    regions.back().in = {true, i < 4};
+  }
+  PlanOptions o = options(512);
+  const Plan apart = plan_pages(regions, names(8), o);
+  o.split_textures = false;
+  const Plan common = plan_pages(regions, names(8), o);
+  CHECK(apart.page_texels() < common.page_texels());
+  CHECK(apart.page_texels() == 12 * 128 * 128);
+}
+
+TEST_CASE("a tiling region has a page of just its size to itself") {
+  std::vector<Region> regions{region(0, 30, 40), region(1, 50, 20)};
+  regions[0].own_page = true;
+  const Plan plan = plan_pages(regions, names(2), options(512));
+  CHECK(plan.pages.at(1) == Page{30, 40, {true, true}});
+  CHECK(plan.places[0].page == 1);
+}
+
+TEST_CASE("a region larger than any page is refused") {
+  CHECK_FALSE(error_of([] { (void)plan_pages({region(0, 300, 10)}, names(1), options(256)); }).empty());
+}
