@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/explain.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <memory>
+
+#include "app/cli/output.h"
+#include "app/cli/verbs.h"
+#include "core/base/json_text.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
+#include "core/validate/config.h"
+#include "core/validate/rules.h"
+
+namespace etak::cli {
+namespace {
+
+// `text` in lines of at most `width` columns, each after `indent` blanks.
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t width = 100) {
+  std::string out, line;
+  const auto flush = [&] {
+    if (!line.empty()) out += std::string(indent, ' ') + line + '\n';
+    line.clear();
+  };
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
+    const std::string_view word = text.substr(0, end);
+    if (!line.empty() && indent + display_width(line) + 1 + display_width(word) > width) flush();
+    if (!word.empty()) line += (line.empty() ? "" : " ") + std::string(word);
+    if (end < text.size() && text[end] == '\n') flush();
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  flush();
+  return out;
+}
+
+std::string profiles_of(const Rule& rule) {
+  return std::string(name(rule.severity)) + ", strict profile " + std::string(name(rule.strict_severity));
+}
+
+std::string value_of(const RuleParameter& parameter) {
+  std::string out = number(parameter.value, 9);
+  if (parameter.strict_value != parameter.value) out += " (strict " + number(parameter.strict_value, 9) + ")";
+  if (!parameter.unit.empty()) out += ' ' + std::string(parameter.unit);
+  return out;
+}
+
+struct ExplainArguments {
+  std::vector<std::string> ids;
+  OutputArguments output;
+};
+
+int run(const ExplainArguments& arguments) {
+  std::vector<const Rule*> meant;
+  for (const std::string& id : arguments.ids) {
+    const auto found = rules_with_prefix(id);
+    if (found.empty()) unknown_rule("etak explain", id);
+    meant.insert(meant.end(), found.begin(), found.end());
+  }
+  std::string out;
+  if (arguments.output.format == "json") {
+    out = rules_json(meant);
+  } else {
+    for (const Rule* rule : meant) {
+      if (!out.empty()) out += '\n';
+      out += arguments.output.format == "markdown" ? explanation_markdown(*rule) : explanation(*rule);
+    }
+  }
+  write_output(arguments.output, out);
+  return exit_ok;
+}
+
+}  // namespace
+
+std::string explanation(const Rule& rule) {
+  std::string out;
+  append(out, rule.id, ' ', rule.slug, ": ", rule.title, '\n');
+  append(out, "  ", rule.family(), "; severity ", profiles_of(rule), "\n\n");
+  append(out, wrapped(rule.what, 2), "\n  Why\n", wrapped(rule.why, 4));
+  append(out, "\n  Example\n", wrapped(rule.example, 4), "\n  Fix\n", wrapped(rule.fix, 4));
+  if (!rule.parameters.empty()) {
+    append(out, "\n  Parameters, in etak.toml: [rules] ", rule.id, " = { ", rule.parameters.front().name,
+           " = ", number(rule.parameters.front().value, 9), " }\n");
+    for (const RuleParameter& parameter : rule.parameters)
+      append(out, wrapped(std::string(parameter.name) + " = " + value_of(parameter) + ": " +
+                              std::string(parameter.meaning),
+                          4));
+  }
+  append(out, "\n  Source\n", wrapped(rule.source, 4));
+  return out;
+}
+
+std::string explanation_markdown(const Rule& rule) {
+  std::string out;
+  append(out, "### ", rule.id, ' ', rule.slug, "\n\n", rule.title, ". Severity: ", profiles_of(rule),
+         ".\n\n");
+  append(out, rule.what, "\n\n**Why.** ", rule.why, "\n\n**Example.** ", rule.example, "\n\n**Fix.** ",
+         rule.fix, '\n');
+  for (const RuleParameter& parameter : rule.parameters)
+    append(out, &parameter == rule.parameters.data() ? "\n" : "", "- `", parameter.name,
+           "` = ", value_of(parameter), ": ", parameter.meaning, '\n');
+  append(out, "\n**Source.** ", rule.source, '\n');
+  return out;
+}
+
+std::string rules_table() {
+  std::size_t slug_width = 0;
+  for (const Rule* rule : rules()) slug_width = std::max(slug_width, rule->slug.size());
+  std::string out;
+  append(out, padded("id", 8), padded("slug", slug_width + 2), padded("default", 9), padded("strict", 9),
+         "title\n");
+  for (const Rule* rule : rules())
+    append(out, padded(rule->id, 8), padded(rule->slug, slug_width + 2), padded(name(rule->severity), 9),
+           padded(name(rule->strict_severity), 9), rule->title, '\n');
+  return out;
+}
+
+std::string rules_json(std::span<const Rule* const> rules) {
+  std::vector<std::string> rows;
+  for (const Rule* rule : rules) {
+    std::vector<std::string> parameters;
+    for (const RuleParameter& parameter : rule->parameters) {
+      const JsonMember members[] = {{"name", json(parameter.name)},
+                                    {"value", json(parameter.value)},
+                                    {"strict", json(parameter.strict_value)},
+                                    {"unit", json(parameter.unit)},
+                                    {"meaning", json(parameter.meaning)}};
+      parameters.push_back(json_object(members, -1));
+    }
+    const JsonMember members[] = {{"id", json(rule->id)},
+                                  {"slug", json(rule->slug)},
+                                  {"title", json(rule->title)},
+                                  {"family", json(rule->family())},
+                                  {"severity", json(name(rule->severity))},
+                                  {"strict", json(name(rule->strict_severity))},
+                                  {"needsPixels", json(rule->needs.pixels())},
+                                  {"what", json(rule->what)},
+                                  {"why", json(rule->why)},
+                                  {"example", json(rule->example)},
+                                  {"fix", json(rule->fix)},
+                                  {"source", json(rule->source)},
+                                  {"parameters", json_array(parameters)}};
+    rows.push_back("\n    " + json_object(members, 4));
+  }
+  std::string list;
+  for (const std::string& row : rows) list += (list.empty() ? "" : ",") + row;
+  return "{\n  \"schema\": \"etak-rules/1\",\n  \"rules\": [" + list + "\n  ]\n}\n";
+}
+
+void add_explain(CLI::App& app, Verb& chosen) {
+  const auto arguments = std::make_shared<ExplainArguments>();
+  CLI::App& verb =
+      *app.add_subcommand("explain", "what a rule of etak validate says, why, and how to mend it");
+  verb.add_option("id", arguments->ids, "ids such as ETK101, prefixes such as ETK1, or slugs")
+      ->type_name("ID...")
+      ->required();
+  add_output_options(verb, arguments->output, {"text", "markdown", "json"});
+  verb.footer("Example:\n  etak explain ETK101");
+  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/validate/rule.h"
+
+namespace etak::cli {
+
+/// The rule for people: what, why, an example, the fix, its parameters and sources.
+std::string explanation(const Rule& rule);
+
+/// The same in Markdown, under a heading.
+std::string explanation_markdown(const Rule& rule);
+
+/// id, slug, severity in the default and strict profile, title; a rule a line.
+std::string rules_table();
+
+/// {"schema": "etak-rules/1", "rules": [...]} for editors and documentation.
+std::string rules_json(std::span<const Rule* const> rules);
+
+}  // namespace etak::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/output.h"
+#include "core/validate/config.h"
+
+namespace etak::cli {
+
+/// `etak validate` as typed.
+struct ValidateArguments {
+  std::vector<std::string> paths;
+  std::string files_from, role, material, surface_class, alpha;
+  std::string config, profile, transfer, fail_on, today;
+  bool no_config = false;
+  RuleChoice choice;
+  std::optional<std::size_t> max_warnings;
+  bool exit_zero = false, list_rules = false, stats = false;
+  std::string baseline, write_baseline, mask_folder, cache_folder;
+  unsigned threads = 0;
+  OutputArguments output;
+};
+
+/// The work of the verb where files are checked. Two bodies share this declaration: in etak-pack and
+/// etak-image (validate_run.cpp) they are; in etak (validate_light.cpp), which links no picture reader, it
+/// becomes etak-pack.
+int check_files(ValidateArguments& arguments);
+
+/// Called with the files that are about to be checked. In etak-pack (validate_png.cpp), which reads PNG
+/// alone, it becomes etak-image when there are other pictures among them; in etak-image (validate_full.cpp)
+/// it does nothing.
+void need_readers_of(const std::vector<std::string>& files);
+
+}  // namespace etak::cli

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+
+#include "app/cli/options.h"
+#include "app/cli/validate.h"
+#include "app/cli/validate_cache.h"
+#include "app/cli/validate_pictures.h"
+#include "app/cli/validate_targets.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/base/parallel.h"
+#include "core/report/validation_page.h"
+#include "core/validate/baseline.h"
+#include "core/validate/files.h"
+#include "core/validate/output_formats.h"
+#include "core/validate/rules.h"
+#include "core/validate/sha256.h"
+#include "core/validate/suppress.h"
+
+namespace etak::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* config_name = "etak.toml";
+constexpr std::size_t most_pages_with_pictures = 200;
+
+// What the run goes by: settings, roles, and the folder that labels are relative to.
+struct Plan {
+  ValidateConfig config;
+  std::string config_file;  // empty: none
+  std::string root;         // absolute
+};
+
+// etak.toml in the folder of the first path, or the nearest one above it.
+std::string find_config(const ValidateArguments& arguments) {
+  if (!arguments.config.empty()) return arguments.config;
+  if (arguments.no_config) return {};
+  std::error_code failure;
+  fs::path folder =
+      fs::absolute(arguments.paths.empty() ? "." : arguments.paths.front(), failure).lexically_normal();
+  if (!fs::is_directory(folder, failure)) folder = folder.parent_path();
+  for (;; folder = folder.parent_path()) {
+    const fs::path candidate = folder / config_name;
+    if (fs::is_regular_file(candidate, failure)) {
+      // Messages name it as the user would, where that is short.
+      const fs::path near = candidate.lexically_relative(fs::current_path(failure));
+      return near.empty() || *near.begin() == ".." ? candidate.string() : near.string();
+    }
+    if (folder == folder.parent_path()) return {};
+  }
+}
+
+Plan plan_of(const ValidateArguments& arguments) {
+  Plan plan;
+  plan.config_file = find_config(arguments);
+  std::error_code failure;
+  fs::path root = fs::current_path(failure);
+  if (!plan.config_file.empty()) {
+    const fs::path whole = fs::absolute(plan.config_file, failure).lexically_normal();
+    root = whole.parent_path();
+#ifdef ETAK_HAS_TOML
+    plan.config = parse_config(read_file(plan.config_file), plan.config_file);
+#else
+    throw Error::at(plan.config_file, "this etak was built without toml++",
+                    "one built with it, or --no-config");
+#endif
+  }
+  plan.root = root.string();
+  Settings& settings = plan.config.settings;
+  const auto given = [](const char* option, const std::string& text, auto named, auto& value,
+                        const char* expected) {
+    if (text.empty()) return;
+    const auto found = named(text);
+    if (!found) throw Error::at(option, printable(text), expected);
+    value = *found;
+  };
+  given("--profile", arguments.profile, profile_named, settings.profile, "default, strict, film or custom");
+  given("--transfer", arguments.transfer, texture_transfer_named, settings.transfer,
+        "srgb, gamma22 or linear");
+  settings.transfer_stated = settings.transfer_stated || !arguments.transfer.empty();
+  const auto failing = [](const std::string& text) -> std::optional<Severity> {
+    for (const Severity severity : {Severity::info, Severity::warning, Severity::error})
+      if (text == name(severity)) return severity;
+    return std::nullopt;
+  };
+  given("--fail-on", arguments.fail_on, failing, settings.fail_on, "error, warning or info");
+  const auto alpha = [](const std::string& text) -> std::optional<bool> {
+    if (text == "mask" || text == "transparency") return text == "transparency";
+    return std::nullopt;
+  };
+  given("--alpha", arguments.alpha, alpha, settings.alpha_is_transparency, "mask or transparency");
+  apply_choice(arguments.choice, settings);
+  return plan;
+}
+
+// Puts what was read from standard input back, for the program this one may become.
+void refill_stdin(const std::string& text) {
+  const int memory = ::memfd_create("etak-files", 0);
+  if (memory < 0) return;
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t wrote = ::write(memory, text.data() + at, text.size() - at);
+    if (wrote <= 0) break;
+    at += static_cast<std::size_t>(wrote);
+  }
+  ::lseek(memory, 0, SEEK_SET);
+  ::dup2(memory, STDIN_FILENO);
+  ::close(memory);
+}
+
+std::vector<std::string> listed_files(const std::string& list) {
+  if (list.empty()) return {};
+  const std::string text = list == "-" ? read_stdin() : read_file(list);
+  if (list == "-") refill_stdin(text);
+  std::vector<std::string> out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = std::string_view(text).substr(begin, end - begin);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (!line.empty()) out.emplace_back(line);
+    begin = end + 1;
+  }
+  return out;
+}
+
+FoundTargets targets_of(const ValidateArguments& arguments, const Plan& plan) {
+  TargetRequest request;
+  request.paths = arguments.paths;
+  request.listed = listed_files(arguments.files_from);
+  request.patterns = plan.config.roles;
+  request.manifest.material = arguments.material;
+  request.manifest.surface_class = arguments.surface_class;
+  request.root = plan.root;
+  request.threads = thread_count(arguments.threads);
+  if (!arguments.role.empty()) {
+    request.role = role_named(arguments.role);
+    if (!request.role)
+      throw Error::at("--role", printable(arguments.role),
+                      "diffuse, specular, f0, base-color or metal-rough");
+  }
+  return find_targets(request);
+}
+
+// Checked files in the order of `found`, from the cache where it has them.
+std::vector<CheckedFile> checked(const FoundTargets& found, const ValidateArguments& arguments,
+                                 const Settings& settings, std::size_t& from_cache) {
+  const unsigned threads = thread_count(arguments.threads);
+  std::vector<CheckedFile> out(found.targets.size());
+  std::vector<char> known(found.targets.size());
+  std::vector<std::string> keys(found.targets.size());
+  std::optional<ResultCache> cache;
+  if (!arguments.cache_folder.empty()) {
+    cache.emplace(arguments.cache_folder, settings_hash(settings));
+    parallel_chunks(found.targets.size(), threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
+      for (std::size_t i = begin; i < end; ++i) {
+        keys[i] = cache->key_of(found.targets[i]);
+        if (auto file = cache->find(keys[i])) {
+          out[i] = std::move(*file);
+          known[i] = 1;
+        }
+      }
+    });
+  }
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (!known[i]) left.push_back(i);
+  from_cache = known.size() - left.size();
+  std::vector<std::string> wanted;
+  for (const std::size_t i : left)
+    wanted.insert(wanted.end(), found.targets[i].depends.begin(), found.targets[i].depends.end());
+  need_readers_of(wanted);
+  // Few targets share the threads inside of each; many are checked side by side.
+  const std::size_t lanes = std::clamp<std::size_t>(left.size(), 1, threads);
+  const unsigned inner = std::max(1u, threads / static_cast<unsigned>(lanes));
+  Progress progress(arguments.output, left.size());
+  parallel_chunks(left.size(), static_cast<unsigned>(lanes), 1,
+                  [&](std::size_t begin, std::size_t end, unsigned worker) {
+                    for (std::size_t l = begin; l < end; ++l) {
+                      const std::size_t i = left[l];
+                      out[i] = check(found.targets[i].target, settings, inner);
+                      if (cache) cache->keep(keys[i], out[i]);
+                    }
+                    progress.advance(end - begin, worker);
+                  });
+  return out;
+}
+
+std::string today_of(const ValidateArguments& arguments) {
+  if (!arguments.today.empty()) return arguments.today;
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::localtime_r(&now, &parts);
+  std::array<char, 16> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts)};
+}
+
+void take_out(ValidationReport& report, const ValidateArguments& arguments, const Plan& plan) {
+  const Settings& settings = plan.config.settings;
+  if (!settings.allow.empty()) {
+    const std::string label = relative_label(plan.config_file, plan.root);
+    const Rule& unused = *find_rule("ETK903");
+    std::error_code failure;
+    const bool whole =
+        std::any_of(arguments.paths.begin(), arguments.paths.end(),
+                    [&](const std::string& path) { return fs::equivalent(path, plan.root, failure); });
+    const auto is_active = [&](std::string_view prefix) {
+      const auto meant = rules_with_prefix(prefix);
+      return std::any_of(meant.begin(), meant.end(),
+                         [&](const Rule* rule) { return severity_of(*rule, settings) != Severity::off; });
+    };
+    const std::string today = today_of(arguments);
+    apply_allowances(report, settings.allow, {today, label, severity_of(unused, settings), whole, is_active});
+  }
+  std::vector<KnownDefect> known;
+  if (!arguments.baseline.empty()) known = read_baseline(read_file(arguments.baseline), arguments.baseline);
+  if (!arguments.write_baseline.empty()) {
+    known = baseline_of(report);
+    write_file(arguments.write_baseline, baseline_json(known), true);
+    remark(arguments.output,
+           arguments.write_baseline + ": " + std::to_string(known.size()) + " findings recorded");
+  }
+  mark_known(report, known);
+}
+
+std::string form_of(const ValidationReport& report, const ValidateArguments& arguments, const Plan& plan,
+                    const std::vector<const CheckTarget*>& targets) {
+  const Settings& settings = plan.config.settings;
+  const OutputOptions options{settings.fail_on, ETAK_VERSION};
+  const std::string& format = arguments.output.format;
+  if (format == "json") return validation_json(report, options);
+  if (format == "sarif") return validation_sarif(report, options);
+  if (format == "junit") return validation_junit(report, options);
+  if (format == "github") return validation_github(report);
+  if (format == "csv") return validation_csv(report);
+  if (format != "html") return validation_text(report, use_color(arguments.output));
+  const auto pictures =
+      page_pictures(report, targets, settings, most_pages_with_pictures, thread_count(arguments.threads));
+  return validation_page(report, pictures, {ETAK_VERSION, settings});
+}
+
+// The target behind each file of the report, null for others; labels and members tell them.
+std::vector<const CheckTarget*> targets_behind(const ValidationReport& report, const FoundTargets& found) {
+  std::vector<const CheckTarget*> out;
+  for (const CheckedFile& file : report.files) {
+    const auto same = std::lower_bound(
+        found.targets.begin(), found.targets.end(), file.path,
+        [](const FoundTarget& target, const std::string& path) { return target.target.label < path; });
+    const bool is_it = same != found.targets.end() && same->target.label == file.path;
+    out.push_back(is_it ? &same->target : nullptr);
+  }
+  return out;
+}
+
+void add_hashes(ValidationReport& report, const std::vector<const CheckTarget*>& targets, unsigned threads) {
+  parallel_chunks(targets.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (targets[i] != nullptr && !targets[i]->files.empty())
+        report.files[i].sha256 = sha256_of_file(targets[i]->files.front().path);
+  });
+}
+
+void tell_stats(const ValidationReport& report, const FoundTargets& found, std::size_t from_cache,
+                double seconds) {
+  CheckStats sum;
+  for (const CheckedFile& file : report.files) {
+    sum.pictures_decoded += file.stats.pictures_decoded;
+    sum.pictures_left_out += file.stats.pictures_left_out;
+    sum.texels += file.stats.texels;
+    sum.decode_seconds += file.stats.decode_seconds;
+    sum.byte_seconds += file.stats.byte_seconds;
+    sum.region_seconds += file.stats.region_seconds;
+  }
+  complain("stats: " + grouped(found.files) + " files, " + grouped(found.skipped) + " skipped, " +
+           grouped(found.targets.size()) + " checks, " + grouped(from_cache) + " from the cache");
+  complain("stats: " + grouped(sum.pictures_decoded) + " pictures decoded, " +
+           grouped(sum.pictures_left_out) + " left out because no rule needs them, " + grouped(sum.texels) +
+           " texels");
+  complain("stats: " + number(seconds, 3) + " s; summed over threads: decoding " +
+           number(sum.decode_seconds, 3) + " s, byte rules " + number(sum.byte_seconds, 3) + " s, regions " +
+           number(sum.region_seconds, 3) + " s");
+}
+
+}  // namespace
+
+int check_files(ValidateArguments& arguments) {
+  const auto start = Clock::now();
+  if (arguments.paths.empty() && arguments.files_from.empty())
+    throw Error::at("etak validate", "nothing to check", "files, folders or --files-from");
+  if (!arguments.today.empty() && !is_date(arguments.today))
+    throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
+  const Plan plan = plan_of(arguments);
+  const Settings& settings = plan.config.settings;
+  FoundTargets found = targets_of(arguments, plan);
+  std::size_t from_cache = 0;
+  std::vector<CheckedFile> files = checked(found, arguments, settings, from_cache);
+  std::move(found.failed.begin(), found.failed.end(), std::back_inserter(files));
+  if (files.empty()) remark(arguments.output, "no file of a kind that etak validate checks was found");
+  ValidationReport report = report_of(std::move(files), settings);
+  take_out(report, arguments, plan);
+  report = report_of(std::move(report.files), settings);
+  report.settings_hash = settings_hash(settings);
+  if (arguments.max_warnings && report.warnings > *arguments.max_warnings) report.passed = false;
+  const auto targets = targets_behind(report, found);
+  // Only this form tells it, and reading all files once more takes its time.
+  if (arguments.output.format == "json") add_hashes(report, targets, thread_count(arguments.threads));
+  if (!arguments.mask_folder.empty())
+    write_masks(report, targets, settings, arguments.mask_folder, thread_count(arguments.threads));
+  write_output(arguments.output, form_of(report, arguments, plan, targets));
+  if (arguments.stats)
+    tell_stats(report, found, from_cache, std::chrono::duration<double>(Clock::now() - start).count());
+  if (report.incomplete) return exit_failure;
+  return report.passed || arguments.exit_zero ? exit_ok : exit_findings;
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/validate/config.h"
+#include "core/validate/finding.h"
+#include "core/validate/target.h"
+
+namespace etak::cli {
+
+/// What is to be checked.
+///   paths      files and folders as typed
+///   listed     files of --files-from
+///   role       --role; none: by `patterns`, then by default_roles()
+///   root       folder that labels are relative to, absolute
+struct TargetRequest {
+  std::vector<std::string> paths, listed;
+  std::optional<FileRole> role;
+  std::vector<RolePattern> patterns;
+  Manifest manifest;  // of the command line: material, surface class, transparency
+  std::string root;
+  unsigned threads = 1;
+};
+
+/// A target and the files its result depends on, for the cache.
+struct FoundTarget {
+  CheckTarget target;
+  std::vector<std::string> depends;
+};
+
+/// What was found, in the order of labels.
+///   failed    one unreadable CheckedFile (ETK001) for everything that was named and cannot be checked
+///   files     looked at   skipped   of them in folders and lists, which no rule is about
+struct FoundTargets {
+  std::vector<FoundTarget> targets;
+  std::vector<CheckedFile> failed;
+  std::size_t files = 0, skipped = 0;
+};
+
+/// Finds files, tells their kinds and puts together what belongs together:
+///   pictures of a name but for the role's ending ("crate_diff.png", "crate_spec.png") in one folder; a
+///   picture named alone takes its companion along. Pictures that a scene or a layout of the run names belong
+///   to it alone.
+FoundTargets find_targets(const TargetRequest& request);
+
+/// `path` relative to `root` as text alone (links are not looked at), with '/'.
+std::string relative_label(const std::string& path, const std::string& root);
+
+/// The files that a glTF document names, as paths: pictures, and all of them (buffers too). Empty when it
+/// cannot be read: the check then says why.
+struct GltfFiles {
+  std::vector<std::string> pictures, all;
+};
+GltfFiles files_of_gltf(const std::string& path);
+
+}  // namespace etak::cli

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/baseline.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <tuple>
+
+#include "core/validate/output_formats.h"
+
+namespace etak {
+namespace {
+
+constexpr int steps = 16;
+
+// floor and ceiling of value * parts / side; the sides of a picture are far below what would overflow.
+int step_down(int value, int side, int parts) {
+  return side <= 0 ? 0 : static_cast<int>(std::int64_t{value} * parts / side);
+}
+int step_up(int value, int side, int parts) {
+  return side <= 0 ? 0 : static_cast<int>((std::int64_t{value} * parts + side - 1) / side);
+}
+
+auto name_of(const KnownDefect& defect) {
+  return std::tie(defect.rule, defect.file, defect.tile, defect.material, defect.pointer);
+}
+
+bool near(const std::optional<std::array<int, 4>>& a, const std::optional<std::array<int, 4>>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  for (std::size_t i = 0; i < 4; ++i)
+    if (std::abs((*a)[i] - (*b)[i]) > 1) return false;
+  return true;
+}
+
+bool never_known(std::string_view rule) {
+  return rule == "ETK001" || rule.starts_with("ETK9");
+}
+
+}  // namespace
+
+KnownDefect known_defect(const Finding& finding, int width, int height) {
+  KnownDefect out{finding.rule, finding.file, finding.tile, finding.material, finding.pointer, {}};
+  if (!finding.box || width <= 0 || height <= 0) return out;
+  const PixelBox& box = *finding.box;
+  if (!finding.tile.empty())
+    out.region = {0, 0, step_up(box.width, width, steps), step_up(box.height, height, steps)};
+  else
+    out.region = {step_down(box.x, width, steps), step_down(box.y, height, steps),
+                  step_up(box.x + box.width, width, steps), step_up(box.y + box.height, height, steps)};
+  return out;
+}
+
+std::vector<KnownDefect> baseline_of(const ValidationReport& report) {
+  std::vector<KnownDefect> out;
+  for (const CheckedFile& file : report.files)
+    for (const Finding& finding : file.findings)
+      if (!finding.suppressed && !never_known(finding.rule))
+        out.push_back(known_defect(finding, file.width, file.height));
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+void mark_known(ValidationReport& report, std::span<const KnownDefect> known) {
+  std::vector<const KnownDefect*> sorted;
+  for (const KnownDefect& defect : known) sorted.push_back(&defect);
+  const auto before = [](const KnownDefect* a, const KnownDefect* b) { return name_of(*a) < name_of(*b); };
+  std::sort(sorted.begin(), sorted.end(), before);
+  for (CheckedFile& file : report.files)
+    for (Finding& finding : file.findings) {
+      if (never_known(finding.rule)) continue;
+      const KnownDefect wanted = known_defect(finding, file.width, file.height);
+      const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), &wanted, before);
+      finding.baseline = std::any_of(
+          first, last, [&](const KnownDefect* defect) { return near(defect->region, wanted.region); });
+    }
+}
+
+std::string region_fingerprint(const Finding& finding, int width, int height) {
+  constexpr int parts = 8;
+  std::string key;
+  for (const std::string* part :
+       {&finding.rule, &finding.file, &finding.tile, &finding.material, &finding.pointer})
+    (key += *part) += '\n';
+  if (finding.box && width > 0 && height > 0 && finding.tile.empty())
+    key += std::to_string(step_down(finding.box->x + finding.box->width / 2, width, parts)) + ',' +
+           std::to_string(step_down(finding.box->y + finding.box->height / 2, height, parts));
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char c : key) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string out(16, '0');
+  for (std::size_t i = 0; i < 16; ++i) out[15 - i] = digits[(hash >> (4 * i)) & 15];
+  return out;
+}
+
+}  // namespace etak

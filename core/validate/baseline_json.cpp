@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/json_node.inc"
+#include "core/validate/baseline.h"
+
+namespace etak {
+
+std::string baseline_json(std::span<const KnownDefect> known) {
+  using Ordered = nlohmann::ordered_json;
+  std::string out = "{\n  \"schema\": \"etak-baseline/1\",\n  \"findings\": [";
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const KnownDefect& defect = known[i];
+    Ordered entry = Ordered::object();
+    entry["rule"] = defect.rule;
+    entry["file"] = defect.file;
+    for (const auto& [key, value] :
+         {std::pair{"tile", &defect.tile}, {"material", &defect.material}, {"pointer", &defect.pointer}})
+      if (!value->empty()) entry[key] = *value;
+    if (defect.region) entry["region"] = *defect.region;
+    out += (i == 0 ? "\n    " : ",\n    ") + entry.dump(-1, ' ', false, Ordered::error_handler_t::replace);
+  }
+  return out + (known.empty() ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+std::vector<KnownDefect> read_baseline(std::string_view text, std::string_view file) {
+  const Json document = parse_json_strictly(text, file, 8, "a baseline of etak validate");
+  const JsonNode root{document, file, {}};
+  root.expect_object({"schema", "findings"});
+  if (root.at("schema").text() != "etak-baseline/1") root.at("schema").fail_type("\"etak-baseline/1\"");
+  const JsonNode findings = root.at("findings");
+  findings.expect_array();
+  std::vector<KnownDefect> out;
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const JsonNode entry = findings.at(i);
+    entry.expect_object({"rule", "file", "tile", "material", "pointer", "region"});
+    KnownDefect& defect = out.emplace_back();
+    defect.rule = entry.at("rule").text();
+    defect.file = entry.at("file").text();
+    defect.tile = entry.text_or_empty("tile");
+    defect.material = entry.text_or_empty("material");
+    defect.pointer = entry.text_or_empty("pointer");
+    if (!entry.has("region")) continue;
+    const JsonNode region = entry.at("region");
+    region.expect_array();
+    if (region.size() != 4) region.fail_type("four whole numbers");
+    auto& edges = defect.region.emplace();
+    for (std::size_t edge = 0; edge < 4; ++edge) edges[edge] = region.at(edge).integer(-1000, 1000);
+  }
+  return out;
+}
+
+}  // namespace etak

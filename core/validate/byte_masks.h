@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace etak {
+
+/// Limits of the byte tests, from the settings through the tables: no test of the byte pass sees a float.
+struct ByteLimits {
+  static constexpr int b_levels = 4, a_levels = 2;
+  std::uint8_t zone_first = 124, zone_last = 178;       // codes of a grey in the forbidden zone, inclusive
+  std::uint8_t b_level[b_levels] = {36, 81, 124, 179};  // least grey code at or above each limit of Y, 1..255
+  std::uint8_t a_level[a_levels] = {30, 251};
+  std::uint8_t spread = 4;           // of a dielectric's channels
+  std::uint8_t metal_diffuse = 30;   // diffuse above it under a metal
+  std::uint8_t black_diffuse = 2;    // diffuse at or below it
+  std::uint8_t single_bright = 124;  // one diffuse channel above it beside one at 0
+};
+
+/// Answers for 64 texels, bit i for texel i. Of the levels of Y a texel is surely below when its largest
+/// channel is, and surely at or above when its smallest one is; the rest is for the table sums to say.
+struct MaskWords {
+  std::uint64_t opaque;
+  std::uint64_t alpha_zero, alpha_full, alpha_middle;  // 0; 255; 9..246
+  std::uint64_t zone_any, zone_all;                    // channels of B in the zone's codes
+  std::uint64_t black, nearly_black;                   // B: all 0; all at most 1
+  std::uint64_t spread;                                // B: largest - smallest channel > spread
+  std::uint64_t b_below[ByteLimits::b_levels], b_from[ByteLimits::b_levels];
+  std::uint64_t a_below[ByteLimits::a_levels], a_from[ByteLimits::a_levels];
+  std::uint64_t diffuse_on_metal, diffuse_black, single_channel;  // A
+  std::uint64_t energy_doubt;  // some channel where the codes of A and B add up to 256 or more: only there
+                               // can the linear sum pass 1, because the curves are convex
+  std::uint64_t gloss_zero, gloss_full;
+};
+
+/// Exact counts over the texels looked at. Opaque texels are those of alpha 255 where alpha is transparency,
+/// else those of alpha above 0.
+struct MaskCounts {
+  std::uint64_t opaque = 0, alpha_zero = 0, alpha_full = 0, zone_any = 0, zone_all = 0, black = 0;
+  std::uint64_t gloss_zero = 0, gloss_full = 0;    // of opaque texels
+  std::uint64_t gloss_sum = 0, gloss_squares = 0;  // of texels with alpha above 0
+  std::uint8_t gloss_least = 255, gloss_most = 0;  // of all
+};
+
+/// Masks and counts of 64 `words` texels: A and B, 4 bytes a texel. `valid` says which of the last 64 texels
+/// count; the others must repeat one that does, with alpha 0. Two sets of instructions, one result.
+using ByteMasks = void (*)(const std::uint8_t* a, const std::uint8_t* b, std::size_t words,
+                           std::uint64_t valid, bool transparency, const ByteLimits& limits, MaskWords* out,
+                           MaskCounts& counts);
+ByteMasks byte_masks();
+
+/// The two behind it. The first is there on x86-64 only, and may be called only where the processor has AVX2
+/// and POPCNT.
+ByteMasks byte_masks_avx2();
+ByteMasks byte_masks_plain();
+
+}  // namespace etak

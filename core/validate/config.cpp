@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/config.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/atlas/content_hash.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/validate/rules.h"
+
+namespace etak {
+namespace {
+
+std::set<const Rule*> chosen_rules(const std::vector<std::string>& ids, std::string_view option) {
+  std::set<const Rule*> out;
+  for (const std::string& id : ids) {
+    const auto found = rules_with_prefix(id);
+    if (found.empty()) unknown_rule(option, id);
+    out.insert(found.begin(), found.end());
+  }
+  return out;
+}
+
+}  // namespace
+
+const std::vector<RolePattern>& default_roles() {
+  static const std::vector<RolePattern> patterns = [] {
+    std::vector<RolePattern> out;
+    const auto add = [&](FileRole role, std::initializer_list<const char*> endings) {
+      for (const char* ending : endings) out.push_back({role, std::string("*") + ending + ".*"});
+    };
+    add(FileRole::diffuse_alpha, {"_diffuse_alpha", "_diffusealpha", "_diff", "_diffuse"});
+    add(FileRole::specular_gloss, {"_specular_gloss", "_speculargloss", "_specgloss", "_spec", "_specular"});
+    add(FileRole::f0_only, {"_f0"});
+    add(FileRole::base_color, {"_basecolor", "_base_color", "_basecoloralpha"});
+    add(FileRole::metal_rough, {"_metallicroughness", "_metalrough", "_occlusionroughnessmetallic",
+                                "_occlusionroughmetal", "_orm", "_arm"});
+    return out;
+  }();
+  return patterns;
+}
+
+bool can_be_turned_off(const Rule& rule) {
+  return rule.id != "ETK001" && (!rule.id.starts_with("ETK9") || rule.id == "ETK903");
+}
+
+void unknown_rule(std::string_view place, std::string_view id) {
+  std::string nearest;
+  for (const std::string_view near : nearest_rules(id))
+    nearest += (nearest.empty() ? "" : ", ") + std::string(near);
+  throw Error::at(place, "ETK904 unknown-rule: no rule is called \"" + printable(id) + '"',
+                  "an id or a prefix such as ETK101 or ETK1; nearest: " + nearest);
+}
+
+Severity severity_when_on(const Rule& rule, Profile profile) {
+  if (profile == Profile::standard || profile == Profile::custom)
+    if (rule.severity != Severity::off) return rule.severity;
+  return rule.strict_severity != Severity::off ? rule.strict_severity : Severity::warning;
+}
+
+std::string settings_hash(const Settings& settings) {
+  const ZoneSettings& zone = settings.zone;
+  std::string text(name(settings.profile));
+  const auto add = [&](std::string_view part) { (text += part) += '\n'; };
+  add(name(settings.transfer));
+  add(settings.transfer_stated ? "stated" : "");
+  add(settings.alpha_is_transparency ? "transparency" : "mask");
+  for (const double value : {zone.low, zone.high, zone.min_area_share}) add(number(value, 17));
+  for (const int value : {static_cast<int>(zone.metric), zone.erode, zone.min_area_px})
+    add(std::to_string(value));
+  for (const Rule* rule : rules()) {
+    add(rule->id);
+    add(name(severity_of(*rule, settings)));
+    for (const RuleParameter& parameter : rule->parameters)
+      add(number(parameter_of(*rule, parameter.name, settings), 17));
+  }
+  ContentHash hash;
+  hash.add(text);
+  return hash.hex();
+}
+
+void apply_choice(const RuleChoice& choice, Settings& settings) {
+  const auto turn_on = [&](const Rule& rule) {
+    if (severity_of(rule, settings) == Severity::off)
+      settings.rules[std::string(rule.id)].severity = severity_when_on(rule, settings.profile);
+  };
+  const auto turn_off = [&](const Rule& rule) {
+    if (can_be_turned_off(rule)) settings.rules[std::string(rule.id)].severity = Severity::off;
+  };
+  const auto only = chosen_rules(choice.only, "--only");
+  const auto select = chosen_rules(choice.select, "--select");
+  const auto extend = chosen_rules(choice.extend_select, "--extend-select");
+  const auto ignore = chosen_rules(choice.ignore, "--ignore");
+  for (const Rule* rule : rules()) {
+    if (only.contains(rule)) turn_on(*rule);
+    const bool named = only.contains(rule) || select.contains(rule);
+    if (!named && (!only.empty() || !select.empty())) turn_off(*rule);
+    if (extend.contains(rule)) turn_on(*rule);
+    if (ignore.contains(rule)) turn_off(*rule);
+  }
+}
+
+}  // namespace etak

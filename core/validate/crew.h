@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace etak {
+
+/// Threads that stay between rounds of work: a strip of a picture is less than a millisecond, and starting
+/// threads for each would cost a tenth of that.
+class Crew {
+ public:
+  /// The caller is one of the workers.
+  explicit Crew(unsigned workers);
+  ~Crew();
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  using Task = std::function<void(unsigned worker)>;
+
+  /// Runs the tasks, begun in their order, each on some worker, and waits for all. The first exception is
+  /// rethrown then; tasks not yet begun are left out.
+  void run(const std::vector<Task>& tasks);
+
+ private:
+  void work(unsigned worker);
+  void help(unsigned worker);
+
+  std::mutex lock_;
+  std::condition_variable begin_, end_;
+  const std::vector<Task>* tasks_ = nullptr;
+  std::size_t next_ = 0, running_ = 0;
+  bool stop_ = false;
+  std::exception_ptr failure_;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace etak

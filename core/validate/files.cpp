@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/parallel.h"
+#include "core/scene/gltf.h"
+#include "core/validate/engine.h"
+#include "core/validate/material_evidence.h"
+#include "core/validate/metal_rough.h"
+#include "core/validate/open_pictures.h"
+#include "core/validate/rules.h"
+
+namespace etak {
+
+namespace {
+
+bool has_role(const CheckTarget& target, FileRole role) {
+  return std::ranges::any_of(target.files, [&](const TargetFile& file) { return file.role == role; });
+}
+
+const TargetFile* with_role(const CheckTarget& target, std::initializer_list<FileRole> roles) {
+  for (const TargetFile& file : target.files)
+    if (std::ranges::find(roles, file.role) != roles.end()) return &file;
+  return nullptr;
+}
+
+std::unique_ptr<RowSource> open_role(const CheckTarget& target, std::initializer_list<FileRole> roles) {
+  const TargetFile* file = with_role(target, roles);
+  return file == nullptr ? nullptr : open_picture(file->path);
+}
+
+PictureEvidence picture_evidence(const TargetFile& file, const TextureHeader& header) {
+  PictureEvidence picture;
+  picture.header = header;
+  picture.label = file.label;
+  picture.role = file.role;
+  return picture;
+}
+
+// A pair, or F0 alone: read in strips.
+void check_pair(const CheckTarget& target, const Settings& settings, unsigned threads, Evidence& evidence,
+                CheckedFile& file) {
+  const auto open = [&](Needs needs) {
+    PictureRows rows;
+    if (needs.has(Need::header) || needs.has(Need::bytes_a) || needs.has(Need::floats))
+      rows.a = open_role(target, {FileRole::diffuse_alpha});
+    if (needs.has(Need::header) || needs.has(Need::bytes_b) || needs.has(Need::floats))
+      rows.b = open_role(target, {FileRole::specular_gloss, FileRole::f0_only});
+    for (const auto& [source, roles] :
+         {std::pair(rows.a.get(), std::vector{FileRole::diffuse_alpha}),
+          std::pair(rows.b.get(), std::vector{FileRole::specular_gloss, FileRole::f0_only})})
+      if (source != nullptr && evidence.headers.size() < target.files.size())
+        for (const TargetFile& part : target.files)
+          if (std::ranges::find(roles, part.role) != roles.end())
+            evidence.headers.push_back(picture_evidence(part, source->header()));
+    // What only its header was wanted of is not decoded.
+    if (!needs.has(Need::bytes_a) && !(rows.a && rows.a->header().floating && needs.has(Need::floats)) &&
+        rows.a) {
+      evidence.a = evidence.headers.front();
+      rows.a.reset();
+      ++file.stats.pictures_left_out;
+    }
+    if (!needs.has(Need::bytes_b) && !(rows.b && rows.b->header().floating && needs.has(Need::floats)) &&
+        rows.b) {
+      evidence.b = evidence.headers.back();
+      rows.b.reset();
+      ++file.stats.pictures_left_out;
+    }
+    return rows;
+  };
+  look_at_pixels(target, open, settings, threads, evidence, file);
+}
+
+PictureRows rows_of_pictures(const LoadedPictures& pictures) {
+  PictureRows rows;
+  rows.a = rows_of(pictures.a);
+  rows.b = rows_of(pictures.b);
+  if (pictures.metallic.width != 0) rows.metallic = rows_of(pictures.metallic);
+  return rows;
+}
+
+void check_metal_rough(const CheckTarget& target, const Settings& settings, unsigned threads,
+                       Evidence& evidence, CheckedFile& file) {
+  const MetalRoughSet set = metal_rough_set(target);
+  ScenePictures pictures(set.images);
+  int image = 0;
+  for (const TargetFile& part : target.files)
+    if (part.role == FileRole::base_color || part.role == FileRole::metal_rough)
+      evidence.headers.push_back(picture_evidence(part, pictures.header(image++)));
+  evidence.metal_rough = true;
+  const LoadedPictures converted = convert_material(set.material, pictures);
+  CheckTarget weighed = target;
+  weighed.manifest.specular_weighs_diffuse = true;
+  look_at_pixels(
+      weighed, [&](Needs) { return rows_of_pictures(converted); }, settings, threads, evidence, file);
+  // Alpha is that of the base colour's file.
+  if (const TargetFile* base = with_role(target, {FileRole::base_color}); base != nullptr && evidence.a)
+    for (const PictureEvidence& header : evidence.headers)
+      if (header.label == base->label) evidence.a->header.channels = header.header.channels;
+}
+
+// Label of a file beside the scene: as the scene's own label is.
+std::string label_beside(const TargetFile& scene, const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(scene.path).parent_path();
+  const std::filesystem::path relative =
+      std::filesystem::path(path).lexically_relative(folder.empty() ? "." : folder);
+  if (relative.empty()) return path;
+  return (std::filesystem::path(scene.label).parent_path() / relative).generic_string();
+}
+
+// Whether two materials give the same pictures: all but name, normals and sides.
+bool same_texels(const GltfMaterial& a, const GltfMaterial& b) {
+  const auto image = [](const std::optional<GltfTexture>& t) { return t ? t->image : -1; };
+  const auto key = [&](const GltfMaterial& m) {
+    return std::tuple(m.base_color, image(m.base_color_texture), m.metallic, m.roughness,
+                      image(m.metallic_roughness_texture), m.ior, m.specular, image(m.specular_texture),
+                      m.specular_color, image(m.specular_color_texture), m.specular_glossiness, m.diffuse,
+                      image(m.diffuse_texture), m.specular_f0, m.glossiness,
+                      image(m.specular_glossiness_texture), m.alpha_mode);
+  };
+  return key(a) == key(b);
+}
+
+// Every used material is judged on its own; a texture that two of them use has its header judged once.
+void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, const Settings& settings,
+                 unsigned threads, CheckedFile& file) {
+  const GltfScene scene = read_gltf(file_of_scene.path, GltfOptions{});
+  ScenePictures pictures(scene.images);
+  const auto label_of = [&](const std::optional<GltfTexture>& texture) -> std::string {
+    if (!texture) return file_of_scene.label;
+    const auto image = static_cast<std::size_t>(texture->image);
+    if (scene.images[image].path.empty()) return file_of_scene.label + "#/images/" + std::to_string(image);
+    return label_beside(file_of_scene, scene.images[image].path);
+  };
+  std::map<int, FileRole> roles;  // by image
+  std::vector<bool> done(scene.materials.size());
+  for (const GltfMaterial& material : scene.materials) {
+    const auto index = static_cast<std::size_t>(material.index);
+    if (!scene.material_used[index] || done[index]) continue;
+    // Materials of one look are judged once, under all their names.
+    std::string names = material.name;
+    for (std::size_t other = index + 1; other < scene.materials.size(); ++other) {
+      if (!scene.material_used[other] || !same_texels(material, scene.materials[other])) continue;
+      done[other] = true;
+      names += ", " + scene.materials[other].name;
+    }
+    CheckTarget part;
+    part.label = file_of_scene.label;
+    part.manifest = target.manifest;
+    part.manifest.tiles.clear();
+    part.manifest.specular_weighs_diffuse = true;
+    const auto& color = material.specular_glossiness ? material.diffuse_texture : material.base_color_texture;
+    const auto& second = material.specular_glossiness ? material.specular_glossiness_texture
+                                                      : material.metallic_roughness_texture;
+    const FileRole first_role = material.specular_glossiness ? FileRole::diffuse_alpha : FileRole::base_color;
+    const FileRole second_role =
+        material.specular_glossiness ? FileRole::specular_gloss : FileRole::metal_rough;
+    part.files = {{first_role, "", label_of(color), false}, {second_role, "", label_of(second), false}};
+    if (color) roles.emplace(color->image, first_role);
+    if (second) roles.emplace(second->image, second_role);
+
+    Evidence evidence;
+    evidence.metal_rough = !material.specular_glossiness;
+    CheckedFile one;
+    const LoadedPictures converted = convert_material(material, pictures);
+    look_at_pixels(
+        part, [&](Needs) { return rows_of_pictures(converted); }, settings, threads, evidence, one);
+    // An opaque material's alpha is not looked at by anybody.
+    if (evidence.a) evidence.a->header.channels = material.alpha_mode == AlphaMode::opaque || !color ? 3 : 4;
+    if (evidence.b && !second) evidence.b->header.channels = evidence.metal_rough ? 3 : 4;
+    judge(part, evidence, settings, one);
+    for (Finding& finding : one.findings) {
+      finding.material = names;
+      finding.pointer = "/materials/" + std::to_string(material.index);
+      file.findings.push_back(std::move(finding));
+    }
+    file.unreadable = file.unreadable || one.unreadable;
+    file.plateau_px += one.plateau_px;
+    file.transition_px += one.transition_px;
+    file.stats.texels += one.stats.texels;
+    file.stats.passes += one.stats.passes;
+    file.stats.byte_seconds += one.stats.byte_seconds;
+    file.stats.region_seconds += one.stats.region_seconds;
+    for (const auto& [what, count] : one.counts) {
+      const auto same = std::ranges::find(file.counts, what, &std::pair<std::string, std::int64_t>::first);
+      if (same == file.counts.end())
+        file.counts.emplace_back(what, count);
+      else if (what == "gloss_min")
+        same->second = std::min(same->second, count);
+      else if (what == "gloss_max")
+        same->second = std::max(same->second, count);
+      else
+        same->second += count;
+    }
+  }
+  Evidence headers;
+  CheckTarget textures;
+  textures.label = file_of_scene.label;
+  for (const auto& [image, role] : roles) {
+    const std::string& path = scene.images[static_cast<std::size_t>(image)].path;
+    TargetFile texture;
+    texture.role = role;
+    texture.label = path.empty() ? file_of_scene.label + "#/images/" + std::to_string(image)
+                                 : label_beside(file_of_scene, path);
+    headers.headers.push_back(picture_evidence(texture, pictures.header(image)));
+    file.companions.push_back(texture.label);
+    file.roles.emplace_back(texture.label, name(role));
+  }
+  file.stats.pictures_decoded += roles.size();
+  file.stats.pictures_left_out += scene.images.size() - roles.size();
+  judge(textures, headers, settings, file);
+}
+
+void check_material(const TargetFile& part, Evidence& evidence) {
+  const std::string text = read_file(part.path);
+  evidence.material = part.role == FileRole::material ? evidence_of_material(text, part.label)
+                                                      : evidence_of_spectrum(text, part.path, part.label);
+}
+
+// Order of a CheckedFile's findings, as judge() leaves them.
+void sort_findings(CheckedFile& file) {
+  std::stable_sort(file.findings.begin(), file.findings.end(), [](const Finding& a, const Finding& b) {
+    return std::tie(a.rule, a.tile, a.pointer) < std::tie(b.rule, b.tile, b.pointer);
+  });
+}
+
+std::string relabelled(std::string message, const CheckTarget& target) {
+  // Readers name the path they were given; reports name the label.
+  for (const TargetFile& file : target.files)
+    if (!file.path.empty() && file.path != file.label && message.starts_with(file.path))
+      return file.label + message.substr(file.path.size());
+  return message;
+}
+
+}  // namespace
+
+CheckedFile check(const CheckTarget& target, const Settings& settings, unsigned threads) {
+  const Settings own = settings_for(target, settings);
+  CheckedFile file = checked_file_of(target);
+  Evidence evidence;
+  try {
+    if (const TargetFile* scene = with_role(target, {FileRole::scene}))
+      check_scene(*scene, target, own, threads, file);
+    else if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
+      check_material(*material, evidence);
+    else if (has_role(target, FileRole::base_color) || has_role(target, FileRole::metal_rough))
+      check_metal_rough(target, own, threads, evidence, file);
+    else
+      check_pair(target, own, threads, evidence, file);
+  } catch (const Error& error) {
+    evidence.unreadable.push_back(relabelled(error.what(), target));
+    evidence.tiles.clear();
+    file.unreadable = true;
+  } catch (const std::bad_alloc&) {
+    Finding finding = finding_of(*find_rule("ETK902"), Severity::warning);
+    finding.file = file.path;
+    finding.message = "not enough memory to check the file";
+    file.findings.push_back(std::move(finding));
+    file.unreadable = true;
+  } catch (const std::exception& error) {
+    Finding finding = finding_of(*find_rule("ETK901"), Severity::error);
+    finding.file = file.path;
+    finding.message = std::string("reading failed: ") + error.what();
+    file.findings.push_back(std::move(finding));
+    file.unreadable = true;
+  }
+  judge(target, evidence, own, file);
+  sort_findings(file);
+  return file;
+}
+
+ValidationReport validate(const std::vector<CheckTarget>& targets, const Settings& settings,
+                          unsigned threads) {
+  std::vector<CheckedFile> files(targets.size());
+  // Many files: one thread each. One or few: threads inside.
+  const unsigned inside =
+      targets.size() >= threads
+          ? 1
+          : std::max(1u, threads / static_cast<unsigned>(std::max<std::size_t>(1, targets.size())));
+  parallel_chunks(targets.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t i = begin; i < end; ++i) files[i] = check(targets[i], settings, inside);
+  });
+  return report_of(std::move(files), settings);
+}
+
+std::optional<FileRole> file_kind(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* picture : {".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".webp", ".tga", ".hdr"})
+    if (ending == picture) return FileRole::specular_gloss;
+  if (ending == ".gltf" || ending == ".glb") return FileRole::scene;
+  if (ending == ".yml" || ending == ".yaml" || ending == ".csv") return FileRole::spectrum;
+  if (ending != ".json") return std::nullopt;
+  std::ifstream in(path, std::ios::binary);
+  std::string head(std::size_t{64} << 10, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  if (head.find("\"pages\"") != std::string::npos &&
+      (head.find("\"rects\"") != std::string::npos || head.find("etak-atlas-layout") != std::string::npos))
+    return FileRole::layout;
+  if (head.find("\"datasets\"") != std::string::npos || head.find("etak-material/") != std::string::npos)
+    return FileRole::material;
+  return std::nullopt;
+}
+
+PicturesInMemory LoadedPictures::in_memory() const {
+  return {a.width == 0 ? nullptr : &a, b.width == 0 ? nullptr : &b,
+          metallic.width == 0 ? nullptr : &metallic};
+}
+
+LoadedPictures load_pictures(const CheckTarget& target, const Settings&) {
+  if (has_role(target, FileRole::base_color) || has_role(target, FileRole::metal_rough)) {
+    const MetalRoughSet set = metal_rough_set(target);
+    ScenePictures pictures(set.images);
+    return convert_material(set.material, pictures);
+  }
+  LoadedPictures out;
+  const auto load = [](const TargetFile* file, Image8& to) {
+    if (file == nullptr) return;
+    const auto source = open_picture(file->path);
+    const TextureHeader& header = source->header();
+    if (header.floating) {
+      TextureHeader ignored;
+      const Image8 codes = load_codes(file->path, "", file->label, ignored);
+      to = Image8(header.width, header.height, 4);
+      rows_of(codes)->read_rows(to.values.data(), 4 * static_cast<std::size_t>(header.width), header.height);
+      return;
+    }
+    to = Image8(header.width, header.height, 4);
+    source->read_rows(to.values.data(), 4 * static_cast<std::size_t>(header.width), header.height);
+  };
+  load(with_role(target, {FileRole::diffuse_alpha}), out.a);
+  load(with_role(target, {FileRole::specular_gloss, FileRole::f0_only}), out.b);
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/validate/validate.h"
+
+namespace etak {
+
+// Checking of files: target etak_validate_files, which links the picture readers.
+
+/// Checks one target. Never throws for what is in the files: an unreadable one is finding ETK001, an error of
+/// a rule ETK901, and the file is marked `unreadable`.
+CheckedFile check(const CheckTarget& target, const Settings& settings, unsigned threads = 1);
+
+/// Checks all targets, side by side on `threads` threads; the report is the same for any number of them.
+ValidationReport validate(const std::vector<CheckTarget>& targets, const Settings& settings,
+                          unsigned threads);
+
+/// What kind of file a path is by its ending and, for .json, by its first bytes; nullopt: none that is
+/// checked. Pictures come back as specular_gloss: which role they have is for the caller's patterns to say.
+std::optional<FileRole> file_kind(const std::string& path);
+
+/// An atlas layout: one target per page, with tiles and gutter. Paths of pages are taken beside the file.
+/// Throws Error naming file and JSON pointer.
+std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::string& label);
+
+/// The pictures of a target as codes (a metal-rough set is converted first), for mask pictures and
+/// thumbnails. A and B as the rules see them; empty (0 x 0) where there is none. Throws Error.
+struct LoadedPictures {
+  Image8 a, b, metallic;
+  PicturesInMemory in_memory() const;
+};
+LoadedPictures load_pictures(const CheckTarget& target, const Settings& settings);
+
+}  // namespace etak

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/image/pixels_view.h"
+
+namespace etak {
+
+enum class Severity { off, info, warning, error };
+std::string_view name(Severity severity);  // "off", "info", "warning", "error"
+
+/// A database material and how far it is.
+struct NearestMaterial {
+  std::string id, dataset;
+  double bytes = 0;  // largest channel difference in 8-bit codes
+  friend bool operator==(const NearestMaterial&, const NearestMaterial&) = default;
+};
+
+/// What a rule has to say of one place. Never more than one per rule, file and tile.
+struct Finding {
+  std::string rule;  // "ETK101"
+  std::string slug;  // "f0-forbidden-zone"
+  Severity severity = Severity::warning;
+  std::string file;      // relative to the run's root
+  std::string tile;      // of an atlas; else empty
+  std::string material;  // when named
+  std::string pointer;   // JSON pointer, for materials and scenes
+  std::optional<PixelBox> box;
+  std::size_t area_px = 0;
+  double area_share = 0;                        // of the tile
+  std::optional<std::array<double, 3>> linear;  // the value found
+  std::optional<std::array<int, 3>> byte;
+  std::optional<double> luminance;
+  std::string value, limit;  // "F0 0.22", "20-45 %"
+  std::vector<NearestMaterial> nearest;
+  std::string message;  // one sentence: value, place, area
+  std::string cause;    // "possible cause: ..."; empty when not known
+  std::string fix;
+  std::string source;       // of the rule
+  bool suppressed = false;  // by an [[allow]] entry
+  std::string suppression;  // its reason
+  bool baseline = false;    // known from the baseline
+  friend bool operator==(const Finding&, const Finding&) = default;
+};
+
+/// What a check cost; for --stats. The times differ from run to run and belong in no report that is compared.
+struct CheckStats {
+  std::size_t pictures_decoded = 0, pictures_left_out = 0;  // left out: no rule needs their texels
+  std::size_t texels = 0;                                   // of one picture
+  std::size_t passes = 0;                                   // over the texels
+  double decode_seconds = 0, byte_seconds = 0, region_seconds = 0;
+};
+
+/// One checked file, or one pair or set of files that belong together.
+struct CheckedFile {
+  std::string path;                     // relative
+  std::vector<std::string> companions;  // other files of the set, relative
+  std::string sha256;
+  int width = 0, height = 0;
+  std::vector<std::pair<std::string, std::string>> roles;  // file -> role
+  std::vector<Finding> findings;                           // in the order of rule, tile, box
+  std::size_t plateau_px = 0, transition_px = 0;
+  bool unreadable = false;  // exit status 2
+  // Exact texel counts of the byte pass, in a fixed order: "forbidden_any_channel_px", "gloss_min", ...
+  std::vector<std::pair<std::string, std::int64_t>> counts;
+  CheckStats stats;
+};
+
+struct ValidationReport {
+  std::string profile, transfer, settings_hash;
+  std::vector<CheckedFile> files;                   // in path order
+  std::size_t errors = 0, warnings = 0, infos = 0;  // not counting suppressed and baseline ones
+  bool passed = true;
+  bool incomplete = false;  // something could not be checked: exit status 2
+};
+
+}  // namespace etak

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <map>
+#include <tuple>
+
+#include "core/base/file.h"
+#include "core/base/json_node.inc"
+#include "core/image/image.h"
+#include "core/validate/files.h"
+
+namespace etak {
+
+namespace {
+
+std::string beside(const std::string& path, const std::string& name) {
+  return (std::filesystem::path(path).parent_path() / name).lexically_normal().generic_string();
+}
+
+// Only what the rules ask for is read: layouts of other programs may hold less and more than etak's.
+Tile read_tile(const JsonNode& node, std::size_t pages, int levels) {
+  node.expect_object();
+  Tile tile;
+  tile.name = node.at("name").text();
+  if (node.has("island")) tile.name += '#' + std::to_string(node.at("island").integer());
+  tile.page = pages > 1 || node.has("page") ? node.at("page").integer(0, static_cast<int>(pages) - 1) : 0;
+  tile.box = {node.at("x").integer(), node.at("y").integer(), node.at("w").integer(0),
+              node.at("h").integer(0)};
+  if (node.has("material")) tile.material = node.at("material").text();
+  if (node.has("surface_class")) tile.surface_class = node.at("surface_class").text();
+  if (node.has("gloss")) tile.typical_gloss = node.at("gloss").number();
+  if (node.has("gutter")) tile.gutter = node.at("gutter").integer(0, max_image_side);
+  // "mips" counts level 0, which nothing can bleed into.
+  if (node.has("mips")) tile.mips = std::min(node.at("mips").integer(1, 16), levels) - 1;
+  return tile;
+}
+
+}  // namespace
+
+std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::string& label) {
+  const std::string text = read_file(path);
+  const Json document = parse_json_strictly(text, label, 16, "an atlas layout");
+  const JsonNode root{document, label, {}};
+  root.expect_object();
+  const JsonNode pages = root.at("pages"), rects = root.at("rects");
+  pages.expect_array();
+  rects.expect_array();
+  // Chains that end early ask for less.
+  const int levels = root.has("levels") ? root.at("levels").integer(1, 16) : 16;
+
+  std::vector<CheckTarget> targets(pages.size());
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const JsonNode page = pages.at(i);
+    page.expect_object();
+    CheckTarget& target = targets[i];
+    for (const auto& [key, role] : {std::pair("diffuse_alpha", FileRole::diffuse_alpha),
+                                    std::pair("specular_gloss", FileRole::specular_gloss)}) {
+      if (!page.has(key) || page.at(key).value.is_null()) continue;
+      const std::string name = page.at(key).text();
+      target.files.push_back({role, beside(path, name), beside(label, name), false});
+    }
+    target.label = target.files.empty() ? label + "#" + page.pointer : target.files.back().label;
+    if (root.has("gutter")) target.manifest.gutter = root.at("gutter").integer(0, max_image_side);
+    if (root.has("mips")) target.manifest.mips = root.at("mips").integer(0, 16);
+    if (root.has("transfer")) {
+      target.manifest.transfer = texture_transfer_named(root.at("transfer").text());
+      if (!target.manifest.transfer) root.at("transfer").fail_type("srgb, gamma22 or linear");
+    }
+  }
+  // Materials that share texels have a row each: the tile is one.
+  std::map<std::tuple<int, int, int, int, int>, std::size_t> seen;
+  for (std::size_t i = 0; i < rects.size(); ++i) {
+    Tile tile = read_tile(rects.at(i), pages.size(), levels);
+    const PixelBox& box = tile.box;
+    if (!seen.try_emplace({tile.page, box.x, box.y, box.width, box.height}, i).second) continue;
+    targets[static_cast<std::size_t>(tile.page)].manifest.tiles.push_back(std::move(tile));
+  }
+  return targets;
+}
+
+}  // namespace etak

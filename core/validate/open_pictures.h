@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/validate/target.h"
+
+namespace etak {
+
+/// A picture file, opened: PNG is read row by row, all else at once. Throws Error that names the path.
+std::unique_ptr<RowSource> open_picture(const std::string& path);
+
+/// The head alone, where the format lets it be read alone (PNG); else the whole is decoded.
+TextureHeader read_texture_header(const std::string& path);
+
+/// All of a picture as codes, 16 bits rounded to 8; floats clamped to 0..1 and, but for the fourth channel,
+/// encoded to sRGB. Channels as stored.
+///   bytes   of the file, when it is in memory; else empty
+Image8 load_codes(const std::string& path, std::string_view bytes, const std::string& label,
+                  TextureHeader& header);
+
+}  // namespace etak

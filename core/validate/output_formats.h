@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/validate/finding.h"
+
+namespace etak {
+
+// The forms of a validation report. All are made from the report's values alone: no clock, no absolute path,
+// the order of the report, so equal reports give equal bytes. Only output_json and output_sarif show findings
+// that an
+// [[allow]] entry or the baseline took out of the verdict; they are marked there.
+
+/// What a form needs to know beside the report.
+///   fail_on   findings from here on make the verdict FAILED (a failure in JUnit)
+///   version   of etak
+struct OutputOptions {
+  Severity fail_on = Severity::error;
+  std::string version;
+};
+
+/// Whether the finding takes part in the verdict: neither suppressed nor in the baseline.
+inline bool counts(const Finding& finding) {
+  return !finding.suppressed && !finding.baseline;
+}
+
+/// The files with findings by severity, for verdict lines.
+struct ReportCounts {
+  std::size_t files = 0, clean = 0;  // clean: no finding that counts, and readable
+  std::size_t unreadable = 0;
+  std::size_t suppressed = 0, known = 0;
+};
+ReportCounts count_files(const ValidationReport& report);
+
+/// Where a finding lies: `crate_spec.png:tile "hinge" [812,64 96x40]`, `wood.json#/datasets/0/n`.
+std::string place_of(const Finding& finding);
+
+/// Its message with the cause behind it, one line without a full stop at its end.
+std::string sentence_of(const Finding& finding);
+
+/// "2,914"
+std::string grouped(std::size_t value);
+
+/// One line: "FAILED: 1 error, 2 warnings in 3 files (41 clean)." or "PASSED: 44 files, 0 findings."; what
+/// could not be checked comes first: "INCOMPLETE: 1 of 44 files could not be checked; ...".
+std::string verdict_of(const ValidationReport& report);
+
+/// One line per finding in the report's order, the verdict last.
+///   color   severity words in ANSI colours
+std::string validation_text(const ValidationReport& report, bool color);
+
+/// One row per finding, suppressed ones too, with a header; RFC 4180: CRLF, quotes where needed.
+std::string validation_csv(const ValidationReport& report);
+
+/// {"schema": "etak-validation/1", ...} as resources/schema/validation.schema.json describes.
+std::string validation_json(const ValidationReport& report, const OutputOptions& options);
+
+/// SARIF 2.1.0 (OASIS, 2020) with the whole rule table; at most `most_sarif_results` results, the dropped
+/// ones counted in a notification of the run: GitHub shows no more.
+inline constexpr std::size_t most_sarif_results = 5000;
+std::string validation_sarif(const ValidationReport& report, const OutputOptions& options);
+
+/// JUnit XML: a test suite per file, a test case per family of rules.
+std::string validation_junit(const ValidationReport& report, const OutputOptions& options);
+
+/// Workflow commands of GitHub Actions: at most 10 of each level, as many as it shows; the rest is summed up
+/// in a plain line. The verdict last.
+std::string validation_github(const ValidationReport& report);
+
+/// A key that is equal for the same defect before and after a re-export: rule, relative file, tile, material,
+/// pointer and the box in steps of 1/8 of the picture's sides (16 hexadecimal digits of a 64-bit FNV-1a
+/// hash).
+std::string region_fingerprint(const Finding& finding, int width, int height);
+
+}  // namespace etak

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/validate/evidence.h"
+#include "core/validate/nearest.h"
+#include "core/validate/rules.h"
+#include "core/validate/settings.h"
+
+namespace etak {
+
+/// What a rule's check gets: the evidence, its settings, and a way to report.
+class RuleCheck {
+ public:
+  RuleCheck(const Rule& rule, const CheckTarget& target, const Settings& settings, const Evidence& evidence,
+            const CodeTables& tables, std::vector<Finding>& findings);
+
+  const CheckTarget& target;
+  const Settings& settings;
+  const Evidence& evidence;
+  const CodeTables& tables;
+
+  double parameter(std::string_view name) const;
+  Severity severity() const { return severity_; }
+
+  /// The rule's severity raised to at least (lowered to at most) this one; a severity that the configuration
+  /// gives to the rule stays as it is.
+  Severity at_least(Severity severity) const;
+  Severity at_most(Severity severity) const;
+
+  /// A finding with the rule's facts filled in, about the whole target; about a picture; about a tile.
+  Finding& report();
+  Finding& report(const PictureEvidence& picture);
+  Finding& report(const TileEvidence& tile, FileRole role);
+
+  /// A finding about plateaus: box around all, their area, colour of the largest.
+  ///   diffuse   the colour shown is that of A
+  Finding& report(const TileEvidence& tile, const PlateauSummary& plateaus, const Plateau& shown,
+                  bool diffuse);
+
+  /// "0.041 (byte 56, grey)" or "1.00 0.77 0.34 (bytes 255 227 157)".
+  std::string colour(const std::array<double, 3>& linear) const;
+  std::array<int, 3> bytes(const std::array<double, 3>& linear) const;
+
+  /// Label of the target's file with this role (or that stands for it); the target's own where there is none.
+  std::string file_of(FileRole role) const;
+
+  /// Whether the pictures have a gloss (alpha) channel of their own, not a filler.
+  bool has_gloss() const;
+  bool has_alpha() const;
+
+  /// Least number of texels that a rule without regions takes seriously in a tile.
+  std::size_t least_area(const TileEvidence& tile) const;
+
+ private:
+  const Rule& rule_;
+  Severity severity_;
+  bool fixed_severity_;
+  std::vector<Finding>& findings_;
+};
+
+/// Y of linear sRGB.
+inline double luminance_of(const std::array<double, 3>& c) {
+  return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+}
+
+/// act(tile, plateaus) for every tile with plateaus of this kind.
+template <class Act>
+void for_each_region(RuleCheck& check, RegionKind kind, Act act) {
+  for (const TileEvidence& tile : check.evidence.tiles)
+    if (const PlateauSummary* found = tile.region(kind); found != nullptr && found->regions != 0)
+      act(tile, *found);
+}
+
+/// "2,914 px (0.07 %)".
+std::string area_text(std::size_t area, std::size_t of);
+/// "1,234,567".
+std::string in_thousands(std::size_t number);
+/// Percent with two significant digits: "0.07 %", "12 %".
+std::string percent(double share);
+
+}  // namespace etak

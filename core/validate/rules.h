@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/validate/rule.h"
+
+namespace etak {
+
+/// Every rule, in the order of ids.
+std::span<const Rule* const> rules();
+
+/// By whole id ("ETK101") or slug ("f0-forbidden-zone"); case of the id does not matter. Null: none.
+const Rule* find_rule(std::string_view id_or_slug);
+
+/// Rules whose id begins with `prefix` ("ETK1", "ETK"); a whole id gives one, a slug its rule. Empty: none
+/// (ETK904).
+std::vector<const Rule*> rules_with_prefix(std::string_view prefix);
+
+/// The `count` ids nearest to a mistyped one.
+std::vector<std::string_view> nearest_rules(std::string_view id, std::size_t count = 3);
+
+/// A finding of `rule` with its id, slug, severity, source and fix filled in: for the rules of the tool
+/// itself (901-904) and for messages of readers.
+Finding finding_of(const Rule& rule, Severity severity);
+
+}  // namespace etak

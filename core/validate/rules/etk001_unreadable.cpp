@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/rules/rows.h"
+
+namespace etak {
+
+namespace {
+
+void check(RuleCheck& check) {
+  for (const std::string& message : check.evidence.unreadable) {
+    Finding& finding = check.report();
+    finding.message = message;
+    finding.value = "unreadable";
+  }
+}
+
+}  // namespace
+
+constinit const Rule etk001_unreadable{
+    "ETK001",
+    "unreadable",
+    "A file cannot be read",
+    Severity::error,
+    Severity::error,
+    {},
+    {},
+    "glTF-Validator, IO_ERROR and IMAGE_UNEXPECTED_EOS",
+    "A file is missing, empty, truncated, damaged, or in a form that no reader here knows.",
+    "What cannot be read was not checked, and must not pass for clean: the run ends with "
+    "exit status 2.",
+    "A PNG cut short by a full disk; a texture named in a layout that was never exported.",
+    "Export the file again; compare its size with that of the source.",
+    &check};
+
+}  // namespace etak

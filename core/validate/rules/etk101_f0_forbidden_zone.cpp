@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/number.h"
+#include "core/validate/rules/rows.h"
+
+namespace etak {
+
+namespace {
+
+constexpr RuleParameter parameters[] = {
+    {"match_bytes", 3, 3, "codes", "distance at which a plateau counts as a material of the library"},
+};
+
+// Half metals are ETK113's: here they count as a warning.
+bool is_half_metal(const RuleCheck& check, const Plateau& plateau) {
+  return check.evidence.metal_rough && plateau.metallic > 0.1 && plateau.metallic < 0.9;
+}
+
+// A real material of the zone excuses the plateau; a named one fully.
+Severity severity_of_plateau(const RuleCheck& check, const TileEvidence& tile, const Plateau& plateau) {
+  if (is_half_metal(check, plateau)) return check.at_most(Severity::warning);
+  const ZoneSettings& zone = check.settings.zone;
+  const double most = check.parameter("match_bytes");
+  const std::vector<const KnownF0*> named = known_f0_of(tile.tile.material);
+  bool matches = false;
+  for (const KnownF0& entry : known_f0()) {
+    if (entry.luminance <= zone.low || entry.luminance >= zone.high) continue;
+    const bool is_named = !named.empty() && named.front()->id == entry.id;
+    // Of others only the preferred dataset: with all of them a tenth of the greys would be excused.
+    if ((!entry.preferred && !is_named) ||
+        code_distance(plateau.specular, entry, check.settings.transfer) > most)
+      continue;
+    if (is_named) return check.at_most(Severity::info);
+    matches = true;
+  }
+  return matches ? check.at_most(Severity::warning) : check.severity();
+}
+
+void check(RuleCheck& check) {
+  const ZoneSettings& zone = check.settings.zone;
+  for_each_region(check, RegionKind::zone, [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
+    const Plateau* shown = nullptr;
+    Severity worst = Severity::off;
+    for (const Plateau& plateau : plateaus.largest) {
+      const Severity severity = severity_of_plateau(check, tile, plateau);
+      if (severity <= worst) continue;
+      worst = severity;
+      shown = &plateau;
+    }
+    Finding& finding = check.report(tile, plateaus, *shown, false);
+    finding.severity = worst;
+    finding.limit = percent(zone.low) + " to " + percent(zone.high);
+    const Explanation why = explain_f0(shown->specular, check.settings.transfer);
+    if (is_half_metal(check, *shown)) {
+      finding.cause = "metallic is " + number(shown->metallic, 2);
+      finding.message += "; " + finding.cause;
+    } else if (why.cause == Explanation::Cause::doubled && !check.evidence.metal_rough) {
+      finding.cause = "matches a dielectric of F0 " + number(why.original, 2) + " (" + why.material +
+                      ") sRGB-encoded twice, within " + number(why.distance, 2) + " codes";
+      finding.message += "; " + finding.cause;
+    } else if (why.cause == Explanation::Cause::none && worst < Severity::error && !finding.nearest.empty()) {
+      finding.message += "; close to " + finding.nearest.front().id;
+    }
+  });
+}
+
+}  // namespace
+
+constinit const Rule etk101_f0_forbidden_zone{
+    "ETK101",
+    "f0-forbidden-zone",
+    "F0 lies where no common material is",
+    Severity::error,
+    Severity::error,
+    {Need::bytes_b, Need::regions},
+    parameters,
+    "Hoffman, \"Crafting Physically Motivated Shading Models\"; MoonRay calls conductors "
+    "below 0.4564 invalid; thresholds of the region analysis measured on synthetic edges "
+    "(etak)",
+    "A plateau of F0 with luminance between the zone's limits, 0.20 and 0.45 (sRGB codes 124 "
+    "to 178 for greys). A warning where the colour is within 3 codes of a material of the "
+    "library that lies in the zone itself (silicon, gallium arsenide, titanium nitride), "
+    "information when the file names that material, and a warning where a metal-rough set is "
+    "half metal (ETK113). Regions, not texels: what filtering makes of an edge between metal "
+    "and dielectric is left to ETK102. The smallest region is 32 texels and 0.001 % of the "
+    "tile: a first limit of 0.01 % would have hidden a patch of 10 x 10 in a tile of 1024 x "
+    "1024.",
+    "Dielectrics reflect 2 to 5 %, gems up to 17 %, metals half or more. Between lie only "
+    "semiconductors and a few compounds.",
+    "Plastic of F0 0.04 encoded to sRGB twice reads as 0.22; a 50 % grey specular map reads "
+    "as 0.21.",
+    "Decide whether the surface is metal or not; re-export without a second sRGB conversion; "
+    "or name the material.",
+    &check,
+    RegionKind::zone};
+
+}  // namespace etak

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "core/base/number.h"
+#include "core/validate/rules/rows.h"
+
+namespace etak {
+
+namespace {
+
+constexpr RuleParameter parameters[] = {
+    {"codes", 8, 8, "", "most distinct codes that are reported"},
+    {"min_texels", 65536, 65536, "px", "smaller tiles are not asked"},
+    {"span", 32, 32, "codes", "least distance of the ends"},
+};
+
+void check(RuleCheck& check) {
+  if (!check.has_gloss()) return;
+  for (const TileEvidence& tile : check.evidence.tiles) {
+    const Detail& d = tile.detail;
+    if (!d.every_row || static_cast<double>(tile.counts.texels) <= check.parameter("min_texels")) continue;
+    const auto distinct =
+        static_cast<int>(std::count_if(d.b[3].begin(), d.b[3].end(), [](std::uint32_t n) { return n != 0; }));
+    const int span = tile.counts.gloss_most - tile.counts.gloss_least;
+    if (distinct > check.parameter("codes") || span <= check.parameter("span")) continue;
+    Finding& finding = check.report(tile, FileRole::specular_gloss);
+    finding.value = std::to_string(distinct) + " codes";
+    finding.limit = "more than " + number(check.parameter("codes"), 3);
+    finding.message = "gloss has " + finding.value + " between " + std::to_string(tile.counts.gloss_least) +
+                      " and " + std::to_string(tile.counts.gloss_most) + " over " +
+                      in_thousands(tile.counts.texels) + " px";
+  }
+}
+
+}  // namespace
+
+constinit const Rule etk304_gloss_steps{
+    "ETK304",
+    "gloss-steps",
+    "Gloss has only a few steps",
+    Severity::info,
+    Severity::warning,
+    {Need::bytes_b},
+    parameters,
+    "One step of 8 bits changes the exponent 2^(12 g) by 3.3 % (etak)",
+    "At most 8 distinct gloss codes over more than 65,536 texels that span more than 32 "
+    "codes.",
+    "Highlights change their size in visible steps.",
+    "Gloss stored in a palette picture or posterised.",
+    "Export gloss from its source with 8 bits.",
+    &check};
+
+}  // namespace etak

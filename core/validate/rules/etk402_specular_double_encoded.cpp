@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "core/base/number.h"
+#include "core/validate/rules/rows.h"
+
+namespace etak {
+
+namespace {
+
+constexpr RuleParameter parameters[] = {
+    {"share", 80, 80, "%", "of the achromatic non-metal plateau area"},
+};
+
+void check(RuleCheck& check) {
+  for (const TileEvidence& tile : check.evidence.tiles) {
+    const PlateauSummary* plateaus = tile.region(RegionKind::any_f0);
+    if (plateaus == nullptr || plateaus->regions == 0 || check.settings.transfer == TextureTransfer::linear)
+      continue;
+    std::size_t grey = 0, doubled = 0;
+    const Plateau* shown = nullptr;
+    const bool has_diffuse = check.evidence.a.has_value();
+    bool above_gems = false;
+    for (const Plateau& plateau : plateaus->largest) {
+      const auto codes = check.bytes(plateau.specular);
+      const int spread =
+          *std::max_element(codes.begin(), codes.end()) - *std::min_element(codes.begin(), codes.end());
+      if (spread > 4 || luminance_of(plateau.specular) >= check.settings.zone.high) continue;
+      grey += plateau.area;
+      const int code = check.tables.encode(luminance_of(plateau.specular));
+      if (code < 105 || code > 155) continue;
+      if (has_diffuse && luminance_of(plateau.diffuse) <= 0.004) continue;
+      doubled += plateau.area;
+      above_gems = above_gems || luminance_of(plateau.specular) > check.settings.zone.low;
+      if (shown == nullptr) shown = &plateau;
+    }
+    if (shown == nullptr ||
+        100.0 * static_cast<double>(doubled) < check.parameter("share") * static_cast<double>(grey))
+      continue;
+    const double meant = check.tables.decode(255 * luminance_of(shown->specular));
+    if (meant < 0.017 || meant > 0.09) continue;
+    Finding& finding = check.report(tile, *plateaus, *shown, false);
+    const bool sure = has_diffuse && above_gems;
+    if (!sure) finding.severity = check.at_most(Severity::warning);
+    finding.box = shown->box;
+    finding.area_px = doubled;
+    finding.limit = "codes 36 to 84";
+    finding.cause = std::string(sure ? "" : "possible cause: ") +
+                    "encoded twice; decoded once more it is F0 " + number(meant, 2);
+    finding.message = finding.value + " on " + area_text(doubled, tile.counts.texels) + "; " + finding.cause;
+  }
+}
+
+}  // namespace
+
+constinit const Rule etk402_specular_double_encoded{
+    "ETK402",
+    "specular-double-encoded",
+    "F0 was encoded to sRGB twice",
+    Severity::error,
+    Severity::error,
+    {Need::bytes_a, Need::bytes_b, Need::regions},
+    parameters,
+    "Leave-one-out over 109 materials: 95 % of dielectrics recognised; 0.04 reads as 0.221, "
+    "and 47 of 77 dielectrics land in the forbidden zone (etak)",
+    "At least 80 % of the area of achromatic non-metal plateaus has codes 105 to 155, whose "
+    "second decoding is an ordinary dielectric F0 of 0.017 to 0.09. Over black diffuse "
+    "nothing is said: a grey metal stored linear has the same codes. A warning where there "
+    "is no diffuse picture, and where all of it lies below the forbidden zone: F0 0.02 to "
+    "0.03 encoded twice has the codes of diamond, 109 to 120.",
+    "One conversion too many in the export chain.",
+    "An sRGB texture read as linear and encoded on writing.",
+    "Remove one of the two conversions.",
+    &check,
+    RegionKind::any_f0};
+
+}  // namespace etak

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/validate/finding.h"
+#include "core/validate/settings.h"
+
+namespace etak {
+
+/// Whether `pattern` covers `path`: '*' and '?' stand for anything but '/', "**" for anything. A pattern
+/// without '/' is held against the last part of the path alone.
+bool glob_matches(std::string_view pattern, std::string_view path);
+
+/// "YYYY-MM-DD" with a month and day that exist; the text order of such dates is their order in time.
+bool is_date(std::string_view text);
+
+/// What apply_allowances() needs to know of the run.
+///   today        "YYYY-MM-DD"
+///   config       the configuration's file name for messages and findings
+///   unused       severity of ETK903; off: not told
+///   whole_tree   everything below the configuration's folder was looked at, so an entry that met no file is
+///   stale is_active    whether a rule ran; entries for rules that did not are neither used nor unused
+struct AllowanceRun {
+  std::string_view today, config;
+  Severity unused = Severity::warning;
+  bool whole_tree = false;
+  std::function<bool(std::string_view prefix)> is_active;
+};
+
+/// Marks what the entries allow, and adds an ETK903 for every entry that suppressed nothing or has expired
+/// (to a CheckedFile for the configuration, with the role "config"). ETK001 and the 9xx rules cannot be
+/// allowed: a file that was not looked at is never clean.
+void apply_allowances(ValidationReport& report, std::span<const AllowEntry> entries, const AllowanceRun& run);
+
+}  // namespace etak

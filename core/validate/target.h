@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/validate/finding.h"
+#include "core/validate/settings.h"
+
+namespace etak {
+
+/// What a file holds.
+enum class FileRole {
+  diffuse_alpha,   // A: diffuse RGB and alpha
+  specular_gloss,  // B: specular RGB (F0) and gloss
+  f0_only,         // F0 as RGB; a fourth channel, if any, is gloss
+  base_color,      // metal-rough: base colour and alpha
+  metal_rough,     // metal-rough: G roughness, B metallic
+  layout,          // JSON of a packed atlas
+  scene,           // glTF
+  material,        // material JSON
+  spectrum,        // page or table of n,k or reflectance
+};
+std::string_view name(
+    FileRole role);  // "diffuse", "specular", "f0", "base-color", "metal-rough", "layout", ...
+std::optional<FileRole> role_named(std::string_view text);
+
+struct TargetFile {
+  FileRole role = FileRole::specular_gloss;
+  std::string path;      // to open
+  std::string label;     // for reports: relative to the run's root
+  bool guessed = false;  // the role comes from the file's name (ETK010)
+  friend bool operator==(const TargetFile&, const TargetFile&) = default;
+};
+
+/// A part of the picture that is judged on its own: a tile of an atlas.
+///   material        what somebody says it is: an id or name of the material library, or a name of the
+///                   project's own
+///   surface_class   a class of ETK205 ("dry-sand"); may be empty
+///   typical_gloss   the gloss somebody expects of this material, for ETK303
+struct Tile {
+  std::string name, material, surface_class;
+  PixelBox box;
+  int page = 0;
+  std::optional<double> typical_gloss;
+  std::optional<int> gutter, mips;  // where they differ from the manifest's
+  friend bool operator==(const Tile&, const Tile&) = default;
+};
+
+/// What the producer says of the pictures: of an atlas layout, or of the command line.
+struct Manifest {
+  std::vector<Tile> tiles;  // empty: the whole picture is one
+  int gutter = 0;           // texels around each tile that repeat its edge
+  std::optional<int> mips;  // levels below level 0 that must stay clean (ETK504)
+  std::optional<TextureTransfer> transfer;
+  std::string material, surface_class;  // of the whole picture
+  bool linear8_f0 = false;              // F0 is declared to be 8-bit linear (ETK405)
+  bool transparent = false;             // alpha is transparency
+  bool specular_weighs_diffuse =
+      false;  // the shader multiplies diffuse by 1 - max F0, as glTF's does (ETK201)
+  friend bool operator==(const Manifest&, const Manifest&) = default;
+};
+
+/// One thing to check: a file, or the files that belong together. It yields one CheckedFile.
+struct CheckTarget {
+  std::string label;  // path of the CheckedFile, relative; the first file's when empty
+  std::vector<TargetFile> files;
+  Manifest manifest;
+  friend bool operator==(const CheckTarget&, const CheckTarget&) = default;
+};
+
+/// What the head of a picture file says.
+struct TextureHeader {
+  int width = 0, height = 0;
+  int channels = 0;  // as stored
+  int bits = 8;
+  bool floating = false;
+  bool palette = false;
+  bool lossy = false;        // JPEG, lossy WebP
+  std::string format;        // "png", "openexr", ...
+  std::string colour_space;  // declared: "srgb", "linear", "gamma 0.45455", "icc: NAME"; empty: not said
+  friend bool operator==(const TextureHeader&, const TextureHeader&) = default;
+};
+
+/// Rows of one picture from the top, as RGBA codes: grey is spread over three channels, a missing fourth is
+/// 255, 16 bits are rounded to 8. Of float pictures the values as they are.
+class RowSource {
+ public:
+  virtual ~RowSource() = default;
+  virtual const TextureHeader& header() const = 0;
+  /// The next `count` rows; 4 bytes a texel, rows `stride` bytes apart. Throws Error for broken data.
+  virtual void read_rows(std::uint8_t* rgba, std::size_t stride, int count) = 0;
+  /// Only where header().floating: 4 floats a texel, rows `stride` floats apart; RGB linear.
+  virtual void read_float_rows(float* rgba, std::size_t stride, int count);
+};
+
+/// The pictures of a target, opened: null where there is none or no rule wants it.
+struct PictureRows {
+  std::unique_ptr<RowSource> a, b;      // diffuse + alpha, specular + gloss
+  std::unique_ptr<RowSource> metallic;  // of a metal-rough set: its metallic channel in the first three
+};
+
+/// The pictures of a target in memory, for the packer and the editor. Null where there is none.
+struct PicturesInMemory {
+  const Image8* a = nullptr;         // 4 channels
+  const Image8* b = nullptr;         // 4 channels
+  const Image8* metallic = nullptr;  // 1 channel
+};
+
+/// Rows of a picture in memory (1 to 4 channels), which must outlive the source.
+std::unique_ptr<RowSource> rows_of(const Image8& image);
+
+}  // namespace etak

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include "core/validate/config.h"
+#include "core/validate/rules.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+std::string problem(const std::string& text) {
+  return error_of([&] { (void)parse_config(text, "etak.toml"); });
+}
+
+Severity severity(const ValidateConfig& config, const char* id) {
+  return severity_of(*find_rule(id), config.settings);
+}
+
+}  // namespace
+
+TEST_CASE("the configuration of the documentation is read whole") {
+  const ValidateConfig config = parse_config(R"toml(
+profile  = "default"
+transfer = "gamma22"
+fail_on  = "warning"
+[roles]
+diffuse  = "*_diff.*"
+specular = ["*_spec.*", "b/*"]
+[rules]
+ETK202 = { severity = "error", min_byte = 50 }
+ETK9   = "off"
+[zone]
+low = 0.21
+high = 0.44
+metric = "max"
+erode = 5
+min_area_px = 16
+[[allow]]
+rule = "ETK101"
+file = "props/solar_*.png"
+material = "silicon"
+reason = "photovoltaic panel"
+expires = "2027-01-01"
+[[allow]]
+rule = "f0-zero"
+reason = "later"
+expires = 2027-03-04
+)toml",
+                                             "etak.toml");
+  const Settings& s = config.settings;
+  CHECK(s.transfer == TextureTransfer::gamma22);
+  CHECK(s.transfer_stated);
+  CHECK(s.fail_on == Severity::warning);
+  CHECK(config.roles == std::vector<RolePattern>{{FileRole::diffuse_alpha, "*_diff.*"},
+                                                 {FileRole::specular_gloss, "*_spec.*"},
+                                                 {FileRole::specular_gloss, "b/*"}});
+  CHECK(severity(config, "ETK202") == Severity::error);
+  CHECK(parameter_of(*find_rule("ETK202"), "min_byte", s) == 50);
+  CHECK(severity(config, "ETK903") == Severity::off);
+  CHECK(s.zone.low == 0.21);
+  CHECK(s.zone.metric == ZoneMetric::max);
+  CHECK(s.zone.erode == 5);
+  CHECK(s.zone.min_area_px == 16);
+  REQUIRE(s.allow.size() == 2);
+  CHECK(s.allow[0].expires == "2027-01-01");
+  CHECK(s.allow[0].material == "silicon");
+  CHECK(s.allow[1].rule == "ETK104");
+  CHECK(s.allow[1].expires == "2027-03-04");
+  CHECK(parse_config("", "etak.toml") == ValidateConfig{});
+}
+
+TEST_CASE("what is wrong in a configuration is refused with file and line") {
+  struct Row {
+    const char* text;
+    const char* told;
+  };
+  const Row rows[] = {
+      {"profil = \"strict\"", "etak.toml:1: unknown key \"profil\""},
+      {"\nprofile = \"loose\"", "etak.toml:2: profile"},
+      {"profile = 3", "default, strict, film or custom"},
+      {"transfer = \"rec709\"", "srgb, gamma22 or linear"},
+      {"fail_on = \"off\"", "error, warning or info"},
+      {"[rules]\nETK999 = \"off\"", "etak.toml:2: ETK904 unknown-rule"},
+      {"[rules]\nETK101 = \"fatal\"", "off, info, warning, error or on"},
+      {"[rules]\nETK101 = 3", "off, info, warning, error or on"},
+      {"[rules]\nETK202 = { min_bite = 50 }", "has no parameter \"min_bite\"; expected one of severity"},
+      {"[rules]\nETK202 = { min_byte = \"50\" }", "a number"},
+      {"[rules]\nETK202 = { min_byte = nan }", "a number"},
+      {"[rules]\nETK001 = \"off\"", "it tells what was not checked"},
+      {"[roles]\nnormal = \"*_n.*\"", "unknown role \"normal\""},
+      {"[roles]\ndiffuse = [1]", "a pattern"},
+      {"[zone]\nlow = 0.5\nhigh = 0.4", "low 0.5 is not below high 0.4"},
+      {"[zone]\nerode = 4", "1, 3 or 5"},
+      {"[zone]\nmin_area_px = 1.5", "a whole number"},
+      {"[[allow]]\nrule = \"ETK101\"", "no reason"},
+      {"[[allow]]\nrule = \"ETK101\"\nreason = \"  \"", "no reason"},
+      {"[[allow]]\nreason = \"x\"", "no rule"},
+      {"[[allow]]\nrule = \"ETKX\"\nreason = \"x\"", "etak.toml:2: ETK904"},
+      {"[[allow]]\nrule = \"ETK101\"\nreason = \"x\"\nexpires = \"soon\"", "a date"},
+      {"[[allow]]\nrule = \"ETK101\"\nreason = \"x\"\nowner = \"me\"", "unknown key \"owner\""},
+      {"[allow]\nrule = \"ETK101\"", "tables [[allow]]"},
+      {"zone = 3", "a table"},
+      {"profile = \"strict\"\nprofile = \"strict\"", "etak.toml:2:"},
+      {"profile = ", "a TOML document"},
+      {"\xff\xfe", "a TOML document"}};
+  for (const Row& row : rows) {
+    INFO(row.text);
+    CHECK(contains(problem(row.text), row.told));
+  }
+  CHECK(problem(std::string(100000, '[')) != "");
+}
+
+TEST_CASE("the closer name wins, wherever it stands, and on is the profile's severity") {
+  const ValidateConfig config =
+      parse_config("[rules]\nETK101 = \"warning\"\nETK1 = \"off\"\nETK = \"info\"\n", "etak.toml");
+  CHECK(severity(config, "ETK101") == Severity::warning);
+  CHECK(severity(config, "ETK103") == Severity::off);
+  CHECK(severity(config, "ETK201") == Severity::info);
+  const ValidateConfig custom =
+      parse_config("profile = \"custom\"\n[rules]\nETK101 = \"on\"\nETK111 = \"on\"\n", "etak.toml");
+  CHECK(severity(custom, "ETK101") == Severity::error);
+  CHECK(severity(custom, "ETK111") != Severity::off);
+  CHECK(severity(custom, "ETK103") == Severity::off);
+}
+
+TEST_CASE("select, only, extend-select and ignore choose rules") {
+  const auto chosen = [](const RuleChoice& choice, const std::string& config = {}) {
+    ValidateConfig out = parse_config(config, "etak.toml");
+    apply_choice(choice, out.settings);
+    return out;
+  };
+  const ValidateConfig select =
+      chosen({{}, {"ETK1"}, {}, {"ETK103"}}, "[rules]\nETK101 = \"off\"\nETK104 = \"info\"");
+  CHECK(severity(select, "ETK101") == Severity::off);
+  CHECK(severity(select, "ETK103") == Severity::off);
+  CHECK(severity(select, "ETK104") == Severity::info);
+  CHECK(severity(select, "ETK202") == Severity::off);
+  CHECK(severity(select, "ETK001") == Severity::error);
+  const ValidateConfig only = chosen({{"ETK101"}, {}, {}, {}}, "[rules]\nETK101 = \"off\"");
+  CHECK(severity(only, "ETK101") == Severity::error);
+  CHECK(severity(only, "ETK104") == Severity::off);
+  CHECK(severity(chosen({{}, {}, {"ETK111"}, {}}), "ETK111") != Severity::off);
+  CHECK(severity(chosen({{}, {}, {"f0-not-in-database"}, {}}), "ETK111") != Severity::off);
+  CHECK(contains(error_of([&] { (void)chosen({{}, {}, {}, {"ETK777"}}); }), "--ignore: ETK904"));
+}
+
+TEST_CASE("the settings' hash changes with whatever changes findings, and with nothing else") {
+  const auto hash = [](const std::string& text) {
+    return settings_hash(parse_config(text, "etak.toml").settings);
+  };
+  const std::string plain = hash("");
+  CHECK(plain.size() == 32);
+  CHECK(hash("fail_on = \"info\"") == plain);
+  CHECK(hash("[[allow]]\nrule = \"ETK101\"\nreason = \"x\"") == plain);
+  CHECK(hash("[rules]\nETK202 = \"warning\"") == plain);
+  for (const char* text :
+       {"transfer = \"gamma22\"", "transfer = \"srgb\"", "alpha = \"transparency\"", "profile = \"strict\"",
+        "[rules]\nETK202 = \"error\"", "[rules]\nETK202 = { min_byte = 31 }", "[zone]\nlow = 0.21",
+        "[zone]\nmetric = \"max\"", "[zone]\nerode = 5", "[zone]\nmin_area_px = 31"})
+    CHECK(hash(text) != plain);
+}

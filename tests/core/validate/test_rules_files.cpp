@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/image/image_io.h"
+#include "core/image/png.h"
+#include "core/validate/files.h"
+#include "core/validate/rules.h"
+#include "tests/core/validate/corpus.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+const Finding* find(const CheckedFile& file, std::string_view rule) {
+  const auto found = std::ranges::find(file.findings, rule, &Finding::rule);
+  return found == file.findings.end() ? nullptr : &*found;
+}
+
+std::string png_of(const Image8& image, bool srgb = false) {
+  PngOptions options;
+  options.srgb = srgb;
+  return png_bytes({{image.width, image.height, image.channels, 8},
+                    image.values.data(),
+                    static_cast<std::size_t>(image.width * image.channels)},
+                   options);
+}
+
+CheckTarget pair_of(const std::string& a, const std::string& b) {
+  CheckTarget target;
+  target.files = {{FileRole::diffuse_alpha, a, "a.png", false},
+                  {FileRole::specular_gloss, b, "b.png", false}};
+  return target;
+}
+
+CheckTarget single(FileRole role, const std::string& path, const std::string& label) {
+  CheckTarget target;
+  target.files = {{role, path, label, false}};
+  return target;
+}
+
+std::string ids(const CheckedFile& file) {
+  std::string text;
+  for (const Finding& f : file.findings) text += f.rule + " " + f.message + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a pair of files gives what the same pictures in memory give") {
+  const TempFolder folder;
+  for (const int size : {33, 200}) {
+    TextureSet set = natural_set(size, 4);
+    Random random(4);
+    std::ranges::find(mutations(), "ETK101", &Mutation::rule)->inject(set, random);
+    spit(folder.file("a.png"), png_of(set.a));
+    spit(folder.file("b.png"), png_of(set.b));
+    const CheckTarget target = pair_of(folder.file("a.png"), folder.file("b.png"));
+    CheckTarget in_memory = target;
+    const CheckedFile memory = check_pictures(in_memory, {&set.a, &set.b, nullptr}, {});
+    for (const unsigned threads : {1u, 2u, 5u}) {
+      const CheckedFile file = check(target, {}, threads);
+      INFO(ids(file));
+      CHECK(file.counts == memory.counts);
+      std::vector<Finding> without_headers = file.findings;
+      std::erase_if(without_headers, [](const Finding& f) { return f.rule < "ETK100"; });
+      std::vector<Finding> expected = memory.findings;
+      std::erase_if(expected, [](const Finding& f) { return f.rule < "ETK100"; });
+      CHECK(without_headers == expected);
+      CHECK(!file.unreadable);
+    }
+  }
+}
+
+TEST_CASE("what cannot be read is an error and never clean") {
+  const TempFolder folder;
+  const TextureSet set = natural_set(64, 1);
+  const std::string good = png_of(set.a);
+  spit(folder.file("good.png"), good);
+  spit(folder.file("empty.png"), "");
+  spit(folder.file("cut.png"), good.substr(0, good.size() / 2));
+  spit(folder.file("noise.png"), "this is no picture");
+  std::string damaged = good;
+  damaged[damaged.size() / 2] ^= 0x55;
+  spit(folder.file("damaged.png"), damaged);
+  std::filesystem::create_directory(folder.file("folder.png"));
+  std::filesystem::create_symlink("loop.png", folder.file("loop.png"));
+  for (const char* name :
+       {"empty.png", "cut.png", "noise.png", "damaged.png", "folder.png", "loop.png", "absent.png"}) {
+    const CheckedFile file = check(pair_of(folder.file("good.png"), folder.file(name)), {});
+    INFO(name << ": " << ids(file));
+    CHECK(file.unreadable);
+    REQUIRE(find(file, "ETK001") != nullptr);
+    CHECK(find(file, "ETK001")->severity == Severity::error);
+    CHECK(contains(find(file, "ETK001")->message, "b.png"));
+    CHECK(!contains(find(file, "ETK001")->message, folder.path()));
+    const ValidationReport report = validate({pair_of(folder.file("good.png"), folder.file(name))}, {}, 1);
+    CHECK(!report.passed);
+    CHECK(report.incomplete);
+  }
+}
+
+TEST_CASE("headers are judged: companions, sizes, channels, sides, colour space, guesses") {
+  const TempFolder folder;
+  const TextureSet set = natural_set(64, 1), other = natural_set(48, 1);
+  spit(folder.file("a.png"), png_of(set.a));
+  spit(folder.file("b.png"), png_of(set.b, true));
+  spit(folder.file("small.png"), png_of(other.b));
+  Image8 grey(64, 64, 2, 60);
+  spit(folder.file("grey.png"), png_of(grey));
+  CHECK(find(check(single(FileRole::diffuse_alpha, folder.file("a.png"), "a.png"), {}), "ETK002") != nullptr);
+  CHECK(find(check(single(FileRole::f0_only, folder.file("b.png"), "b.png"), {}), "ETK002") == nullptr);
+  const CheckedFile sizes = check(pair_of(folder.file("a.png"), folder.file("small.png")), {});
+  CHECK(find(sizes, "ETK003") != nullptr);
+  CHECK(find(sizes, "ETK009") != nullptr);
+  CHECK(find(check(pair_of(folder.file("a.png"), folder.file("grey.png")), {}), "ETK004") != nullptr);
+  Settings linear;
+  linear.transfer = TextureTransfer::linear;
+  const CheckedFile declared = check(pair_of(folder.file("a.png"), folder.file("b.png")), linear);
+  CHECK(find(declared, "ETK006") != nullptr);
+  CHECK(find(declared, "ETK405") != nullptr);
+  const CheckedFile right = check(pair_of(folder.file("a.png"), folder.file("b.png")), {});
+  INFO(ids(right));
+  CHECK(find(right, "ETK006") == nullptr);
+  CheckTarget guessed = pair_of(folder.file("a.png"), folder.file("b.png"));
+  guessed.files[0].guessed = true;
+  CHECK(find(check(guessed, {}), "ETK010") != nullptr);
+}
+
+TEST_CASE("float pictures: NaN, infinity, negative values and F0 above 1") {
+  const TempFolder folder;
+  Image a(40, 40, 4, 0.2f), b(40, 40, 4, 0.04f);
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) {
+      a.at(x, y)[3] = 1;
+      b.at(x, y)[3] = 0.3f + 0.01f * static_cast<float>(x);
+    }
+  write_exr(folder.file("a.exr"), a, true, true);
+  write_exr(folder.file("b.exr"), b, true, true);
+  const CheckedFile clean = check(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
+  INFO(ids(clean));
+  CHECK(errors(clean) == 0);
+  b.at(7, 9)[0] = std::numeric_limits<float>::quiet_NaN();
+  b.at(8, 9)[1] = std::numeric_limits<float>::infinity();
+  b.at(3, 5)[2] = -0.5f;
+  b.at(20, 20)[0] = 3;
+  write_exr(folder.file("b.exr"), b, true, true);
+  const CheckedFile broken = check(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
+  REQUIRE(find(broken, "ETK007") != nullptr);
+  CHECK(find(broken, "ETK007")->area_px == 2);
+  CHECK(find(broken, "ETK007")->box == PixelBox{7, 9, 1, 1});
+  REQUIRE(find(broken, "ETK008") != nullptr);
+  CHECK(find(broken, "ETK008")->box == PixelBox{3, 5, 1, 1});
+  REQUIRE(find(broken, "ETK107") != nullptr);
+  CHECK(find(broken, "ETK107")->severity == Severity::error);
+  // Gold's red is above 1 and no mistake.
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) {
+      std::ranges::copy(std::array{1.043f, 0.774f, 0.335f}, b.at(x, y).begin());
+      std::ranges::fill(a.at(x, y).first(3), 0.0f);
+    }
+  write_exr(folder.file("b.exr"), b, true, true);
+  write_exr(folder.file("a.exr"), a, true, true);
+  const CheckedFile gold = check(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
+  INFO(ids(gold));
+  REQUIRE(find(gold, "ETK107") != nullptr);
+  CHECK(find(gold, "ETK107")->severity == Severity::info);
+  CHECK(errors(gold) == 0);
+}
+
+TEST_CASE("16-bit pictures are judged as 8-bit ones") {
+  const TempFolder folder;
+  TextureSet set = natural_set(96, 6);
+  Random random(2);
+  std::ranges::find(mutations(), "ETK101", &Mutation::rule)->inject(set, random);
+  Image16 wide(96, 96, 4);
+  for (std::size_t i = 0; i < wide.values.size(); ++i)
+    wide.values[i] = static_cast<std::uint16_t>(set.b.values[i] * 257);
+  spit(folder.file("a.png"), png_of(set.a));
+  spit(folder.file("b.png"),
+       png_bytes({{96, 96, 4, 16}, reinterpret_cast<const std::uint8_t*>(wide.values.data()), 96 * 8}, {}));
+  const CheckedFile file = check(pair_of(folder.file("a.png"), folder.file("b.png")), {});
+  const CheckedFile memory = check_pictures(pair_of("", ""), {&set.a, &set.b, nullptr}, {});
+  CHECK(file.counts == memory.counts);
+  REQUIRE(find(file, "ETK101") != nullptr);
+  CHECK(*find(file, "ETK101") == *find(memory, "ETK101"));
+}
+
+TEST_CASE("a layout gives a target per page, and materials that share texels one tile") {
+  const TempFolder folder;
+  const std::string path = folder.file("atlas.json");
+  spit(path, R"({"schema": "etak-atlas-layout/1", "gutter": 2, "extra": 1, "levels": 3, "pages": [
+    {"diffuse_alpha": "p0_a.png", "specular_gloss": "p0_b.png", "width": 64, "height": 64},
+    {"diffuse_alpha": "p1_a.png", "specular_gloss": "p1_b.png", "width": 64, "height": 64}], "rects": [
+    {"name": "one", "page": 0, "x": 4, "y": 4, "w": 20, "h": 20, "rotated": false, "mips": 2},
+    {"name": "twin", "page": 0, "x": 4, "y": 4, "w": 20, "h": 20, "rotated": false, "mips": 2},
+    {"name": "two", "page": 1, "x": 0, "y": 0, "w": 64, "h": 64, "rotated": false}]})");
+  CHECK(file_kind(path) == FileRole::layout);
+  const auto targets = targets_of_layout(path, "sub/atlas.json");
+  REQUIRE(targets.size() == 2);
+  CHECK(targets[0].files[1].path == folder.file("p0_b.png"));
+  CHECK(targets[0].files[1].label == "sub/p0_b.png");
+  REQUIRE(targets[0].manifest.tiles.size() == 1);
+  CHECK(targets[0].manifest.tiles[0].mips == 1);
+  CHECK(targets[0].manifest.gutter == 2);
+  CHECK(targets[1].manifest.tiles[0].name == "two");
+  for (const char* text :
+       {"", "[]", "{}", R"({"pages": [], "rects": [{"name": "x", "page": 0}]})",
+        R"({"pages": 1, "rects": []})",
+        R"({"pages": [{}], "rects": [{"name": "a", "page": 7, "x": 0, "y": 0, "w": 1, "h": 1}]})"}) {
+    spit(path, text);
+    CHECK(!error_of([&] { targets_of_layout(path, "l.json"); }).empty());
+  }
+}
+
+TEST_CASE("the built-in materials are clean, and each fault of a material file is found") {
+  const std::string gold = slurp(source_folder() + "/materials/metal/gold.json");
+  const TempFolder folder;
+  const auto check_text = [&](const std::string& text) {
+    spit(folder.file("m.json"), text);
+    CHECK(file_kind(folder.file("m.json")) == FileRole::material);
+    return check(single(FileRole::material, folder.file("m.json"), "m.json"), {});
+  };
+  const auto replaced = [&](const std::string& from, const std::string& to) {
+    std::string text = gold;
+    REQUIRE(contains(text, from));
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const CheckedFile clean = check_text(gold);
+  INFO(ids(clean));
+  CHECK(errors(clean) == 0);
+  CHECK(find(check_text(replaced("\"licence\": \"CC0-1.0\"", "\"licence\": \"\"")), "ETK607") != nullptr);
+  CHECK(find(check_text(replaced("\"aliases\"", "\"alias\"")), "ETK611") != nullptr);
+  CHECK(find(check_text(replaced("\"unit\": \"um\"", "\"unit\": \"nm\"")), "ETK605") != nullptr);
+  CHECK(find(check_text(replaced("[0.31, 1.649, 1.895]", "[0.31, 1.649, -1.895]")), "ETK604") != nullptr);
+  CHECK(find(check_text(replaced("[0.31, 1.649, 1.895]", "[0.3, 1.649, 1.895]")), "ETK603") != nullptr);
+  CHECK(find(check_text(replaced("\"class\": \"metal\"", "\"class\": \"glass\"")), "ETK609") != nullptr);
+  CHECK(find(check_text(replaced("\"class\": \"metal\",",
+                                 "\"class\": \"metal\", \"f0\": {\"linear\": [1.0, 0.5, 0.2]},")),
+             "ETK606") != nullptr);
+  CHECK(
+      find(
+          check_text(
+              R"({"schema": "etak-material/1", "datasets": [{"id": "x", "unit": "nm", "columns": ["wavelength", "n"], "rows": [[500, 1.5], [650, 1.5]]}]})"),
+          "ETK601") != nullptr);
+  CHECK(find(check_text("{\"datasets\": "), "ETK611") != nullptr);
+}
+
+TEST_CASE("every material of the library passes") {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() + "/materials")) {
+    if (entry.path().extension() != ".json") continue;
+    const CheckedFile file =
+        check(single(FileRole::material, entry.path().string(), entry.path().filename().string()), {});
+    INFO(entry.path().string() << "\n" << ids(file));
+    for (const Finding& f : file.findings)
+      if (f.severity == Severity::error)
+        CHECK(f.rule == "ETK601");  // short data are flagged in the library too
+    CHECK(!file.unreadable);
+  }
+}
+
+TEST_CASE("tables and pages of others are judged") {
+  const TempFolder folder;
+  spit(folder.file("glass.csv"), "wavelength_nm,n\n380,1.53\n480,1.525\n589,1.52\n700,1.515\n790,1.51\n");
+  const CheckedFile sparse = check(single(FileRole::spectrum, folder.file("glass.csv"), "glass.csv"), {});
+  INFO(ids(sparse));
+  CHECK(find(sparse, "ETK602") != nullptr);
+  CHECK(find(sparse, "ETK607") == nullptr);
+  spit(folder.file("bad.csv"), "wavelength,n\n1,2\n");
+  CHECK(check(single(FileRole::spectrum, folder.file("bad.csv"), "bad.csv"), {}).unreadable);
+}
+
+TEST_CASE("the real scenes show what is known of them, and no other error") {
+  const auto shared = shared_folder();
+  if (!shared) {
+    WARN("no folder of reference data: not tested");
+    return;
+  }
+  const std::string assets = *shared + "/data/assets/";
+  std::vector<CheckTarget> targets;
+  for (const char* scene : {"flight_helmet/FlightHelmet.gltf", "mixer/Mixer.gltf",
+                            "tennis_racquet/TennisRacquet.gltf", "wicker_chair/WickerChair.gltf"})
+    targets.push_back(single(FileRole::scene, assets + scene, scene));
+  const ValidationReport report = validate(targets, {}, 2);
+  std::vector<std::string> found_errors;
+  for (const CheckedFile& file : report.files) {
+    CHECK(!file.unreadable);
+    for (const Finding& f : file.findings)
+      if (f.severity == Severity::error) found_errors.push_back(f.material + " " + f.rule);
+  }
+  CHECK(found_errors == std::vector<std::string>{"MetalPartsMat ETK101", "frame_material ETK114"});
+  const auto& racquet = report.files[2];
+  REQUIRE(find(racquet, "ETK114") != nullptr);
+  CHECK(find(racquet, "ETK114")->area_share == 1);
+  CHECK(find(racquet, "ETK114")->luminance.value() == Approx(0.08).margin(0.001));
+  const Finding* metal_parts = find(report.files[0], "ETK101");
+  REQUIRE(metal_parts != nullptr);
+  const auto zone = std::ranges::find_if(report.files[0].findings, [](const Finding& f) {
+    return f.rule == "ETK101" && f.severity == Severity::error;
+  });
+  CHECK(zone->area_share > 0.04);
+  CHECK(zone->area_share < 0.10);
+  CHECK(zone->cause.empty());  // of metals the value does not tell
+}
+
+TEST_CASE("the report is the same for any number of threads") {
+  const TempFolder folder;
+  std::vector<CheckTarget> targets;
+  for (int i = 0; i < 12; ++i) {
+    TextureSet set = natural_set(40 + 7 * i, static_cast<std::uint64_t>(i));
+    Random random(static_cast<std::uint64_t>(i));
+    mutations()[static_cast<std::size_t>(i)].inject(set, random);
+    const std::string a = "a" + std::to_string(i) + ".png", b = "b" + std::to_string(i) + ".png";
+    spit(folder.file(a), png_of(set.a));
+    spit(folder.file(b), i == 5 ? "broken" : png_of(set.b));
+    CheckTarget target = pair_of(folder.file(a), folder.file(b));
+    target.files[0].label = a;
+    target.files[1].label = b;
+    targets.push_back(target);
+  }
+  const ValidationReport one = validate(targets, {}, 1);
+  for (const unsigned threads : {2u, 8u}) {
+    std::reverse(targets.begin(), targets.end());
+    const ValidationReport many = validate(targets, {}, threads);
+    REQUIRE(many.files.size() == one.files.size());
+    for (std::size_t i = 0; i < one.files.size(); ++i) {
+      CHECK(many.files[i].path == one.files[i].path);
+      CHECK(many.files[i].findings == one.files[i].findings);
+      CHECK(many.files[i].counts == one.files[i].counts);
+    }
+    CHECK(many.errors == one.errors);
+    CHECK(many.passed == one.passed);
+  }
+}
