@@ -25,10 +25,18 @@ struct EvalArguments {
   OutputArguments output;
 };
 
-const Function& function_named(std::string_view id) {
+// `place`: file and line, empty for the command line.
+const Function& function_named(std::string_view id, std::string_view place) {
   const Function* found = find_function(id);
-  if (!found) throw Error::at("function", printable(id), "one of those that etak eval --list names");
+  const std::string at = place.empty() ? "function" : std::string(place) + ": function";
+  if (!found) throw Error::at(at, printable(id), "one of those that etak eval --list names");
   return *found;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == text.npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 // ---- --csv
@@ -84,9 +92,12 @@ std::vector<CsvRow> csv_rows(std::string_view text, std::string_view file) {
 }
 
 std::size_t column(const CsvRow& header, std::string_view name, std::string_view file) {
-  const auto found = std::find(header.fields.begin(), header.fields.end(), name);
+  const auto is_it = [&](const std::string& field) { return trimmed(field) == name; };
+  const auto found = std::find_if(header.fields.begin(), header.fields.end(), is_it);
   if (found == header.fields.end())
     throw Error::at_line(file, header.line, "no column \"" + std::string(name) + "\"", "id,function,inputs");
+  if (std::find_if(found + 1, header.fields.end(), is_it) != header.fields.end())
+    throw Error::at_line(file, header.line, "two columns \"" + std::string(name) + "\"", "one");
   return static_cast<std::size_t>(found - header.fields.begin());
 }
 
@@ -98,7 +109,7 @@ double evaluate_row(const std::string& function, std::string_view inputs, std::s
       named.push_back(split_input(part, place));
     inputs.remove_prefix(std::min(end + 1, inputs.size()));
   }
-  return evaluate(function_named(function), named, place);
+  return evaluate(function_named(trimmed(function), place), named, place);
 }
 
 int run_csv(const EvalArguments& arguments) {
@@ -143,10 +154,9 @@ std::string range(const FunctionInput& input) {
     for (const std::string_view word : input.words) out += (out.empty() ? "" : "|") + std::string(word);
     return out;
   }
-  const auto side = [](double value) {
-    return value <= -1e300 ? "-inf" : value >= 1e300 ? "inf" : number(value, 6);
-  };
-  return (input.above_min ? "(" : "[") + side(input.min) + ", " + side(input.max) + "]";
+  const bool no_min = input.min <= -1e300, no_max = input.max >= 1e300;
+  return (no_min || input.above_min ? "(" : "[") + (no_min ? "-inf" : number(input.min, 6)) + ", " +
+         (no_max ? "inf" : number(input.max, 6)) + (no_max ? ")" : "]");
 }
 
 std::string list_text() {
@@ -197,11 +207,18 @@ int run(const EvalArguments& arguments) {
     write_output(arguments.output, arguments.output.format == "json" ? list_json() : list_text());
     return exit_ok;
   }
-  if (!arguments.csv.empty()) return run_csv(arguments);
+  const bool json = arguments.output.format == "json";
+  if (!arguments.csv.empty()) {
+    if (json) throw Error::at("--format", "json with --csv, which answers with CSV", "text");
+    return run_csv(arguments);
+  }
+  const Function& function = function_named(trimmed(arguments.function), {});
   std::vector<NamedText> inputs;
-  for (const std::string& each : arguments.inputs) inputs.push_back(split_input(each, arguments.function));
-  write_output(arguments.output,
-               number(evaluate(function_named(arguments.function), inputs, {}), digits) + '\n');
+  for (const std::string& each : arguments.inputs) inputs.push_back(split_input(each, function.id));
+  const std::string value = number(evaluate(function, inputs, {}), digits);
+  write_output(arguments.output, json ? "{\"schema\": \"etak-eval/1\", \"function\": " +
+                                            json_string(function.id) + ", \"value\": " + value + "}\n"
+                                      : value + '\n');
   return exit_ok;
 }
 

@@ -28,17 +28,21 @@ using Clock = std::chrono::steady_clock;
 struct Stats {
   std::string subject, device;
   std::vector<double> frame_ms;
+  std::vector<double> gpu_ms;  // by the GL's own clock, where it has one
+  bool software_gl = false;
   std::optional<double> standard_error, worst_error;
   std::optional<AmbientError> ambient;
   double prepare_ms = 0;
-
-  double median_ms() const {
-    std::vector<double> sorted = frame_ms;
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[sorted.size() / 2];
-  }
-  double least_ms() const { return *std::min_element(frame_ms.begin(), frame_ms.end()); }
 };
+
+double median(std::vector<double> ms) {
+  std::sort(ms.begin(), ms.end());
+  return ms[ms.size() / 2];
+}
+
+double least(const std::vector<double>& ms) {
+  return *std::min_element(ms.begin(), ms.end());
+}
 
 double ms_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -101,11 +105,14 @@ Image draw_gl(const Scene& scene, const Environment* environment, int frames, St
 #ifdef ETAK_HAS_GL
   GlRunner gl;
   stats.device = "gl: " + gl.info().renderer;
+  stats.software_gl = gl.info().software;
   Image out;
   for (int i = 0; i < frames; ++i) {
     const auto begin = Clock::now();
-    out = gl.render(scene, environment);
+    std::optional<double> gpu_ms;
+    out = gl.render(scene, environment, &gpu_ms);
     stats.frame_ms.push_back(ms_since(begin));
+    if (gpu_ms) stats.gpu_ms.push_back(*gpu_ms);
   }
   return out;
 #else
@@ -139,6 +146,11 @@ std::string model_json(const Model* model, const std::vector<double>& values) {
   return "{\"id\": " + json_string(model->id) + ", \"values\": " + numbers(values) + "}";
 }
 
+std::string times_json(const std::vector<double>& ms) {
+  return "{\"least\": " + number(least(ms), 6) + ", \"median\": " + number(median(ms), 6) +
+         ", \"frames\": " + std::to_string(ms.size()) + "}";
+}
+
 std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& notes, unsigned threads) {
   const SurfaceValues& s = scene.surface;
   const auto three = [](const Vec3& v) { return numbers({v[0], v[1], v[2]}); };
@@ -154,9 +166,8 @@ std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& 
                     ",\n  \"device\": " + json_string(stats.device) +
                     ",\n  \"threads\": " + std::to_string(threads) +
                     ",\n  \"prepare_ms\": " + number(stats.prepare_ms, 6) +
-                    ",\n  \"frame_ms\": {\"least\": " + number(stats.least_ms(), 6) +
-                    ", \"median\": " + number(stats.median_ms(), 6) +
-                    ", \"frames\": " + std::to_string(stats.frame_ms.size()) + "}";
+                    ",\n  \"frame_ms\": " + times_json(stats.frame_ms);
+  if (!stats.gpu_ms.empty()) out += ",\n  \"gpu_ms\": " + times_json(stats.gpu_ms);
   if (stats.standard_error)
     out += ",\n  \"standard_error\": {\"rms\": " + number(*stats.standard_error, 6) +
            ", \"worst\": " + number(*stats.worst_error, 6) + "}";
@@ -178,8 +189,13 @@ void say(const RenderArguments& arguments, const Scene& scene, const Stats& stat
   for (const std::string& each : notes.remarks) remark(arguments.stats, each);
   if (stats.frame_ms.size() > 1)
     remark(arguments.stats, stats.device + ", " + std::to_string(threads) +
-                                " threads: " + number(stats.median_ms(), 4) + " ms a frame (median), " +
-                                number(stats.least_ms(), 4) + " ms (least)");
+                                " threads: " + number(median(stats.frame_ms), 4) + " ms a frame (median), " +
+                                number(least(stats.frame_ms), 4) + " ms (least)");
+  if (stats.gpu_ms.size() > 1)
+    remark(arguments.stats, "of which, by the GL's own clock, " + number(median(stats.gpu_ms), 4) +
+                                " ms (median), " + number(least(stats.gpu_ms), 4) + " ms (least)" +
+                                (stats.software_gl ? "; a software rasteriser draws on after that clock stops"
+                                                   : "; the rest is preparing and reading back"));
   if (stats.standard_error)
     remark(arguments.stats, "standard error of a pixel's luminance " + number(*stats.standard_error, 2) +
                                 " (rms), " + number(*stats.worst_error, 2) + " (worst)");

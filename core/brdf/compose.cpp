@@ -94,7 +94,10 @@ Model::Compiled find_compiled(std::string_view name) {
     if (each.entry == name) out.f32 = each.evaluate;
   const evaluators::ManyTable many = evaluators::many();
   for (std::size_t i = 0; i < many.count; ++i)
-    if (many.rows[i].entry == name) out.many = many.rows[i].evaluate;
+    if (many.rows[i].entry == name) {
+      out.many = many.rows[i].evaluate;
+      out.far = many.rows[i].evaluate_far;
+    }
   return out;
 }
 
@@ -184,6 +187,15 @@ void Model::f32_batch(std::size_t count, const float* const directions[6], const
     f32(d, values, one);
     for (int c = 0; c < 3; ++c) rgb[c][i] = one[c];
   }
+}
+
+bool Model::has_far_loop() const {
+  return compiled->far != nullptr;
+}
+
+void Model::f32_batch_far(std::size_t count, double lh, const float* const turned[5], const double* values,
+                          float* const rgb[3]) const {
+  compiled->far(count, static_cast<float>(lh), turned, entry_numbers(*this, values), rgb);
 }
 
 std::string_view batch_instruction_set() {

@@ -14,6 +14,7 @@ struct Model::Compiled {
   decltype(evaluators::One<double>::evaluate) f64 = nullptr;
   decltype(evaluators::One<float>::evaluate) f32 = nullptr;
   decltype(evaluators::Many::evaluate) many = nullptr;
+  decltype(evaluators::Many::evaluate_far) far = nullptr;
 
   // One term of a model made of terms: where in the model's numbers (values, then derived) its own stand.
   struct Piece {

@@ -36,6 +36,13 @@ inline vec3 color(const real* p) {
     explicit F_##id(const real* p) : n(index), k(extinction) {}   \
     vec3 at(Angles a) const { return fresnel_exact(n, k, a.lh); } \
   };
+#define ETAK_F_OF_EXCESS(id, numbers, excess_)                      \
+  struct F_##id {                                                   \
+    static constexpr int size = numbers;                            \
+    vec3 excess;                                                    \
+    explicit F_##id(const real* p) : excess(excess_) {}             \
+    vec3 at(Angles a) const { return fresnel_clear(excess, a.lh); } \
+  };
 #define ETAK_F_OF_ENDS(id, numbers, ends_)                     \
   struct F_##id {                                              \
     static constexpr int size = numbers;                       \
@@ -54,6 +61,7 @@ inline vec3 color(const real* p) {
 #undef ETAK_D
 #undef ETAK_F
 #undef ETAK_F_OF_INDEX
+#undef ETAK_F_OF_EXCESS
 #undef ETAK_F_OF_ENDS
 #undef ETAK_V
 

@@ -38,6 +38,10 @@ struct Many {
   void (*evaluate)(std::size_t count, const float* const directions[6], const double* numbers,
                    float* const rgb[3]);
 
+  /// See Model::f32_batch_far.
+  void (*evaluate_far)(std::size_t count, float lh, const float* const turned[5], const double* numbers,
+                       float* const rgb[3]);
+
   /// The first channel alone, from arrays of nl, nv, nh and lh (isotropic models; half vector along the
   /// tangent): as other people's loops take their angles, for comparing run times.
   void (*evaluate_cosines)(std::size_t count, const float* const cosines[4], const double* numbers,

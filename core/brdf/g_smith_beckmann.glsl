@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // Smith 1967 masking for the Beckmann distribution with the error function itself (Walter et al. 2007,
-// equation 27 is the rational fit of it): Lambda = (erf(a) - 1) / 2 + exp(-a^2) / (2 a sqrt(pi)), a = 1 /
-// (m tan).
+// equation 27 is the rational fit of it): G1 = 1 / (1 + Lambda), Lambda = (erf(a) - 1) / 2 + exp(-a^2) / (2 a
+// sqrt(pi)), a = 1 / (m tan).
 //   c   cosine with the normal, [0, 1];   m   rms slope, > 0
-real smith_beckmann_lambda(real c, real m) {
-  real s = sqrt(max((1 - c) * (1 + c), real(0)));
-  // Past a = 7 both parts are below 1e-22. The lower bound keeps nl = 0 finite.
-  real a = clamp(c / max(m * s, tiny), real(1e-18), real(7));
-  return (erf(a) - 1) / 2 + exp(-a * a) / (2 * a * real(1.77245385090551602730));
+
+// c (1 + Lambda): with c / a = m sin nothing is divided by a cosine that may be 0.
+real smith_beckmann_reach(real c, real m) {
+  real ms = m * sqrt(max((1 - c) * (1 + c), real(0)));
+  // Past a = 7 the exponential is below 1e-21.
+  real a = min(c / max(ms, tiny), real(7));
+  return (c * (1 + erf(a)) + ms * exp(-a * a) * real(0.56418958354775628695)) / 2;
 }
 
 real g1_beckmann_exact(real c, real m) {
-  real value = 1 / (1 + smith_beckmann_lambda(c, m));
+  real value = c / max(smith_beckmann_reach(c, m), tiny);
   return c > 0 ? value : real(0);
 }
 
+// G / (4 nl nv): G1(nl) G1(nv), or 1 / (1 + Lambda(nl) + Lambda(nv)).
 real v_smith_beckmann_uncorrelated(Angles a, real m) {
-  return g1_beckmann_exact(a.nl, m) * g1_beckmann_exact(a.nv, m) / (4 * a.nl * a.nv);
+  return 1 / (4 * smith_beckmann_reach(a.nl, m) * smith_beckmann_reach(a.nv, m));
 }
 
 real v_smith_beckmann_height(Angles a, real m) {
-  return 1 / (4 * a.nl * a.nv * (1 + smith_beckmann_lambda(a.nl, m) + smith_beckmann_lambda(a.nv, m)));
+  real light = smith_beckmann_reach(a.nl, m);
+  real view = smith_beckmann_reach(a.nv, m);
+  return 1 / (4 * (a.nv * light + a.nl * view - a.nl * a.nv));
 }

@@ -24,8 +24,11 @@ enum class Role {
 };
 
 /// A parameter: `color` ones take three numbers (red, green, blue), the others one. The range is what a
-/// slider offers and what typed values are held to; measured colours beyond it (gold's red F0 of 1.022) are
-/// evaluated as they are.
+/// slider offers and what typed values are held to; measured colours beyond it (gold's red F0 of 1.022, -0.01
+/// out of gamut) are evaluated: F is then what its curve gives, above 1 at normal incidence and falling to 1
+/// at grazing, but nowhere below 0. Where an index is made of F0 (Gulbrandsen, exact from F0) and in
+/// Schueler's bounded Optimized the reflectance is kept at or below 1. Every model stays finite and at or
+/// above 0.
 struct Parameter {
   std::string_view name;  // as in EVAL and in files: "K", "g", "alpha"
   std::string_view meaning;
@@ -91,6 +94,14 @@ struct Model {
   /// the C library).
   void f32_batch(std::size_t count, const float* const directions[6], const double* values,
                  float* const rgb[3]) const;
+
+  /// The same for a light and a viewer far away, before whom only the surface turns: what they alone decide,
+  /// all of F, is computed once. `turned` holds arrays of nl, nv and of the half vector's tangent, bitangent
+  /// and normal parts; `lh` is its cosine with the light. Call only where has_far_loop() says so: every model
+  /// with a name of its own.
+  void f32_batch_far(std::size_t count, double lh, const float* const turned[5], const double* values,
+                     float* const rgb[3]) const;
+  bool has_far_loop() const;
 
   std::size_t value_count() const;    // numbers in `values`
   std::size_t derived_count() const;  // numbers derive() writes

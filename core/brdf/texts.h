@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // No include guard: every formula text of core/fresnel and core/brdf, in the order in which they use each
 // other, for a namespace that has `real` and the constants of core/math/glsl.h.
-// clang-format off: the order is the meaning.
+// The order is the meaning.
+// clang-format off
 #include "core/fresnel/conductor.glsl"
 #include "core/fresnel/dielectric.glsl"
 #include "core/fresnel/schlick.glsl"

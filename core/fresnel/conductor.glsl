@@ -34,17 +34,19 @@ real fresnel_exact(real n, real k, real c) {
   real small = y / (2 * max(big, tiny));
   real a = x < 0 ? small : big;
   real b = x < 0 ? big : small;
-  // a - c: for x >= 0 from (a^2 - c^2) / (a + c) = (q + k^2 s2 / (a^2 + k^2)) / (a + c), without subtracting near equals.
-  real ak = a * a + k2;
-  real d_above = (q * ak + k2 * s2) / max(ak * (a + c), tiny);
+  // a - c: for x >= 0, where a is `big`, from (a^2 - c^2) / (a + c) = (q + k^2 s2 / (a^2 + k^2)) / (a + c), without
+  // subtracting near equals.
+  real ak = big * big + k2;
+  real d_above = (q * ak + k2 * s2) / max(ak * (big + c), tiny);
   real d = x < 0 ? a - c : d_above;
-  // R_s = rs / under, R_p = R_s near / far
+  // R_s = rs / under, R_p = R_s near / far with near, far = (a c -+ s2)^2 + b^2 c^2; their mean is `mean`.
   real b2 = b * b;
   real rs = d * d + b2;
   real under = (a + c) * (a + c) + b2;
-  real near = (a * c - s2) * (a * c - s2) + b2 * (c * c);
-  real far = (a * c + s2) * (a * c + s2) + b2 * (c * c);
-  return rs * (far + near) / max(2 * under * far, tiny);
+  real ac = a * c;
+  real mean = ac * ac + s2 * s2 + b2 * (c * c);
+  real far = mean + 2 * ac * s2;
+  return rs * mean / max(under * far, tiny);
 }
 
 vec3 fresnel_exact(vec3 n, vec3 k, real c) {

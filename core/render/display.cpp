@@ -2,8 +2,9 @@
 #include "core/render/display.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <utility>
 
 #include "core/color/srgb.h"
@@ -55,42 +56,54 @@ real decode(Transfer transfer, real y) {
 }
 }  // namespace f64
 
-// From which float value on a code is shown, for all codes; and per bucket of [0, 1) the first code to look
-// at. A table, because a power per channel costs more than the shading.
-struct CodeTable {
-  static constexpr int buckets = 1024;
-  std::array<float, 257> first_value{};
-  std::array<std::uint8_t, buckets + 1> first_code{};
-
-  static std::uint8_t code(Transfer transfer, float value) {
-    const double encoded = f64::encode(transfer, double{value});
-    return static_cast<std::uint8_t>(std::floor(255 * f64::clamp(encoded, 0, 1) + 0.5));
-  }
-
+// The code of a value by one look-up, because a power per channel costs more than the shading. Values between
+// 2^-21 and 1 fall into buckets by their leading 16 bits (a bucket is 1/256 to 1/128 of its values wide), and
+// no curve has two codes begin in one bucket. An entry holds the bucket's first code in its upper half; the
+// rest is such that adding the value's lower 16 bits carries into that half where the next code begins.
+class CodeTable {
+ public:
   explicit CodeTable(Transfer transfer) {
-    first_value[0] = 0;
-    for (int i = 1; i < 256; ++i) {
-      // The smallest float whose code is at least i: from near it, step by step.
-      auto at = static_cast<float>(f64::decode(transfer, (i - 0.5) / 255));
-      float low = at * 0.9f, high = at * 1.1f + 1e-6f;
-      while (std::nextafter(low, 2.0f) < high) {
-        const float middle = low + (high - low) / 2;
-        (code(transfer, middle) >= i ? high : low) = middle;
-      }
-      first_value[static_cast<std::size_t>(i)] = high;
+    std::array<std::uint32_t, 257> first{};  // bits of the least value with a code
+    for (int i = 1; i < 256; ++i) first[static_cast<std::size_t>(i)] = bits(least_value(transfer, i));
+    first[256] = ~std::uint32_t{0};
+    std::size_t code = 0;
+    for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+      const std::uint32_t begin = (i + first_bucket) << 16;
+      while (first[code + 1] <= begin) ++code;
+      const std::uint32_t next = first[code + 1] - begin;
+      entries_[i] = static_cast<std::uint32_t>(code << 16) + (next < 0x10000 ? 0x10000 - next : 0);
     }
-    first_value[256] = std::numeric_limits<float>::infinity();
-    for (int i = 0; i <= buckets; ++i)
-      first_code[static_cast<std::size_t>(i)] = code(transfer, static_cast<float>(i) / buckets);
   }
 
   std::uint8_t of(float value) const {
-    if (!(value > 0)) return 0;
-    if (value >= 1) return 255;
-    std::size_t i = first_code[static_cast<std::size_t>(value * buckets)];
-    while (value >= first_value[i + 1]) ++i;
-    return static_cast<std::uint8_t>(i);
+    const float high = value > least ? value : least;  // NaN becomes the least too
+    const std::uint32_t at = bits(high < 1 ? high : 1);
+    return static_cast<std::uint8_t>((entries_[(at >> 16) - first_bucket] + (at & 0xffff)) >> 16);
   }
+
+ private:
+  static constexpr float least = 0x1p-21f;  // below the first code of every curve
+  static std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
+  static constexpr std::uint32_t first_bucket = std::bit_cast<std::uint32_t>(least) >> 16,
+                                 last_bucket = std::bit_cast<std::uint32_t>(1.0f) >> 16;
+
+  static int code(Transfer transfer, float value) {
+    const double encoded = f64::encode(transfer, double{value});
+    return static_cast<int>(std::floor(255 * f64::clamp(encoded, 0, 1) + 0.5));
+  }
+
+  // The smallest float whose code is at least `wanted`.
+  static float least_value(Transfer transfer, int wanted) {
+    const auto at = static_cast<float>(f64::decode(transfer, (wanted - 0.5) / 255));
+    float low = at * 0.9f, high = at * 1.1f + 1e-6f;
+    while (std::nextafter(low, 2.0f) < high) {
+      const float middle = low + (high - low) / 2;
+      (code(transfer, middle) >= wanted ? high : low) = middle;
+    }
+    return high;
+  }
+
+  std::array<std::uint32_t, last_bucket - first_bucket + 1> entries_{};
 };
 
 const CodeTable& table_of(Transfer transfer) {
@@ -122,9 +135,26 @@ Image exposed(const Image& picture, double exposure) {
   return out;
 }
 
-Image8 to_codes(const Image& picture, double exposure, Transfer transfer) {
+void to_codes(std::span<const float> pixels, double exposure, Transfer transfer, std::uint8_t* codes) {
   const CodeTable& table = table_of(transfer);
+  const auto factor = static_cast<float>(exposure);
+  for (std::size_t i = 0; i + 4 <= pixels.size(); i += 4, codes += 3) {
+    // All three before the first is written: a byte may alias what is read.
+    const std::uint8_t red = table.of(pixels[i] * factor), green = table.of(pixels[i + 1] * factor),
+                       blue = table.of(pixels[i + 2] * factor);
+    codes[0] = red;
+    codes[1] = green;
+    codes[2] = blue;
+  }
+}
+
+Image8 to_codes(const Image& picture, double exposure, Transfer transfer) {
   Image8 out(picture.width, picture.height, 3);
+  if (picture.channels == 4) {
+    to_codes(picture.values, exposure, transfer, out.values.data());
+    return out;
+  }
+  const CodeTable& table = table_of(transfer);
   const auto factor = static_cast<float>(exposure);
   const auto channels = static_cast<std::size_t>(picture.channels);
   for (std::size_t i = 0; i < picture.pixel_count(); ++i)

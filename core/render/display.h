@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "core/image/image.h"
@@ -15,6 +17,9 @@ std::optional<Transfer> transfer_named(std::string_view text);
 /// Codes of the first three channels of `picture`: transfer of exposure x value, clamped to [0, 1], rounded
 /// to nearest; the sRGB codes are those of srgb_u8 (core/color/srgb.h). NaN becomes 0.
 Image8 to_codes(const Image& picture, double exposure, Transfer transfer);
+
+/// The same for a row of pixels with four channels each; `codes` gets three for each.
+void to_codes(std::span<const float> pixels, double exposure, Transfer transfer, std::uint8_t* codes);
 
 /// `picture` with three channels, times exposure.
 Image exposed(const Image& picture, double exposure);

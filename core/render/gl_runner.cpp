@@ -249,6 +249,38 @@ class FloatTexture {
   GLuint id_ = 0;
 };
 
+// The GL's clock around what is drawn between start and stop.
+class GpuClock {
+ public:
+  GpuClock() {
+    GLint bits = 0;
+    glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
+    if (bits > 0) glGenQueries(1, &query_);
+  }
+  ~GpuClock() {
+    if (query_ != 0) glDeleteQueries(1, &query_);
+  }
+  GpuClock(const GpuClock&) = delete;
+  GpuClock& operator=(const GpuClock&) = delete;
+
+  void start() const {
+    if (query_ != 0) glBeginQuery(GL_TIME_ELAPSED, query_);
+  }
+  void stop() const {
+    if (query_ != 0) glEndQuery(GL_TIME_ELAPSED);
+  }
+  /// Of the last start and stop; waits for the GL.
+  std::optional<double> milliseconds() const {
+    if (query_ == 0) return std::nullopt;
+    GLuint64 nanoseconds = 0;
+    glGetQueryObjectui64v(query_, GL_QUERY_RESULT, &nanoseconds);
+    return static_cast<double>(nanoseconds) * 1e-6;
+  }
+
+ private:
+  GLuint query_ = 0;
+};
+
 }  // namespace
 
 struct GlRunner::State {
@@ -341,14 +373,18 @@ std::optional<std::string> GlRunner::compile_error(const std::string& vertex, co
   }
 }
 
-Image GlRunner::render(const Scene& scene, const Environment* environment) {
+Image GlRunner::render(const Scene& scene, const Environment* environment, std::optional<double>* gpu_ms) {
   Scene linear = scene;
   linear.exposure = 1;
   linear.transfer = Transfer::linear;
   const Target target(GL_RGBA32F, scene.width, scene.height);
   const Prepared prepared(*state_, linear, environment);
+  const GpuClock clock;
+  clock.start();
   State::draw();
+  clock.stop();
   const std::vector<float> rows_up = State::read_rows_up(scene.width, scene.height);
+  if (gpu_ms != nullptr) *gpu_ms = clock.milliseconds();
   Image out(scene.width, scene.height, 4);
   const std::ptrdiff_t row = scene.width * std::ptrdiff_t{4};
   for (int y = 0; y < scene.height; ++y)
@@ -384,6 +420,13 @@ std::vector<std::array<float, 3>> GlRunner::evaluate(const Model& model, const s
   return out;
 }
 
+float GlRunner::evaluate(std::string_view expression) {
+  const Target target(GL_RGBA32F, 1, 1);
+  state_->use(glsl_expression_text(expression));
+  State::draw();
+  return State::read_rows_up(1, 1)[0];
+}
+
 GlRunner::FrameTime GlRunner::frame_time(const Scene& scene, const Environment* environment, int frames) {
   const Target target(GL_RGBA8, scene.width, scene.height);
   FrameTime out;
@@ -392,18 +435,24 @@ GlRunner::FrameTime GlRunner::frame_time(const Scene& scene, const Environment* 
   State::draw();
   glFinish();
   out.compile_ms = milliseconds_since(start);
-  // Not GL_TIME_ELAPSED: a software rasteriser works after the query has ended. glFinish waits for every
-  // kind.
-  std::vector<double> times;
+  const GpuClock clock;
+  std::vector<double> times, gpu_times;
   for (int i = 0; i < frames; ++i) {
     const auto begin = Clock::now();
+    clock.start();
     State::draw();
+    clock.stop();
     glFinish();
     times.push_back(milliseconds_since(begin));
+    if (const auto ms = clock.milliseconds()) gpu_times.push_back(*ms);
   }
   std::sort(times.begin(), times.end());
   out.least_ms = times.front();
   out.median_ms = times[times.size() / 2];
+  if (gpu_times.empty()) return out;
+  std::sort(gpu_times.begin(), gpu_times.end());
+  out.gpu_least_ms = gpu_times.front();
+  out.gpu_median_ms = gpu_times[gpu_times.size() / 2];
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/image/image.h"
@@ -38,16 +39,25 @@ class GlRunner {
 
   /// The same picture as render_cpu(): linear radiance over the background, the object's coverage as fourth
   /// channel. Throws Error for scenes that validate() refuses.
-  Image render(const Scene& scene, const Environment* environment = nullptr);
+  ///   gpu_ms   when given, gets the milliseconds of the drawing alone by the GL's own clock
+  ///   (GL_TIME_ELAPSED);
+  ///            none where it has none. A software rasteriser draws on after that clock has stopped: of
+  ///            llvmpipe's 4 to 8 ms it sees 0.1 to 5
+  Image render(const Scene& scene, const Environment* environment = nullptr,
+               std::optional<double>* gpu_ms = nullptr);
 
   /// f_r of the model, one row of three per pair of directions.
   std::vector<std::array<float, 3>> evaluate(const Model& model, const std::vector<double>& values,
                                              const std::vector<Directions>& directions);
 
+  /// The value of an expression of the formula texts (glsl_expression_text).
+  float evaluate(std::string_view expression);
+
   /// Milliseconds per frame with exposure and transfer into an 8-bit target, after a first frame that
-  /// compiles.
+  /// compiles: from the call until the GL is done, and (gpu) by its own clock where it has one; see render().
   struct FrameTime {
     double least_ms = 0, median_ms = 0, compile_ms = 0;
+    std::optional<double> gpu_least_ms, gpu_median_ms;
   };
   FrameTime frame_time(const Scene& scene, const Environment* environment, int frames);
 

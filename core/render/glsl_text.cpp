@@ -449,4 +449,15 @@ GlslText glsl_evaluation_text(const Model& model, const std::vector<double>& val
   return std::move(glue).finish(version);
 }
 
+GlslText glsl_expression_text(std::string_view expression, GlslVersion version) {
+  // Numbers come times a uniform of 1: what has no unknowns is computed by the compiler, not by the GPU.
+  std::string code(expression);
+  for (std::size_t at = 0; (at = code.find("real(", at)) != code.npos; at += 6) code.replace(at, 4, "given");
+  Glue glue;
+  glue.uniform("one", 1);
+  glue.line("out vec4 value;\nfloat given(float x) {\n  return x * one;\n}");
+  glue.line("void main() {\n  value = vec4(" + real_literals(code) + ");\n}");
+  return std::move(glue).finish(version);
+}
+
 }  // namespace etak

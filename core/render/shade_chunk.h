@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // No include guard: shading of some hundred surface points at once, included in an unnamed namespace that has
-// `real`, the constants of core/math/glsl.h and ETAK_RENDER_CLONES. Arrays of one quantity each, so that the
-// loops vectorise.
-// Not sorted: each text uses those above it.
+// `real`, the constants of core/math/glsl.h, chunk_size and ETAK_RENDER_CLONES. Arrays of one quantity each,
+// so that the loops vectorise. Not sorted: each text uses those above it.
 // clang-format off
 #include "core/math/glsl.h"
 #include "core/fresnel/schueler.glsl"
@@ -11,16 +10,26 @@
 #include "core/light/transparency.glsl"
 // clang-format on
 
-constexpr std::size_t chunk_size = 256;
-using Lane = std::array<real, chunk_size>;
+// Loops run over whole blocks of lanes, past the end too (nothing reads what they leave there): a rest that
+// is taken one by one costs as much as the row before it.
+constexpr std::size_t block = 16;
+static_assert(chunk_size % block == 0);
+
+struct Lane {
+  alignas(64) std::array<real, chunk_size> values;
+  real& operator[](std::size_t i) { return values[i]; }
+  real operator[](std::size_t i) const { return values[i]; }
+  void fill(std::size_t count, real value) { std::fill_n(values.begin(), count, value); }
+};
 using Triple = std::array<Lane, 3>;
 
 struct Chunk {
-  std::size_t count = 0;
-  Triple position, normal, viewer;  // in the scene's space; filled by the caller
-  Lane tangent_x, tangent_z;        // the tangent's y is 0
+  std::size_t count = 0, whole_blocks = 0;  // points; the same rounded up to blocks
+  Triple position, normal, viewer;          // in the scene's space; filled by the caller
+  Lane tangent_x, tangent_z;                // the tangent's y is 0
   Triple bitangent;
   Triple local_viewer, local_light;  // in the frame of tangent, bitangent and normal
+  Triple local_half;                 // the half vector there: far lights
   Triple to_light;                   // in the scene's space: point and spot lights
   Lane irradiance;                   // E nl of one light, without its colour
   Triple response;                   // f_r of one model
@@ -35,10 +44,13 @@ struct ChunkLight {
   real dx, dy, dz;  // towards the light (directional), along the beam (spot)
   real cos_inner, cos_outer;
   vec3 color;  // with intensity, and pi where the setup is scaled by it
+  // Directional lights seen orthographically: half way to the viewer, and its cosine with the light.
+  real hx, hy, hz;
+  double lh;
 };
 
 ETAK_RENDER_CLONES void build_frames(Chunk& c, bool orthographic) {
-  const std::size_t count = c.count;
+  const std::size_t count = c.whole_blocks;
   for (std::size_t i = 0; i < count; ++i) {
     const real nx = c.normal[0][i], ny = c.normal[1][i], nz = c.normal[2][i];
     const real length2 = nx * nx + nz * nz;
@@ -69,7 +81,7 @@ ETAK_RENDER_CLONES void build_frames(Chunk& c, bool orthographic) {
 }
 
 ETAK_RENDER_CLONES void aim_directional(Chunk& c, real x, real y, real z) {
-  const std::size_t count = c.count;
+  const std::size_t count = c.whole_blocks;
   for (std::size_t i = 0; i < count; ++i) {
     const real nl = c.normal[0][i] * x + c.normal[1][i] * y + c.normal[2][i] * z;
     c.local_light[0][i] = c.tangent_x[i] * x + c.tangent_z[i] * z;
@@ -79,8 +91,22 @@ ETAK_RENDER_CLONES void aim_directional(Chunk& c, real x, real y, real z) {
   }
 }
 
+// As aim_directional, with the half vector in place of the light's direction.
+ETAK_RENDER_CLONES void aim_far(Chunk& c, const ChunkLight& light) {
+  const real x = light.dx, y = light.dy, z = light.dz, hx = light.hx, hy = light.hy, hz = light.hz;
+  const std::size_t count = c.whole_blocks;
+  for (std::size_t i = 0; i < count; ++i) {
+    const real nl = c.normal[0][i] * x + c.normal[1][i] * y + c.normal[2][i] * z;
+    c.local_half[0][i] = c.tangent_x[i] * hx + c.tangent_z[i] * hz;
+    c.local_half[1][i] = c.bitangent[0][i] * hx + c.bitangent[1][i] * hy + c.bitangent[2][i] * hz;
+    c.local_half[2][i] = c.normal[0][i] * hx + c.normal[1][i] * hy + c.normal[2][i] * hz;
+    c.local_light[2][i] = nl;
+    c.irradiance[i] = nl > 0 ? nl : real(0);
+  }
+}
+
 ETAK_RENDER_CLONES void aim_point(Chunk& c, const ChunkLight& light) {
-  const std::size_t count = c.count;
+  const std::size_t count = c.whole_blocks;
   for (std::size_t i = 0; i < count; ++i) {
     const real x = light.px - c.position[0][i], y = light.py - c.position[1][i],
                z = light.pz - c.position[2][i];
@@ -104,10 +130,26 @@ ETAK_RENDER_CLONES void aim_point(Chunk& c, const ChunkLight& light) {
   }
 }
 
-ETAK_RENDER_CLONES void add_light(const Chunk& c, std::size_t first, std::size_t last, const vec3& color,
-                                  Triple& sum) {
+struct Range {
+  std::size_t first, last;
+};
+
+// All points but the dark ones at both ends, in whole blocks.
+ETAK_RENDER_CLONES Range lit_blocks(const Chunk& c) {
+  const auto dark = [&](std::size_t first) {
+    int lit = 0;
+    for (std::size_t i = first; i < first + block; ++i) lit |= c.irradiance[i] > 0;
+    return lit == 0;
+  };
+  Range out{0, c.whole_blocks};
+  while (out.first < out.last && dark(out.first)) out.first += block;
+  while (out.first < out.last && dark(out.last - block)) out.last -= block;
+  return out;
+}
+
+ETAK_RENDER_CLONES void add_light(const Chunk& c, const Range& range, const vec3& color, Triple& sum) {
   const real r = color.x, g = color.y, b = color.z;
-  for (std::size_t i = first; i < last; ++i) {
+  for (std::size_t i = range.first; i < range.last; ++i) {
     sum[0][i] += c.response[0][i] * (c.irradiance[i] * r);
     sum[1][i] += c.response[1][i] * (c.irradiance[i] * g);
     sum[2][i] += c.response[2][i] * (c.irradiance[i] * b);
@@ -177,7 +219,7 @@ void see_through(Chunk& c, real opacity, real luminance) {
 
 ETAK_RENDER_CLONES void sphere_points(Chunk& c, double first_x, double step, double y) {
   const real y_ = real(y), reach2 = real(1 - y * y), reach = std::sqrt(reach2 > 0 ? reach2 : real(0));
-  const std::size_t count = c.count;
+  const std::size_t count = c.whole_blocks;
   for (std::size_t i = 0; i < count; ++i) {
     const real x = real(first_x + step * double(int(i)));
     const real depth2 = (reach - x) * (reach + x);

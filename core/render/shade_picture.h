@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: from a scene to its picture, behind shade_chunk.h and a function respond() that evaluates
-// a model.
+// No include guard: from a scene to its picture, behind shade_chunk.h and functions respond(), respond_far()
+// that evaluate a model.
 
 vec3 narrowed(const Vec3& v) {
   return vec3(real(v[0]), real(v[1]), real(v[2]));
@@ -16,7 +16,8 @@ struct Shading {
   std::vector<double> specular_values;
   std::vector<ChunkLight> lights;
   bool with_diffuse;  // some diffuse light is there, of `diffuse` or of a model of kind both
-  bool needs_positions = false;
+  bool needs_positions = false, needs_viewers;
+  bool far = false;  // light and viewer are far away, and the models have loops for that
   double f0_luminance;
 
   Shading(const Scene& s, const Environment* e)
@@ -30,18 +31,26 @@ struct Shading {
     const bool both = specular != nullptr && specular->kind == ModelKind::both;
     with_diffuse = diffuse != nullptr || (both && !body_is_black(*specular, s.specular_values));
     f0_luminance = 0.2126 * s.surface.f0[0] + 0.7152 * s.surface.f0[1] + 0.0722 * s.surface.f0[2];
+    needs_viewers = s.lights.hemispheres.has_value() || e != nullptr;
     const double scale = s.lights.pi_scaled ? std::numbers::pi : 1;
+    far = !camera.perspective() && has_far_respond;
+    for (const Model* model : {specular, diffuse}) far = far && (model == nullptr || model->has_far_loop());
     for (const Light& light : s.lights.lights) {
       const bool directional = light.kind == LightKind::directional;
       needs_positions |= !directional;
       const double sign = directional ? -1 : 1;
       const double radian = std::numbers::pi / 180;
       const double power = light.intensity * scale;
+      const double hx = sign * light.direction[0], hy = sign * light.direction[1],
+                   hz = sign * light.direction[2] + 1;
+      // Light from straight behind has no half vector and lights nothing.
+      const double length = std::max(std::sqrt(hx * hx + hy * hy + hz * hz), 1e-30);
       lights.push_back({directional, light.kind == LightKind::spot, real(light.position[0]),
                         real(light.position[1]), real(light.position[2]), real(sign * light.direction[0]),
                         real(sign * light.direction[1]), real(sign * light.direction[2]),
                         real(std::cos(light.inner_deg * radian)), real(std::cos(light.outer_deg * radian)),
-                        narrowed({light.color[0] * power, light.color[1] * power, light.color[2] * power})});
+                        narrowed({light.color[0] * power, light.color[1] * power, light.color[2] * power}),
+                        real(hx / length), real(hy / length), real(hz / length), length / 2});
     }
   }
 };
@@ -60,9 +69,11 @@ void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
   const bool quick = !flat && !camera.perspective();
   if (quick) {
     sphere_points(c, camera.x(piece.first + 0.5), camera.pixel(), y);
-    std::fill_n(c.viewer[0].begin(), c.count, real(0));
-    std::fill_n(c.viewer[1].begin(), c.count, real(0));
-    std::fill_n(c.viewer[2].begin(), c.count, real(1));
+    if (shading.needs_viewers) {
+      c.viewer[0].fill(c.count, 0);
+      c.viewer[1].fill(c.count, 0);
+      c.viewer[2].fill(c.count, 1);
+    }
   }
   for (std::size_t i = 0; i < c.count; ++i) {
     if (quick && i == piece.whole_first) i = piece.whole_last;
@@ -77,38 +88,45 @@ void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
   if (!quick || !shading.needs_positions) return;
   // A unit sphere at the origin: a point is its own normal.
   for (std::size_t axis = 0; axis < 3; ++axis)
-    std::copy_n(c.normal[axis].begin(), c.count, c.position[axis].begin());
+    std::copy_n(c.normal[axis].values.begin(), c.whole_blocks, c.position[axis].values.begin());
 }
 
 void shade(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
-  const std::size_t count = c.count;
+  const std::size_t count = c.whole_blocks;
   build_frames(c, !shading.camera.perspective());
+  const bool with_specular = shading.specular != nullptr;
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    std::fill_n(c.specular[channel].begin(), count, real(0));
-    std::fill_n(c.diffuse[channel].begin(), count, real(0));
+    if (with_specular) c.specular[channel].fill(count, 0);
+    if (shading.with_diffuse) c.diffuse[channel].fill(count, 0);
   }
   for (const ChunkLight& light : shading.lights) {
-    if (light.directional)
+    const bool far = shading.far && light.directional;
+    if (far)
+      aim_far(c, light);
+    else if (light.directional)
       aim_directional(c, light.dx, light.dy, light.dz);
     else
       aim_point(c, light);
-    std::size_t first = 0, last = count;
-    while (first < last && c.irradiance[first] <= 0) ++first;
-    while (first < last && c.irradiance[last - 1] <= 0) --last;
-    if (first == last) continue;
-    if (shading.specular != nullptr) {
-      respond(*shading.specular, shading.specular_values.data(), first, last, c);
-      add_light(c, first, last, light.color, c.specular);
+    const Range lit = lit_blocks(c);
+    if (lit.first == lit.last) continue;
+    const auto respond_to = [&](const Model& model, const double* values) {
+      if (far)
+        respond_far(model, values, light.lh, lit, c);
+      else
+        respond(model, values, lit, c);
+    };
+    if (with_specular) {
+      respond_to(*shading.specular, shading.specular_values.data());
+      add_light(c, lit, light.color, c.specular);
     }
     if (shading.diffuse != nullptr) {
-      respond(*shading.diffuse, scene.diffuse_values.data(), first, last, c);
-      add_light(c, first, last, light.color, c.diffuse);
+      respond_to(*shading.diffuse, scene.diffuse_values.data());
+      add_light(c, lit, light.color, c.diffuse);
     }
   }
   const vec3 f0_value = narrowed(scene.surface.f0), body = narrowed(scene.surface.diffuse);
   const real gloss = real(scene.surface.gloss);
-  const bool with_specular = shading.specular != nullptr;
   if (scene.lights.hemispheres) {
     const Hemispheres& h = *scene.lights.hemispheres;
     const ChunkHemispheres narrow{h.form, narrowed(h.axis), narrowed(h.lower), narrowed(h.upper)};
@@ -119,13 +137,13 @@ void shade(const Shading& shading, Chunk& c) {
   if (scene.surface.opacity < 1) see_through(c, real(scene.surface.opacity), real(shading.f0_luminance));
 }
 
-void store(const Shading& shading, const Piece& piece, const Chunk& c, Image& picture) {
+// `row`: where the pixels of the piece go.
+void store(const Shading& shading, const Piece& piece, const Chunk& c, float* row) {
   const Scene& scene = shading.scene;
   const Camera& camera = shading.camera;
   const real opacity = real(scene.surface.opacity);
   const vec3 behind = narrowed(scene.background);
   const bool clear = opacity < 1;
-  float* const row = picture.at(piece.first, piece.row).data();
   std::size_t whole_first = c.count, whole_last = c.count;
   if (!clear) {
     whole_first = std::min(piece.whole_first, c.count);
@@ -149,37 +167,31 @@ void store(const Shading& shading, const Piece& piece, const Chunk& c, Image& pi
   }
 }
 
-void draw(const Scene& scene, const Environment* environment, unsigned threads, Image& picture,
+// Into `target`, which says where pixels go: PicturePixels or PictureCodes of cpu_renderer.cpp.
+template <class Target>
+void draw(const Scene& scene, const Environment* environment, unsigned threads, const Target& target,
           const RowsDone& rows_done) {
   const Shading shading(scene, environment);
-  const std::array<float, 4> empty{float(scene.background[0]), float(scene.background[1]),
-                                   float(scene.background[2]), 0};
-  const auto clear = [&](int first, int last, int row) {
-    float* out =
-        picture.values.data() + (static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
-                                 static_cast<std::size_t>(first)) *
-                                    4;
-    for (int x = first; x < last; ++x, out += 4) std::copy_n(empty.data(), 4, out);
+  const auto draw_row = [&](int row, Chunk& c) {
+    const Camera::Span span = shading.camera.covered(row), whole = shading.camera.whole(row);
+    target.clear(0, span.first, row);
+    for (int x = span.first; x < span.last; x += static_cast<int>(c.count)) {
+      c.count = std::min(chunk_size, static_cast<std::size_t>(span.last - x));
+      c.whole_blocks = (c.count + block - 1) / block * block;
+      const Piece piece{row, x, static_cast<std::size_t>(std::max(0, whole.first - x)),
+                        static_cast<std::size_t>(std::max(0, whole.last - x))};
+      place_points(shading, piece, c);
+      shade(shading, c);
+      target.put(x, row, c.count, [&](float* pixels) { store(shading, piece, c, pixels); });
+    }
+    target.clear(span.last, scene.width, row);
   };
   std::vector<std::unique_ptr<Chunk>> chunks(threads);
   parallel_chunks(static_cast<std::size_t>(scene.height), threads, tile_rows,
                   [&](std::size_t begin, std::size_t end, unsigned worker) {
                     if (!chunks[worker]) chunks[worker] = std::make_unique<Chunk>();
-                    Chunk& c = *chunks[worker];
-                    for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
-                      const Camera::Span span = shading.camera.covered(row),
-                                         whole = shading.camera.whole(row);
-                      clear(0, span.first, row);
-                      for (int x = span.first; x < span.last; x += static_cast<int>(c.count)) {
-                        c.count = std::min(chunk_size, static_cast<std::size_t>(span.last - x));
-                        const Piece piece{row, x, static_cast<std::size_t>(std::max(0, whole.first - x)),
-                                          static_cast<std::size_t>(std::max(0, whole.last - x))};
-                        place_points(shading, piece, c);
-                        shade(shading, c);
-                        store(shading, piece, c, picture);
-                      }
-                      clear(span.last, picture.width, row);
-                    }
+                    for (std::size_t row = begin; row < end; ++row)
+                      draw_row(static_cast<int>(row), *chunks[worker]);
                     if (rows_done) rows_done(end - begin, worker);
                   });
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -93,6 +94,34 @@ inline Directions random_directions(Random& random, double least = 0.02) {
 inline Directions directions_deg(double theta_l, double theta_v, double phi_v) {
   const Vec3 l = direction_deg(theta_l, 0), v = direction_deg(theta_v, phi_v);
   return {l[0], l[1], l[2], v[0], v[1], v[2]};
+}
+
+inline float rounded(double x) {
+  return static_cast<float>(x);
+}
+
+/// One pair of directions through the vector loop, and through the one for far lights.
+inline std::array<float, 3> by_loop(const Model& model, const Directions& d,
+                                    const std::vector<double>& values) {
+  const float in[6] = {rounded(d.lx), rounded(d.ly), rounded(d.lz),
+                       rounded(d.vx), rounded(d.vy), rounded(d.vz)};
+  const float* arrays[6] = {in, in + 1, in + 2, in + 3, in + 4, in + 5};
+  std::array<float, 3> out{-1, -1, -1};
+  float* results[3] = {&out[0], &out[1], &out[2]};
+  model.f32_batch(1, arrays, values.data(), results);
+  return out;
+}
+inline std::array<float, 3> by_far_loop(const Model& model, const Directions& d,
+                                        const std::vector<double>& values) {
+  const double x = d.lx + d.vx, y = d.ly + d.vy, z = d.lz + d.vz;
+  const double length = std::max(std::sqrt(x * x + y * y + z * z), 1e-30);
+  const float in[5] = {rounded(d.lz), rounded(d.vz), rounded(x / length), rounded(y / length),
+                       rounded(z / length)};
+  const float* arrays[5] = {in, in + 1, in + 2, in + 3, in + 4};
+  std::array<float, 3> out{-1, -1, -1};
+  float* results[3] = {&out[0], &out[1], &out[2]};
+  model.f32_batch_far(1, length / 2, arrays, values.data(), results);
+  return out;
 }
 
 inline double albedo(const Model& model, const std::vector<double>& values, double theta_v, double lobe_width,

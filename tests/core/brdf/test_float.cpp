@@ -24,11 +24,7 @@ double tolerance(const Model& model) {
   return 5e-5;
 }
 
-float rounded(double x) {
-  return static_cast<float>(x);
-}
-
-Directions rounded(const Directions& d) {
+Directions in_floats(const Directions& d) {
   return {rounded(d.lx), rounded(d.ly), rounded(d.lz), rounded(d.vx), rounded(d.vy), rounded(d.vz)};
 }
 
@@ -45,11 +41,13 @@ double peak(const Model& model, const std::vector<double>& values, Random& rando
 
 }  // namespace
 
-TEST_CASE("float and vector lanes agree with double on 20,000 random inputs of every model") {
+TEST_CASE(
+    "float, vector lanes and their form for far lights agree with double on 20,000 random inputs of every "
+    "model") {
   constexpr std::size_t per_set = 100, sets = 200;
   for (const Model& model : models()) {
     Random random(7);
-    double worst_one = 0, worst_many = 0;
+    double worst_one = 0, worst_many = 0, worst_far = 0;
     for (std::size_t set = 0; set < sets; ++set) {
       std::vector<double> values = random_values(random, model);
       for (double& each : values) each = rounded(each);
@@ -57,7 +55,7 @@ TEST_CASE("float and vector lanes agree with double on 20,000 random inputs of e
       std::vector<std::vector<float>> in(6, std::vector<float>(per_set)), out(3, std::vector<float>(per_set));
       std::vector<Directions> pairs;
       for (std::size_t i = 0; i < per_set; ++i) {
-        const Directions d = rounded(random_directions(random));
+        const Directions d = in_floats(random_directions(random));
         pairs.push_back(d);
         const double all[6] = {d.lx, d.ly, d.lz, d.vx, d.vy, d.vz};
         for (std::size_t j = 0; j < 6; ++j) in[j][i] = rounded(all[j]);
@@ -71,18 +69,21 @@ TEST_CASE("float and vector lanes agree with double on 20,000 random inputs of e
         float one[3];
         model.f64(pairs[i], values.data(), truth);
         model.f32(pairs[i], values.data(), one);
+        const std::array<float, 3> far = by_far_loop(model, pairs[i], values);
         for (std::size_t c = 0; c < 3; ++c) {
           const double scale = std::max(std::abs(truth[c]), floor);
           worst_one = std::max(worst_one, std::abs(one[c] - truth[c]) / scale);
           worst_many = std::max(worst_many, std::abs(out[c][i] - truth[c]) / scale);
+          worst_far = std::max(worst_far, std::abs(far[c] - truth[c]) / scale);
           if (!(std::abs(one[c] - truth[c]) <= 2 * scale)) worst_one = 1e9;
         }
       }
     }
-    INFO(model.id << ": float " << worst_one << ", lanes " << worst_many << " (" << batch_instruction_set()
-                  << ")");
+    INFO(model.id << ": float " << worst_one << ", lanes " << worst_many << ", far " << worst_far << " ("
+                  << batch_instruction_set() << ")");
     CHECK(worst_one <= tolerance(model));
     CHECK(worst_many <= tolerance(model));
+    CHECK(worst_far <= tolerance(model));
   }
 }
 

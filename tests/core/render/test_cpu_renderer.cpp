@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/material/library.h"
+#include "core/render/display.h"
 #include "tests/support.h"
 
 namespace etak {
@@ -53,6 +54,39 @@ TEST_CASE("the picture is the same for any number of threads") {
   for (const Precision precision : {Precision::f32, Precision::f64}) {
     const Image one = drawn(scene, precision, 1);
     for (const unsigned threads : {2u, 3u, 16u}) CHECK(drawn(scene, precision, threads) == one);
+  }
+}
+
+TEST_CASE("codes drawn at once are those of the drawn picture") {
+  for (const Shape shape : {Shape::sphere, Shape::quad})
+    for (const Transfer transfer : {Transfer::srgb, Transfer::square_root}) {
+      Scene scene = scene_with("ggx-schlick", "lambert");
+      scene.shape = shape;
+      scene.transfer = transfer;
+      scene.exposure = 1.7;
+      scene.width = 301;  // more than a chunk, no whole number of blocks
+      const Image8 expected = to_codes(drawn(scene, Precision::f32), scene.exposure, scene.transfer);
+      for (const unsigned threads : {1u, 3u}) {
+        Image8 codes;
+        render_cpu_codes(scene, nullptr, threads, codes);
+        CHECK(codes == expected);
+      }
+    }
+}
+
+TEST_CASE("orthographic and nearly orthographic views of directional lights agree for every model") {
+  // The first takes the loops for far lights, the second those for any directions.
+  for (const Model& model : models()) {
+    const bool is_diffuse = model.kind == ModelKind::diffuse;
+    const std::string id(model.id);
+    Scene scene = scene_with(is_diffuse ? nullptr : id.c_str(), is_diffuse ? id.c_str() : nullptr, 64);
+    scene.shape = Shape::quad;
+    const Image far = drawn(scene, Precision::f32);
+    scene.perspective = true;
+    scene.field_of_view_deg = 1;
+    const Image near = drawn(scene, Precision::f32);
+    for (std::size_t c = 0; c < 3; ++c)
+      CHECK(far.at(32, 32)[c] == Approx(near.at(32, 32)[c]).epsilon(0.01).margin(1e-6));
   }
 }
 

@@ -25,6 +25,21 @@ TEST_CASE("codes by table are the codes of the curve, around every boundary too"
   }
 }
 
+TEST_CASE("every transfer has each of its 256 codes, in order, and changes by one code at a time") {
+  for (const Transfer each : {Transfer::srgb, Transfer::power_045, Transfer::square_root, Transfer::linear}) {
+    Image picture(1, 1, 3);
+    int before = 0;
+    // Steps far below the width of a code, also near black where the curves are steep.
+    for (float value = 1e-8f; value < 1.1f; value *= 1.0005f) {
+      picture.values = {value, value, value};
+      const int code = to_codes(picture, 1, each).values[0];
+      REQUIRE((code == before || code == before + 1));
+      before = code;
+    }
+    CHECK(before == 255);
+  }
+}
+
 TEST_CASE("Schueler's shortcuts are the powers they are named for, and exposure is a factor before them") {
   Image picture(1, 1, 3);
   picture.values = {0.25f, 0.04f, 1};
