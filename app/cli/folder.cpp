@@ -54,7 +54,7 @@ EntryKind entry_kind(DIR* folder, const dirent& entry) {
   return linked ? EntryKind::linked_folder : EntryKind::folder;
 }
 
-Listing read_folder(const std::string& path) {
+Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
   Listing out;
   DIR* folder = ::opendir(path.c_str());
   if (folder == nullptr) {
@@ -66,7 +66,7 @@ Listing read_folder(const std::string& path) {
   while (const dirent* entry = ::readdir(folder)) {
     if (entry->d_name[0] == '.') continue;
     const EntryKind kind = entry_kind(folder, *entry);
-    if (kind == EntryKind::file && file_kind(entry->d_name) != FileKind::unknown)
+    if (kind == EntryKind::file && keep(entry->d_name))
       out.files.push_back(path + entry->d_name);
     else if (kind == EntryKind::folder)
       out.folders.push_back(path + entry->d_name + '/');
@@ -78,12 +78,12 @@ Listing read_folder(const std::string& path) {
 }
 
 // Lists `level` and everything below it, level by level, each level on all threads.
-void descend(std::vector<std::string> level, unsigned threads, std::set<Identity>& seen, Folder& out,
-             std::vector<std::string>& linked) {
+void descend(std::vector<std::string> level, unsigned threads, bool (*keep)(std::string_view),
+             std::set<Identity>& seen, Folder& out, std::vector<std::string>& linked) {
   while (!level.empty()) {
     std::vector<Listing> listings(level.size());
     parallel_chunks(level.size(), threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
-      for (std::size_t i = begin; i < end; ++i) listings[i] = read_folder(level[i]);
+      for (std::size_t i = begin; i < end; ++i) listings[i] = read_folder(level[i], keep);
     });
     std::vector<std::string> next;
     for (std::size_t i = 0; i < level.size(); ++i) {
@@ -122,7 +122,11 @@ FileKind file_kind(std::string_view path) {
   return FileKind::unknown;
 }
 
-Folder list_folder(const std::string& path, unsigned threads) {
+bool has_known_kind(std::string_view path) {
+  return file_kind(path) != FileKind::unknown;
+}
+
+Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::string_view)) {
   Folder out;
   out.root = path.ends_with('/') ? path : path + '/';
   for (const std::string& base : {out.root + "database/", out.root})
@@ -132,12 +136,12 @@ Folder list_folder(const std::string& path, unsigned threads) {
     }
   std::set<Identity> seen;
   std::vector<std::string> linked;
-  descend({out.root}, threads, seen, out, linked);
+  descend({out.root}, threads, keep, seen, out, linked);
   if (seen.empty()) throw Error(out.unreadable.front());
   while (!linked.empty()) {
     std::sort(linked.begin(), linked.end());
     std::vector<std::string> deeper;
-    for (const std::string& folder : linked) descend({folder}, threads, seen, out, deeper);
+    for (const std::string& folder : linked) descend({folder}, threads, keep, seen, out, deeper);
     linked = std::move(deeper);
   }
   std::sort(out.files.begin(), out.files.end());

@@ -11,6 +11,7 @@ namespace etak::cli {
 /// What etak takes a file for, by the ending of its name.
 enum class FileKind { unknown, page, table, material };
 FileKind file_kind(std::string_view path);  // .yml .yaml | .csv .tsv .txt .dat | .json
+bool has_known_kind(std::string_view path);
 
 /// The recognised files below a folder.
 ///   root         folder the shown paths are relative to, with a '/' at its end
@@ -23,9 +24,11 @@ struct Folder {
   std::vector<std::string> unreadable;
 };
 
-/// Lists `path` on `threads` threads. Hidden entries are left out; links to files are followed; a linked
-/// folder is entered only when nothing else led there, so that no file comes twice and no loop arises. Throws
-/// Error when `path` itself cannot be read.
-Folder list_folder(const std::string& path, unsigned threads);
+/// Lists `path` on `threads` threads; `keep` says by the name which files are listed (those of a known kind).
+/// Hidden entries are left out; links to files are followed; a linked folder is entered only when nothing
+/// else led there, so that no file comes twice and no loop arises. Throws Error when `path` itself cannot be
+/// read.
+Folder list_folder(const std::string& path, unsigned threads,
+                   bool (*keep)(std::string_view name) = has_known_kind);
 
 }  // namespace etak::cli

@@ -14,7 +14,6 @@
 namespace etak::cli {
 namespace {
 
-constexpr const char* companion = "etak-image";
 char** program_arguments = nullptr;
 
 // Folder of the running program, with '/'.
@@ -33,9 +32,14 @@ void set_program_arguments(char** argv) {
 }
 
 void become_image_program(const std::string& place, const std::string& found, const std::string& expected) {
+  become_companion("etak-image", place, found, expected);
+}
+
+void become_companion(const std::string& companion, const std::string& place, const std::string& found,
+                      const std::string& expected) {
   const std::string here = program_folder();
   // Beside etak in a build tree, in libexec where installed.
-  const std::array candidates{here + companion, here + ETAK_LIBEXEC_FROM_BIN + "/" + companion};
+  const std::array candidates{here + companion, here + (ETAK_LIBEXEC_FROM_BIN "/") + companion};
   for (const std::string& candidate : candidates) {
     if (::access(candidate.c_str(), X_OK) != 0) continue;
     ::execv(candidate.c_str(), program_arguments);

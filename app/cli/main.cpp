@@ -38,8 +38,14 @@ int run(int argc, char** argv) {
   add_import(app, verb);
   add_eval(app, verb);
   add_models(app, verb);
+  add_pack(app, verb);
   add_render(app, verb);
   add_shader(app, verb);
+  add_report(app, verb);
+  add_stability(app, verb);
+  add_choose(app, verb);
+  add_validate(app, verb);
+  add_explain(app, verb);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

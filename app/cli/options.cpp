@@ -86,9 +86,12 @@ void add_compute_options(CLI::App& verb, ComputeArguments& arguments) {
   add("--observer", arguments.observer, "1931-2deg (default) or 1964-10deg");
   add("--illuminant", arguments.illuminant, "D65 (default), D50, A or E");
   add("--interpolation", arguments.interpolation, "of n and k: linear (default) or pchip");
-  add("--method", arguments.method,
-      "integration: 1nm (default), exact, 5nm, 10nm, 20nm, e308-10nm, e308-20nm, point-650-550-450 or "
+  add("--method,--integration", arguments.method,
+      "integration: 1nm (default), exact, auto, 5nm, 10nm, 20nm, e308-10nm, e308-20nm, point-650-550-450 or "
       "point-643-562-396");
+  add("--integration-bound", arguments.integration_bound,
+      "of the estimated error of X, Y and Z, for --integration auto (default 1e-5)")
+      ->type_name("NUMBER");
   add("--space", arguments.space,
       "output space: srgb (default), acescg, rec2020, display-p3, xyz, or a colour space of an OpenColorIO "
       "config");
@@ -109,9 +112,16 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library) {
                                   illuminant_named, "D65, D50, A or E");
   out.interpolation = chosen("--interpolation", arguments.interpolation, out.interpolation,
                              interpolation_named, "linear or pchip");
-  out.method =
-      chosen("--method", arguments.method, out.method, method_named,
-             "1nm, exact, 5nm, 10nm, 20nm, e308-10nm, e308-20nm, point-650-550-450 or point-643-562-396");
+  out.method = chosen(
+      "--method", arguments.method, out.method, method_named,
+      "1nm, exact, auto, 5nm, 10nm, 20nm, e308-10nm, e308-20nm, point-650-550-450 or point-643-562-396");
+  if (!arguments.integration_bound.empty()) {
+    const char* const option = "--integration-bound";
+    if (out.method != Method::automatic)
+      throw Error::at(option, "nothing is refined", "--integration auto beside it");
+    if (!parse_number(arguments.integration_bound, out.integration_bound) || !(out.integration_bound > 0))
+      throw Error::at(option, printable(arguments.integration_bound), "a number above 0, such as 1e-5");
+  }
   out.allow_extrapolation = arguments.allow_extrapolation;
   if (!arguments.ocio.empty() && arguments.space.empty())
     throw Error::at("--ocio", "no colour space of it is named", "--space NAME beside it");

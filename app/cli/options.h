@@ -31,7 +31,7 @@ void add_library_options(CLI::App& verb, Library& library);
 
 /// How F0 is computed, as typed.
 struct ComputeArguments {
-  std::string observer, illuminant, interpolation, method, space, ocio, outside;
+  std::string observer, illuminant, interpolation, method, integration_bound, space, ocio, outside;
   bool allow_extrapolation = false;
 };
 void add_compute_options(CLI::App& verb, ComputeArguments& arguments);

@@ -20,9 +20,15 @@ void add_list(CLI::App& app, Verb& chosen);
 void add_show(CLI::App& app, Verb& chosen);
 void add_nearest(CLI::App& app, Verb& chosen);
 void add_import(CLI::App& app, Verb& chosen);
+void add_explain(CLI::App& app, Verb& chosen);
 void add_eval(CLI::App& app, Verb& chosen);
+void add_choose(CLI::App& app, Verb& chosen);
+void add_report(CLI::App& app, Verb& chosen);
+void add_stability(CLI::App& app, Verb& chosen);
 void add_models(CLI::App& app, Verb& chosen);
+void add_pack(CLI::App& app, Verb& chosen);
 void add_render(CLI::App& app, Verb& chosen);
 void add_shader(CLI::App& app, Verb& chosen);
+void add_validate(CLI::App& app, Verb& chosen);
 
 }  // namespace etak::cli

@@ -16,15 +16,17 @@ inline vec3 operator*(vec3 a, vec3 b) { return vec3(a.x * b.x, a.y * b.y, a.z * 
 inline vec3 operator*(vec3 a, real s) { return vec3(a.x * s, a.y * s, a.z * s); }
 inline vec3 operator*(real s, vec3 a) { return vec3(a.x * s, a.y * s, a.z * s); }
 inline vec3 operator/(vec3 a, real s) { return vec3(a.x / s, a.y / s, a.z / s); }
+#ifdef ETAK_POLYNOMIALS  // float only, for loops that shall run in vector lanes
+#include "core/math/polynomials.h"
+#else
 inline real min(real a, real b) { return b < a ? b : a; }
 inline real max(real a, real b) { return a < b ? b : a; }
+#endif
 inline real clamp(real x, real lo, real hi) { return min(max(x, lo), hi); }
 inline real mix(real a, real b, real t) { return a * (1 - t) + b * t; }
 inline vec3 mix(vec3 a, vec3 b, real t) { return a * (1 - t) + b * t; }
 inline real dot(vec3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-#ifdef ETAK_POLYNOMIALS  // float only, for loops that shall run in vector lanes
-#include "core/math/polynomials.h"
-#else
+#ifndef ETAK_POLYNOMIALS
 inline real abs(real x) { return std::abs(x); }
 inline real sqrt(real x) { return std::sqrt(x); }
 inline real pow(real x, real e) { return std::pow(x, e); }

@@ -3,18 +3,50 @@
 // run in vector lanes; for a namespace where `real` is float. Coefficients: weighted minimax fits over the
 // stated ranges.
 
-inline real abs(real x) {
-  return __builtin_fabsf(x);
-}
-inline real sqrt(real x) {
-  return __builtin_sqrtf(x);
-}
-
 inline unsigned bits_of(float x) {
   return __builtin_bit_cast(unsigned, x);
 }
 inline float float_of(unsigned bits) {
   return __builtin_bit_cast(float, bits);
+}
+
+// The lesser of x and a bound in one instruction: with -fno-trapping-math GCC 12 compares and blends floats,
+// which takes a tenth of the time of a whole model. The bits of positive floats are in the floats' order as
+// signed numbers with the negative ones below, those of negative floats in the reverse order as unsigned
+// numbers with the positive ones below.
+#ifdef __SSE4_1__
+template <class Bits>
+inline real lesser_bits(real a, real b) {
+  const Bits x = __builtin_bit_cast(Bits, a), y = __builtin_bit_cast(Bits, b);
+  return __builtin_bit_cast(float, y < x ? y : x);
+}
+template <class Bits>
+inline real greater_bits(real a, real b) {
+  const Bits x = __builtin_bit_cast(Bits, a), y = __builtin_bit_cast(Bits, b);
+  return __builtin_bit_cast(float, x < y ? y : x);
+}
+inline real min(real a, real b) {
+  if (!__builtin_constant_p(b)) return b < a ? b : a;
+  return b < 0 ? greater_bits<unsigned>(a, b) : lesser_bits<int>(a, b);
+}
+inline real max(real a, real b) {
+  if (!__builtin_constant_p(b)) return a < b ? b : a;
+  return b < 0 ? lesser_bits<unsigned>(a, b) : greater_bits<int>(a, b);
+}
+#else
+inline real min(real a, real b) {
+  return b < a ? b : a;
+}
+inline real max(real a, real b) {
+  return a < b ? b : a;
+}
+#endif
+
+inline real abs(real x) {
+  return __builtin_fabsf(x);
+}
+inline real sqrt(real x) {
+  return __builtin_sqrtf(x);
 }
 
 // 2^x for x clamped to [-126, 127]; relative error 6e-8 (2e-9 in the polynomial). Adding 1.5 2^23 rounds x to

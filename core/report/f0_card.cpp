@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/color/srgb.h"
 #include "core/report/f0_curves.h"
 #include "core/report/f0_page_parts.h"
 #include "core/report/svg_plot.h"
-#include "core/report/text.h"
 
 namespace etak {
 namespace {

@@ -2,14 +2,13 @@
 // The JSON forms of an F0 report, as resources/schema/f0.schema.json describes them. Written directly:
 // std::to_chars gives the shortest text that reads back equal, and a colour stays on one line.
 #include <array>
-#include <charconv>
-#include <cmath>
 
+#include "core/base/json_text.h"
+#include "core/base/text.h"
 #include "core/color/colorspace.h"
 #include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"
 #include "core/report/f0_report.h"
-#include "core/report/text.h"
 #include "core/spectrum/integration.h"
 
 namespace etak {
@@ -19,37 +18,8 @@ constexpr std::string_view schema_name = "etak-f0/1";
 
 // ---- values as text
 
-// JSON has no NaN and no infinity.
-std::string json(double value) {
-  if (!std::isfinite(value)) return "null";
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-std::string json(std::string_view text) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string out = "\"";
-  for (const char c : valid_utf8(text)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      append(out, '\\', c);
-    else if (byte < 0x20)
-      append(out, "\\u00", digits[byte >> 4], digits[byte & 15]);
-    else
-      out += c;
-  }
-  return out += '"';
-}
-
-std::string json(const char* text) {
-  return json(std::string_view(text));
-}
-std::string json(bool value) {
-  return value ? "true" : "false";
-}
-std::string json(std::size_t value) {
-  return std::to_string(value);
-}
+// The values of colour beside those of json_text.h.
+using etak::json;
 
 std::string json(const LinearRgb& c) {
   return "{\"r\": " + json(c.r) + ", \"g\": " + json(c.g) + ", \"b\": " + json(c.b) + "}";
@@ -59,44 +29,21 @@ std::string json(const Xyz& c) {
   return "{\"x\": " + json(c.x) + ", \"y\": " + json(c.y) + ", \"z\": " + json(c.z) + "}";
 }
 
-std::string array(std::span<const std::string> items) {
-  std::string out = "[";
-  for (std::size_t i = 0; i < items.size(); ++i) append(out, i == 0 ? "" : ", ", items[i]);
-  return out += ']';
-}
-
 template <std::size_t N>
 std::string array(const std::array<double, N>& values) {
   std::array<std::string, N> items;
   for (std::size_t i = 0; i < N; ++i) items[i] = json(values[i]);
-  return array(std::span<const std::string>(items));
+  return json_array(items);
 }
 
 template <std::size_t Rows, std::size_t N>
 std::string array(const std::array<std::array<double, N>, Rows>& rows) {
   std::array<std::string, Rows> items;
   for (std::size_t i = 0; i < Rows; ++i) items[i] = array(rows[i]);
-  return array(std::span<const std::string>(items));
+  return json_array(items);
 }
 
-// ---- objects: the values are text already
-
-struct Member {
-  std::string_view key;
-  std::string value;
-};
-
-// `indent`: blanks before the closing brace; below 0: all on one line.
-std::string object(std::span<const Member> members, int indent) {
-  const std::string start = indent < 0 ? "" : "\n" + std::string(static_cast<std::size_t>(indent) + 2, ' ');
-  std::string out = "{";
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (i > 0) out += indent < 0 ? ", " : ",";
-    append(out, start, json(members[i].key), ": ", members[i].value);
-  }
-  if (indent >= 0) out.append(1, '\n').append(static_cast<std::size_t>(indent), ' ');
-  return out += '}';
-}
+using Member = JsonMember;
 
 // ---- policy
 
@@ -116,23 +63,26 @@ std::vector<Member> policy_members(const F0Options& o) {
   const auto* outside_n = std::get_if<double>(&o.outside.index);
   const Member outside[] = {{"label", json(o.outside.label)}, {"n", outside_n ? json(*outside_n) : "null"}};
   const bool power = o.method == Method::legacy_schueler;
-  return {{"text", json(policy(o))},
-          {"observer", json(name(o.viewing.observer))},
-          {"illuminant", json(name(o.viewing.illuminant))},
-          {"interpolation", json(name(o.interpolation))},
-          {"method", json(name(o.method))},
-          {"range_nm",
-           samples_rgb(o.method) ? "null" : array(std::array<double, 2>{grid_first_nm, grid_last_nm})},
-          {"white", json(white)},
-          {"space", json(space_name(o))},
-          {"primaries", chromaticities},
-          {"xyz_to_linear", matrix},
-          {"encoding", json(power ? "power-1/2.2" : "srgb")},
-          {"rounding", json("half-up")},
-          {"outside", object(outside, -1)},
-          {"f82_cosine", json(f82_cosine)},
-          {"forbidden_zone", array(std::array{forbidden_zone_first, forbidden_zone_last})},
-          {"allow_extrapolation", json(o.allow_extrapolation)}};
+  std::vector<Member> members{
+      {"text", json(policy(o))},
+      {"observer", json(name(o.viewing.observer))},
+      {"illuminant", json(name(o.viewing.illuminant))},
+      {"interpolation", json(name(o.interpolation))},
+      {"method", json(name(o.method))},
+      {"range_nm",
+       samples_rgb(o.method) ? "null" : array(std::array<double, 2>{grid_first_nm, grid_last_nm})},
+      {"white", json(white)},
+      {"space", json(space_name(o))},
+      {"primaries", chromaticities},
+      {"xyz_to_linear", matrix},
+      {"encoding", json(power ? "power-1/2.2" : "srgb")},
+      {"rounding", json("half-up")},
+      {"outside", json_object(outside, -1)},
+      {"f82_cosine", json(f82_cosine)},
+      {"forbidden_zone", array(std::array{forbidden_zone_first, forbidden_zone_last})},
+      {"allow_extrapolation", json(o.allow_extrapolation)}};
+  if (o.method == Method::automatic) members.push_back({"integration_bound", json(o.integration_bound)});
+  return members;
 }
 
 // ---- results
@@ -142,7 +92,7 @@ std::string json_coverage(const Coverage& c) {
   const Member members[] = {{"x", json(c.weight[0])},     {"y", json(c.weight[1])},
                             {"z", json(c.weight[2])},     {"first_nm", json(c.first_nm)},
                             {"last_nm", json(c.last_nm)}, {"formula", json(c.is_formula)}};
-  return object(members, -1);
+  return json_object(members, -1);
 }
 
 std::string json_zone(const F0Result& r) {
@@ -150,19 +100,26 @@ std::string json_zone(const F0Result& r) {
   std::vector<std::string> inside;
   for (std::size_t c = 0; c < 3; ++c)
     if (r.channel_in_zone[c]) inside.push_back(json(letters[c]));
-  const Member members[] = {{"verdict", json(name(r.zone))}, {"channels_inside", array(inside)}};
-  return object(members, -1);
+  const Member members[] = {{"verdict", json(name(r.zone))}, {"channels_inside", json_array(inside)}};
+  return json_object(members, -1);
 }
 
 std::string json_gamut(const F0Result& r) {
   const Member members[] = {{"in", json(!r.out_of_gamut())}, {"excess", json(to_rgb(r.gamut_excess))}};
-  return object(members, -1);
+  return json_object(members, -1);
 }
 
 std::string json_f82(const F0Result& r) {
   if (!r.f82) return "null";
   const Member members[] = {{"absolute", json(*r.f82)}, {"tint", r.f82_tint ? json(*r.f82_tint) : "null"}};
-  return object(members, -1);
+  return json_object(members, -1);
+}
+
+std::string json_integration(const IntegrationStep& step) {
+  const Member members[] = {{"method", json(name(step.method))},
+                            {"estimated_error", json(step.error)},
+                            {"within_bound", json(step.within_bound)}};
+  return json_object(members, -1);
 }
 
 std::vector<Member> result_members(const F0Row& row) {
@@ -173,25 +130,27 @@ std::vector<Member> result_members(const F0Row& row) {
   r.flags.for_each([&](Flag flag) { flags.push_back(json(name(flag))); });
   const std::array<double, 3> codes{double(r.srgb8.r), double(r.srgb8.g), double(r.srgb8.b)};
   const std::string null = "null";
-  return {{"path", json(row.path)},
-          {"name", json(row.name)},
-          {"class", json(row.material_class)},
-          {"dataset", json(row.dataset)},
-          {"source", json(row.source)},
-          {"linear", has ? json(r.linear) : null},
-          {"srgb_linear", has ? json(r.srgb_linear) : null},
-          {"srgb8", has ? array(codes) : null},
-          {"hex", has ? json(hex(r.srgb8)) : null},
-          {"xyz", has ? json(r.xyz) : null},
-          {"Y", has ? json(r.luminance) : null},
-          {"f82", has ? json_f82(r) : null},
-          {"zone", has ? json_zone(r) : null},
-          {"gamut", has ? json_gamut(r) : null},
-          {"coverage", json_coverage(r.coverage)},
-          {"samples_400_700", is_table ? json(r.coverage.samples_400_700) : null},
-          {"largest_gap_nm", is_table ? json(r.coverage.largest_gap_nm) : null},
-          {"flags", array(flags)},
-          {"refused", has ? null : json(r.refusal)}};
+  std::vector<Member> members{{"path", json(row.path)},
+                              {"name", json(row.name)},
+                              {"class", json(row.material_class)},
+                              {"dataset", json(row.dataset)},
+                              {"source", json(row.source)},
+                              {"linear", has ? json(r.linear) : null},
+                              {"srgb_linear", has ? json(r.srgb_linear) : null},
+                              {"srgb8", has ? array(codes) : null},
+                              {"hex", has ? json(hex(r.srgb8)) : null},
+                              {"xyz", has ? json(r.xyz) : null},
+                              {"Y", has ? json(r.luminance) : null},
+                              {"f82", has ? json_f82(r) : null},
+                              {"zone", has ? json_zone(r) : null},
+                              {"gamut", has ? json_gamut(r) : null},
+                              {"coverage", json_coverage(r.coverage)},
+                              {"samples_400_700", is_table ? json(r.coverage.samples_400_700) : null},
+                              {"largest_gap_nm", is_table ? json(r.coverage.largest_gap_nm) : null},
+                              {"flags", json_array(flags)},
+                              {"refused", has ? null : json(r.refusal)}};
+  if (has && r.integration) members.push_back({"integration", json_integration(*r.integration)});
+  return members;
 }
 
 }  // namespace
@@ -200,22 +159,23 @@ std::string f0_json(std::span<const F0Row> rows, const F0Options& options) {
   std::string results = "[";
   for (const F0Row& row : rows) {
     if (results.size() > 1) results += ',';
-    append(results, "\n    ", object(result_members(row), 4));
+    append(results, "\n    ", json_object(result_members(row), 4));
   }
   results += rows.empty() ? "]" : "\n  ]";
-  const Member members[] = {
-      {"schema", json(schema_name)}, {"policy", object(policy_members(options), 2)}, {"results", results}};
-  return object(members, 0) + '\n';
+  const Member members[] = {{"schema", json(schema_name)},
+                            {"policy", json_object(policy_members(options), 2)},
+                            {"results", results}};
+  return json_object(members, 0) + '\n';
 }
 
 std::string f0_jsonl(std::span<const F0Row> rows, const F0Options& options) {
-  const std::string shared_policy = object(policy_members(options), -1);
+  const std::string shared_policy = json_object(policy_members(options), -1);
   std::string out;
   for (const F0Row& row : rows) {
     std::vector<Member> members{{"schema", json(schema_name)}};
     for (Member& member : result_members(row)) members.push_back(std::move(member));
     members.push_back({"policy", shared_policy});
-    append(out, object(members, -1), '\n');
+    append(out, json_object(members, -1), '\n');
   }
   return out;
 }

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/text.h"
 #include "core/color/srgb.h"
 #include "core/report/f0_page_parts.h"
-#include "core/report/text.h"
 
 namespace etak {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 
+#include "core/base/text.h"
 #include "core/color/srgb.h"
 #include "core/report/f0_page_parts.h"
-#include "core/report/text.h"
 
 namespace etak {
 namespace {

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/color/srgb.h"
 #include "core/report/f0_report.h"
-#include "core/report/text.h"
 
 namespace etak {
 namespace {
@@ -101,11 +101,18 @@ struct Column {
 
 using Cells = std::vector<std::string>;
 
-Cells cells_of(const F0Row& row) {
+// "1nm, 3.1e-06"
+std::string integration_text(const IntegrationStep& step) {
+  std::string out(name(step.method));
+  out += ", " + number(step.error, 2);
+  return step.within_bound ? out : out + ", above the bound";
+}
+
+Cells cells_of(const F0Row& row, bool with_integration) {
   const F0Result& r = row.result;
   Cells cells{one_row(row.path)};
   if (r.refused()) {
-    cells.resize(10, "-");
+    cells.resize(with_integration ? 11 : 10, "-");
     cells.push_back(one_row(flags_text(r)));
     return cells;
   }
@@ -123,6 +130,7 @@ Cells cells_of(const F0Row& row) {
   cells.push_back(edge);
   cells.emplace_back(name(r.zone));
   cells.push_back(fixed(r.coverage.least(), 4));
+  if (with_integration) cells.push_back(r.integration ? integration_text(*r.integration) : "-");
   cells.push_back(one_row(flags_text(r)));
   return cells;
 }
@@ -238,12 +246,14 @@ std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool
   const bool is_xyz = !options.custom_space && options.space == RgbSpace::xyz;
   const std::array<std::string, 3> channel =
       is_xyz ? std::array<std::string, 3>{"X", "Y", "Z"} : std::array<std::string, 3>{"r", "g", "b"};
-  const std::vector<Column> columns{{"id"},   {channel[0], true}, {channel[1], true}, {channel[2], true},
-                                    {"hex"},  {"8 bit", true},    {"Y", true},        {"F82"},
-                                    {"zone"}, {"coverage", true}, {"flags"}};
+  const bool with_integration = options.method == Method::automatic;
+  std::vector<Column> columns{{"id"},   {channel[0], true}, {channel[1], true}, {channel[2], true},
+                              {"hex"},  {"8 bit", true},    {"Y", true},        {"F82"},
+                              {"zone"}, {"coverage", true}, {"flags"}};
+  if (with_integration) columns.insert(columns.end() - 1, {"integration, error"});
   std::vector<Cells> lines{{}};
   for (const Column& column : columns) lines.front().push_back(column.title);
-  for (const F0Row& row : rows) lines.push_back(cells_of(row));
+  for (const F0Row& row : rows) lines.push_back(cells_of(row, with_integration));
   std::vector<std::size_t> width(columns.size(), 0);
   for (const Cells& cells : lines)
     for (std::size_t i = 0; i < cells.size(); ++i) width[i] = std::max(width[i], display_width(cells[i]));

@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "core/base/number.h"
-#include "core/report/text.h"
+#include "core/base/text.h"
 
 namespace etak {
 namespace {

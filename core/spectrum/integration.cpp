@@ -11,15 +11,9 @@
 namespace etak {
 namespace {
 
-constexpr std::array<std::string_view, 9> method_names{"1nm",
-                                                       "exact",
-                                                       "5nm",
-                                                       "10nm",
-                                                       "20nm",
-                                                       "e308-10nm",
-                                                       "e308-20nm",
-                                                       "point-650-550-450",
-                                                       "point-643-562-396"};
+constexpr std::array<std::string_view, 10> method_names{
+    "1nm", "exact", "5nm", "10nm", "20nm", "e308-10nm", "e308-20nm", "point-650-550-450", "point-643-562-396",
+    "auto"};
 
 // Illuminant x observer at grid point i.
 std::array<double, 3> weight_at(Viewing viewing, std::size_t i) {
@@ -109,11 +103,29 @@ std::string_view name(Method method) {
 std::optional<Method> method_named(std::string_view text) {
   for (const Method m : all_methods)
     if (text == name(m)) return m;
+  if (text == name(Method::automatic)) return Method::automatic;
   return std::nullopt;
 }
 
 bool samples_rgb(Method method) {
   return method == Method::legacy_point || method == Method::legacy_schueler;
+}
+
+int step_nm(Method method) {
+  switch (method) {
+    case Method::nm1:
+      return 1;
+    case Method::nm5:
+      return 5;
+    case Method::nm10:
+    case Method::e308_10:
+      return 10;
+    case Method::nm20:
+    case Method::e308_20:
+      return 20;
+    default:
+      return 0;
+  }
 }
 
 std::array<double, 3> Quadrature::integrate(std::span<const double> reflectance) const {
@@ -152,6 +164,7 @@ Quadrature make_quadrature(Method method, Viewing viewing) {
     case Method::legacy_schueler:
       return three_samples(643, 562, 396);
     case Method::exact:
+    case Method::automatic:
       return make_exact_quadrature(viewing, {});
     case Method::nm1:
       break;
@@ -186,6 +199,24 @@ Quadrature make_exact_quadrature(Viewing viewing, std::span<const double> knots_
   }
   normalise(q);
   return q;
+}
+
+double exact_method_error(const Quadrature& exact, std::span<const double> reflectance) {
+  // The rule of degree 3 on the outer and the middle node.
+  const double outer = 1 / (3 * gauss_node[4] * gauss_node[4]);
+  const std::array<double, 5> three{outer, 0, 2 - 2 * outer, 0, outer};
+  double worst = 0;
+  for (const auto& weight : exact.weight) {
+    double sum = 0;
+    for (std::size_t i = 0; i < weight.size(); i += gauss_node.size()) {
+      double change = 0;
+      for (std::size_t g = 0; g < gauss_node.size(); ++g)
+        change += (three[g] / gauss_weight[g] - 1) * weight[i + g] * reflectance[i + g];
+      sum += std::abs(change);
+    }
+    worst = std::max(worst, sum);
+  }
+  return worst;
 }
 
 std::array<double, 3> weight_inside(Viewing viewing, double first_nm, double last_nm) {

@@ -23,19 +23,26 @@ namespace etak {
 ///   legacy_point      R at 650, 550 and 450 nm taken as linear red, green and blue
 ///   legacy_schueler   R at 643, 562 and 396 nm (inferred from Schueler's table 2.5.1), 8 bit by the pure
 ///   power 1/2.2
-enum class Method { nm1, exact, nm5, nm10, nm20, e308_10, e308_20, legacy_point, legacy_schueler };
+///   automatic         the coarsest of 20, 10, 5, 1 nm and exact whose estimated error is within a bound
+///                     (core/spectrum/refinement.h)
+enum class Method { nm1, exact, nm5, nm10, nm20, e308_10, e308_20, legacy_point, legacy_schueler, automatic };
 
+/// Those with weights of their own: all but automatic, which chooses among them.
 inline constexpr std::array all_methods{Method::nm1,     Method::exact,        Method::nm5,
                                         Method::nm10,    Method::nm20,         Method::e308_10,
                                         Method::e308_20, Method::legacy_point, Method::legacy_schueler};
 
-/// "1nm", "exact", "5nm", "10nm", "20nm", "e308-10nm", "e308-20nm", "point-650-550-450", "point-643-562-396"
+/// "1nm", "exact", "5nm", "10nm", "20nm", "e308-10nm", "e308-20nm", "point-650-550-450", "point-643-562-396",
+/// "auto"
 std::string_view name(Method method);
 std::optional<Method> method_named(std::string_view text);
 
 /// True for the two methods that take three samples as red, green and blue and know no observer or
 /// illuminant.
 bool samples_rgb(Method method);
+
+/// Distance between the samples of a sum, in nm; 0 for the methods that are none.
+int step_nm(Method method);
 
 /// A weighted sum that turns reflectance samples into X, Y, Z (or, for the point methods, into linear R, G,
 /// B).
@@ -52,7 +59,7 @@ struct Quadrature {
   std::array<double, 3> white() const;
 };
 
-/// The quadrature of every method but exact.
+/// The quadrature of every method with a fixed one; for exact and automatic that of data without knots.
 Quadrature make_quadrature(Method method, Viewing viewing);
 
 /// The exact method for data whose samples lie at `knots_nm` (ascending, any range): piecewise smooth between
@@ -60,6 +67,11 @@ Quadrature make_quadrature(Method method, Viewing viewing);
 /// relative error below 1e-11 for published data, and 3e-7 for a spike of n from 0.5 to 9 within half a
 /// nanometre.
 Quadrature make_exact_quadrature(Viewing viewing, std::span<const double> knots_nm);
+
+/// What the exact method may still miss of X, Y or Z: the change when only three of the five points of every
+/// piece are used, all changes added. Far above what it misses.
+///   exact   of make_exact_quadrature()
+double exact_method_error(const Quadrature& exact, std::span<const double> reflectance);
 
 /// Share of each of the X, Y, Z weights (sums at 1 nm over 360..830 nm) that lies inside [first_nm, last_nm];
 /// a grid point stands for the nanometre around it, so it counts up to half a nanometre outside.

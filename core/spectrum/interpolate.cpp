@@ -101,7 +101,8 @@ void resample_to_grid(const Spectrum& s, std::span<double, grid_size> out) {
   };
   std::size_t i = clamped(w.front());
   std::fill_n(out.begin(), i, s.value.front());
-  for (std::size_t j = std::upper_bound(w.begin(), w.end(), double{grid_first_nm}) - w.begin();
+  for (auto j =
+           static_cast<std::size_t>(std::upper_bound(w.begin(), w.end(), double{grid_first_nm}) - w.begin());
        j < w.size() && i < grid_size; ++j) {
     if (j == 0) continue;
     const std::size_t end = std::min(grid_size, clamped(w[j]));

@@ -78,6 +78,7 @@ for verb, variants in calls.items():
     validator = schema(verb)
     for options in variants:
         check(validator, json.loads(run(verb, *options, "--format", "json")), f"{verb} {options}")
+check(schema("eval"), json.loads(run("eval", "f0", "n=1.5", "k=0", "--format", "json")), "eval f0")
 check(schema("functions"), json.loads(run("eval", "--list", "--format", "json")), "eval --list")
 
 if os.path.exists(os.path.join(os.path.dirname(etak), "etak-image")) and "etak_image_io" in sys.argv[3:]:

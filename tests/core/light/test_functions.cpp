@@ -267,6 +267,9 @@ TEST_CASE("reflectance functions: pi f nl for Schueler and Phong, f for the othe
 
 TEST_CASE("furnaces have the numbers of the independent integration over light directions") {
   CHECK(eval("furnace_optimized", "param=64;theta_v=89.9") == near_to(25.793016832, 1e-7));
+  CHECK(eval("furnace_optimized", "param=1;theta_v=89.999999") == near_to(16.8637375779, 1e-7));
+  CHECK(eval("furnace_optimized", "param=8;theta_v=89.99999") == near_to(32.8455838255, 1e-7));
+  CHECK(eval("furnace_optimized", "param=4096;theta_v=89.9999") == near_to(451.982133417, 1e-7));
   CHECK(eval("furnace_optimized", "param=1;theta_v=89") == near_to(3.098007769, 1e-7));
   CHECK(eval("furnace_blinn", "param=8;theta_v=0") == near_to(16 * (1.0 / 16 + 8) / (10 * 12), 1e-8));
   CHECK(eval("furnace_ggx_smith_corr", "param=1;theta_v=0") == near_to(1 - std::log(2.0), 1e-8));

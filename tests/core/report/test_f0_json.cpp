@@ -31,6 +31,9 @@ std::vector<F0Options> many_options() {
     all.back().interpolation = Interpolation::pchip;
   }
   all.emplace_back();
+  all.back().method = Method::automatic;
+  all.back().integration_bound = 1e-3;
+  all.emplace_back();
   all.back().custom_space = CustomSpace{"lin_x \"y\"", [](const Xyz& c, const Xyz&) {
                                           return LinearRgb{c.x, c.y, c.z};
                                         }};
@@ -75,6 +78,7 @@ TEST_CASE("the schema lists every flag, method, observer and illuminant by name 
   Json flags = Json::array(), methods = Json::array();
   for (std::size_t i = 0; i < flag_count; ++i) flags.push_back(std::string(name(static_cast<Flag>(i))));
   for (const Method method : all_methods) methods.push_back(std::string(name(method)));
+  methods.push_back(std::string(name(Method::automatic)));
   CHECK(defs["result"]["properties"]["flags"]["items"]["enum"] == flags);
   CHECK(defs["policy"]["properties"]["method"]["enum"] == methods);
   for (const auto& text : defs["policy"]["properties"]["observer"]["enum"])
@@ -128,6 +132,23 @@ TEST_CASE("the policy's matrix takes its white to (1, 1, 1)") {
       CHECK(std::abs(sum - 1) < 1e-12);
     }
   }
+}
+
+TEST_CASE("with the method auto, JSON says which step was taken and what it is estimated to miss") {
+  F0Options options;
+  options.method = Method::automatic;
+  F0Row row{"glass", "", "", "", "", F0Solver(options).solve(glass(1.5))};
+  const Json whole = Json::parse(f0_json({&row, 1}, options));
+  CHECK(JsonSchema(schema_text()).problem(whole) == "");
+  CHECK(whole["policy"]["integration_bound"] == 1e-5);
+  const Json step = whole["results"][0]["integration"];
+  CHECK(step["method"] == "20nm");
+  CHECK(step["estimated_error"].get<double>() == row.result.integration->error);
+  CHECK(step["within_bound"] == true);
+  F0Row plain{"glass", "", "", "", "", F0Solver({}).solve(glass(1.5))};
+  const Json without = Json::parse(f0_json({&plain, 1}, {}));
+  CHECK(!without["results"][0].contains("integration"));
+  CHECK(!without["policy"].contains("integration_bound"));
 }
 
 TEST_CASE("results of the solver pass through JSON unchanged") {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <random>
 
-#include "core/report/text.h"
+#include "core/base/text.h"
 #include "tests/core/report/sample_rows.h"
 #include "tests/support.h"
 
@@ -55,6 +55,18 @@ TEST_CASE("a CSV row holds coverage, linear, 8 bit, Y, absolute F82, zone and fl
 TEST_CASE("reflectance data leave the F82 columns of the CSV empty") {
   F0Result r = result_of({0.5, 0.5, 0.5});
   CHECK(contains(csv_row(r), ",0.5,,,,above,\n"));
+}
+
+TEST_CASE("with the method auto, the table says which step was taken and what it is estimated to miss") {
+  F0Options options;
+  options.method = Method::automatic;
+  F0Row row{"p", "", "", "", "", gold_result()};
+  row.result.integration = {Method::nm5, 3.14e-6, true};
+  CHECK(contains(f0_table({&row, 1}, options, false), "integration, error"));
+  CHECK(contains(f0_table({&row, 1}, options, false), "  5nm, 3.1e-06  "));
+  row.result.integration = {Method::exact, 2e-4, false};
+  CHECK(contains(f0_table({&row, 1}, options, false), "exact, 0.0002, above the bound"));
+  CHECK(!contains(f0_table({&row, 1}, {}, false), "integration"));
 }
 
 TEST_CASE("a refused CSV row has empty numbers and the reason as its last flag") {

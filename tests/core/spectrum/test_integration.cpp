@@ -261,6 +261,8 @@ TEST_CASE("400..700 nm holds over 0.99 of each weight for every viewing, 450..83
 
 TEST_CASE("method names read back") {
   for (const Method method : all_methods) CHECK(method_named(name(method)) == method);
+  CHECK(method_named("auto") == Method::automatic);
+  CHECK(name(Method::automatic) == "auto");
   CHECK(name(Method::nm1) == "1nm");
   CHECK(name(Method::e308_20) == "e308-20nm");
   CHECK(name(Method::legacy_schueler) == "point-643-562-396");

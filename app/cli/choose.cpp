@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/choose.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <memory>
+
+#include "app/cli/verbs.h"
+
+namespace etak::cli {
+
+void add_choose(CLI::App& app, Verb& chosen) {
+  auto* verb =
+      app.add_subcommand("choose", "Find the cheapest way to draw a material within a budget of error");
+  auto arguments = std::make_shared<ChooseArguments>();
+  verb->add_option("material", arguments->materials, "materials of the library, or ID/DATASET")
+      ->type_name("MATERIAL");
+  verb->add_flag("--all", arguments->all, "every material of the library that has n and k");
+  verb->add_option("--budget", arguments->budget,
+                   "largest difference, CIEDE2000, of F at any angle and of any pixel")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--gloss", arguments->gloss, "of the sphere that is compared")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  auto* measure =
+      verb->add_flag("--measure", arguments->measure,
+                     "time everything here instead of taking the shipped costs; the choice may differ");
+  verb->add_option("--costs", arguments->costs, "a cost table of --write-costs instead of the shipped one")
+      ->excludes(measure)
+      ->type_name("FILE");
+  verb->add_flag("--write-costs", arguments->write_costs, "write the cost table itself, measured here");
+  add_library_options(*verb, arguments->library);
+  add_output_options(*verb, arguments->output, {"text", "json"});
+  verb->footer("Example:\n  etak choose gold silver water --budget 1");
+  verb->callback([arguments, &chosen] { chosen = [arguments] { return choose_materials(*arguments); }; });
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/options.h"
+#include "app/cli/output.h"
+
+namespace etak::cli {
+
+/// `etak choose` as typed.
+struct ChooseArguments {
+  std::vector<std::string> materials;
+  std::string costs;  // file of a cost table
+  double budget = 1, gloss = 0.75;
+  bool all = false, measure = false, write_costs = false;
+  Library library;
+  OutputArguments output;
+};
+
+/// The work of the verb: in etak-image (choose_run.cpp), where the timing library is; etak becomes that.
+int choose_materials(ChooseArguments& arguments);
+
+}  // namespace etak::cli

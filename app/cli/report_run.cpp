@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/cli/options.h"
+#include "app/cli/report.h"
+#include "core/base/error.h"
+#include "core/base/output_folder.h"
+#include "core/report/error_time.h"
+#include "core/report/stability.h"
+#ifdef ETAK_HAS_GL
+#include "core/render/gl_runner.h"
+#endif
+
+namespace etak::cli {
+namespace {
+
+constexpr std::size_t quick_repeats = 15, full_repeats = 31;
+constexpr double quick_seconds = 0.06, full_seconds = 0.6;
+
+std::vector<FamilyEntry> chosen_families(const std::vector<std::string>& names) {
+  const auto all = all_families();
+  if (names.empty()) return {all.begin(), all.end()};
+  std::vector<FamilyEntry> out;
+  for (const std::string& name : names) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const FamilyEntry& each) { return each.id == name; });
+    if (found == all.end()) {
+      std::string known;
+      for (const FamilyEntry& each : all) known += (known.empty() ? "" : ", ") + std::string(each.id);
+      throw Error::at("--family", printable(name), known);
+    }
+    out.push_back(*found);
+  }
+  return out;
+}
+
+#ifdef ETAK_HAS_GL
+GlRunner open_gl(const std::string& device) {
+  std::string why;
+  auto gl = GlRunner::open(why);
+  if (!gl) throw Error::at("--device " + device, "no OpenGL here: " + why, "--device cpu");
+  return std::move(*gl);
+}
+#endif
+
+}  // namespace
+
+int measure(ReportArguments& arguments) {
+  ReportOptions options;
+  options.full = arguments.full;
+  options.timing.repeats = options.full ? full_repeats : quick_repeats;
+  options.timing.seconds_a_case = options.full ? full_seconds : quick_seconds;
+  options.threads = thread_count(arguments.threads);
+  options.gl = arguments.device != "cpu";
+  options.cpu = arguments.device != "gl";
+  ReportHeader header = report_header(options);
+  GlEvaluate evaluate;
+#ifdef ETAK_HAS_GL
+  std::optional<GlRunner> gl;
+  if (options.gl) {
+    gl.emplace(open_gl(arguments.device));
+    header.gpu =
+        gl->info().renderer + ", OpenGL " + gl->info().version + (gl->info().software ? " (software)" : "");
+    evaluate = [&gl](std::string_view expression) { return double{gl->evaluate(expression)}; };
+  }
+#else
+  if (options.gl)
+    throw Error::at("--device " + arguments.device, "this etak was built without OpenGL", "--device cpu");
+#endif
+  // The clock: what timing nothing gives.
+  const TimedCase nothing[] = {{"nothing", 1, [] {}}};
+  time_cases(nothing, options.timing, &header.empty_loop_ns);
+
+  OutputArguments output;
+  output.quiet = arguments.quiet;
+  std::vector<ErrorTimeFamily> families;
+  for (const FamilyEntry& entry : chosen_families(arguments.families)) {
+    remark(output, "measuring " + std::string(entry.id));
+    families.push_back(entry.measure(options));
+  }
+  const auto stability = stability_cases(evaluate);
+
+  OutputFolder folder(arguments.folder, arguments.force);
+  folder.write("report.html", error_time_page(header, families, stability_html(stability)));
+  folder.write("report.json", error_time_json(header, families));
+  folder.write("report.csv", error_time_csv(header, families));
+  for (const ErrorTimeFamily& family : families)
+    for (const ErrorTimeTable& table : family.tables)
+      if (const std::string plot = error_time_svg(family, table); !plot.empty())
+        folder.write(family.id + "-" + table.id + ".svg", plot);
+  folder.commit();
+  remark(output, "wrote " + arguments.folder + "/report.html");
+  return exit_ok;
+}
+
+int show_stability(StabilityArguments& arguments) {
+#ifdef ETAK_HAS_GL
+  std::optional<GlRunner> gl;
+  GlEvaluate evaluate;
+  if (arguments.device != "cpu") {
+    gl.emplace(open_gl(arguments.device));
+    evaluate = [&gl](std::string_view expression) { return double{gl->evaluate(expression)}; };
+  }
+  const auto cases = stability_cases(evaluate);
+#else
+  const auto cases = stability_cases();
+#endif
+  write_output(arguments.output,
+               arguments.output.format == "json" ? stability_json(cases) : stability_text(cases));
+  return all_passed(cases) ? exit_ok : exit_findings;
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cost table's file (resources/costs.json) and the JSON form of choices
+// (resources/schema/choose.schema.json).
+#include <cmath>
+
+#include "core/base/json_node.inc"
+#include "core/base/json_text.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
+#include "core/report/choose.h"
+#include "core/report/costs_file.h"
+
+namespace etak {
+namespace {
+
+constexpr std::string_view costs_schema = "etak-costs/1", choose_schema = "etak-choose/1";
+constexpr int cost_digits = 3;
+
+std::string candidates_json(const std::vector<Candidate>& candidates) {
+  std::string out;
+  for (const Candidate& each : candidates) {
+    const JsonMember members[] = {{"id", json(each.id)},
+                                  {"cost_ns", json(each.cost_ns)},
+                                  {"error", json(each.error)},
+                                  {"within", json(each.within)}};
+    append(out, out.empty() ? "\n        " : ",\n        ", json_object(members, -1));
+  }
+  return "[" + out + "\n      ]";
+}
+
+std::string values_json(const std::vector<double>& values) {
+  std::vector<std::string> items;
+  for (const double value : values) items.push_back(json(value));
+  return json_array(items);
+}
+
+}  // namespace
+
+CostTable parse_costs(std::string_view text, std::string_view file) {
+  const Json document = parse_json_strictly(text, file, 4, "a cost table");
+  const JsonNode root{document, file, ""};
+  root.expect_object({"schema", "header", "ns"});
+  if (root.at("schema").text() != costs_schema)
+    root.at("schema").fail_type('"' + std::string(costs_schema) + '"');
+  CostTable out;
+  out.header = root.at("header").text();
+  const JsonNode ns = root.at("ns");
+  ns.expect_object();
+  for (const auto& [key, value] : ns.value.items()) {
+    const double cost = ns.at(key).number();
+    if (!(cost > 0)) ns.at(key).fail_type("a time above 0");
+    out.ns[key] = cost;
+  }
+  return out;
+}
+
+const CostTable& shipped_costs() {
+  static const CostTable table = parse_costs(costs_file, "<built-in cost table>");
+  return table;
+}
+
+std::string format_costs(const CostTable& costs) {
+  std::string rows;
+  for (const auto& [id, ns] : costs.ns)
+    append(rows, rows.empty() ? "\n    " : ",\n    ", json(id), ": ", number(ns, cost_digits));
+  const JsonMember members[] = {
+      {"schema", json(costs_schema)}, {"header", json(costs.header)}, {"ns", "{" + rows + "\n  }"}};
+  return json_object(members, 0) + "\n";
+}
+
+std::string choice_json(const std::vector<Choice>& choices, const CostTable& costs) {
+  std::string rows;
+  for (const Choice& each : choices) {
+    const JsonMember members[] = {{"material", json(each.material)},
+                                  {"dataset", json(each.dataset)},
+                                  {"fresnel", json(each.fresnel->id)},
+                                  {"visibility", json(each.visibility)},
+                                  {"integration", json(each.method)},
+                                  {"model", json(each.model)},
+                                  {"values", values_json(each.model_values)},
+                                  {"fresnel_error", json(each.fresnel_error)},
+                                  {"picture_error", json(each.picture_error)},
+                                  {"picture_mean", json(each.picture_mean)},
+                                  {"integration_error", json(each.method_error)},
+                                  {"everything_ns", json(each.everything_ns)},
+                                  {"chosen_ns", json(each.chosen_ns)},
+                                  {"everything_solve_ns", json(each.everything_solve_ns)},
+                                  {"chosen_solve_ns", json(each.chosen_solve_ns)},
+                                  {"fresnel_candidates", candidates_json(each.fresnel_candidates)},
+                                  {"visibility_candidates", candidates_json(each.visibility_candidates)},
+                                  {"integration_candidates", candidates_json(each.method_candidates)}};
+    append(rows, rows.empty() ? "\n    " : ",\n    ", json_object(members, 4));
+  }
+  const JsonMember members[] = {{"schema", json(choose_schema)},
+                                {"budget", json(choices.empty() ? 0.0 : choices[0].budget)},
+                                {"unit", json("ΔE2000")},
+                                {"costs", json(costs.header)},
+                                {"choices", "[" + rows + "\n  ]"}};
+  return json_object(members, 0) + "\n";
+}
+
+}  // namespace etak

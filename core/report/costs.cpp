@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times for the cost table: every Fresnel form, visibility term and quadrature here and now.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/brdf/models.h"
+#include "core/material/f0.h"
+#include "core/material/library.h"
+#include "core/report/choose.h"
+#include "core/report/error_time.h"
+#include "core/report/measure.h"
+
+namespace etak {
+namespace {
+
+constexpr std::size_t count = 4096;
+
+// One set of directions for all models: light over the whole hemisphere, viewer too.
+struct Batch {
+  std::array<std::vector<float>, 6> directions;
+  std::array<std::vector<float>, 3> rgb;
+
+  Batch() {
+    Random random(3);
+    for (auto& each : directions) each.resize(count);
+    for (auto& each : rgb) each.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t d = 0; d < 6; d += 3) {
+        const double z = random.uniform(0.05, 1), phi = random.uniform(0, 6.283185307179586),
+                     s = std::sqrt(1 - z * z);
+        directions[d][i] = static_cast<float>(s * std::cos(phi));
+        directions[d + 1][i] = static_cast<float>(s * std::sin(phi));
+        directions[d + 2][i] = static_cast<float>(z);
+      }
+  }
+  void run(const Model& model, const std::vector<double>& values) {
+    const float* in[6];
+    float* out[3];
+    for (std::size_t i = 0; i < 6; ++i) in[i] = directions[i].data();
+    for (std::size_t i = 0; i < 3; ++i) out[i] = rgb[i].data();
+    model.f32_batch(count, in, values.data(), out);
+  }
+};
+
+}  // namespace
+
+CostTable measure_costs(std::string_view header) {
+  CostTable costs;
+  costs.header = header;
+  const auto library = MaterialLibrary::builtin();
+  const Material gold = *library.find("gold");
+  const auto& optics = std::get<OpticalConstants>(gold.preferred_dataset().optics);
+  const FresnelTruth truth = fresnel_truth(optics, gold.id);
+  TimingOptions timing;
+
+  std::vector<TimedCase> cases;
+  const auto cosines = random_floats(count, 0, 1);
+  for (const FresnelForm& form : fresnel_forms()) {
+    const auto values = form.fit(truth);
+    std::array<float, 4> p{};
+    for (std::size_t i = 0; i < 4; ++i) p[i] = static_cast<float>(values[0][i]);
+    cases.push_back({"fresnel/" + std::string(form.id), count,
+                     [&form, p, cosines, out = std::make_shared<std::vector<float>>(count)] {
+                       form.many(p.data(), cosines->data(), out->data(), count);
+                       keep(out->data());
+                     }});
+  }
+  // A masking term costs what a GGX lobe with Schlick's F and that term costs: all have the rest in common.
+  const auto batch = std::make_shared<Batch>();
+  for (const Term& term : terms()) {
+    if (term.kind != TermKind::visibility || term.id.starts_with("smith-beckmann")) continue;
+    const Model* model = find_model("microfacet:ggx,schlick," + std::string(term.id));
+    cases.push_back({"visibility/" + std::string(term.id), count, [model, batch] {
+                       batch->run(*model, {0.9, 0.8, 0.4, 0.2});
+                     }});
+  }
+  for (const Method method : all_methods) {
+    F0Options options;
+    options.method = method;
+    const auto solver = std::make_shared<F0Solver>(options);
+    cases.push_back({"quadrature/" + std::string(name(method)), 1, [solver, &gold] {
+                       const F0Result result = solver->solve(gold.preferred_dataset().optics);
+                       keep(&result);
+                     }});
+  }
+  const auto times = time_cases(cases, timing);
+  for (std::size_t i = 0; i < cases.size(); ++i) costs.ns[cases[i].id] = times[i].median_ns;
+  // One formula, three ways to find n and k: what differs between their times is noise.
+  const double exact = std::min({costs.ns["fresnel/index"], costs.ns["fresnel/mean_index"],
+                                 costs.ns["fresnel/three_wavelengths"]});
+  for (const char* id : {"fresnel/index", "fresnel/mean_index", "fresnel/three_wavelengths"}) costs.ns[id] = exact;
+  return costs;
+}
+
+}  // namespace etak

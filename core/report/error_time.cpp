@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/report/error_time.h"
+
+#include "core/base/number.h"
+
+namespace etak {
+namespace {
+
+std::string csv(std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == text.npos) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out += '"';
+}
+
+constexpr int error_digits = 9, time_digits = 4;
+
+}  // namespace
+
+void mark_dominated(ErrorTimeTable& table) {
+  const std::size_t metric = table.plotted;
+  for (ErrorTimeRow& row : table.rows) {
+    row.pareto = row.time.has_value();
+    row.dominated = false;
+    if (!row.time) continue;
+    for (const ErrorTimeRow& other : table.rows) {
+      if (&other == &row || !other.time) continue;
+      const double faster = row.time->median_ns - other.time->median_ns;
+      const double closer = row.errors[metric] - other.errors[metric];
+      if ((faster >= 0 && closer > 0) || (faster > 0 && closer >= 0)) row.pareto = false;
+      // Errors are exact numbers: only times have a spread to be beaten.
+      if (closer > 0 && other.time->third_quartile_ns < row.time->first_quartile_ns) row.dominated = true;
+    }
+  }
+}
+
+std::string error_time_csv(const ReportHeader&, std::span<const ErrorTimeFamily> families) {
+  std::string out =
+      "family,table,row,metric,unit,error,time_unit,median,first_quartile,third_quartile,ratio,pareto,"
+      "dominated\n";
+  for (const ErrorTimeFamily& family : families)
+    for (const ErrorTimeTable& table : family.tables)
+      for (const ErrorTimeRow& row : table.rows)
+        for (std::size_t m = 0; m < table.metrics.size(); ++m) {
+          const ErrorMetric& metric = table.metrics[m];
+          out += csv(family.id) + ',' + csv(table.id) + ',' + csv(row.id) + ',' + csv(metric.id) + ',' +
+                 csv(metric.unit) + ',' + number(row.errors[m], error_digits) + ',';
+          if (row.time)
+            out += csv(table.time_unit) + ',' + number(row.time->median_ns, time_digits) + ',' +
+                   number(row.time->first_quartile_ns, time_digits) + ',' +
+                   number(row.time->third_quartile_ns, time_digits) + ',' +
+                   number(row.time->ratio, time_digits) + (row.pareto ? ",1," : ",0,") +
+                   (row.dominated ? "1\n" : "0\n");
+          else
+            out += ",,,,,,\n";
+        }
+  return out;
+}
+
+}  // namespace etak

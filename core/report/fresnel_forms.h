@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/material/material.h"
+#include "core/math/mat3.h"
+
+namespace etak {
+
+/// F over angle as it is seen: F(wavelength, angle) at 1 nm to linear sRGB under D65, unclipped.
+struct FresnelTruth {
+  std::vector<double> cosine;  // of incidence
+  std::vector<double> weight;  // of each in the mean over a sphere seen from far away: 2 c dc; sums to 1
+  std::vector<Vec3> rgb;
+  Vec3 f0{}, f82{};                         // at cos 1 and 1/7
+  std::array<Vec3, 2> mean_index{};         // n and k averaged over the spectrum as reflectances are
+  std::array<Vec3, 2> three_wavelengths{};  // n and k at 611, 549 and 464 nm
+};
+
+/// Angles 0 to 90 degrees in steps of `step_deg`. Throws Error (naming `what`) as grid_index() does.
+FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg = 0.25);
+
+/// Up to four numbers per channel, as a renderer gets them.
+using FresnelValues = std::array<std::array<double, 4>, 3>;
+
+/// A form of Fresnel reflectance that a shader can have.
+struct FresnelForm {
+  std::string_view id, title;
+  bool physical;  // offered to choose from; else here for comparison
+  FresnelValues (*fit)(const FresnelTruth& truth);
+  double (*value)(const double* p, double c);
+  /// A loop over `count` cosines in float, for timing: the formula text that shaders get.
+  void (*many)(const float* p, const float* c, float* out, std::size_t count);
+};
+std::span<const FresnelForm> fresnel_forms();
+const FresnelForm* fresnel_form(std::string_view id);
+
+struct FresnelError {
+  double max_abs = 0;              // over angles and channels
+  double mean_abs = 0;             // by weight, over channels
+  double max_de = 0, mean_de = 0;  // CIEDE2000 of the colours, D65
+  double at_deg = 0;               // where max_abs is
+};
+FresnelError fresnel_error(const FresnelTruth& truth, const FresnelForm& form, const FresnelValues& values);
+
+}  // namespace etak
