@@ -31,7 +31,7 @@ vec3 hemisphere_specular(vec3 K, real g, real nv, real rz, vec3 lower, vec3 uppe
 }
 
 // The same with a transition that never narrows to a step, min(1, 1.8 2^(-6 g)): rms error of the share
-// 0.013 in place of 0.029 at g = 1.
+// 0.025 in place of 0.050 at g = 1, over axes all around.
 vec3 hemisphere_specular_wide(vec3 K, real g, real nv, real rz, vec3 lower, vec3 upper) {
   real w = min(real(1), real(1.8) * exp2(-6 * g));
   return hemisphere_fresnel(K, g, nv) * mix(lower, upper, hemisphere_share(rz, w));

@@ -40,8 +40,9 @@ void set_flag_of_library() {
   static std::once_flag once;
   std::call_once(once, [] {
     char name[] = "etak", interleave[] = "--benchmark_enable_random_interleaving=true";
-    char* arguments[] = {name, interleave, nullptr};
-    int count = 2;
+    char quiet[] = "--v=0";  // else an environment variable V would make it talk
+    char* arguments[] = {name, interleave, quiet, nullptr};
+    int count = 3;
     benchmark::Initialize(&count, arguments);
   });
 }

@@ -51,6 +51,7 @@ PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool ha
   const CodeTables& tables = code_tables(settings.transfer);
   plan.tables = &tables;
   plan.zone = settings.zone;
+  plan.zone.erode = settings.zone.erode <= 1 ? 1 : settings.zone.erode <= 3 ? 3 : 5;
   plan.has_a = has_a;
   plan.has_b = has_b;
   plan.has_metallic = has_metallic;
