@@ -68,6 +68,17 @@ std::string stem_of(const std::string& pattern, const std::string& name) {
   return bare.substr(0, bare.size() - ending.size());
 }
 
+// "atlas/page0.mip3.png" is a level of "atlas/page0.png", as etak pack names them; "" for other names.
+std::string level_0_of(const std::string& path) {
+  const fs::path whole(path);
+  const std::string stem = whole.stem().string();
+  const std::size_t mip = stem.rfind(".mip");
+  if (mip == std::string::npos || mip + 4 == stem.size() ||
+      stem.find_first_not_of("0123456789", mip + 4) != std::string::npos)
+    return {};
+  return (whole.parent_path() / (stem.substr(0, mip) + whole.extension().string())).string();
+}
+
 // Tables and YAML files of a project are rarely spectra: one found in a folder is taken for that only when it
 // says so, by a refractiveindex.info page's "DATA:" or a header line that begins with a wavelength.
 bool looks_like_spectrum(const std::string& path) {
@@ -181,7 +192,8 @@ class Finder {
         add_document(candidate.path, *kinds[i]);
     }
     for (const Candidate* picture : pictures)
-      if (!claimed_.contains(picture->path)) add_picture(*picture);
+      if (!claimed_.contains(picture->path) && !claimed_.contains(level_0_of(picture->path)))
+        add_picture(*picture);
   }
 
   void skip(const Candidate& candidate, const std::string& why) {

@@ -51,8 +51,8 @@ GlslText glsl_text(const Scene& scene, GlslVersion version = GlslVersion::core_3
 GlslText glsl_evaluation_text(const Model& model, const std::vector<double>& values,
                               GlslVersion version = GlslVersion::core_330);
 
-/// A fragment shader that writes the value of an expression in the formula texts' subset ("f0(real(1.5), real(0))") to
-/// all four channels.
+/// A fragment shader that writes the value of an expression in the formula texts' subset ("f0(real(1.5),
+/// real(0))") to all four channels.
 GlslText glsl_expression_text(std::string_view expression, GlslVersion version = GlslVersion::core_330);
 
 }  // namespace etak

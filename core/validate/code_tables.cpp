@@ -95,7 +95,8 @@ const std::array<bool, 101>& comb_codes() {
 }
 
 const CodeTables& code_tables(TextureTransfer transfer) {
-  static const CodeTables srgb(TextureTransfer::srgb), gamma22(TextureTransfer::gamma22), linear(TextureTransfer::linear);
+  static const CodeTables srgb(TextureTransfer::srgb), gamma22(TextureTransfer::gamma22),
+      linear(TextureTransfer::linear);
   return transfer == TextureTransfer::srgb ? srgb : transfer == TextureTransfer::gamma22 ? gamma22 : linear;
 }
 

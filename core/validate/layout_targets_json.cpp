@@ -54,7 +54,11 @@ std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::s
     CheckTarget& target = targets[i];
     for (const auto& [key, role] : {std::pair("diffuse_alpha", FileRole::diffuse_alpha),
                                     std::pair("specular_gloss", FileRole::specular_gloss)}) {
-      if (!page.has(key) || page.at(key).value.is_null()) continue;
+      if (!page.has(key)) continue;
+      if (page.at(key).value.is_null()) {
+        target.manifest.one_texture = true;
+        continue;
+      }
       const std::string name = page.at(key).text();
       target.files.push_back({role, beside(path, name), beside(label, name), false});
     }

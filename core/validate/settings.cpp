@@ -17,7 +17,9 @@ constexpr std::array<std::pair<Profile, std::string_view>, 4> profiles{{{Profile
                                                                         {Profile::film, "film"},
                                                                         {Profile::custom, "custom"}}};
 constexpr std::array<std::pair<TextureTransfer, std::string_view>, 3> transfers{
-    {{TextureTransfer::srgb, "srgb"}, {TextureTransfer::gamma22, "gamma22"}, {TextureTransfer::linear, "linear"}}};
+    {{TextureTransfer::srgb, "srgb"},
+     {TextureTransfer::gamma22, "gamma22"},
+     {TextureTransfer::linear, "linear"}}};
 
 template <class Rows, class Value>
 std::string_view name_in(const Rows& rows, Value value) {

@@ -62,6 +62,7 @@ struct Manifest {
   std::string material, surface_class;  // of the whole picture
   bool linear8_f0 = false;              // F0 is declared to be 8-bit linear (ETK405)
   bool transparent = false;             // alpha is transparency
+  bool one_texture = false;             // the other texture was left out on purpose: its values are constant
   bool specular_weighs_diffuse =
       false;  // the shader multiplies diffuse by 1 - max F0, as glTF's does (ETK201)
   friend bool operator==(const Manifest&, const Manifest&) = default;

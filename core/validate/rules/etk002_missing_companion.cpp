@@ -6,6 +6,7 @@ namespace etak {
 namespace {
 
 void check(RuleCheck& check) {
+  if (check.target.manifest.one_texture) return;
   bool diffuse = false, specular = false;
   for (const TargetFile& file : check.target.files) {
     diffuse = diffuse || file.role == FileRole::diffuse_alpha;
@@ -31,7 +32,7 @@ constinit const Rule etk002_missing_companion{
     {},
     "Schueler 2009: two RGBA textures per material",
     "A diffuse picture without its specular one, or the reverse. An F0 picture on its own "
-    "has a role of its own, \"f0\".",
+    "has a role of its own, \"f0\"; an atlas page may do with one where its layout says so.",
     "Diffuse and specular share UVs and are judged together: energy, black diffuse under "
     "metal and the like need both.",
     "crate_diff.png without crate_spec.png.",

@@ -15,6 +15,15 @@ bool is_half_metal(const RuleCheck& check, const Plateau& plateau) {
   return check.evidence.metal_rough && plateau.metallic > 0.1 && plateau.metallic < 0.9;
 }
 
+// Share of the opaque texels whose F0 is that of ordinary dielectrics.
+double ordinary_share(const TileEvidence& tile) {
+  std::uint64_t others = tile.counts.metals;
+  for (const RegionKind kind : {RegionKind::zone, RegionKind::gem, RegionKind::f0_low, RegionKind::f0_zero})
+    if (const PlateauSummary* found = tile.region(kind)) others += found->masked;
+  if (tile.counts.opaque == 0 || others >= tile.counts.opaque) return 0;
+  return static_cast<double>(tile.counts.opaque - others) / static_cast<double>(tile.counts.opaque);
+}
+
 // A real material of the zone excuses the plateau; a named one fully.
 Severity severity_of_plateau(const RuleCheck& check, const TileEvidence& tile, const Plateau& plateau) {
   if (is_half_metal(check, plateau)) return check.at_most(Severity::warning);
@@ -56,7 +65,11 @@ void check(RuleCheck& check) {
     } else if (why.cause == Explanation::Cause::doubled && !check.evidence.metal_rough) {
       finding.cause = "matches a dielectric of F0 " + number(why.original, 2) + " (" + why.material +
                       ") sRGB-encoded twice, within " + number(why.distance, 2) + " codes";
-      finding.message += "; " + finding.cause;
+      // Beside dielectrics that are right it is a patch, not a conversion.
+      if (ordinary_share(tile) > 0.1)
+        finding.cause = "possible cause: " + finding.cause;
+      else
+        finding.message += "; " + finding.cause;
     } else if (why.cause == Explanation::Cause::none && worst < Severity::error && !finding.nearest.empty()) {
       finding.message += "; close to " + finding.nearest.front().id;
     }

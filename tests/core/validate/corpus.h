@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +29,20 @@ class Random {
  private:
   std::uint64_t state_;
 };
+
+inline std::uint8_t to_byte(double value) {
+  return static_cast<std::uint8_t>(std::clamp(std::floor(value + 0.5), 0.0, 255.0));
+}
+
+inline void set_rgb(std::span<std::uint8_t> texel, std::array<int, 3> codes) {
+  for (std::size_t c = 0; c < 3; ++c) texel[c] = to_byte(codes[c]);
+}
+
+template <class Act>
+void each_texel(Image8& image, Act act) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) act(image.at(x, y), x, y);
+}
 
 /// A texture pair, and the metallic channel of a metal-rough set (else 0 x 0).
 struct TextureSet {
