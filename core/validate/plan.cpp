@@ -133,7 +133,7 @@ bool needs_second_look(const TileEvidence& tile, const PassPlan& plan, const Set
   if (plan.has_b && tile.region(RegionKind::any_f0) == nullptr) {
     const double not_metal = static_cast<double>(counts.opaque - counts.metals);
     if (is_on("ETK401", settings) &&
-        masked(RegionKind::f0_low) > 0.5 * (not_metal - masked(RegionKind::zone)))
+        masked(RegionKind::f0_low) > 0.5 * (not_metal - masked(RegionKind::zone) - masked(RegionKind::gem)))
       return true;
     if (not_metal > 0 && is_on("ETK402", settings) &&
         masked(RegionKind::gem) + masked(RegionKind::zone) > 0.5 * not_metal)
