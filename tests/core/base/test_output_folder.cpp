@@ -100,8 +100,8 @@ TEST_CASE("strangers move along, links and folders too; old files that are named
   const std::string target = folder.file("out");
   put(target, {{"layout.json", "1"}, {"page0.png", "1"}, {"page1.png", "1"}});
   test::spit(target + "/notes.txt", "mine");
-  fs::create_directories(target + "/work/deep");
-  test::spit(target + "/work/deep/x", "mine too");
+  fs::create_directories(target + "/inner/deep");
+  test::spit(target + "/inner/deep/x", "mine too");
   fs::create_symlink("nowhere", target + "/link");
   struct stat before {
   }, after{};
@@ -122,9 +122,9 @@ TEST_CASE("strangers move along, links and folders too; old files that are named
                                        {"out/layout.json", "2"},
                                        {"out/page0.png", "2"},
                                        {"out/notes.txt", "mine"},
-                                       {"out/work/", ""},
-                                       {"out/work/deep/", ""},
-                                       {"out/work/deep/x", "mine too"}});
+                                       {"out/inner/", ""},
+                                       {"out/inner/deep/", ""},
+                                       {"out/inner/deep/x", "mine too"}});
   REQUIRE(::stat((target + "/notes.txt").c_str(), &after) == 0);
   CHECK(before.st_ino == after.st_ino);
   REQUIRE(::stat(target.c_str(), &after) == 0);
