@@ -263,18 +263,18 @@ TEST_CASE("remains of killed runs go, those of live runs stay, and folders in th
   const test::TempFolder folder;
   const std::string target = folder.file("out");
   put(target, {{"a", "1"}});
-  fs::create_directories(folder.file(".out.etak-abcdef/work"));
+  fs::create_directories(folder.file(".out.etak-abcdef/inner"));
   test::spit(folder.file(".out.etak-abcdef/a"), "half");
-  test::spit(folder.file(".out.etak-abcdef/work/x"), "a stranger's");
+  test::spit(folder.file(".out.etak-abcdef/inner/x"), "a stranger's");
   fs::create_directories(folder.file(".out.etak-not-one-of-ours"));
   fs::create_directories(folder.file(".other.etak-abcdef"));
   OutputFolder alive(target, true);
   alive.write("a", "alive");
   put(target, {{"a", "2"}});
   CHECK(!fs::exists(folder.file(".out.etak-abcdef")));
-  CHECK(all_in(target) == Files{{"a", "2"}, {"work/", ""}, {"work/x", "a stranger's"}});
+  CHECK(all_in(target) == Files{{"a", "2"}, {"inner/", ""}, {"inner/x", "a stranger's"}});
   alive.commit();
-  CHECK(all_in(target) == Files{{"a", "alive"}, {"work/", ""}, {"work/x", "a stranger's"}});
+  CHECK(all_in(target) == Files{{"a", "alive"}, {"inner/", ""}, {"inner/x", "a stranger's"}});
   CHECK(fs::exists(folder.file(".out.etak-not-one-of-ours")));
   CHECK(fs::exists(folder.file(".other.etak-abcdef")));
 }
