@@ -151,27 +151,6 @@ const Model* model_named(const char* option, const std::string& id, std::string_
   throw Error::at(option, printable(id), "a model that etak models lists, or none");
 }
 
-bool has_parameter(const Model* model, std::string_view name) {
-  if (model == nullptr) return false;
-  for (const Parameter& each : model->parameters)
-    if (name.substr(0, name.find('.')) == each.name) return true;
-  return false;
-}
-
-// Hemispheres and environment see the colours of the surface: those that were set for the model, where it has
-// them.
-void take_set(const Model& model, const std::vector<double>& values, SurfaceValues& surface) {
-  std::size_t at = 0;
-  for (const Parameter& each : model.parameters) {
-    Vec3* color = each.role == Role::diffuse ? &surface.diffuse
-                  : each.role == Role::f0    ? &surface.f0
-                                             : nullptr;
-    for (std::size_t c = 0; color != nullptr && c < 3; ++c) (*color)[c] = values[at + (each.color ? c : 0)];
-    if (each.role == Role::gloss) surface.gloss = values[at];
-    at += each.color ? 3 : 1;
-  }
-}
-
 std::pair<int, int> size_of(const std::string& text) {
   const std::size_t cross = text.find('x');
   double width = 0, height = 0;
@@ -207,24 +186,10 @@ void choose_models(Scene& scene, const std::string& specular, const std::string&
                       "no other one");
     scene.diffuse = nullptr;
   }
-  Overrides for_specular, for_diffuse;
-  for (const auto& value : set) {
-    const bool to_diffuse = scene.specular == nullptr || (!has_parameter(scene.specular, value.first) &&
-                                                          has_parameter(scene.diffuse, value.first));
-    (to_diffuse ? for_diffuse : for_specular).push_back(value);
-  }
-  std::vector<ClampedValue> clamped;
-  if (scene.specular != nullptr) {
-    scene.specular_values = model_values(*scene.specular, scene.surface, for_specular, &clamped);
-    if (!for_specular.empty()) take_set(*scene.specular, scene.specular_values, scene.surface);
-  }
-  if (scene.diffuse != nullptr) {
-    scene.diffuse_values = model_values(*scene.diffuse, scene.surface, for_diffuse, &clamped);
-    if (!for_diffuse.empty()) take_set(*scene.diffuse, scene.diffuse_values, scene.surface);
-  } else if (!for_diffuse.empty()) {
-    throw Error::at("--set", for_diffuse.front().first, "a parameter of a model in use; there is none");
-  }
-  for (const ClampedValue& each : clamped)
+  FittedModels fitted = fit_models(scene.specular, scene.diffuse, set, scene.surface);
+  scene.specular_values = std::move(fitted.specular_values);
+  scene.diffuse_values = std::move(fitted.diffuse_values);
+  for (const ClampedValue& each : fitted.clamped)
     remarks.push_back(each.name + " is " + number(each.wanted, 6) + ", taken as " + number(each.used, 6));
 }
 

@@ -145,6 +145,63 @@ bool body_is_black(const Model& model, const std::vector<double>& values) {
   return any;
 }
 
+namespace {
+
+bool has_parameter(const Model* model, std::string_view name) {
+  if (model == nullptr) return false;
+  for (const Parameter& each : model->parameters)
+    if (name.substr(0, name.find('.')) == each.name) return true;
+  return false;
+}
+
+// Hemispheres and environment see the colours of the surface: those that were set for the model, where it has
+// them.
+void take_set(const Model& model, const std::vector<double>& values, SurfaceValues& surface) {
+  std::size_t at = 0;
+  for (const Parameter& each : model.parameters) {
+    Vec3* color = each.role == Role::diffuse ? &surface.diffuse
+                  : each.role == Role::f0    ? &surface.f0
+                                             : nullptr;
+    for (std::size_t c = 0; color != nullptr && c < 3; ++c) (*color)[c] = values[at + (each.color ? c : 0)];
+    if (each.role == Role::gloss) surface.gloss = values[at];
+    at += each.color ? 3 : 1;
+  }
+}
+
+}  // namespace
+
+FittedModels fit_models(const Model* specular, const Model* diffuse,
+                        const std::vector<std::pair<std::string, double>>& overrides,
+                        SurfaceValues& surface) {
+  if (diffuse != nullptr && diffuse->kind != ModelKind::diffuse)
+    throw Error::at("diffuse model", std::string(diffuse->id) + " is no diffuse model",
+                    "lambert, oren-nayar, ...");
+  if (specular != nullptr && specular->kind == ModelKind::diffuse)
+    throw Error::at("specular model", std::string(specular->id) + " is a diffuse model",
+                    "it as the diffuse one");
+  FittedModels out;
+  out.specular = specular;
+  if (specular == nullptr || specular->kind != ModelKind::both) out.diffuse = diffuse;
+  std::vector<std::pair<std::string, double>> for_specular, for_diffuse;
+  for (const auto& value : overrides) {
+    const bool to_diffuse = specular == nullptr || (!has_parameter(specular, value.first) &&
+                                                    has_parameter(out.diffuse, value.first));
+    (to_diffuse ? for_diffuse : for_specular).push_back(value);
+  }
+  if (specular != nullptr) {
+    out.specular_values = model_values(*specular, surface, for_specular, &out.clamped);
+    if (!for_specular.empty()) take_set(*specular, out.specular_values, surface);
+  }
+  if (out.diffuse != nullptr) {
+    out.diffuse_values = model_values(*out.diffuse, surface, for_diffuse, &out.clamped);
+    if (!for_diffuse.empty()) take_set(*out.diffuse, out.diffuse_values, surface);
+  } else if (!for_diffuse.empty()) {
+    throw Error::at("models", "none has a parameter " + printable(for_diffuse.front().first),
+                    "a parameter of a model in use");
+  }
+  return out;
+}
+
 void validate(const Scene& scene) {
   for (const int side : {scene.width, scene.height})
     require(side >= 1 && side <= max_image_side, "size", side, "1 to 16384 pixels on a side");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "core/brdf/models.h"
+#include "core/image/image.h"
 #include "core/light/lights.h"
 #include "core/material/f0.h"
 #include "core/material/material.h"
@@ -26,6 +28,7 @@ struct SurfaceValues {
   std::optional<OpticalConstants> optics;  // for the spectral reference; none: n, k as given
   Vec3 nk_residual{
       0, 0, 0};  // how far F0 or F82 of n, k are from f0, f82 (F0 above 1 has no n, k): larger of the two
+  friend bool operator==(const SurfaceValues&, const SurfaceValues&) = default;
 };
 
 /// Surface of a library material: F0, F82 and RGB n, k from its spectrum; diffuse black for conductors and
@@ -54,6 +57,36 @@ std::vector<double> model_values(const Model& model, const SurfaceValues& surfac
 /// Whether the model has diffuse parameters and all their values are 0: it then gives no diffuse light.
 bool body_is_black(const Model& model, const std::vector<double>& values);
 
+/// The models of a surface with their values, as a scene or a viewport takes them.
+struct FittedModels {
+  const Model *specular = nullptr, *diffuse = nullptr;
+  std::vector<double> specular_values, diffuse_values;
+  std::vector<ClampedValue> clamped;
+};
+
+/// Fills both models from `surface`, then by name from `overrides`: a name goes to the specular model where
+/// that has it, else to the diffuse one. Where something was overridden, hemispheres and environment see it
+/// too: the colours and gloss of `surface` become those of the models. A specular model of kind both takes no
+/// diffuse one beside it. Throws Error for models of the wrong kind and for overrides that none of them has.
+FittedModels fit_models(const Model* specular, const Model* diffuse,
+                        const std::vector<std::pair<std::string, double>>& overrides, SurfaceValues& surface);
+
+/// Where the camera stands, and what of its picture is shown.
+struct View {
+  double turn_deg = 0;          // around y; at 90 the camera looks from +x
+  double rise_deg = 0;          // above the horizon, -90 to 90
+  double pan_x = 0, pan_y = 0;  // of the picture's middle, in radii of the sphere
+  double zoom = 1;              // above 0
+  friend bool operator==(const View&, const View&) = default;
+};
+
+/// A texture pair: what varies over a surface, both with four channels in linear light. Looked up bilinearly,
+/// edges repeated; on the quad from its left upper corner, on the sphere lat-long with its seam behind.
+struct SurfaceTextures {
+  Image body;   // diffuse colour and opacity
+  Image gloss;  // F0 and gloss
+};
+
 enum class Shape { sphere, quad };
 enum class Transfer { srgb, power_045, square_root, linear };
 
@@ -79,10 +112,14 @@ struct Scene {
   std::vector<double> specular_values;
   const Model* diffuse = nullptr;  // null: no diffuse part (or `specular` is of kind both)
   std::vector<double> diffuse_values;
+  std::shared_ptr<const SurfaceTextures>
+      textures;  // in place of the surface's diffuse, opacity, f0 and gloss
   LightSetup lights;
-  bool perspective = false;       // orthographic otherwise
-  double field_of_view_deg = 30;  // perspective: vertical
-  double exposure = 1;            // linear factor
+  double environment_turn_deg = 0;  // around y
+  std::optional<View> view;         // none: from the front, whole
+  bool perspective = false;         // orthographic otherwise
+  double field_of_view_deg = 30;    // perspective: vertical
+  double exposure = 1;              // linear factor
   Transfer transfer = Transfer::srgb;
   Vec3 background{0.18, 0.18, 0.18};  // linear
   int width = 512, height = 512;

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QImage>
+#include <QPointF>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "core/render/view_state.h"
+
+class QMimeData;
+
+namespace etak {
+
+/// What lies under the cursor on both sides of a comparison: means of a patch of some pixels.
+struct PatchUnderCursor {
+  QPointF position;                       // in the widget
+  std::array<int, 3> code_a{}, code_b{};  // 8-bit codes as the display shows them
+  std::array<int, 3> difference{};        // b - a
+  double delta_e = 0;                     // CIEDE2000 of the two
+  bool on_object = false;
+};
+
+/// Shows a ViewState, by OpenGL 3.3 where there is one, else by core's CPU renderer.
+///
+/// Mouse: left drag orbits (so does Alt + left), middle drag pans, wheel or Alt + right drag zooms, Ctrl +
+/// left drag turns the environment, Shift + left drag moves a light or the hemispheres' axis (the one whose
+/// mark is nearest), a drag on the separator moves that, double click resets the camera. Keys: F frames the
+/// object, held Space shows b in place of a. Arrow keys are left to the window.
+class Viewport : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Backend { automatic, cpu };
+  explicit Viewport(QWidget* parent = nullptr, Backend backend = Backend::automatic);
+  ~Viewport() override;
+
+  /// Shows `state`. One that cannot be drawn is kept, and its message shown in place of the picture.
+  void set_state(const ViewState& state);
+  const ViewState& state() const;
+
+  /// The picture in device pixels as core's rules say, without marks and texts; waits for it.
+  QImage grab_picture();
+
+  bool uses_gl() const;
+  QString gl_name() const;          // the driver's; empty without GL
+  QString fallback_reason() const;  // why there is no GL, for people; empty with GL
+  QString message() const;          // what is shown over the picture: an error, the lack of GL; may be empty
+
+  QString shader_text() const;  // of side a: what is in, what was left out and why, then the fragment shader
+  double compile_ms() const;    // of that shader; 0 where it was not compiled
+  double frame_ms() const;      // of the last whole frame
+
+  std::optional<PatchUnderCursor> patch_at(const QPointF& position) const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ public slots:
+  void frame_object();  // F: middle of the picture, whole
+  void reset_camera();  // double click
+
+ signals:
+  /// The user changed the state by mouse or keys (it is set already). All edits of one drag have one
+  /// press_id, so that they can be undone as one.
+  void state_edited(const etak::ViewState& state, int press_id);
+  void frame_drawn(double milliseconds);
+  void hovered(const etak::PatchUnderCursor& patch);
+  void hover_ended();
+  /// Drops: a lat-long .hdr or .exr; any other file, or several; something of the application's own.
+  void environment_dropped(const QString& path);
+  void textures_dropped(const QStringList& paths);
+  void material_dropped(const QString& material_id);
+  void message_changed(const QString& message);
+
+ public:
+  /// The kind of drag that material_dropped() answers: UTF-8 text.
+  static constexpr const char* material_mime = "application/x-etak-material";
+
+ private:
+  class Private;
+  std::unique_ptr<Private> d_;
+  friend class Private;
+};
+
+}  // namespace etak
+
+Q_DECLARE_METATYPE(etak::ViewState)
+Q_DECLARE_METATYPE(etak::PatchUnderCursor)

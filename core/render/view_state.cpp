@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/view_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/render/cpu_renderer.h"
+
+namespace etak {
+namespace {
+
+// What both sides share.
+Scene frame_of(const ViewState& state, int width, int height) {
+  Scene out;
+  out.width = width;
+  out.height = height;
+  out.shape = state.shape == ViewShape::quad ? Shape::quad : Shape::sphere;
+  out.lights = state.lights;
+  out.lights.environment = state.environment ? "given" : "";
+  out.environment_turn_deg = state.environment_turn_deg;
+  out.exposure = state.exposure;
+  out.background = state.background;
+  out.view = state.camera;
+  out.view->zoom *= std::min(1.0, double(width) / height);
+  return out;
+}
+
+void set_side(const ViewSide& side, Scene& scene) {
+  scene.surface = side.surface;
+  FittedModels fitted = fit_models(side.specular, side.diffuse, side.overrides, scene.surface);
+  scene.specular = fitted.specular;
+  scene.diffuse = fitted.diffuse;
+  scene.specular_values = std::move(fitted.specular_values);
+  scene.diffuse_values = std::move(fitted.diffuse_values);
+  scene.textures = side.textures;
+}
+
+const Parameter* parameter_named(const ViewSide& side, std::string_view name) {
+  for (const Model* model : {side.specular, side.diffuse})
+    if (model != nullptr)
+      for (const Parameter& each : model->parameters)
+        if (each.name == name) return &each;
+  return nullptr;
+}
+
+// `side` with the wedge's parameter at `share` of its range.
+ViewSide wedge_side(ViewSide side, const std::string& parameter, double share) {
+  if (const Parameter* found = parameter_named(side, parameter))
+    side.overrides.emplace_back(parameter, std::lerp(found->min, found->max, share));
+  else if (parameter == "gloss")
+    side.surface.gloss = share;
+  else if (parameter == "opacity")
+    side.surface.opacity = share;
+  else
+    throw Error::at("wedge", "no parameter " + printable(parameter),
+                    "gloss, opacity or a parameter of the models");
+  return side;
+}
+
+}  // namespace
+
+std::vector<ViewTile> view_tiles(const ViewState& state, int width, int height) {
+  std::vector<ViewTile> out;
+  if (state.shape != ViewShape::wedge) {
+    const int middle =
+        state.split ? static_cast<int>(std::lround(std::clamp(state.separator, 0.0, 1.0) * width)) : width;
+    const auto add = [&](const ViewSide& side, int first, int last) {
+      if (first >= last) return;
+      ViewTile tile{frame_of(state, width, height), 0, 0, first, last};
+      set_side(side, tile.scene);
+      validate(tile.scene);
+      out.push_back(std::move(tile));
+    };
+    add(state.a, 0, middle);
+    add(state.b, middle, width);
+    return out;
+  }
+  if (state.wedge_steps < 2 || state.wedge_steps > 16)
+    throw Error::at("wedge", std::to_string(state.wedge_steps) + " steps", "2 to 16");
+  const int rows = state.split ? 2 : 1;
+  for (int row = 0; row < rows; ++row)
+    for (int i = 0; i < state.wedge_steps; ++i) {
+      const int left = width * i / state.wedge_steps, right = width * (i + 1) / state.wedge_steps;
+      const int top = height * row / rows, bottom = height * (row + 1) / rows;
+      if (left >= right || top >= bottom) continue;
+      ViewTile tile{frame_of(state, right - left, bottom - top), left, top, left, right};
+      set_side(wedge_side(row == 0 ? state.a : state.b, state.wedge_parameter,
+                          double(i) / (state.wedge_steps - 1)),
+               tile.scene);
+      validate(tile.scene);
+      out.push_back(std::move(tile));
+    }
+  return out;
+}
+
+Image draw_view(const ViewState& state, int width, int height, unsigned threads) {
+  Image out(width, height, 4);
+  Image part;
+  for (const ViewTile& tile : view_tiles(state, width, height)) {
+    render_cpu(tile.scene, state.environment.get(), threads, Precision::f32, part);
+    for (int y = 0; y < part.height; ++y)
+      for (int x = tile.clip_first; x < tile.clip_last; ++x) {
+        const auto from = part.at(x - tile.x, y);
+        const auto to = out.at(x, tile.y + y);
+        for (std::size_t c = 0; c < 3; ++c) to[c] = from[c] * static_cast<float>(state.exposure);
+        to[3] = from[3];
+      }
+  }
+  return out;
+}
+
+}  // namespace etak

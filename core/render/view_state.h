@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/image/image.h"
+#include "core/render/environment.h"
+#include "core/render/scene.h"
+
+namespace etak {
+
+/// One of the two surfaces that a viewport compares.
+struct ViewSide {
+  SurfaceValues surface;
+  const Model* specular = nullptr;                        // null: no specular part
+  const Model* diffuse = nullptr;                         // null: none, or `specular` is of kind both
+  std::vector<std::pair<std::string, double>> overrides;  // as fit_models() takes them
+  std::shared_ptr<const SurfaceTextures> textures;        // null: the surface is the same everywhere
+  std::string label;
+  friend bool operator==(const ViewSide&, const ViewSide&) = default;
+};
+
+enum class ViewShape { sphere, quad, wedge };
+
+/// What a viewport shows: a plain value.
+struct ViewState {
+  ViewSide a, b;
+  bool split = false;      // a on the left of the separator, b on its right (a wedge: a above, b below)
+  double separator = 0.5;  // share of the width
+  ViewShape shape = ViewShape::sphere;
+  std::string wedge_parameter = "gloss";  // "gloss", "opacity" or a parameter of a model
+  int wedge_steps = 7;                    // spheres in a row, 2 to 16
+  LightSetup lights;                      // its environment's file and scale are not looked at
+  std::shared_ptr<const Environment> environment;
+  double environment_turn_deg = 0;
+  View camera;
+  double exposure = 1;                               // linear factor
+  std::string ocio_config, ocio_display, ocio_view;  // all three empty: plain sRGB
+  bool zone_overlay = false, energy_overlay = false;
+  Vec3 background{0.18, 0.18, 0.18};  // linear
+  friend bool operator==(const ViewState&, const ViewState&) = default;
+
+  bool plain_display() const { return ocio_config.empty() && ocio_display.empty() && ocio_view.empty(); }
+};
+
+/// A scene and the part of the whole picture that shows it.
+struct ViewTile {
+  Scene scene;
+  int x = 0, y = 0;                   // where the scene's left upper corner lies; rows from the top
+  int clip_first = 0, clip_last = 0;  // columns of the whole picture, [first, last), that show it
+};
+
+/// The scenes that `state` is made of, in a picture of `width` x `height` pixels; every pixel belongs to
+/// exactly one. The object keeps its proportions: where the picture is higher than wide, it fits the width.
+/// Throws Error for states that cannot be drawn.
+std::vector<ViewTile> view_tiles(const ViewState& state, int width, int height);
+
+/// The picture by core's CPU renderer: linear radiance times exposure over the background, coverage as fourth
+/// channel. Throws Error as view_tiles() does.
+Image draw_view(const ViewState& state, int width, int height, unsigned threads);
+
+}  // namespace etak

@@ -1,0 +1,9 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Runs a program of widgets under a virtual X server of its own.
+if ! command -v xvfb-run >/dev/null || ! command -v xauth >/dev/null; then
+  echo "skipped: xvfb-run and xauth are not here (Debian: xvfb xauth)"
+  exit 0
+fi
+unset WAYLAND_DISPLAY
+exec env QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 2600x1500x24" "$@"
