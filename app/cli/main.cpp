@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
   add_show(app, verb);
   add_nearest(app, verb);
   add_import(app, verb);
+  add_export(app, verb);
   add_eval(app, verb);
   add_models(app, verb);
   add_pack(app, verb);

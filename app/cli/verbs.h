@@ -22,6 +22,7 @@ void add_nearest(CLI::App& app, Verb& chosen);
 void add_import(CLI::App& app, Verb& chosen);
 void add_explain(CLI::App& app, Verb& chosen);
 void add_eval(CLI::App& app, Verb& chosen);
+void add_export(CLI::App& app, Verb& chosen);
 void add_choose(CLI::App& app, Verb& chosen);
 void add_report(CLI::App& app, Verb& chosen);
 void add_stability(CLI::App& app, Verb& chosen);

@@ -74,6 +74,9 @@ calls = {
     "shader": [["gold"], ["pmma", "--diffuse", "0.5,0.1,0.1"], ["water", "--model", "abc-schlick", "--es"],
                ["silicon", "--model", "phong", "--lights", "0", "--hemispheres"]],
 }
+export = ["--to", "values"]
+calls["export"] = [["--all", *export], ["gold", "diamond", *export, "--fit", "preserve-hue", "--target", "unreal,gltf"],
+                   ["pmma", *export, "--diffuse", "0.9,0.5,0.1", "--gloss", "0", "--opacity", "0.5"]]
 for verb, variants in calls.items():
     validator = schema(verb)
     for options in variants:

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <memory>
+
+#include "app/cli/export_values.h"
+#include "app/cli/inputs.h"
+#include "app/cli/options.h"
+#include "app/cli/output.h"
+#include "app/cli/verbs.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/exchange/gltf_material.h"
+#include "core/exchange/material_x.h"
+
+namespace etak::cli {
+namespace {
+
+struct ExportArguments {
+  InputArguments inputs;
+  ComputeArguments compute;
+  TableArguments tables;
+  OutputArguments output;
+  Library library;
+  std::string to, fit = "clamp", gltf_form = "metal-rough";
+  std::vector<std::string> targets;
+  std::vector<double> diffuse;
+  double gloss = 0.75, opacity = 1;
+};
+
+struct Found {
+  std::vector<ExportSurface> surfaces;
+  std::vector<std::string> datasets;
+  bool refused = false, failed = false;
+};
+
+// The surfaces of the inputs; one that cannot be had is told, and the others are still answered.
+Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
+  const TableOptions tables = table_options(arguments.tables);
+  LinearRgb diffuse{0, 0, 0};
+  if (!arguments.diffuse.empty())
+    diffuse = {arguments.diffuse[0], arguments.diffuse[1], arguments.diffuse[2]};
+  Found out;
+  for (const Input& input : find_inputs(arguments.inputs, arguments.library, 1)) {
+    try {
+      const Material material = read_material(input, tables);
+      const Dataset& dataset = chosen_dataset(material, input.dataset, input.label());
+      const F0Result result = solver.solve(dataset.optics, dataset.flags);
+      if (result.refused()) {
+        complain(material.id + "/" + dataset.id + ": refused: " + result.refusal);
+        // Of the whole library some have no F0, and nobody asked for those.
+        out.refused |= !input.from_folder;
+        continue;
+      }
+      ExportSurface surface =
+          export_surface(material, dataset, solver.options(), result, diffuse, arguments.gloss);
+      surface.opacity = arguments.opacity;
+      validate(surface);
+      if (!arguments.diffuse.empty() && surface.diffuse != diffuse)
+        remark(arguments.output, material.id + " is no dielectric: --diffuse is not used");
+      out.surfaces.push_back(std::move(surface));
+      out.datasets.push_back(dataset.id);
+    } catch (const Error& error) {
+      complain(error.what());
+      out.failed = true;
+    }
+  }
+  return out;
+}
+
+std::string values(const ExportArguments& arguments, Found& found, Fit fit, const std::string& policy) {
+  std::vector<const EngineTarget*> targets;
+  for (const std::string& id : arguments.targets) {
+    const EngineTarget* const target = engine_target(id);
+    if (target == nullptr) {
+      std::string known;
+      for (const EngineTarget& each : engine_targets())
+        known += (known.empty() ? "" : ", ") + std::string(each.id);
+      throw Error::at("--target", printable(id), known);
+    }
+    targets.push_back(target);
+  }
+  if (targets.empty())
+    for (const EngineTarget& each : engine_targets()) targets.push_back(&each);
+  std::vector<ExportedValues> all;
+  for (std::size_t i = 0; i < found.surfaces.size(); ++i) {
+    ExportedValues one{std::move(found.surfaces[i]), found.datasets[i], {}};
+    for (const EngineTarget* target : targets)
+      one.targets.push_back(engine_values(*target, one.surface, fit));
+    all.push_back(std::move(one));
+  }
+  const std::string& format = arguments.output.format;
+  return format == "csv"    ? export_csv(all)
+         : format == "json" ? export_json(all, fit, policy)
+         : format == "text" ? export_text(all)
+                            : export_table(all);
+}
+
+// The form that --to is written in, from --format and, for glTF, the ending of -o.
+void choose_format(ExportArguments& arguments) {
+  std::string& format = arguments.output.format;
+  const bool values = arguments.to == "values";
+  if (format == "auto") {
+    format = values ? "table" : arguments.to;
+    if (arguments.to == "gltf" && arguments.output.file.ends_with(".glb")) format = "glb";
+    return;
+  }
+  const bool of_values = format == "table" || format == "text" || format == "csv" || format == "json";
+  const bool fits = values                   ? of_values
+                    : arguments.to == "gltf" ? format == "gltf" || format == "glb"
+                                             : format == "mtlx";
+  if (!fits)
+    throw Error::at("--format", format + " with --to " + arguments.to,
+                    values                   ? "table, text, csv or json"
+                    : arguments.to == "gltf" ? "gltf or glb"
+                                             : "mtlx");
+}
+
+// A file has no room beside it for what was changed: it goes to standard error.
+void tell_changes(const ExportArguments& arguments, const std::vector<ExportSurface>& surfaces,
+                  const std::vector<Changes>& changes) {
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    for (const Change& change : changes[i])
+      remark(arguments.output, surfaces[i].id + ": " + one_line(change));
+}
+
+int run(ExportArguments& arguments) {
+  if (arguments.inputs.names.empty() && !arguments.inputs.all)
+    throw Error::at("etak export", "no input", "a material or file, - for standard input, or --all");
+  choose_format(arguments);
+  const auto in_range = [](const char* option, double value) {
+    if (!(value >= 0 && value <= 1)) throw Error::at(option, number(value, 6), "0 to 1");
+  };
+  in_range("--gloss", arguments.gloss);
+  in_range("--opacity", arguments.opacity);
+  for (const double value : arguments.diffuse) in_range("--diffuse", value);
+  if (!arguments.targets.empty() && arguments.to != "values")
+    throw Error::at("--target", "--to " + arguments.to + " is one target", "--to values");
+  const F0Options options = f0_options(arguments.compute, arguments.library);
+  const bool other_space = options.custom_space || options.space != RgbSpace::srgb;
+  if (arguments.to != "mtlx"
+          ? other_space
+          : options.custom_space || (options.space != RgbSpace::srgb && options.space != RgbSpace::acescg &&
+                                     options.space != RgbSpace::display_p3))
+    throw Error::at("--space", space_name(options) + " with --to " + arguments.to,
+                    arguments.to == "mtlx" ? "srgb, acescg or display-p3" : "srgb, which its values are in");
+  const F0Solver solver(options);
+  const Fit fit = *fit_named(arguments.fit);
+  Found found = find_surfaces(arguments, solver);
+  if (!found.surfaces.empty()) {
+    std::vector<Changes> changes;
+    if (arguments.to == "values") {
+      write_output(arguments.output, values(arguments, found, fit, policy(options)));
+    } else {
+      const auto form = arguments.gltf_form == "metal-rough" ? GltfMaterialForm::metal_rough
+                                                             : GltfMaterialForm::specular_glossiness;
+      const auto container = arguments.output.format == "glb" ? GltfContainer::glb : GltfContainer::gltf;
+      write_output(arguments.output, arguments.to == "mtlx"
+                                         ? material_x(found.surfaces, fit, changes)
+                                         : gltf_document(found.surfaces, form, container, fit, changes));
+      tell_changes(arguments, found.surfaces, changes);
+    }
+  }
+  return found.failed ? exit_failure : found.refused ? exit_findings : exit_ok;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Verb& chosen) {
+  const auto arguments = std::make_shared<ExportArguments>();
+  CLI::App& verb = *app.add_subcommand("export", "materials as MaterialX, glTF or the values of an engine");
+  add_input_options(verb, arguments->inputs);
+  verb.add_option("--to", arguments->to,
+                  "mtlx (MaterialX 1.39, OpenPBR), gltf (spheres with the material) or values (what to type "
+                  "or paste)")
+      ->required()
+      ->check(CLI::IsMember({"mtlx", "gltf", "values"}));
+  verb.add_flag("--all", arguments->inputs.all, "every material of the library");
+  verb.add_option("--dataset", arguments->inputs.dataset, "dataset to take instead of the preferred one")
+      ->type_name("ID");
+  verb.add_option("--gloss", arguments->gloss, "Schueler's gloss, 0 to 1; roughness follows from it")
+      ->capture_default_str();
+  verb.add_option("--diffuse", arguments->diffuse,
+                  "diffuse colour of dielectrics, linear R,G,B (default black)")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("R,G,B");
+  verb.add_option("--opacity", arguments->opacity, "0 to 1")->capture_default_str();
+  verb.add_option("--fit", arguments->fit,
+                  "what becomes of a colour above 1 or below 0: clamp (each channel) or preserve-hue (the "
+                  "whole colour)")
+      ->check(CLI::IsMember({"clamp", "preserve-hue"}))
+      ->capture_default_str();
+  verb.add_option(
+          "--target", arguments->targets,
+          "of --to values: only these, with ',' between (hex, srgb8, linear, glsl, unreal, unity-metallic, "
+          "unity-specular, blender, filament, openpbr, gltf, gltf-specular-glossiness, gulbrandsen, rgb-nk)")
+      ->delimiter(',')
+      ->type_name("LIST");
+  verb.add_option("--gltf-form", arguments->gltf_form,
+                  "metal-rough (dielectrics with KHR_materials_ior and _specular) or specular-glossiness")
+      ->check(CLI::IsMember({"metal-rough", "specular-glossiness"}))
+      ->capture_default_str();
+  add_compute_options(verb, arguments->compute);
+  add_table_options(verb, arguments->tables);
+  add_library_options(verb, arguments->library);
+  add_output_options(verb, arguments->output,
+                     {"auto", "table", "text", "csv", "json", "gltf", "glb", "mtlx"});
+  verb.footer(
+      "--format auto is table for values, mtlx, and gltf (glb where -o ends in it); text is what to paste.\n"
+      "What a target cannot hold is changed by --fit or a rule of the target and told beside the value.\n"
+      "Exit status: 0 done, 1 an input named by itself was refused by the rules, 2 an input failed.\n"
+      "Example:\n  etak export gold diamond --to values --target unreal,filament");
+  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/exchange/engine_values.h"
+
+namespace etak::cli {
+
+/// A surface with its values in every target asked for.
+struct ExportedValues {
+  ExportSurface surface;
+  std::string dataset;
+  std::vector<EngineValues> targets;
+};
+
+// The forms of `etak export --to values`.
+std::string export_table(const std::vector<ExportedValues>& all);
+std::string export_text(const std::vector<ExportedValues>& all);  // what an editor copies
+std::string export_csv(const std::vector<ExportedValues>& all);
+std::string export_json(const std::vector<ExportedValues>& all, Fit fit, const std::string& policy);
+
+}  // namespace etak::cli

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/exchange/engine_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/color/srgb.h"
+#include "core/fresnel/fresnel.h"
+#include "core/fresnel/solve_index.h"
+
+namespace etak {
+namespace {
+
+std::vector<double> list(const LinearRgb& c) {
+  return {c.r, c.g, c.b};
+}
+
+LinearRgb grey(double value) {
+  return {value, value, value};
+}
+
+LinearRgb scaled(const LinearRgb& c, double factor) {
+  return {c.r * factor, c.g * factor, c.b * factor};
+}
+
+double largest(const LinearRgb& c) {
+  return std::max({c.r, c.g, c.b});
+}
+
+// ---- how numbers are typed
+
+constexpr int digits = 6;
+
+// A number that no language takes for a whole one.
+std::string real_text(double value) {
+  std::string out = number(value, digits);
+  if (out.find_first_of(".en") == out.npos) out += ".0";
+  return out;
+}
+
+std::string three(const LinearRgb& c, const char* between) {
+  return real_text(c.r) + between + real_text(c.g) + between + real_text(c.b);
+}
+
+std::string plain_text(const LinearRgb& c) {
+  return number(c.r, digits) + ", " + number(c.g, digits) + ", " + number(c.b, digits);
+}
+
+std::string glsl_text(const LinearRgb& c) {
+  return "vec3(" + three(c, ", ") + ")";
+}
+
+std::string unreal_text(const LinearRgb& c) {
+  return "(R=" + real_text(c.r) + ",G=" + real_text(c.g) + ",B=" + real_text(c.b) + ",A=1.0)";
+}
+
+std::string blender_text(const LinearRgb& c) {
+  return "(" + three(c, ", ") + ", 1.0)";
+}
+
+std::string hex_text(const LinearRgb& c) {
+  return hex(srgb_u8(c));
+}
+
+// ---- one target
+
+struct Job {
+  const ExportSurface& s;
+  Fit fit;
+  EngineValues& out;
+
+  bool metal() const { return s.kind == SurfaceKind::metal; }
+  bool black_body() const { return s.diffuse == LinearRgb{}; }
+
+  void add(const char* field, std::vector<double> values, std::string text) const {
+    out.fields.push_back({field, std::move(values), std::move(text)});
+  }
+  void add(const char* field, double value) const { add(field, {value}, number(value, digits)); }
+  void add(const char* field, const LinearRgb& c, std::string (*text)(const LinearRgb&)) const {
+    add(field, list(c), text(c));
+  }
+  void opacity(const char* field) const {
+    if (s.opacity < 1) add(field, s.opacity);
+  }
+  void note(std::string text) const { out.notes.push_back(std::move(text)); }
+
+  LinearRgb fit_f0(const char* field, const char* reason) const {
+    return fitted(s.f0, fit, 1, s.space, field, reason, out.changes);
+  }
+  // What the target's own curve makes of an edge that is known.
+  void schlick_edge(const LinearRgb& f0_used) const {
+    if (s.f82)
+      note_change(out.changes, "F82", list(*s.f82), list(schlick82(f0_used)), "schlick",
+                  "no edge colour: the edge follows from F0 alone");
+  }
+  // A dielectric's F0 as one number.
+  double one_f0(const char* reason) const {
+    const double y = luminance(s.f0, s.space);
+    note_change(out.changes, "F0", list(s.f0), list(grey(y)), "luminance", reason);
+    return y;
+  }
+};
+
+void write_hex(const Job& j) {
+  const auto color = [&](const char* field, const LinearRgb& wanted) {
+    const LinearRgb c = fitted(wanted, j.fit, 1, j.s.space, field, "8 bits end at 1", j.out.changes);
+    const Srgb8 codes = srgb_u8(c);
+    j.add(field, {double(codes.r), double(codes.g), double(codes.b)}, hex(codes));
+  };
+  color("F0", j.s.f0);
+  if (!j.black_body()) color("diffuse", j.s.diffuse);
+}
+
+void write_srgb8(const Job& j) {
+  write_hex(j);
+  for (EngineField& field : j.out.fields)
+    field.text =
+        number(field.values[0], 3) + ", " + number(field.values[1], 3) + ", " + number(field.values[2], 3);
+}
+
+void write_linear(const Job& j) {
+  j.add("F0", j.s.f0, plain_text);
+  if (!j.black_body()) j.add("diffuse", j.s.diffuse, plain_text);
+}
+
+void write_glsl(const Job& j) {
+  j.add("f0", j.s.f0, glsl_text);
+  if (j.s.f82) j.add("f82", *j.s.f82, glsl_text);
+  if (!j.black_body()) j.add("diffuse", j.s.diffuse, glsl_text);
+  for (const auto& [field, value] : {std::pair{"gloss", j.s.gloss}, {"alpha", alpha_of_gloss(j.s.gloss)}})
+    j.add(field, {value}, real_text(value));
+  if (j.s.opacity < 1) j.add("opacity", {j.s.opacity}, real_text(j.s.opacity));
+}
+
+void write_unreal(const Job& j) {
+  const LinearRgb base = j.metal() ? j.fit_f0("Base Color", "Base Color ends at 1") : j.s.diffuse;
+  j.add("Base Color", base, unreal_text);
+  j.add("Metallic", j.metal() ? 1 : 0);
+  if (j.metal()) {
+    j.add("Specular", 0.5);
+    j.note("Specular has no effect on a metal");
+    j.schlick_edge(base);
+  } else {
+    const double wanted = j.one_f0("Specular is one number") / 0.08;
+    const double specular =
+        fitted(wanted, 0, 1, "Specular", "Specular ends at 1, an F0 of 0.08", j.out.changes);
+    j.add("Specular", specular);
+    if (specular * 0.08 < 0.02)
+      j.note("an F0 below 0.02 is taken as shadow: the rim fades with 50 F0");
+    else
+      j.schlick_edge(grey(specular * 0.08));
+  }
+  j.add("Roughness", roughness_of_gloss(j.s.gloss));
+  j.opacity("Opacity");
+}
+
+void write_unity_metallic(const Job& j) {
+  constexpr double dielectric = 0.04;
+  LinearRgb albedo = j.s.diffuse;
+  if (j.metal()) {
+    albedo = j.fit_f0("Albedo", "Albedo ends at 1");
+    j.schlick_edge(albedo);
+  } else {
+    note_change(j.out.changes, "F0", list(j.s.f0), list(grey(dielectric)), "fixed",
+                "the metallic setup has one F0 for all dielectrics");
+    albedo = fitted(scaled(j.s.diffuse, 1 / (1 - dielectric)), j.fit, 1, j.s.space, "Albedo",
+                    "Albedo ends at 1; 0.04 of the light is taken off it", j.out.changes);
+  }
+  j.add("Albedo", albedo, hex_text);
+  j.add("Metallic", j.metal() ? 1 : 0);
+  j.add("Smoothness", 1 - roughness_of_gloss(j.s.gloss));
+  j.opacity("Alpha");
+}
+
+void write_unity_specular(const Job& j) {
+  const LinearRgb f0 = j.fit_f0("Specular", "Specular ends at 1");
+  const double left = 1 - largest(f0);
+  LinearRgb albedo{0, 0, 0};
+  if (!j.black_body() && left > 0) albedo = scaled(j.s.diffuse, 1 / left);
+  albedo = fitted(albedo, j.fit, 1, j.s.space, "Albedo",
+                  "Albedo ends at 1; the largest of Specular is taken off it", j.out.changes);
+  j.add("Albedo", albedo, hex_text);
+  j.add("Specular", f0, hex_text);
+  j.add("Smoothness", 1 - roughness_of_gloss(j.s.gloss));
+  j.schlick_edge(f0);
+  j.opacity("Alpha");
+}
+
+void write_blender(const Job& j) {
+  if (j.metal()) {
+    const LinearRgb f0 = j.fit_f0("Base Color", "Base Color of a metal ends at 1");
+    j.add("Base Color", f0, blender_text);
+    j.add("Metallic", 1);
+    const LinearRgb tint = fitted(tint82(j.s, f0), Fit::clamp, 1, j.s.space, "Specular Tint",
+                                  "the edge tint ends at 1", j.out.changes);
+    j.add("Specular Tint", tint, blender_text);
+  } else {
+    const LinearRgb f0 = fitted(j.s.f0, j.fit, largest_dielectric_f0, j.s.space, "F0",
+                                "the index of a dielectric has to be finite", j.out.changes);
+    const double most = largest(f0);
+    j.add("Base Color", j.s.diffuse, blender_text);
+    j.add("Metallic", 0);
+    j.add("IOR", ior_of_f0(most));
+    j.add("IOR Level", 0.5);
+    j.add("Specular Tint", most > 0 ? scaled(f0, 1 / most) : grey(1), blender_text);
+  }
+  j.add("Roughness", roughness_of_gloss(j.s.gloss));
+  j.opacity("Alpha");
+}
+
+void write_filament(const Job& j) {
+  const LinearRgb base = j.metal() ? j.fit_f0("baseColor", "baseColor ends at 1") : j.s.diffuse;
+  j.add("baseColor", base, plain_text);
+  j.add("metallic", j.metal() ? 1 : 0);
+  if (j.metal()) {
+    j.note("reflectance has no effect on a metal");
+    j.schlick_edge(base);
+  } else {
+    const double wanted = std::sqrt(std::max(j.one_f0("reflectance is one number"), 0.0) / 0.16);
+    const double reflectance =
+        fitted(wanted, 0, 1, "reflectance", "reflectance ends at 1, an F0 of 0.16", j.out.changes);
+    j.add("reflectance", reflectance);
+    if (0.16 * reflectance * reflectance < 0.02)
+      j.note("an F0 below 0.02 is taken as shadow: the rim fades with 50 F0");
+    else
+      j.schlick_edge(grey(0.16 * reflectance * reflectance));
+  }
+  j.add("roughness", roughness_of_gloss(j.s.gloss));
+  if (j.s.opacity < 1) {
+    j.add("alpha", j.s.opacity);
+    j.note("baseColor is to be multiplied by alpha before it is set");
+  }
+}
+
+void write_open_pbr(const Job& j) {
+  const OpenPbrValues v = open_pbr_values(j.s, j.fit, j.out.changes);
+  j.add("base_metalness", v.base_metalness);
+  j.add("base_color", v.base_color, plain_text);
+  j.add("specular_color", v.specular_color, plain_text);
+  if (!j.metal()) j.add("specular_ior", v.specular_ior);
+  j.add("specular_roughness", v.specular_roughness);
+  j.opacity("geometry_opacity");
+}
+
+void write_gltf(const Job& j) {
+  const GltfMaterialValues v = gltf_values(j.s, false, j.fit, j.out.changes);
+  j.add("baseColorFactor", v.base_color, plain_text);
+  j.add("metallicFactor", v.metallic);
+  j.add("roughnessFactor", v.roughness);
+  if (!j.metal()) {
+    j.add("KHR_materials_ior.ior", v.ior);
+    j.add("KHR_materials_specular.specularColorFactor", v.specular_color, plain_text);
+  }
+  j.opacity("baseColorFactor alpha");
+}
+
+void write_gltf_gloss(const Job& j) {
+  const GltfMaterialValues v = gltf_values(j.s, true, j.fit, j.out.changes);
+  j.add("diffuseFactor", v.base_color, plain_text);
+  j.add("specularFactor", v.specular_color, plain_text);
+  j.add("glossinessFactor", v.glossiness);
+  j.opacity("diffuseFactor alpha");
+}
+
+// n and k of the three channels with what they miss.
+struct RgbIndex {
+  LinearRgb n, k, residual;
+};
+RgbIndex rgb_index(const ExportSurface& s) {
+  const Vec3 f0 = vec(s.f0);
+  Vec3 n{}, k{}, residual{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!s.f82) {
+      n[c] = ior_of_f0(std::clamp(f0[c], 0.0, largest_dielectric_f0));
+      residual[c] = std::abs(f64::f0(n[c], 0) - f0[c]);
+      continue;
+    }
+    const double f82 = vec(*s.f82)[c];
+    const SolvedIndex found = solve_index(f0[c], f82, s.log_n_hint[c]);
+    n[c] = found.n;
+    k[c] = found.k;
+    residual[c] = std::max(std::abs(f64::f0(n[c], k[c]) - f0[c]),
+                           std::abs(f64::fresnel_exact(n[c], k[c], f82_cosine) - f82));
+  }
+  return {to_rgb(n), to_rgb(k), to_rgb(residual)};
+}
+
+void write_rgb_nk(const Job& j) {
+  const RgbIndex index = rgb_index(j.s);
+  j.add("n", index.n, plain_text);
+  j.add("k", index.k, plain_text);
+  j.add("residual", index.residual, plain_text);
+  j.note(j.s.f82 ? "n and k give F0 and F82 of each channel; residual is what they miss of the two"
+                 : "without a known edge: k is 0 and n gives F0");
+  if (largest(index.residual) > 1e-6) {
+    const auto reflected = [&](double c) {
+      return LinearRgb{f64::fresnel_exact(index.n.r, index.k.r, c),
+                       f64::fresnel_exact(index.n.g, index.k.g, c),
+                       f64::fresnel_exact(index.n.b, index.k.b, c)};
+    };
+    note_change(j.out.changes, "F0", list(j.s.f0), list(reflected(1)), "clamp",
+                "no n and k reflect more than all");
+    if (j.s.f82)
+      note_change(j.out.changes, "F82", list(*j.s.f82), list(reflected(f82_cosine)), "nearest",
+                  "no n and k have this F0 and this edge");
+  }
+}
+
+void write_gulbrandsen(const Job& j) {
+  constexpr double most_r = 0.99;
+  const LinearRgb r = fitted(j.s.f0, j.fit, most_r, j.s.space, "reflectivity",
+                             "n and k are undefined at 1 and above", j.out.changes);
+  LinearRgb g{0, 0, 0};
+  if (j.s.f82) {
+    const Vec3 f0 = vec(r), f82 = vec(*j.s.f82);
+    Vec3 edge{}, seen{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const SolvedIndex index = solve_index(f0[c], f82[c], j.s.log_n_hint[c]);
+      const double root = std::sqrt(f0[c]);
+      const double most = (1 + root) / (1 - root), least = (1 - f0[c]) / (1 + f0[c]);
+      edge[c] = most > least ? std::clamp((most - index.n) / (most - least), 0.0, 1.0) : 0;
+      seen[c] = f64::fresnel_exact(index.n, index.k, f82_cosine);
+    }
+    g = to_rgb(edge);
+    note_change(j.out.changes, "F82", list(*j.s.f82), {seen[0], seen[1], seen[2]}, "nearest",
+                "no edge colour gives this F82 with this reflectivity");
+  }
+  j.add("reflectivity", r, plain_text);
+  j.add("edge_color", g, plain_text);
+}
+
+struct Row {
+  EngineTarget target;
+  void (*write)(const Job&);
+};
+constexpr std::array rows{
+    Row{{"hex", "hex, sRGB"}, write_hex},
+    Row{{"srgb8", "8-bit sRGB"}, write_srgb8},
+    Row{{"linear", "linear sRGB, not clipped"}, write_linear},
+    Row{{"glsl", "GLSL"}, write_glsl},
+    Row{{"unreal", "Unreal Engine"}, write_unreal},
+    Row{{"unity-metallic", "Unity, metallic setup"}, write_unity_metallic},
+    Row{{"unity-specular", "Unity, specular setup"}, write_unity_specular},
+    Row{{"blender", "Blender 4 Principled BSDF"}, write_blender},
+    Row{{"filament", "Filament"}, write_filament},
+    Row{{"openpbr", "OpenPBR 1.1"}, write_open_pbr},
+    Row{{"gltf", "glTF 2.0 metal-rough"}, write_gltf},
+    Row{{"gltf-specular-glossiness", "glTF 2.0 specular-glossiness"}, write_gltf_gloss},
+    Row{{"gulbrandsen", "Gulbrandsen (MaterialX artistic_ior)"}, write_gulbrandsen},
+    Row{{"rgb-nk", "RGB n, k (conductor shaders)"}, write_rgb_nk},
+};
+
+constexpr auto targets = [] {
+  std::array<EngineTarget, rows.size()> out{};
+  for (std::size_t i = 0; i < rows.size(); ++i) out[i] = rows[i].target;
+  return out;
+}();
+
+}  // namespace
+
+std::span<const EngineTarget> engine_targets() {
+  return targets;
+}
+
+const EngineTarget* engine_target(std::string_view id) {
+  for (const EngineTarget& target : targets)
+    if (target.id == id) return &target;
+  return nullptr;
+}
+
+EngineValues engine_values(const EngineTarget& target, const ExportSurface& surface, Fit fit) {
+  validate(surface);
+  if (surface.space != RgbSpace::srgb)
+    throw Error::at(surface.id, "colours in " + std::string(name(surface.space)), "linear sRGB");
+  EngineValues out;
+  out.target = target.id;
+  const Job job{surface, fit, out};
+  for (const Row& row : rows)
+    if (row.target.id == target.id) row.write(job);
+  return out;
+}
+
+std::string copy_text(const EngineValues& values) {
+  if (values.fields.size() == 1) return values.fields.front().text;
+  std::string out;
+  for (const EngineField& field : values.fields) {
+    if (values.target == "glsl")
+      out += std::string("const ") + (field.values.size() == 3 ? "vec3 " : "float ") + field.name + " = " +
+             field.text + ";\n";
+    else
+      out += field.name + ": " + field.text + '\n';
+  }
+  return out;
+}
+
+}  // namespace etak

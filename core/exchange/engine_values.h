@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/exchange/export_surface.h"
+
+namespace etak {
+
+// A surface as the fields that a program's material editor shows, ready to be typed or pasted.
+//
+// Based on: Karis 2013, "Real Shading in Unreal Engine 4" (Specular = F0 / 0.08); Guy and Agopian,
+// "Physically Based Rendering in Filament" (reflectance); Khronos Group, glTF 2.0 with KHR_materials_ior,
+// KHR_materials_specular and KHR_materials_pbrSpecularGlossiness; Academy Software Foundation, OpenPBR 1.1;
+// Kutz et al. 2021 (F82 tint); Gulbrandsen 2014. Unity and Blender as their programs behave.
+
+/// A program or format that values are written for.
+struct EngineTarget {
+  std::string_view id, title;
+};
+
+/// hex, srgb8, linear, glsl, unreal, unity-metallic, unity-specular, blender, filament, openpbr, gltf,
+/// gltf-specular-glossiness, gulbrandsen, rgb-nk: in this order.
+std::span<const EngineTarget> engine_targets();
+const EngineTarget* engine_target(std::string_view id);
+
+/// One field of a target.
+///   values   one or three numbers, as the target takes them: linear colours; 8-bit codes for hex and srgb8
+///   text     what is typed or pasted: "#ffe49c", "vec3(1.0, 0.77, 0.33)", "(R=1.0,G=...)"
+struct EngineField {
+  std::string name;
+  std::vector<double> values;
+  std::string text;
+  friend bool operator==(const EngineField&, const EngineField&) = default;
+};
+
+/// What a target gets of a surface, what of it is not what was wanted, and what else one should know.
+struct EngineValues {
+  std::string_view target;  // id
+  std::vector<EngineField> fields;
+  Changes changes;
+  std::vector<std::string> notes;
+  friend bool operator==(const EngineValues&, const EngineValues&) = default;
+};
+
+/// The fields of `surface` in a target. Targets that know no edge colour report what Schlick makes of it.
+///   surface   valid, linear sRGB (throws Error otherwise)
+EngineValues engine_values(const EngineTarget& target, const ExportSurface& surface, Fit fit = Fit::clamp);
+
+/// What goes to the clipboard: the text of the only field; GLSL constants; else "name: text" a line.
+std::string copy_text(const EngineValues& values);
+
+// The values of two of the targets, for those who write them into files.
+
+/// The largest F0 that a dielectric keeps where it is told by its index: that of 1 is infinite.
+inline constexpr double largest_dielectric_f0 = 0.99;
+
+/// Surface parameters of OpenPBR 1.1; what is not here stays at its default.
+struct OpenPbrValues {
+  double base_metalness = 0;
+  LinearRgb base_color, specular_color{1, 1, 1};  // of a metal: F0 and F82 tint
+  double specular_ior = 1.5, specular_roughness = 0.3, geometry_opacity = 1;
+  friend bool operator==(const OpenPbrValues&, const OpenPbrValues&) = default;
+};
+/// In the surface's own space. OpenPBR has one index for a dielectric: it is that of the luminance of F0
+/// unless F0 is so coloured that a tint (specular_color, which also tints the rim) misses less on average
+/// over a sphere.
+OpenPbrValues open_pbr_values(const ExportSurface& surface, Fit fit, Changes& changes);
+
+/// A glTF 2.0 material. Its shaders take a dielectric's reflectance off the diffuse colour, so that is
+/// divided by 1 - max F0 here.
+struct GltfMaterialValues {
+  LinearRgb base_color;  // of metal-rough; diffuseFactor of specular-glossiness
+  double metallic = 0, roughness = 1, opacity = 1;
+  double ior = 1.5;                   // KHR_materials_ior
+  LinearRgb specular_color{1, 1, 1};  // KHR_materials_specular; F0 for specular-glossiness
+  double glossiness = 0;              // 1 - roughness
+  bool specular_glossiness = false;
+  friend bool operator==(const GltfMaterialValues&, const GltfMaterialValues&) = default;
+};
+GltfMaterialValues gltf_values(const ExportSurface& surface, bool specular_glossiness, Fit fit,
+                               Changes& changes);
+
+}  // namespace etak

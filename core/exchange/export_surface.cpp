@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/exchange/export_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/fresnel/fresnel.h"
+#include "core/material/dispersion.h"
+
+namespace etak {
+namespace {
+
+// About where red, green and blue of sRGB have their weight.
+constexpr std::array<double, 3> channel_nm{464, 549, 611};  // ascending, as resample() wants them
+
+std::array<double, 3> index_at_channels(const OpticalConstants& optics, Interpolation interpolation) {
+  std::array<double, 3> n{};
+  if (const auto* table = std::get_if<Spectrum>(&optics.n))
+    resample(*table, interpolation, channel_nm, n);
+  else
+    evaluate(std::get<DispersionFormula>(optics.n), channel_nm, n);
+  return n;
+}
+
+// ln n of red, green, blue against the outside medium.
+std::array<double, 3> hint_of(const OpticalConstants& optics, const F0Options& options) {
+  std::array<double, 3> outside{1, 1, 1};
+  if (const auto* medium = std::get_if<OpticalConstants>(&options.outside.index))
+    outside = index_at_channels(*medium, options.interpolation);
+  else
+    outside.fill(std::get<double>(options.outside.index));
+  const std::array<double, 3> n = index_at_channels(optics, options.interpolation);
+  std::array<double, 3> out{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double ratio = n[2 - c] / outside[2 - c];
+    out[c] = ratio > 0 && std::isfinite(ratio) ? std::log(ratio) : 0;
+  }
+  return out;
+}
+
+// The XYZ of a white with chromaticity x, y and Y = 1.
+Xyz white_of(RgbSpace space) {
+  const double x = space == RgbSpace::acescg ? 0.32168 : 0.3127,
+               y = space == RgbSpace::acescg ? 0.33767 : 0.3290;
+  return {x / y, 1, (1 - x - y) / y};
+}
+
+std::string joined(const std::vector<double>& values) {
+  std::string out;
+  for (const double value : values) out += (out.empty() ? "" : " ") + number(value, 4);
+  return out;
+}
+
+}  // namespace
+
+std::string_view name(SurfaceKind kind) {
+  return kind == SurfaceKind::metal ? "metal" : "dielectric";
+}
+
+std::string_view name(Fit fit) {
+  return fit == Fit::clamp ? "clamp" : "preserve-hue";
+}
+
+std::optional<Fit> fit_named(std::string_view text) {
+  for (const Fit fit : {Fit::clamp, Fit::preserve_hue})
+    if (text == name(fit)) return fit;
+  return std::nullopt;
+}
+
+ExportSurface export_surface(const Material& material, const Dataset& dataset, const F0Options& options,
+                             const F0Result& result, const LinearRgb& diffuse, double gloss) {
+  ExportSurface out;
+  out.id = material.id;
+  out.name = material.name;
+  out.source = material.id + "/" + dataset.id + ": " + one_line(dataset.citation);
+  out.space = options.space;
+  out.gloss = gloss;
+  const std::string_view kind = optical_kind(material.material_class);
+  if (kind == "surface") {
+    out.diffuse = result.linear;
+    out.notes.emplace_back("F0 0.04 is assumed: the data are the total reflectance of a body");
+    return out;
+  }
+  out.kind = kind == "dielectric" ? SurfaceKind::dielectric : SurfaceKind::metal;
+  out.f0 = result.linear;
+  out.f82 = result.f82;
+  if (out.kind == SurfaceKind::dielectric) out.diffuse = diffuse;
+  if (const auto* constants = std::get_if<OpticalConstants>(&dataset.optics))
+    out.log_n_hint = hint_of(*constants, options);
+  if (!result.f82) out.notes.emplace_back("no edge is known: the data are reflectance at normal incidence");
+  if (options.outside.label != "vacuum")
+    out.notes.push_back("all values are against the outside medium " + options.outside.label);
+  return out;
+}
+
+SurfaceKind authored_kind(const LinearRgb& diffuse, const LinearRgb& f0) {
+  return diffuse == LinearRgb{} && luminance(f0, RgbSpace::srgb) >= forbidden_zone_last
+             ? SurfaceKind::metal
+             : SurfaceKind::dielectric;
+}
+
+void validate(const ExportSurface& surface) {
+  const auto in_range = [&](double value, const char* what) {
+    if (!(value >= 0 && value <= 1))
+      throw Error::at(surface.id, std::string(what) + " " + number(value, 6), "0 to 1");
+  };
+  in_range(surface.gloss, "gloss");
+  in_range(surface.opacity, "opacity");
+  for (const double value : vec(surface.diffuse)) in_range(value, "diffuse");
+  for (const double value : vec(surface.f0))
+    if (!std::isfinite(value)) throw Error::at(surface.id, "F0 " + number(value, 6), "a finite number");
+  if (surface.f82)
+    for (const double value : vec(*surface.f82))
+      if (!std::isfinite(value)) throw Error::at(surface.id, "F82 " + number(value, 6), "a finite number");
+}
+
+double alpha_of_gloss(double gloss) {
+  return std::sqrt(2 / (std::exp2(12 * gloss) + 2));
+}
+
+double roughness_of_gloss(double gloss) {
+  return std::sqrt(alpha_of_gloss(gloss));
+}
+
+double ior_of_f0(double f0) {
+  const double root = std::sqrt(std::max(f0, 0.0));
+  return (1 + root) / (1 - root);
+}
+
+double luminance(const LinearRgb& color, RgbSpace space) {
+  if (space == RgbSpace::xyz) return color.g;
+  return (rgb_to_xyz(primaries(space), white_of(space)) * vec(color))[1];
+}
+
+double Change::amount() const {
+  double most = 0;
+  for (std::size_t i = 0; i < wanted.size(); ++i) most = std::max(most, std::abs(used[i] - wanted[i]));
+  return most;
+}
+
+std::string one_line(const Change& change) {
+  return change.field + " " + joined(change.wanted) + " -> " + joined(change.used) + " (" + change.action +
+         ", " + number(change.amount(), 3) + "): " + change.reason;
+}
+
+void note_change(Changes& changes, std::string_view field, std::vector<double> wanted,
+                 std::vector<double> used, std::string_view action, std::string_view reason) {
+  Change change{std::string(field), std::move(wanted), std::move(used), std::string(action),
+                std::string(reason)};
+  if (change.amount() > 1e-6) changes.push_back(std::move(change));
+}
+
+LinearRgb fitted(const LinearRgb& color, Fit fit, double most, RgbSpace space, std::string_view field,
+                 std::string_view reason, Changes& changes) {
+  Vec3 out = vec(color);
+  if (fit == Fit::preserve_hue) {
+    const double least = std::min({out[0], out[1], out[2]}), grey = luminance(color, space);
+    if (least < 0 && grey > 0)
+      for (double& channel : out) channel = grey + (channel - grey) * grey / (grey - least);
+    const double largest = std::max({out[0], out[1], out[2]});
+    if (largest > most)
+      for (double& channel : out) channel *= most / largest;
+  }
+  // The whole of clamp; of preserve_hue what rounding left, and colours without luminance.
+  for (double& channel : out) channel = std::clamp(channel, 0.0, most);
+  const Vec3 wanted = vec(color);
+  note_change(changes, field, {wanted.begin(), wanted.end()}, {out.begin(), out.end()}, name(fit), reason);
+  return to_rgb(out);
+}
+
+double fitted(double value, double least, double most, std::string_view field, std::string_view reason,
+              Changes& changes) {
+  const double out = std::clamp(value, least, most);
+  note_change(changes, field, {value}, {out}, "clamp", reason);
+  return out;
+}
+
+LinearRgb schlick82(const LinearRgb& f0) {
+  return {f64::f_schlick(f0.r, f82_cosine), f64::f_schlick(f0.g, f82_cosine),
+          f64::f_schlick(f0.b, f82_cosine)};
+}
+
+LinearRgb tint82(const ExportSurface& surface, const LinearRgb& f0) {
+  if (!surface.f82) return {1, 1, 1};
+  const LinearRgb schlick = schlick82(f0);
+  return {surface.f82->r / schlick.r, surface.f82->g / schlick.g, surface.f82->b / schlick.b};
+}
+
+}  // namespace etak

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/material/f0.h"
+#include "core/material/material.h"
+
+namespace etak {
+
+// What every form of export starts from: a surface as etak knows it, and how values that a target cannot hold
+// are brought into its range. Nothing is changed without a Change beside the result.
+
+enum class SurfaceKind { metal, dielectric };
+std::string_view name(SurfaceKind kind);  // "metal", "dielectric"
+
+/// A surface to export: Schueler's four parameters, and what is known of its edge.
+struct ExportSurface {
+  std::string id;      // "gold": what it is called in files
+  std::string name;    // "Gold"
+  std::string source;  // where F0 comes from, one line; may be empty
+  SurfaceKind kind = SurfaceKind::dielectric;
+  RgbSpace space = RgbSpace::srgb;  // of all colours here, linear
+  LinearRgb f0{0.04, 0.04, 0.04};   // unclipped
+  std::optional<LinearRgb> f82;     // absolute reflectance at cos 1/7; none: not known
+  LinearRgb diffuse{0, 0, 0};       // Schueler's: used unchanged, not reduced by what is reflected
+  double gloss = 0.75;              // Schueler's, [0, 1]
+  double opacity = 1;               // [0, 1]
+  std::array<double, 3>
+      log_n_hint{};                // ln n of red, green, blue, which chooses between two (n, k) of one edge
+  std::vector<std::string> notes;  // what was assumed
+  friend bool operator==(const ExportSurface&, const ExportSurface&) = default;
+};
+
+/// Surface of a material whose dataset gave `result` under `options`. Conductors and semiconductors are
+/// metals without diffuse; `surface` data are a diffuse colour over an F0 of 0.04; the rest are dielectrics
+/// with `diffuse`.
+///   result   not refused; F0 is taken in options.space (a custom space is not looked at)
+ExportSurface export_surface(const Material& material, const Dataset& dataset, const F0Options& options,
+                             const F0Result& result, const LinearRgb& diffuse, double gloss);
+
+/// What an authored pair of colours is meant to be: a metal where F0 is bright (luminance at or above the end
+/// of the forbidden zone) and the body black.
+SurfaceKind authored_kind(const LinearRgb& diffuse, const LinearRgb& f0);
+
+/// Throws Error for a gloss or opacity outside [0, 1], a negative or non-finite colour but for F0 out of
+/// gamut.
+void validate(const ExportSurface& surface);
+
+/// Width of the lobe of Schueler's gloss for GGX or Beckmann: alpha = sqrt(2 / (e + 2)), e = 2^(12 gloss).
+double alpha_of_gloss(double gloss);
+/// Perceptual roughness sqrt(alpha), 0.904 for gloss 0 to 0.149 for gloss 1: not 1 - gloss.
+double roughness_of_gloss(double gloss);
+
+/// The index of a clear dielectric that reflects f0 at normal incidence: (1 + sqrt f0) / (1 - sqrt f0).
+double ior_of_f0(double f0);
+
+/// Y of a linear colour of `space`.
+double luminance(const LinearRgb& color, RgbSpace space);
+
+/// How a colour that a target cannot hold is brought into [0, 1].
+///   clamp          every channel by itself: F0 of gold loses red alone and turns a little yellower
+///   preserve_hue   mixed with the grey of its own luminance until no channel is below 0, then divided by its
+///                  largest channel: the ratios of the channels stay, gold gets 4 % darker
+enum class Fit { clamp, preserve_hue };
+std::string_view name(Fit fit);  // "clamp", "preserve-hue"
+std::optional<Fit> fit_named(std::string_view text);
+
+/// A value that a target does not hold, and what it gets.
+///   action   how: "clamp", "preserve-hue"; "luminance" (one number for three); "schlick" (the edge is the
+///            target's own curve); "fixed" (the target takes no value); "tint" (F0 is right, the rim is not);
+///            "nearest" (no value gives both of two)
+struct Change {
+  std::string field;
+  std::vector<double> wanted, used;  // one or three numbers
+  std::string action, reason;
+
+  double amount() const;  // the largest |used - wanted|
+  friend bool operator==(const Change&, const Change&) = default;
+};
+using Changes = std::vector<Change>;
+
+/// "base_color 1.0428 0.7738 0.3347 -> 1 0.7738 0.3347 (clamp, 0.0428): reason"
+std::string one_line(const Change& change);
+
+/// `color` brought into [0, most]; a Change is added where that alters it.
+LinearRgb fitted(const LinearRgb& color, Fit fit, double most, RgbSpace space, std::string_view field,
+                 std::string_view reason, Changes& changes);
+
+/// `value` clamped to [least, most], likewise.
+double fitted(double value, double least, double most, std::string_view field, std::string_view reason,
+              Changes& changes);
+
+/// Adds a Change where any number differs by more than 1e-6.
+void note_change(Changes& changes, std::string_view field, std::vector<double> wanted,
+                 std::vector<double> used, std::string_view action, std::string_view reason);
+
+/// Schlick at cos 1/7 per channel, and the tint that takes it to f82: 1 where no f82 is known.
+LinearRgb schlick82(const LinearRgb& f0);
+LinearRgb tint82(const ExportSurface& surface, const LinearRgb& f0);
+
+}  // namespace etak

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// The values of OpenPBR and glTF of engine_values.h.
+#include <algorithm>
+#include <cmath>
+
+#include "core/exchange/engine_values.h"
+
+namespace etak {
+namespace {
+
+std::vector<double> list(const LinearRgb& c) {
+  return {c.r, c.g, c.b};
+}
+
+LinearRgb grey(double value) {
+  return {value, value, value};
+}
+
+LinearRgb scaled(const LinearRgb& c, double factor) {
+  return {c.r * factor, c.g * factor, c.b * factor};
+}
+
+double largest(const LinearRgb& c) {
+  return std::max({c.r, c.g, c.b});
+}
+
+double smallest(const LinearRgb& c) {
+  return std::min({c.r, c.g, c.b});
+}
+
+}  // namespace
+
+OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes) {
+  OpenPbrValues out;
+  out.specular_roughness = roughness_of_gloss(s.gloss);
+  out.geometry_opacity = s.opacity;
+  if (s.kind == SurfaceKind::metal) {
+    out.base_metalness = 1;
+    out.base_color = fitted(s.f0, fit, 1, s.space, "base_color", "base_color ends at 1", changes);
+    out.specular_color = fitted(tint82(s, out.base_color), Fit::clamp, 1, s.space, "specular_color",
+                                "the edge tint ends at 1", changes);
+    return out;
+  }
+  out.base_color = s.diffuse;
+  const LinearRgb f0 = fitted(s.f0, fit, largest_dielectric_f0, s.space, "F0",
+                              "the index of a dielectric has to be finite", changes);
+  const double most = largest(f0), y = luminance(f0, s.space);
+  // Averages over a sphere seen from far away, where (1 - c)^5 has 1/21: the luminance misses F0, the tint
+  // the rim.
+  double by_luminance = 0, by_tint = 0;
+  for (const double channel : vec(f0)) {
+    by_luminance += std::abs(channel - y) * 20 / 21;
+    if (most > 0) by_tint += (1 - channel / most) / 21;
+  }
+  if (by_tint < by_luminance) {
+    out.specular_ior = ior_of_f0(most);
+    out.specular_color = scaled(f0, 1 / most);
+    note_change(changes, "F90", {1, 1, 1}, list(out.specular_color), "tint",
+                "the colour of a dielectric also tints its rim");
+  } else {
+    out.specular_ior = ior_of_f0(y);
+    note_change(changes, "F0", list(f0), list(grey(y)), "luminance", "specular_ior is one number");
+  }
+  return out;
+}
+
+GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness, Fit fit, Changes& changes) {
+  GltfMaterialValues out;
+  out.specular_glossiness = specular_glossiness;
+  out.roughness = roughness_of_gloss(s.gloss);
+  out.glossiness = 1 - out.roughness;
+  out.opacity = s.opacity;
+  const auto edge = [&](const LinearRgb& f0) {
+    if (s.f82)
+      note_change(changes, "F82", list(*s.f82), list(schlick82(f0)), "schlick",
+                  "no edge colour: the edge follows from F0 alone");
+  };
+  if (s.kind == SurfaceKind::metal && !specular_glossiness) {
+    out.metallic = 1;
+    out.base_color = fitted(s.f0, fit, 1, s.space, "baseColorFactor", "baseColorFactor ends at 1", changes);
+    edge(out.base_color);
+    return out;
+  }
+  const LinearRgb f0 = specular_glossiness ? fitted(s.f0, fit, 1, s.space, "specularFactor",
+                                                    "specularFactor ends at 1", changes)
+                                           : fitted(s.f0, fit, largest_dielectric_f0, s.space, "F0",
+                                                    "the index of a dielectric has to be finite", changes);
+  const double most = largest(f0);
+  const char* const field = specular_glossiness ? "diffuseFactor" : "baseColorFactor";
+  const LinearRgb body = most < 1 ? scaled(s.diffuse, 1 / (1 - most)) : LinearRgb{};
+  if (most >= 1)
+    note_change(changes, field, list(s.diffuse), {0, 0, 0}, "fixed", "an F0 of 1 leaves no light for it");
+  out.base_color = fitted(body, fit, 1, s.space, field,
+                          std::string(field) + " ends at 1; the largest F0 is taken off it", changes);
+  if (specular_glossiness) {
+    out.specular_color = f0;
+  } else {
+    out.ior = ior_of_f0(most);
+    if (most > 0 && smallest(f0) < most) out.specular_color = scaled(f0, 1 / most);
+  }
+  edge(f0);
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/exchange/export_surface.h"
+
+namespace etak {
+
+/// A MaterialX 1.39 document with one surfacematerial of one open_pbr_surface (OpenPBR 1.1) per surface: a
+/// metal is base_color F0 with specular_color as its F82 tint, a dielectric base_color with specular_ior.
+/// Nodes are named by the surfaces' ids, made valid and unique. What had to be changed also stands there as a
+/// comment.
+///   surfaces   valid, all of one space: srgb (lin_rec709), acescg or display_p3 (lin_displayp3). Throws
+///   Error changes    one list per surface
+std::string material_x(std::span<const ExportSurface> surfaces, Fit fit, std::vector<Changes>& changes);
+
+}  // namespace etak

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include "core/exchange/material_x.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+ExportSurface named(const char* id) {
+  ExportSurface s;
+  s.id = id;
+  s.name = id;
+  return s;
+}
+
+std::string written(const std::vector<ExportSurface>& surfaces) {
+  std::vector<Changes> changes;
+  return material_x(surfaces, Fit::clamp, changes);
+}
+
+}  // namespace
+
+TEST_CASE("a metal is F0 and the tint of F82 in an OpenPBR surface") {
+  ExportSurface gold = named("gold");
+  gold.kind = SurfaceKind::metal;
+  gold.f0 = {1.0428, 0.7738, 0.3347};
+  gold.f82 = LinearRgb{0.9921, 0.8862, 0.6311};
+  std::vector<Changes> changes;
+  const std::string text = material_x(std::vector{gold}, Fit::clamp, changes);
+  CHECK(contains(text, "<materialx version=\"1.39\" colorspace=\"lin_rec709\">"));
+  CHECK(contains(
+      text,
+      R"(<input name="base_color" type="color3" value="1, 0.7738, 0.3347" colorspace="lin_rec709" />)"));
+  CHECK(contains(text, R"(<input name="base_metalness" type="float" value="1" />)"));
+  // 0.9921 / 1; 0.8862 / (0.7738 + 0.2262 (6/7)^5) = 1.0088, which ends at 1; 0.6311 / (0.3347 + 0.6653
+  // (6/7)^5)
+  CHECK(contains(
+      text,
+      R"(<input name="specular_color" type="color3" value="0.9921, 1, 0.9822406" colorspace="lin_rec709" />)"));
+  CHECK(!contains(text, "specular_ior"));
+  CHECK(contains(text, R"(<input name="surfaceshader" type="surfaceshader" nodename="gold_surface" />)"));
+  REQUIRE(changes.size() == 1);
+  REQUIRE(!changes[0].empty());
+  CHECK(changes[0][0].field == "base_color");
+  // What was changed stands in the file too.
+  CHECK(contains(text, "<!-- base_color 1.043 0.7738 0.3347 -&gt; 1 0.7738 0.3347 (clamp, 0.0428)"));
+}
+
+TEST_CASE("a dielectric has an index and no F82") {
+  const std::string text = written({named("plastic")});
+  CHECK(contains(text, R"(<input name="specular_ior" type="float" value="1.5" />)"));
+  CHECK(contains(text, R"(<input name="base_metalness" type="float" value="0" />)"));
+  CHECK(!contains(text, "geometry_opacity"));
+}
+
+TEST_CASE("names are valid, unique and never collide with a shader's") {
+  const std::string text = written(
+      {named("2nd glass"), named("2nd-glass"), named("a"), named("a_surface"), named("a"), named("")});
+  for (const char* name : {"m2nd_glass", "m2nd_glass_2", "a", "a_surface_2", "a_2", "m"})
+    CHECK(contains(text, "<surfacematerial name=\"" + std::string(name) + "\""));
+}
+
+TEST_CASE("foreign text cannot break the document") {
+  ExportSurface s = named("x");
+  s.name = "<a> --> & \"b\" ---";
+  s.source = "\xff -- end-";
+  const std::string text = written({s});
+  const auto begin = text.find("<!-- "), end = text.find(" -->", begin);
+  REQUIRE(end != text.npos);
+  const std::string inside = text.substr(begin + 4, end - begin - 4);
+  CHECK(inside.find("--") == inside.npos);
+  CHECK(inside.find('<') == inside.npos);
+}
+
+TEST_CASE("ACEScg and Display P3 are named, other spaces refused") {
+  ExportSurface s = named("x");
+  s.space = RgbSpace::acescg;
+  CHECK(contains(written({s}), "colorspace=\"acescg\""));
+  s.space = RgbSpace::display_p3;
+  CHECK(contains(written({s}), "colorspace=\"lin_displayp3\""));
+  s.space = RgbSpace::rec2020;
+  CHECK(contains(error_of([&] { (void)written({s}); }), "rec2020"));
+}
