@@ -14,14 +14,17 @@ void add_choose(CLI::App& app, Verb& chosen) {
   auto* verb =
       app.add_subcommand("choose", "Find the cheapest way to draw a material within a budget of error");
   auto arguments = std::make_shared<ChooseArguments>();
-  verb->add_option("material", arguments->materials, "materials of the library, or ID/DATASET")
-      ->type_name("MATERIAL");
+  verb->add_option("what", arguments->materials,
+                   "a scene (glTF, pack manifest or folder of pictures), or materials of the library: ID or "
+                   "ID/DATASET")
+      ->type_name("SCENE|MATERIAL");
   verb->add_flag("--all", arguments->all, "every material of the library that has n and k");
   verb->add_option("--budget", arguments->budget,
-                   "largest difference, CIEDE2000, of F at any angle and of any pixel")
+                   "largest difference of F at any angle and of any pixel, CIEDE2000")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_option("--gloss", arguments->gloss, "of the sphere that is compared")
+  verb->add_flag("--codes", arguments->codes, "the budget is in 8-bit sRGB codes of the worst channel");
+  verb->add_option("--gloss", arguments->gloss, "of a library material's sphere that is compared")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   auto* measure =
@@ -33,7 +36,9 @@ void add_choose(CLI::App& app, Verb& chosen) {
   verb->add_flag("--write-costs", arguments->write_costs, "write the cost table itself, measured here");
   add_library_options(*verb, arguments->library);
   add_output_options(*verb, arguments->output, {"text", "json"});
-  verb->footer("Example:\n  etak choose gold silver water --budget 1");
+  verb->footer(
+      "The JSON form is what etak shader and etak pack take as --choice.\n"
+      "Example:\n  etak choose gold silver water --budget 1");
   verb->callback([arguments, &chosen] { chosen = [arguments] { return choose_materials(*arguments); }; });
 }
 

@@ -14,7 +14,7 @@ struct ChooseArguments {
   std::vector<std::string> materials;
   std::string costs;  // file of a cost table
   double budget = 1, gloss = 0.75;
-  bool all = false, measure = false, write_costs = false;
+  bool codes = false, all = false, measure = false, write_costs = false;
   Library library;
   OutputArguments output;
 };

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <functional>
+
 #include "app/cli/choose.h"
+#include "app/cli/pack.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/report/choose.h"
+#include "core/report/choose_scene.h"
 #include "core/report/error_time.h"
 
 namespace etak::cli {
@@ -14,6 +18,17 @@ CostTable cost_table(const ChooseArguments& arguments) {
     return measure_costs(header.cpu + ", " + header.compiler + ", " + header.flags);
   }
   return arguments.costs.empty() ? shipped_costs() : parse_costs(read_file(arguments.costs), arguments.costs);
+}
+
+void add_scene(const std::string& scene, ChooseArguments& arguments,
+               const std::function<void(const ChooseSubject&)>& add) {
+  PackOptions options;
+  options.door = picture_door();
+  options.threads = thread_count(0);
+  std::vector<std::string> remarks;
+  const auto subjects = scene_subjects(scene, options, arguments.library.get(), remarks);
+  for (const std::string& each : remarks) remark(arguments.output, each);
+  for (const ChooseSubject& subject : subjects) add(subject);
 }
 
 }  // namespace
@@ -29,17 +44,27 @@ int choose_materials(ChooseArguments& arguments) {
   if (arguments.all == !arguments.materials.empty())
     throw Error::at("etak choose", arguments.all ? "--all and materials" : "no material",
                     "materials, or --all");
+  ChooseOptions options;
+  options.budget = arguments.budget;
+  if (arguments.codes) options.unit = ErrorUnit::codes;
+  const std::string scene =
+      !arguments.materials.empty() && names_scene(arguments.materials[0]) ? arguments.materials[0] : "";
   std::vector<Choice> choices;
   int status = exit_ok;
-  const auto add = [&](const Material& material, const Dataset& dataset) {
-    choices.push_back(choose(material, dataset, arguments.budget, arguments.gloss, costs));
+  const auto add = [&](const ChooseSubject& subject) {
+    choices.push_back(choose(subject, options, costs));
+    if (!choices.back().met) status = exit_findings;
   };
-  if (arguments.all) {
+  if (!scene.empty()) {
+    if (arguments.materials.size() > 1)
+      throw Error::at("etak choose", arguments.materials[1] + " beside " + scene, "one scene alone");
+    add_scene(scene, arguments, add);
+  } else if (arguments.all) {
     const MaterialLibrary& library = arguments.library.get();
     for (std::size_t i = 0; i < library.ids().size(); ++i) {
       const Material material = library.at(i);
       try {
-        add(material, material.preferred_dataset());
+        add(library_subject(material, material.preferred_dataset(), arguments.gloss));
       } catch (const Error& error) {
         remark(arguments.output, error.what());
         status = exit_findings;
@@ -55,11 +80,11 @@ int choose_materials(ChooseArguments& arguments) {
                                    : material->dataset(std::string_view(text).substr(slash + 1));
       if (dataset == nullptr)
         throw Error::at(text, "no such dataset", "a dataset of " + material->id + ", see etak show");
-      add(*material, *dataset);
+      add(library_subject(*material, *dataset, arguments.gloss));
     }
   }
-  write_output(arguments.output,
-               arguments.output.format == "json" ? choice_json(choices, costs) : choice_text(choices, costs));
+  write_output(arguments.output, arguments.output.format == "json" ? choice_json(choices, costs, scene)
+                                                                   : choice_text(choices, costs, scene));
   return status;
 }
 

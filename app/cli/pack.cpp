@@ -71,6 +71,12 @@ void add_leave_out_options(CLI::App& verb, PackArguments& a) {
       ->allow_extra_args(false)
       ->delimiter(',')
       ->group(group);
+  verb.add_option(
+          "--choice", a.choice,
+          "what etak choose found for this input (its JSON): defines of shaders, textures that may be "
+          "one number, mips that nothing reads, F0's integration, PNG level")
+      ->type_name("FILE")
+      ->group(group);
   verb.add_flag("--islands", a.islands, "of a scene, keep only the islands of texels that triangles use")
       ->group(group);
 }
@@ -108,7 +114,7 @@ void add_output_group(CLI::App& verb, PackArguments& a) {
       ->group(group);
   verb.add_option("--png-level", a.png_level, "fast, small or smallest")
       ->check(CLI::IsMember({"fast", "small", "smallest"}))
-      ->capture_default_str()
+      ->default_str("fast")
       ->group(group);
   verb.add_option("--zstd", a.zstd, "Zstandard level of ktx2; 0: none")
       ->check(CLI::Range(0, 22))

@@ -15,8 +15,8 @@ namespace etak::cli {
 struct PackArguments {
   std::string input, out;
   std::string pattern = "{name}_{role}.png";
-  std::string formats = "png", page_form = "auto", png_level = "fast", gloss, gutter = "auto", mips = "auto";
-  std::string previous, batch, memory, report = "text", gltf_form = "specular-ior";
+  std::string formats = "png", page_form = "auto", png_level, gloss, gutter = "auto", mips = "auto";
+  std::string previous, choice, batch, memory, report = "text", gltf_form = "specular-ior";
   std::vector<std::string> keep;
   int page = 4096, effort = 100, zstd = 0, scene = -1;
   double max_seconds = 0, extra_area = 5;

@@ -22,7 +22,7 @@ std::vector<PackArguments> parse_jobs(std::string_view text, const std::string& 
     const JsonNode job = jobs.at(i);
     job.expect_object({"input", "out",      "page",       "page-form", "rotate",    "effort",  "gutter",
                        "mips",  "previous", "extra-area", "keep",      "islands",   "pattern", "gloss",
-                       "bleed", "scene",    "gltf-form",  "format",    "png-level", "zstd"});
+                       "bleed", "scene",    "gltf-form",  "format",    "png-level", "zstd",    "choice"});
     PackArguments a = line;
     const auto text_of = [&](const char* key, std::string& value) {
       if (job.has(key)) value = job.at(key).text();
@@ -56,6 +56,7 @@ std::vector<PackArguments> parse_jobs(std::string_view text, const std::string& 
     text_of("format", a.formats);
     text_of("png-level", a.png_level);
     path_of("previous", a.previous);
+    path_of("choice", a.choice);
     word_of("gutter", a.gutter);
     word_of("mips", a.mips);
     flag_of("rotate", a.rotate);

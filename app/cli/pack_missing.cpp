@@ -8,4 +8,8 @@ int pack_atlas(PackArguments&) {
   throw Error::at("etak pack", "this etak was built without zlib or OpenImageIO", "a build with both");
 }
 
+PictureDoor picture_door() {
+  return {};
+}
+
 }  // namespace etak::cli

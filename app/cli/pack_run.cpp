@@ -12,6 +12,7 @@
 #include "app/cli/pack_jobs.h"
 #include "core/atlas/pack.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/number.h"
 
 namespace etak::cli {
@@ -125,10 +126,12 @@ PackOptions pack_options(const PackArguments& a) {
     out.mips = whole_number("--mips", a.mips, 1, 15, "auto, all");
   out.previous = a.previous;
   out.most_extra_area = a.extra_area / 100;
+  if (!a.choice.empty()) out.variants = parse_choices(read_file(a.choice), a.choice);
   out.write.formats = formats(a.formats);
-  out.write.png_level = a.png_level == "small"      ? PngLevel::small
-                        : a.png_level == "smallest" ? PngLevel::smallest
-                                                    : PngLevel::fast;
+  const std::string& level = a.png_level.empty() && out.variants ? out.variants->png_level : a.png_level;
+  out.write.png_level = level == "small"      ? PngLevel::small
+                        : level == "smallest" ? PngLevel::smallest
+                                              : PngLevel::fast;
   out.write.zstd_level = a.zstd;
   out.forms = gltf_forms(a.gltf_form);
   out.bleed = a.bleed;

@@ -10,7 +10,9 @@
 #include "app/cli/output.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/verbs.h"
+#include "core/atlas/variant.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/render/glsl_text.h"
 
@@ -19,7 +21,7 @@ namespace {
 
 struct ShaderArguments {
   SceneArguments scene;
-  std::string hemispheres;
+  std::string hemispheres, choice, material;
   bool es = false, vertex = false;
   OutputArguments output;
 };
@@ -46,12 +48,39 @@ std::optional<int> light_count(const std::string& text) {
   return static_cast<int>(count);
 }
 
+// A material as `etak choose` found it, in place of a subject and a model: its mean texel.
+MaterialVariant take_choice(ShaderArguments& arguments) {
+  if (!arguments.scene.subject.empty() || !arguments.scene.model.empty())
+    throw Error::at("--choice", "given beside a material or --model", "--material NAME of the choice");
+  const ShadingVariants choices = parse_choices(read_file(arguments.choice), arguments.choice);
+  std::string known;
+  for (const MaterialVariant& each : choices.materials) known += (known.empty() ? "" : ", ") + each.material;
+  const MaterialVariant* variant = choices.find(arguments.material);
+  if (arguments.material.empty() && choices.materials.size() == 1) variant = &choices.materials.front();
+  if (variant == nullptr)
+    throw Error::at("--material", arguments.material.empty() ? "no name" : printable(arguments.material),
+                    known);
+  const auto colour = [](const char* name, const std::array<double, 3>& c) {
+    return std::string(name) + '=' + number(c[0], 17) + ',' + number(c[1], 17) + ',' + number(c[2], 17);
+  };
+  arguments.scene.subject = {colour("f0", variant->f0), colour("diffuse", variant->diffuse),
+                             "gloss=" + number(variant->gloss, 17)};
+  arguments.scene.model = variant->model;
+  return *variant;
+}
+
 Scene shader_scene(ShaderArguments& arguments) {
+  std::optional<MaterialVariant> variant;
+  if (!arguments.choice.empty()) variant = take_choice(arguments);
   const std::optional<int> count = light_count(arguments.scene.lights);
   if (count) arguments.scene.lights.clear();
   SceneNotes notes;
   Scene scene = scene_of(arguments.scene, notes);
   for (const std::string& each : notes.remarks) remark(arguments.output, each);
+  if (variant) {
+    scene.specular_values = variant->values;
+    validate(scene);
+  }
   if (count) {
     scene.lights.lights = spread_lights(*count);
     scene.lights.hemispheres.reset();
@@ -126,6 +155,10 @@ void add_shader(CLI::App& app, Verb& chosen) {
       ->default_str("corrected")
       ->check(CLI::IsMember({"corrected", "wide", "printed"}))
       ->type_name("FORM");
+  verb.add_option("--choice", arguments->choice,
+                  "a material of what etak choose found: its Fresnel form, masking and numbers")
+      ->type_name("FILE");
+  verb.add_option("--material", arguments->material, "which of the choice")->type_name("NAME");
   verb.add_flag("--es", arguments->es, "#version 300 es instead of 330 core");
   verb.add_flag("--vertex", arguments->vertex, "the vertex shader instead (JSON holds both)");
   add_output_options(verb, arguments->output, {"text", "json"});

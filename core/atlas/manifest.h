@@ -35,6 +35,7 @@ struct ImageSource {
 /// A material of the library: F0 where specular is asked for, the measured reflectance for diffuse.
 struct LibrarySource {
   std::string material, dataset, outside;
+  std::string method{};  // of F0's integration; empty: etak's default. Not in manifests
   friend bool operator==(const LibrarySource&, const LibrarySource&) = default;
 };
 

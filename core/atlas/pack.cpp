@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 
+#include "core/atlas/apply_variants.h"
 #include "core/atlas/compose.h"
 #include "core/atlas/content_hash.h"
 #include "core/atlas/defines.h"
@@ -74,21 +75,25 @@ class Packing {
     report_.stages.push_back({name, seconds});
   }
 
+  const ShadingVariants* variants() const { return options_.variants ? &*options_.variants : nullptr; }
+
   void read_inputs() {
     std::error_code failure;
     if (fs::is_directory(input_, failure)) {
-      inputs_ = resolve_manifest(manifest_of_folder(input_, options_.pattern), library_, options_.gloss,
-                                 options_.door, options_.open_space);
+      inputs_ = resolve_manifest(with_methods(manifest_of_folder(input_, options_.pattern), variants()),
+                                 library_, options_.gloss, options_.door, options_.open_space);
       inputs_.settings += options_.pattern;
     } else if (input_.ends_with(".gltf") || input_.ends_with(".glb")) {
       scene_ = std::make_unique<ScenePack>(input_, options_);
       inputs_ = scene_->inputs();
     } else {
       const std::string text = read_file(input_);
-      inputs_ = resolve_manifest(parse_manifest(text, input_), library_, options_.gloss, options_.door,
-                                 options_.open_space);
+      inputs_ = resolve_manifest(with_methods(parse_manifest(text, input_), variants()), library_,
+                                 options_.gloss, options_.door, options_.open_space);
       inputs_.settings += text;
     }
+    if (options_.variants)
+      apply_variants(*options_.variants, options_.keep.contains("constant"), input_, inputs_);
     learned_.resize(inputs_.materials.size());
     report_.materials = inputs_.materials.size();
     report_.gloss = inputs_.gloss;
@@ -197,6 +202,7 @@ class Packing {
 
   int levels() const {
     if (options_.mips) return *options_.mips;
+    if (options_.variants && !mips_are_read(*options_.variants, inputs_)) return 1;
     const auto& formats = options_.write.formats;
     const bool container = std::any_of(formats.begin(), formats.end(), [](const std::string& format) {
       return format == "ktx2" || format == "dds";
@@ -337,6 +343,8 @@ class Packing {
       if (!m.facts.reached && !fate.texels) continue;
       AtlasMaterialRow row{m.name, fate.texels, m.alpha_mode, m.alpha_cutoff, fate.constant, {}};
       row.defines = material_defines(fate, m.alpha_mode);
+      if (const MaterialVariant* variant = variants() ? variants()->find(m.name) : nullptr)
+        row.defines.insert(row.defines.end(), variant->defines.begin(), variant->defines.end());
       out.materials.push_back(std::move(row));
       if (fate.texels) add_rects(m, fate.owner, out);
     }

@@ -13,6 +13,7 @@
 #include "core/atlas/outputs.h"
 #include "core/atlas/plan.h"
 #include "core/atlas/sources.h"
+#include "core/atlas/variant.h"
 #include "core/material/library.h"
 
 namespace etak {
@@ -30,6 +31,7 @@ struct PackOptions {
   // leaving out
   std::set<std::string> keep;
   bool islands = false;
+  std::optional<ShadingVariants> variants;  // what etak choose found: defines, flat textures, unread mips
   // layout
   int page = 4096;
   std::optional<PageForm> form;  // none: mixed; for scenes one free page where that holds everything

@@ -161,6 +161,11 @@ class Resolver {
                       "a material with measured reflectance");
     F0Options options;
     options.outside = outside(place, source.outside);
+    if (!source.method.empty()) {
+      const auto method = method_named(source.method);
+      if (!method) throw Error::at(place, printable(source.method), "a method of integration");
+      options.method = *method;
+    }
     const F0Result result = F0Solver(std::move(options)).solve(dataset->optics, dataset->flags);
     if (result.refused()) throw Error::at(place, material->id + ": " + result.refusal);
     const LinearRgb& c = result.srgb_linear;

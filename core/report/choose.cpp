@@ -3,22 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdlib>
+#include <numbers>
+#include <numeric>
 
+#include "core/atlas/variant.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/brdf/models.h"
 #include "core/color/delta_e.h"
+#include "core/color/srgb.h"
+#include "core/fresnel/fresnel.h"
 #include "core/material/f0.h"
-#include "core/render/cpu_renderer.h"
-#include "core/render/reference.h"
+#include "core/report/choose_pictures.h"
 
 namespace etak {
 namespace {
 
 constexpr std::string_view full_visibility = "smith-ggx-height";
-constexpr std::string_view full_fresnel = "index";
-constexpr int picture_side = 128;
+constexpr std::size_t most_f0 = 16;  // of a texture: so many colours of F0 are judged at every angle
 // Costs nearer than this are the same: times have a spread. Of equal ones the closest on average is taken.
 constexpr double same_cost = 1.1;
 
@@ -31,8 +34,10 @@ std::string_view term_of(std::string_view form) {
   return form;
 }
 
-std::string model_id(std::string_view form, std::string_view visibility) {
-  return "microfacet:ggx," + std::string(term_of(form)) + "," + std::string(visibility);
+// What a colour alone can feed.
+bool needs_f0_alone(const FresnelForm& form) {
+  return form.id == "schlick" || form.id == "schueler" || form.id == "spherical_gaussian" ||
+         form.id == "from_f0";
 }
 
 // The form's numbers in the order of the model's parameters: three channels of each, then the width.
@@ -44,136 +49,271 @@ std::vector<double> model_numbers(const Model& model, const FresnelValues& value
   return out;
 }
 
-// A key, a fill and a rim light: highlights, edges and the half light between are all in the picture.
-LightSetup three_lights() {
-  LightSetup setup;
-  const auto light = [](Vec3 direction, double intensity) {
-    Light one;
-    one.kind = LightKind::directional;
-    const double length = std::hypot(direction[0], direction[1], direction[2]);
-    one.direction = {direction[0] / length, direction[1] / length, direction[2] / length};
-    one.intensity = intensity;
-    return one;
-  };
-  // Directions in which the light travels; the viewer looks along -z.
-  setup.lights = {light({-0.5, -0.6, -0.6}, 2.0), light({0.8, -0.2, -0.5}, 0.7), light({-0.1, 0.7, 0.5}, 1.5)};
-  return setup;
-}
-
-Scene scene_of(const OpticalConstants& optics, const FresnelTruth& truth, double gloss,
-               const std::string& model, const FresnelValues& values) {
-  Scene scene;
-  scene.surface.f0 = truth.f0;
-  scene.surface.f82 = truth.f82;
-  scene.surface.gloss = gloss;
-  scene.surface.optics = optics;
-  scene.specular = find_model(model);
-  scene.lights = three_lights();
-  scene.width = scene.height = picture_side;
-  scene.background = {0, 0, 0};
-  const double alpha = std::sqrt(2 / (std::exp2(12 * gloss) + 2));
-  scene.specular_values = model_numbers(*scene.specular, values, alpha);
-  return scene;
-}
-
-struct PictureError {
-  double worst = 0, mean = 0;
-};
-
-// Exposed so that nothing of `everything` clips: a clipped channel would hide errors, and one beside it
-// overstate them.
-double exposure_of(const Image& everything) {
-  double most = 0;
-  for (int y = 0; y < everything.height; ++y)
-    for (int x = 0; x < everything.width; ++x)
-      for (std::size_t c = 0; c < 3; ++c) most = std::max(most, static_cast<double>(everything.at(x, y)[c]));
-  return most > 0 ? 1 / most : 1;
-}
-
-PictureError picture_error(const Image& everything, const Image& chosen) {
-  PictureError out;
-  std::size_t count = 0;
-  const double exposure = exposure_of(everything);
-  const auto seen = [&](std::span<const float> pixel) {
-    const auto value = [&](std::size_t c) { return std::max(0.0, exposure * static_cast<double>(pixel[c])); };
-    return to_lab(LinearRgb{value(0), value(1), value(2)});
-  };
-  for (int y = 0; y < everything.height; ++y)
-    for (int x = 0; x < everything.width; ++x) {
-      // Pixels of the rim are half background in both: their coverage is not what is judged here.
-      if (everything.at(x, y)[3] < 1 || chosen.at(x, y)[3] < 1) continue;
-      const double de = delta_e2000(seen(everything.at(x, y)), seen(chosen.at(x, y)));
-      out.worst = std::max(out.worst, de);
-      out.mean += de;
-      ++count;
-    }
-  if (count > 0) out.mean /= static_cast<double>(count);
-  return out;
-}
-
-struct Ranked {
-  const FresnelForm* form;
-  double cost;
-};
-
-std::vector<Ranked> forms_by_cost(const CostTable& costs) {
-  std::vector<Ranked> out;
-  for (const FresnelForm& form : fresnel_forms())
-    if (form.physical) out.push_back({&form, costs.of("fresnel/" + std::string(form.id))});
-  std::stable_sort(out.begin(), out.end(), [](const Ranked& a, const Ranked& b) { return a.cost < b.cost; });
-  return out;
-}
-
-struct RankedTerm {
-  const Term* term;
-  double cost;
-};
-
-// Masking that fits a GGX lobe; the full one is among them.
-std::vector<RankedTerm> visibilities_by_cost(const CostTable& costs) {
-  std::vector<RankedTerm> out;
-  for (const Term& term : terms())
-    if (term.kind == TermKind::visibility && !term.id.starts_with("smith-beckmann"))
-      out.push_back({&term, costs.of("visibility/" + std::string(term.id))});
-  std::stable_sort(out.begin(), out.end(),
-                   [](const RankedTerm& a, const RankedTerm& b) { return a.cost < b.cost; });
-  return out;
-}
-
-void choose_method(const Dataset& dataset, const CostTable& costs, Choice& choice) {
-  F0Options exact;
-  exact.method = Method::exact;
-  const F0Result truth = F0Solver(exact).solve(dataset.optics, dataset.flags);
-  if (truth.refused())
-    throw Error::at(choice.material + "/" + choice.dataset, truth.refusal, "data with a colour");
-  struct RankedMethod {
-    Method method;
-    double cost;
-  };
-  std::vector<RankedMethod> ranked;
-  for (const Method method : all_methods)
-    // Schueler's points come with a power law of their own: not the same quantity.
-    if (method != Method::legacy_schueler)
-      ranked.push_back({method, costs.of("quadrature/" + std::string(name(method)))});
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const RankedMethod& a, const RankedMethod& b) { return a.cost < b.cost; });
-  choice.everything_solve_ns = costs.of("quadrature/exact");
-  for (const auto& [method, cost] : ranked) {
-    F0Options options;
-    options.method = method;
-    const F0Result result = F0Solver(options).solve(dataset.optics, dataset.flags);
-    Candidate candidate{std::string(name(method)), std::string(name(method)), cost, 0, false};
-    candidate.error = delta_e2000(to_lab(result.srgb_linear), to_lab(truth.srgb_linear));
-    candidate.within = candidate.error <= choice.budget;
-    choice.method_candidates.push_back(candidate);
-    if (!candidate.within) continue;
-    choice.method = candidate.id;
-    choice.method_error = candidate.error;
-    choice.chosen_solve_ns = cost;
-    return;
+// F over angle of a surface that is known by its F0 alone.
+FresnelTruth colour_truth(const Vec3& f0) {
+  FresnelTruth truth;
+  constexpr int steps = 360;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = std::numbers::pi / 2 * i / steps;
+    truth.cosine.push_back(i == steps ? 0 : std::cos(angle));
+    truth.weight.push_back(std::sin(angle) * truth.cosine.back());
+    truth.rgb.push_back(f_of_colour(f0, truth.cosine.back()));
   }
-  throw Error::at("--budget", number(choice.budget, 6), "at least what the quadratures differ by");
+  const double sum = std::accumulate(truth.weight.begin(), truth.weight.end(), 0.0);
+  for (double& weight : truth.weight) weight /= sum;
+  truth.f0 = f0;
+  truth.f82 = f_of_colour(f0, f82_cosine);
+  return truth;
 }
+
+PictureDifference angle_difference(ErrorUnit unit, const FresnelTruth& truth, const FresnelForm& form,
+                                   const FresnelValues& values) {
+  PictureDifference out;
+  for (std::size_t i = 0; i < truth.cosine.size(); ++i) {
+    Vec3 rgb{};
+    for (std::size_t c = 0; c < 3; ++c) rgb[c] = form.value(values[c].data(), truth.cosine[i]);
+    const double miss = difference(unit, rgb, truth.rgb[i]);
+    out.worst = std::max(out.worst, miss);
+    out.mean += truth.weight[i] * miss;
+  }
+  return out;
+}
+
+template <class Thing>
+struct Ranked {
+  Thing thing;
+  double cost;
+};
+
+template <class Thing>
+void by_cost(std::vector<Ranked<Thing>>& all) {
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+}
+
+class Choosing {
+ public:
+  Choosing(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs)
+      : subject_(subject), options_(options), costs_(costs), pictures_(subject) {
+    out_.material = subject.name;
+    out_.library = subject.library;
+    out_.budget = options.budget;
+    out_.unit = options.unit;
+    out_.textured = subject.textured();
+    if (subject.dataset)
+      truths_ = {fresnel_truth(std::get<OpticalConstants>(subject.dataset->optics), subject.library)};
+    else if (subject.texture)
+      for (const Vec3& f0 : subject.texture->some_f0(most_f0)) truths_.push_back(colour_truth(f0));
+    else
+      truths_ = {colour_truth(subject.texel.f0)};
+  }
+
+  Choice run() {
+    Look all;
+    all.filter = full_filter();
+    everything_ = pictures_.draw(all);
+    out_.pixels = everything_.size();
+    chosen_ = all;
+    limit_ = options_.budget;
+    choose_fresnel();
+    choose_visibility();
+    choose_filter();
+    if (subject_.dataset) choose_method();
+    finish();
+    return std::move(out_);
+  }
+
+ private:
+  TextureFilter full_filter() const {
+    return !subject_.textured() ? TextureFilter::constant
+           : subject_.mipmaps   ? TextureFilter::trilinear
+                                : TextureFilter::bilinear;
+  }
+
+  PictureDifference picture(const Look& look) const {
+    return picture_difference(options_.unit, everything_, pictures_.draw(look));
+  }
+
+  // The worst over the colours of F0 that occur.
+  PictureDifference at_any_angle(const FresnelForm& form, const FresnelValues* values) const {
+    PictureDifference out;
+    for (const FresnelTruth& truth : truths_) {
+      const PictureDifference one =
+          angle_difference(options_.unit, truth, form, values != nullptr ? *values : form.fit(truth));
+      out.worst = std::max(out.worst, one.worst);
+      out.mean = std::max(out.mean, one.mean);
+    }
+    return out;
+  }
+
+  void choose_fresnel() {
+    std::vector<Ranked<const FresnelForm*>> ranked;
+    for (const FresnelForm& form : fresnel_forms())
+      if (form.physical && (subject_.dataset || needs_f0_alone(form)))
+        ranked.push_back({&form, costs_.of("fresnel/" + std::string(form.id))});
+    by_cost(ranked);
+    double found_cost = 0, found_error = 0, closest_error = 0, closest_picture = 0;
+    const FresnelForm* closest = nullptr;
+    for (const auto& [form, cost] : ranked) {
+      if (out_.fresnel != nullptr && cost > found_cost * same_cost) break;
+      Look look = chosen_;
+      look.form = form;
+      look.values = form->fit(truths_.front());
+      const PictureDifference angles = at_any_angle(*form, subject_.dataset ? &look.values : nullptr);
+      Candidate candidate{std::string(form->id), std::string(form->title), cost, angles.worst, false};
+      double seen = 0;
+      if (angles.worst <= limit_ || !subject_.dataset) {
+        seen = picture(look).worst;
+        candidate.error = std::max(angles.worst, seen);
+        candidate.within = candidate.error <= limit_;
+      }
+      out_.fresnel_candidates.push_back(candidate);
+      if (!subject_.dataset && (closest == nullptr || candidate.error < closest_error))
+        closest = form, closest_error = candidate.error, closest_picture = seen;
+      if (!candidate.within || (out_.fresnel != nullptr && angles.mean >= found_error)) continue;
+      if (out_.fresnel == nullptr) found_cost = cost;
+      found_error = angles.mean;
+      out_.fresnel = form;
+      out_.fresnel_error = angles.worst;
+    }
+    if (out_.fresnel == nullptr && closest != nullptr) {
+      out_.met = false;
+      out_.fresnel = closest;
+      out_.fresnel_error = at_any_angle(*closest, nullptr).worst;
+      limit_ = std::max(limit_, closest_picture);
+    }
+    if (out_.fresnel == nullptr)
+      throw Error::at("--budget", number(options_.budget, 6),
+                      "one that some form of Fresnel reflectance meets for " + subject_.library);
+    chosen_.form = out_.fresnel;
+    chosen_.values = out_.fresnel->fit(truths_.front());
+  }
+
+  // Masking that fits a GGX lobe; the full one is among them.
+  void choose_visibility() {
+    std::vector<Ranked<const Term*>> ranked;
+    for (const Term& term : terms())
+      if (term.kind == TermKind::visibility && !term.id.starts_with("smith-beckmann"))
+        ranked.push_back({&term, costs_.of("visibility/" + std::string(term.id))});
+    by_cost(ranked);
+    double found_cost = 0, found_error = 0;
+    for (const auto& [term, cost] : ranked) {
+      if (!out_.visibility.empty() && cost > found_cost * same_cost) break;
+      Look look = chosen_;
+      look.visibility = term->id;
+      const double error = picture(look).worst;
+      const Candidate candidate{std::string(term->id), std::string(term->title), cost, error,
+                                error <= limit_};
+      out_.visibility_candidates.push_back(candidate);
+      if (!candidate.within || (!out_.visibility.empty() && error >= found_error)) continue;
+      if (out_.visibility.empty()) found_cost = cost;
+      out_.visibility = candidate.id;
+      found_error = error;
+    }
+    chosen_.visibility = find_term(TermKind::visibility, out_.visibility)->id;
+  }
+
+  void choose_filter() {
+    out_.filter = full_filter();
+    if (!subject_.textured()) return;
+    std::vector<Ranked<TextureFilter>> ranked;
+    for (const TextureFilter filter : all_filters)
+      if (subject_.mipmaps || !reads_mips(filter))
+        ranked.push_back({filter, costs_.of("filter/" + std::string(name(filter)))});
+    by_cost(ranked);
+    for (const auto& [filter, cost] : ranked) {
+      Look look = chosen_;
+      look.filter = filter;
+      const double error = picture(look).worst;
+      const std::string id(name(filter));
+      out_.filter_candidates.push_back({id, id, cost, error, error <= limit_});
+      if (error > limit_) continue;
+      out_.filter = filter;
+      break;
+    }
+    chosen_.filter = out_.filter;
+  }
+
+  // Last, because it costs once a spectrum and not once an evaluation: what it may miss is what is left.
+  void choose_method() {
+    F0Options options;
+    options.method = Method::exact;
+    const F0Result truth = F0Solver(options).solve(subject_.dataset->optics, subject_.dataset->flags);
+    if (truth.refused()) throw Error::at(subject_.library, truth.refusal, "data with a colour");
+    std::vector<Ranked<Method>> ranked;
+    for (const Method method : all_methods)
+      // Schueler's points come with a power law of their own: not the same quantity.
+      if (method != Method::legacy_schueler)
+        ranked.push_back({method, costs_.of("quadrature/" + std::string(name(method)))});
+    by_cost(ranked);
+    for (const auto& [method, cost] : ranked) {
+      options.method = method;
+      const F0Result result = F0Solver(options).solve(subject_.dataset->optics, subject_.dataset->flags);
+      Candidate candidate{std::string(name(method)), std::string(name(method)), cost, 0, false};
+      candidate.error = difference(options_.unit, vec(result.srgb_linear), vec(truth.srgb_linear));
+      FresnelTruth fed = truths_.front();
+      fed.f0 = vec(result.srgb_linear);
+      if (result.f82) fed.f82 = vec(*result.f82);
+      Look look = chosen_;
+      look.values = out_.fresnel->fit(fed);
+      double at_angle = 0;
+      if (candidate.error <= limit_) {
+        at_angle = at_any_angle(*out_.fresnel, &look.values).worst;
+        candidate.error = std::max({candidate.error, at_angle, picture(look).worst});
+      }
+      candidate.within = candidate.error <= limit_;
+      out_.method_candidates.push_back(candidate);
+      if (!candidate.within) continue;
+      out_.method = candidate.id;
+      out_.method_error = difference(options_.unit, vec(result.srgb_linear), vec(truth.srgb_linear));
+      out_.fresnel_error = at_angle;
+      out_.chosen_solve_ns = cost;
+      out_.everything_solve_ns = costs_.of("quadrature/exact");
+      chosen_.values = look.values;
+      return;
+    }
+    throw Error::at("--budget", number(options_.budget, 6), "at least what the quadratures differ by");
+  }
+
+  void finish() {
+    const PictureDifference together = picture(chosen_);
+    out_.picture_error = together.worst;
+    out_.picture_mean = together.mean;
+    out_.values = chosen_.values;
+    out_.texel = subject_.texture ? subject_.texture->read(TextureFilter::constant, 0, 0, 0) : subject_.texel;
+    if (subject_.dataset)
+      for (std::size_t c = 0; c < 3; ++c) out_.texel.f0[c] = truths_.front().f0[c];
+    else
+      for (std::size_t c = 0; c < 3; ++c) out_.values[c] = {out_.texel.f0[c], 0, 0, 0};
+    if (subject_.texture) out_.codes = subject_.texture->mean_codes();
+    out_.alpha = std::sqrt(2 / (std::exp2(12 * out_.texel.gloss) + 2));
+    out_.model = "microfacet:ggx," + std::string(term_of(out_.fresnel->id)) + "," + out_.visibility;
+    out_.model_values = model_numbers(*find_model(out_.model), out_.values, out_.alpha);
+    out_.defines = shading_defines(out_.model, name(out_.filter));
+
+    std::string_view full = "index";
+    if (!subject_.dataset)
+      full = std::any_of(truths_.begin(), truths_.end(),
+                         [](const FresnelTruth& truth) { return looks_dielectric(truth.f0); })
+                 ? "from_f0"
+                 : "schlick";
+    const auto cost = [&](std::string_view form, std::string_view visibility, TextureFilter filter) {
+      return costs_.of("fresnel/" + std::string(form)) + costs_.of("visibility/" + std::string(visibility)) +
+             (subject_.textured() ? costs_.of("filter/" + std::string(name(filter))) : 0);
+    };
+    out_.everything_ns = cost(full, full_visibility, full_filter());
+    out_.chosen_ns = cost(out_.fresnel->id, out_.visibility, out_.filter);
+  }
+
+  const ChooseSubject& subject_;
+  const ChooseOptions& options_;
+  const CostTable& costs_;
+  const ChoosePictures pictures_;
+  std::vector<FresnelTruth> truths_;  // the spectrum's, or one a colour of F0
+  std::vector<Vec3> everything_;
+  Look chosen_;
+  double limit_ = 0;
+  Choice out_;
+};
 
 }  // namespace
 
@@ -184,82 +324,42 @@ double CostTable::of(std::string_view id) const {
   return found->second;
 }
 
-Choice choose(const Material& material, const Dataset& dataset, double budget, double gloss,
-              const CostTable& costs) {
-  Choice choice;
-  choice.material = material.id;
-  choice.dataset = dataset.id;
-  choice.budget = budget;
+std::string_view name(ErrorUnit unit) {
+  return unit == ErrorUnit::codes ? "codes" : "ΔE2000";
+}
+
+double difference(ErrorUnit unit, const Vec3& a, const Vec3& b) {
+  if (unit == ErrorUnit::delta_e) return delta_e2000(to_lab(to_rgb(a)), to_lab(to_rgb(b)));
+  int worst = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    worst = std::max(
+        worst, std::abs(int{srgb_u8(std::clamp(a[c], 0.0, 1.0))} - int{srgb_u8(std::clamp(b[c], 0.0, 1.0))}));
+  return worst;
+}
+
+ChooseSubject library_subject(const Material& material, const Dataset& dataset, double gloss) {
   const std::string what = material.id + "/" + dataset.id;
-  const auto* optics = std::get_if<OpticalConstants>(&dataset.optics);
-  if (optics == nullptr) throw Error::at(what, "has reflectance data only", "n and k");
-  choose_method(dataset, costs, choice);
+  if (!std::holds_alternative<OpticalConstants>(dataset.optics))
+    throw Error::at(what, "has reflectance data only", "n and k");
+  ChooseSubject out;
+  out.name = material.id;
+  out.library = what;
+  out.dataset = dataset;
+  out.texel.gloss = gloss;
+  return out;
+}
 
-  const FresnelTruth truth = fresnel_truth(*optics, what);
-  const auto fresnel_cost = [&](const FresnelForm& form) {
-    return costs.of("fresnel/" + std::string(form.id));
-  };
-  const auto visibility_cost = [&](std::string_view id) { return costs.of("visibility/" + std::string(id)); };
+Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs) {
+  return Choosing(subject, options, costs).run();
+}
 
-  const FresnelForm& full = *fresnel_form(full_fresnel);
-  const Scene everything_scene =
-      scene_of(*optics, truth, gloss, model_id(full_fresnel, full_visibility), full.fit(truth));
-  ReferenceOptions rays;
-  rays.samples_per_side = 1;  // one ray through each pixel's centre, as the renderer has it
-  rays.light_samples = 0;
-  const Image everything = render_reference(everything_scene, nullptr, rays).picture;
-  const auto drawn = [&](const FresnelForm& form, const FresnelValues& values, std::string_view visibility,
-                         Scene* scene_out = nullptr) {
-    const Scene scene = scene_of(*optics, truth, gloss, model_id(form.id, visibility), values);
-    Image picture;
-    render_cpu(scene, nullptr, 1, Precision::f64, picture);
-    if (scene_out != nullptr) *scene_out = scene;
-    return picture_error(everything, picture);
-  };
-
-  double found_cost = 0, found_error = 0;
-  for (const auto& [form, cost] : forms_by_cost(costs)) {
-    if (choice.fresnel != nullptr && cost > found_cost * same_cost) break;
-    const FresnelValues values = form->fit(truth);
-    Candidate candidate{std::string(form->id), std::string(form->title), cost, 0, false};
-    const FresnelError angles = fresnel_error(truth, *form, values);
-    const double by_angle = candidate.error = angles.max_de;
-    if (by_angle <= budget) {
-      const double picture = drawn(*form, values, full_visibility).worst;
-      candidate.error = std::max(by_angle, picture);
-      candidate.within = picture <= budget;
-    }
-    choice.fresnel_candidates.push_back(candidate);
-    if (!candidate.within || (choice.fresnel != nullptr && angles.mean_de >= found_error)) continue;
-    if (choice.fresnel == nullptr) found_cost = cost;
-    found_error = angles.mean_de;
-    choice.fresnel = form;
-    choice.values = values;
-    choice.fresnel_error = by_angle;
-  }
-  if (choice.fresnel == nullptr)
-    throw Error::at("--budget", number(budget, 6),
-                    "one that some form of Fresnel reflectance meets for " + what);
-
-  for (const auto& [term, cost] : visibilities_by_cost(costs)) {
-    if (!choice.visibility.empty() && cost > found_cost * same_cost) break;
-    Scene scene;
-    const PictureError error = drawn(*choice.fresnel, choice.values, term->id, &scene);
-    Candidate candidate{std::string(term->id), std::string(term->title), cost, error.worst,
-                        error.worst <= budget};
-    choice.visibility_candidates.push_back(candidate);
-    if (!candidate.within || (!choice.visibility.empty() && error.worst >= choice.picture_error)) continue;
-    if (choice.visibility.empty()) found_cost = cost;
-    choice.visibility = candidate.id;
-    choice.model = scene.specular->id;
-    choice.model_values = scene.specular_values;
-    choice.alpha = scene.specular_values.back();
-    choice.picture_error = error.worst;
-    choice.picture_mean = error.mean;
-  }
-  choice.everything_ns = fresnel_cost(full) + visibility_cost(full_visibility);
-  choice.chosen_ns = fresnel_cost(*choice.fresnel) + visibility_cost(choice.visibility);
-  return choice;
+std::vector<Candidate> png_levels(const CostTable& costs) {
+  std::vector<Candidate> out;
+  for (const char* level : {"fast", "small", "smallest"})
+    out.push_back({level, level, costs.of("png/" + std::string(level)), 0, true});
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.cost_ns < b.cost_ns; });
+  return out;
 }
 
 }  // namespace etak

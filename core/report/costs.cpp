@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/brdf/models.h"
+#include "core/image/png.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
 #include "core/report/choose.h"
@@ -42,6 +43,43 @@ struct Batch {
     model.f32_batch(count, in, values.data(), out);
   }
 };
+
+// A texture pair with something in every texel.
+TexelChain some_texture(Image8& picture) {
+  Random random(5);
+  for (std::uint8_t& code : picture.values) code = static_cast<std::uint8_t>(random.uniform(40, 200));
+  const PixelBox whole{0, 0, picture.width, picture.height};
+  return {view(picture), view(picture), whole, GlossForm::schueler};
+}
+
+void add_textures(std::vector<TimedCase>& cases) {
+  constexpr int side = 256;
+  const auto picture = std::make_shared<Image8>(side, side, 4);
+  const auto chain = std::make_shared<const TexelChain>(some_texture(*picture));
+  const auto places = random_floats(2 * count, 0, side);
+  for (const TextureFilter filter : all_filters)
+    cases.push_back({"filter/" + std::string(name(filter)), count, [chain, places, filter] {
+                       for (std::size_t i = 0; i < count; ++i) {
+                         const SurfaceTexel texel =
+                             chain->read(filter, static_cast<double>((*places)[2 * i]),
+                                         static_cast<double>((*places)[2 * i + 1]), 0.4);
+                         keep(&texel);
+                       }
+                     }});
+  for (const auto& [level, id] :
+       {std::pair{PngLevel::fast, "png/fast"}, std::pair{PngLevel::small, "png/small"},
+        std::pair{PngLevel::smallest, "png/smallest"}})
+    cases.push_back({id, picture->pixel_count(), [picture, level = level] {
+                       PngOptions options;
+                       options.level = level;
+                       std::size_t bytes = 0;
+                       write_png({{picture->width, picture->height, 4, 8},
+                                  picture->values.data(),
+                                  static_cast<std::size_t>(picture->width) * 4},
+                                 options, [&](std::string_view part) { bytes += part.size(); });
+                       keep(&bytes);
+                     }});
+}
 
 }  // namespace
 
@@ -84,12 +122,14 @@ CostTable measure_costs(std::string_view header) {
                        keep(&result);
                      }});
   }
+  add_textures(cases);
   const auto times = time_cases(cases, timing);
   for (std::size_t i = 0; i < cases.size(); ++i) costs.ns[cases[i].id] = times[i].median_ns;
   // One formula, three ways to find n and k: what differs between their times is noise.
-  const double exact = std::min({costs.ns["fresnel/index"], costs.ns["fresnel/mean_index"],
-                                 costs.ns["fresnel/three_wavelengths"]});
-  for (const char* id : {"fresnel/index", "fresnel/mean_index", "fresnel/three_wavelengths"}) costs.ns[id] = exact;
+  const double exact = std::min(
+      {costs.ns["fresnel/index"], costs.ns["fresnel/mean_index"], costs.ns["fresnel/three_wavelengths"]});
+  for (const char* id : {"fresnel/index", "fresnel/mean_index", "fresnel/three_wavelengths"})
+    costs.ns[id] = exact;
   return costs;
 }
 

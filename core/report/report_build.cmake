@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Writes OUT with what a report says of the build; OUT is touched only when that changes.
 #   SOURCE   folder of the checkout   VERSION   COMPILER   FLAGS   OUT
+cmake_minimum_required(VERSION 3.24)
 set(commit "")
 find_program(GIT git)
 if(GIT)

@@ -123,6 +123,9 @@ with tempfile.TemporaryDirectory() as folder:
     text = run_where_built("pack", manifest, "--out", atlas, "--report", "json")
     if text is not None:
         check(schema("pack-report"), json.loads(text), "pack")
+        text = run_where_built("choose", manifest, "--format", "json")
+        if text is not None:
+            check(schema("choose"), json.loads(text), "choose of a scene")
         with open(os.path.join(atlas, "layout.json"), encoding="utf-8") as file:
             check(schema("atlas-layout"), json.load(file), "atlas layout")
         text = run_where_built("validate", atlas, "--format", "json")

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/variant.h"
+
+#include <algorithm>
+
+namespace etak {
+namespace {
+
+// In the order of a model's name.
+constexpr std::array<std::string_view, 3> term_prefixes{"ETAK_LOBE_", "ETAK_FRESNEL_", "ETAK_MASKING_"};
+
+std::string define_of(std::string_view prefix, std::string_view id) {
+  std::string out(prefix);
+  for (const char c : id) out += c == '-' ? '_' : c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return out;
+}
+
+std::string id_of(std::string_view text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '_' ? '-' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return out;
+}
+
+}  // namespace
+
+const MaterialVariant* ShadingVariants::find(std::string_view material) const {
+  const auto found = std::find_if(materials.begin(), materials.end(),
+                                  [&](const MaterialVariant& each) { return each.material == material; });
+  return found == materials.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> shading_defines(std::string_view model, std::string_view filter) {
+  std::vector<std::string> out;
+  std::string_view rest = model.substr(model.find(':') + 1);
+  for (const std::string_view prefix : term_prefixes) {
+    const std::size_t comma = rest.find(',');
+    out.push_back(define_of(prefix, rest.substr(0, comma)));
+    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+  }
+  out.push_back(define_of("ETAK_FILTER_", filter));
+  return out;
+}
+
+std::optional<std::string> model_of_defines(const std::vector<std::string>& defines) {
+  std::string out = "microfacet:";
+  for (const std::string_view prefix : term_prefixes) {
+    const auto found = std::find_if(defines.begin(), defines.end(),
+                                    [&](const std::string& each) { return each.starts_with(prefix); });
+    if (found == defines.end()) return std::nullopt;
+    if (out.back() != ':') out += ',';
+    out += id_of(std::string_view(*found).substr(prefix.size()));
+  }
+  return out;
+}
+
+}  // namespace etak

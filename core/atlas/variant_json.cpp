@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/variant.h"
+#include "core/base/json_node.inc"
+
+namespace etak {
+namespace {
+
+constexpr std::string_view schema = "etak-choose/2";
+
+std::array<double, 3> colour(const JsonNode& node) {
+  node.expect_array();
+  if (node.size() != 3) node.fail_type("three numbers");
+  return {node.at(0).number(), node.at(1).number(), node.at(2).number()};
+}
+
+MaterialVariant read_variant(const JsonNode& node) {
+  node.expect_object();
+  MaterialVariant out;
+  out.material = node.at("material").text();
+  out.library = node.text_or_empty("library");
+  out.model = node.at("model").text();
+  out.method = node.text_or_empty("integration");
+  out.filter = node.at("filter").text();
+  out.textured = node.at("textured").boolean();
+  const JsonNode values = node.at("values"), codes = node.at("codes");
+  values.expect_array(), codes.expect_array();
+  for (std::size_t i = 0; i < values.size(); ++i) out.values.push_back(values.at(i).number());
+  out.diffuse = colour(node.at("diffuse"));
+  out.f0 = colour(node.at("f0"));
+  out.gloss = node.at("gloss").number();
+  if (codes.size() != channel_count) codes.fail_type("eight codes");
+  for (std::size_t i = 0; i < channel_count; ++i)
+    out.codes[i] = static_cast<std::uint8_t>(codes.at(i).integer(0, 255));
+  out.defines = node.at("defines").texts();
+  return out;
+}
+
+}  // namespace
+
+ShadingVariants parse_choices(std::string_view text, std::string_view file) {
+  const Json document = parse_json_strictly(text, file, 6, "a choice");
+  const JsonNode root{document, file, {}};
+  root.expect_object();
+  if (root.text_or_empty("schema") != schema)
+    root.fail("not what etak choose --format json writes", "\"schema\": \"" + std::string(schema) + '"');
+  ShadingVariants out;
+  out.png_level = root.at("png_level").text();
+  const JsonNode choices = root.at("choices");
+  choices.expect_array();
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    MaterialVariant variant = read_variant(choices.at(i));
+    if (out.find(variant.material) != nullptr)
+      choices.at(i).at("material").fail("\"" + variant.material + "\" a second time", "each material once");
+    out.materials.push_back(std::move(variant));
+  }
+  return out;
+}
+
+}  // namespace etak
