@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <locale>
 #include <sstream>
 
 #include "core/base/edit_distance.h"
@@ -187,6 +188,7 @@ LinearRgb OcioSpace::from_xyz(const Xyz& xyz, const Xyz& white) const {
 struct OcioDisplay::State {
   std::string display, view;
   Mat3 to_interchange;
+  ocio::ConstProcessorRcPtr whole;
   ocio::ConstCPUProcessorRcPtr processor;
 };
 
@@ -240,7 +242,8 @@ OcioDisplay OcioDisplay::open(const std::string& config, const std::string& disp
     transform->setSrc(c.getColorSpace(door.role.c_str())->getName());
     transform->setDisplay(state.display.c_str());
     transform->setView(state.view.c_str());
-    state.processor = c.getProcessor(transform)->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
+    state.whole = c.getProcessor(transform);
+    state.processor = state.whole->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
     return OcioDisplay(std::make_shared<const State>(std::move(state)));
   } catch (const ocio::Exception& e) {
     throw Error::at(open.label, "display \"" + printable(display, 80) + "\" with view \"" +
@@ -253,6 +256,94 @@ void OcioDisplay::apply(float* rgb, std::size_t count) const {
     const Vec3 in = state_->to_interchange * Vec3{double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
     for (std::size_t c = 0; c < 3; ++c) rgb[c] = static_cast<float>(in[c]);
     state_->processor->applyRGB(rgb);
+  }
+}
+
+OcioShader OcioDisplay::shader() const {
+  try {
+    const auto description = ocio::GpuShaderDesc::CreateShaderDesc();
+    description->setLanguage(ocio::GPU_LANGUAGE_GLSL_1_3);
+    description->setFunctionName("ocio_view");
+    description->setResourcePrefix("ocio_");
+    state_->whole->getOptimizedGPUProcessor(ocio::OPTIMIZATION_LOSSLESS)->extractGpuShaderInfo(description);
+    OcioShader out;
+    out.function = "ocio_display";
+    const auto add = [&](const char* sampler, unsigned width, unsigned height, unsigned depth, int channels,
+                         ocio::Interpolation interpolation, const float* values) {
+      OcioShader::Table table{sampler,
+                              static_cast<int>(width),
+                              static_cast<int>(height),
+                              static_cast<int>(depth),
+                              channels,
+                              interpolation == ocio::INTERP_NEAREST,
+                              {}};
+      const std::size_t count = std::size_t{width} * std::max(height, 1u) * std::max(depth, 1u) *
+                                static_cast<std::size_t>(channels);
+      table.values.assign(values, values + count);
+      out.tables.push_back(std::move(table));
+    };
+    for (unsigned i = 0; i < description->getNumTextures(); ++i) {
+      const char *texture = nullptr, *sampler = nullptr;
+      unsigned width = 0, height = 0;
+      ocio::GpuShaderDesc::TextureType type{};
+      ocio::Interpolation interpolation{};
+      const float* values = nullptr;
+      description->getTexture(i, texture, sampler, width, height, type, interpolation);
+      description->getTextureValues(i, values);
+      // A table of one row is a sampler1D in the text.
+      add(sampler, width, height > 1 ? height : 0, 0,
+          type == ocio::GpuShaderDesc::TEXTURE_RED_CHANNEL ? 1 : 3, interpolation, values);
+    }
+    for (unsigned i = 0; i < description->getNum3DTextures(); ++i) {
+      const char *texture = nullptr, *sampler = nullptr;
+      unsigned side = 0;
+      ocio::Interpolation interpolation{};
+      const float* values = nullptr;
+      description->get3DTexture(i, texture, sampler, side, interpolation);
+      description->get3DTextureValues(i, values);
+      add(sampler, side, side, side, 3, interpolation, values);
+    }
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(9);
+    text << std::showpoint << description->getShaderText() << "\nvec3 " << out.function
+         << "(vec3 linear_srgb) {\n  return ocio_view(vec4(";
+    for (std::size_t row = 0; row < 3; ++row) {
+      text << (row == 0 ? "" : ",\n    ") << "dot(vec3(";
+      for (std::size_t c = 0; c < 3; ++c) text << (c == 0 ? "" : ", ") << state_->to_interchange[row][c];
+      text << "), linear_srgb)";
+    }
+    text << ", 1.0)).xyz;\n}\n";
+    out.text = text.str();
+    return out;
+  } catch (const ocio::Exception& e) {
+    throw Error::at("display \"" + printable(state_->display, 80) + "\"",
+                    "has no shader (" + one_line(e.what()) + ")");
+  }
+}
+
+std::vector<OcioDisplayInfo> ocio_displays(const std::string& config) {
+  const OpenConfig open = open_config(config);
+  const auto first = [](std::vector<std::string>& names, const std::string& name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) std::rotate(names.begin(), found, found + 1);
+  };
+  try {
+    const ocio::Config& c = *open.config;
+    std::vector<std::string> names;
+    for (int i = 0; i < c.getNumDisplays(); ++i) names.emplace_back(c.getDisplay(i));
+    first(names, c.getDefaultDisplay());
+    std::vector<OcioDisplayInfo> out;
+    for (const std::string& name : names) {
+      OcioDisplayInfo info{name, {}};
+      for (int i = 0; i < c.getNumViews(name.c_str()); ++i)
+        info.views.emplace_back(c.getView(name.c_str(), i));
+      first(info.views, c.getDefaultView(name.c_str()));
+      out.push_back(std::move(info));
+    }
+    return out;
+  } catch (const ocio::Exception& e) {
+    throw Error::at(open.label, "displays cannot be listed (" + one_line(e.what()) + ")");
   }
 }
 

@@ -42,6 +42,21 @@ class OcioSpace {
   std::shared_ptr<const State> state_;
 };
 
+/// A display and view as text for OpenGL 3.3, made by OpenColorIO.
+struct OcioShader {
+  /// A table that the text reads, to be bound as a texture. Rows of `values` from the first, edges clamped.
+  struct Table {
+    std::string sampler;  // of type sampler1D, sampler2D (height above 0) or sampler3D (depth above 0)
+    int width = 0, height = 0, depth = 0;
+    int channels = 3;      // 1 or 3
+    bool nearest = false;  // no filtering; else linear
+    std::vector<float> values;
+  };
+  std::string text;      // samplers and functions
+  std::string function;  // vec3 to vec3: linear sRGB to display code values
+  std::vector<Table> tables;
+};
+
 /// A display and view of an OpenColorIO config: how a picture in linear light is to look on a screen.
 class OcioDisplay {
  public:
@@ -54,6 +69,10 @@ class OcioDisplay {
   ///   error   OpenColorIO computes in float, and configs round their matrices: 1e-5 with etak's own config
   void apply(float* rgb, std::size_t count) const;
 
+  /// The same for a GPU: OpenColorIO's own shader, with its tables.
+  ///   error   8-bit codes within 1 of apply()'s: OpenColorIO puts curves into tables there
+  OcioShader shader() const;
+
   const std::string& display() const;
   const std::string& view() const;
 
@@ -62,6 +81,15 @@ class OcioDisplay {
   explicit OcioDisplay(std::shared_ptr<const State> state);
   std::shared_ptr<const State> state_;
 };
+
+/// The displays of a config, its default first, and their views, likewise. `config` as in OcioSpace::open.
+/// Throws Error.
+struct OcioDisplayInfo {
+  std::string name;
+  std::vector<std::string> views;
+  friend bool operator==(const OcioDisplayInfo&, const OcioDisplayInfo&) = default;
+};
+std::vector<OcioDisplayInfo> ocio_displays(const std::string& config);
 
 /// How messages and OcioSpace::config() call etak's own config.
 inline constexpr const char* builtin_ocio_config = "<built-in OpenColorIO config>";

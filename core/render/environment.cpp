@@ -286,6 +286,13 @@ double Environment::pdf(const Vec3& d) const {
   return in_row * in_column / solid_angle(map_, y);
 }
 
+EnvironmentTurn::EnvironmentTurn(double degrees) {
+  // 0 exactly, so that a scene without a turn is what it was.
+  if (degrees == 0) return;
+  cos_ = std::cos(degrees * (pi / 180));
+  sin_ = std::sin(degrees * (pi / 180));
+}
+
 Image studio_environment(int width) {
   const Vec3 sun{0.4924, 0.6428, 0.5868};  // 40 degrees up
   const double sun_cosine = 1 - 0.02 / (2 * pi);

@@ -60,6 +60,19 @@ class Environment {
   std::vector<double> column_sums_;  // per row cumulated over columns, last 1
 };
 
+/// A scene's environment turned around y, and directions between the two.
+class EnvironmentTurn {
+ public:
+  explicit EnvironmentTurn(double degrees);
+  Vec3 to_map(const Vec3& d) const { return {d[0] * cos_ - d[2] * sin_, d[1], d[0] * sin_ + d[2] * cos_}; }
+  Vec3 from_map(const Vec3& d) const { return {d[0] * cos_ + d[2] * sin_, d[1], d[2] * cos_ - d[0] * sin_}; }
+  double cosine() const { return cos_; }
+  double sine() const { return sin_; }
+
+ private:
+  double cos_ = 1, sin_ = 0;
+};
+
 /// etak's own environment, made by arithmetic: a sky that darkens upwards from a bright horizon, brown
 /// ground, a sun (0.02 sr at 40 degrees height, right of the camera's back) and a square softbox on the left.
 ///   width   of the picture, 64 to 4096; its height is half of that

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/render/camera.h"
+#include "core/render/environment.h"
 #include "core/render/glsl_source.h"
 
 namespace etak {
@@ -47,6 +48,10 @@ class Glue {
   void uniform(const std::string& name, const Vec3& value) { add({name, 3, 1, false, floats(value)}); }
   void uniform(const std::string& name, double x, double y) {
     add({name, 2, 1, false, {static_cast<float>(x), static_cast<float>(y)}});
+  }
+  // A uniform that the caller sets.
+  void declare(const std::string& type, const std::string& name) {
+    declarations_ += "uniform " + type + ' ' + name + ";\n";
   }
   void uniforms(const std::string& name, int width, const std::vector<float>& values) {
     add({name, width, static_cast<int>(values.size()) / width, true, values});
@@ -144,12 +149,15 @@ bool shines(const Light& light) {
 // The text of one scene, part by part.
 class SceneText {
  public:
-  explicit SceneText(const Scene& scene)
+  SceneText(const Scene& scene, const GlslDisplay* display)
       : scene_(scene),
+        display_(display),
+        camera_(scene),
         opacity_(scene.surface.opacity),
         lit_(std::ranges::any_of(scene.lights.lights, shines)) {}
 
   GlslText finish(GlslVersion version) {
+    if (display_ != nullptr) glue_.line(display_->text);
     brdf();
     lights();
     hemispheres();
@@ -304,14 +312,23 @@ class SceneText {
   void environment() {
     if (scene_.lights.environment.empty()) return glue_.leave_out("environment", "none in the setup");
     std::string parts;
+    const bool turned = scene_.view || scene_.environment_turn_deg != 0;
+    const auto to_map = [turned](const std::string& d) {
+      return turned ? "turned_to_map(" + d + ", environment_turn)" : d;
+    };
+    if (turned && (has_diffuse_ || scene_.specular != nullptr)) {
+      const EnvironmentTurn turn(scene_.environment_turn_deg);
+      glue_.uniform("environment_turn", turn.cosine(), turn.sine());
+    }
     if (has_diffuse_) {
       body_uniform();
-      light_code_ += "  sum += body_K * environment_diffuse(n);\n";
+      light_code_ += "  sum += body_K * environment_diffuse(" + to_map("n") + ");\n";
       parts = "diffuse";
     }
     if (scene_.specular != nullptr) {
       mirror();
-      light_code_ += "  sum += hemisphere_fresnel(gloss_K, gloss, nv) * environment_specular(mirrored);\n";
+      light_code_ += "  sum += hemisphere_fresnel(gloss_K, gloss, nv) * environment_specular(" +
+                     to_map("mirrored") + ");\n";
       parts += parts.empty() ? "specular" : " and specular";
     }
     if (parts.empty()) return glue_.leave_out("environment", "neither a diffuse nor a specular part");
@@ -336,15 +353,26 @@ class SceneText {
   void picture() {
     glue_.uniform("picture_size", scene_.width, scene_.height);
     glue_.uniform("background", scene_.background);
-    const Camera camera(scene_);
     if (scene_.perspective) {
-      glue_.uniform("camera_distance", camera.distance());
-      glue_.uniform("camera_spread", camera.spread());
+      glue_.uniform("camera_distance", camera_.distance());
+      glue_.uniform("camera_spread", camera_.spread());
     }
     const bool sphere = scene_.shape == Shape::sphere;
     glue_.use("shape", sphere ? "sphere" : "quad");
     glue_.use("camera", scene_.perspective ? "perspective" : "orthographic");
+    if (scene_.view)
+      from_anywhere(sphere);
+    else
+      from_the_front(sphere);
+    glue_.line("    vec3 object = shade(p, n, v);");
+    transparency();
+    glue_.line("    color = mix(background, object, coverage);\n  }");
+    transfer();
+    glue_.line("  pixel_color = vec4(color, coverage);\n}");
+  }
 
+  // Up to position, normal and viewer of the pixel.
+  void from_the_front(bool sphere) {
     glue_.line("void main() {");
     glue_.line("  float pixel = 2.2 / picture_size.y;");
     glue_.line("  vec2 at = (gl_FragCoord.xy - picture_size * 0.5) * pixel;");
@@ -368,11 +396,47 @@ class SceneText {
     else
       glue_.line(sphere ? "    vec3 v = viewer_perspective(drawn_in(at), camera_spread);"
                         : "    vec3 v = viewer_perspective(clamp(at, -side, side), camera_spread);");
-    glue_.line("    vec3 object = shade(p, n, v);");
-    transparency();
-    glue_.line("    color = mix(background, object, coverage);\n  }");
-    transfer();
-    glue_.line("  pixel_color = vec4(color, coverage);\n}");
+  }
+
+  // The same for a camera that moves.
+  void from_anywhere(bool sphere) {
+    glue_.declare("vec2", "picture_origin");
+    glue_.uniform("picture_pixel", camera_.pixel());
+    // Rows of the target count from below.
+    glue_.uniform("picture_centre", camera_.centre_column(), scene_.height - camera_.centre_row());
+    std::vector<float> axes, plane;
+    for (const Vec3& axis : camera_.axes()) append(axes, axis);
+    for (const Vec3& row : camera_.plane()) append(plane, row);
+    glue_.uniforms("camera_axes", 3, axes);
+    if (!sphere) glue_.uniforms("square_rows", 3, plane);
+    const std::string out_of = "out_of_camera(", by = ", camera_axes[0], camera_axes[1], camera_axes[2])";
+    glue_.line("void main() {");
+    glue_.line("  float pixel = picture_pixel;");
+    glue_.line("  vec2 at = (gl_FragCoord.xy - picture_origin - picture_centre) * pixel;");
+    if (sphere) {
+      glue_.line("  float coverage = disc_coverage(at, pixel);");
+    } else {
+      glue_.line("  vec3 place = plane_place(at, square_rows[0], square_rows[1], square_rows[2]);");
+      glue_.line(
+          "  float coverage = plane_coverage(place, camera_axes[2].z, square_rows[0], square_rows[1], "
+          "square_rows[2], pixel);");
+    }
+    glue_.line("  vec3 color = background;\n  if (coverage > 0.0) {");
+    if (sphere) {
+      glue_.line("    vec3 p = " + out_of +
+                 (scene_.perspective ? "sphere_perspective(at, camera_distance, camera_spread)"
+                                     : "sphere_orthographic(at)") +
+                 by + ";");
+      glue_.line("    vec3 n = p;");
+      glue_.line(scene_.perspective
+                     ? "    vec3 v = " + out_of + "viewer_perspective(drawn_in(at), camera_spread)" + by + ";"
+                     : "    vec3 v = camera_axes[2];");
+    } else {
+      glue_.line("    vec3 p = vec3(clamp(place.xy / max(place.z, 1e-6), -1.0, 1.0), 0.0);");
+      glue_.line("    vec3 n = vec3(0.0, 0.0, camera_axes[2].z < 0.0 ? -1.0 : 1.0);");
+      glue_.line(scene_.perspective ? "    vec3 v = normalize(camera_axes[2] * camera_distance - p);"
+                                    : "    vec3 v = camera_axes[2];");
+    }
   }
 
   void transparency() {
@@ -387,12 +451,16 @@ class SceneText {
   static double luminance(const Vec3& rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
   void transfer() {
-    if (scene_.exposure != 1) {
+    if (scene_.exposure != 1 || scene_.view) {
       glue_.uniform("exposure", scene_.exposure);
       glue_.line("  color *= exposure;");
       glue_.use("exposure", "a factor");
     } else {
       glue_.leave_out("exposure", "the factor is 1");
+    }
+    if (display_ != nullptr) {
+      glue_.line("  color = " + display_->function + "(color);");
+      return glue_.use("transfer", display_->name);
     }
     const char* curve = nullptr;
     switch (scene_.transfer) {
@@ -416,6 +484,8 @@ class SceneText {
   }
 
   const Scene& scene_;
+  const GlslDisplay* display_;
+  const Camera camera_;
   const double opacity_;
   Glue glue_;
   std::string brdf_, light_code_;
@@ -435,8 +505,8 @@ const GlslFeature* GlslText::feature(std::string_view feature_name) const {
   return found == features.end() ? nullptr : &*found;
 }
 
-GlslText glsl_text(const Scene& scene, GlslVersion version) {
-  return SceneText(scene).finish(version);
+GlslText glsl_text(const Scene& scene, GlslVersion version, const GlslDisplay* display) {
+  return SceneText(scene, display).finish(version);
 }
 
 GlslText glsl_evaluation_text(const Model& model, const std::vector<double>& values, GlslVersion version) {

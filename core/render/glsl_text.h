@@ -42,9 +42,19 @@ struct GlslText {
   const GlslFeature* feature(std::string_view feature_name) const;
 };
 
+/// What stands in place of a scene's transfer: text of functions and samplers, which the caller binds, and
+/// the name of one that takes linear sRGB (a vec3) to display code values.
+struct GlslDisplay {
+  std::string text, function, name;
+};
+
 /// The shaders that draw `scene` over the whole target. Throws Error for a scene without any model, and for
 /// one whose values do not fit its models.
-GlslText glsl_text(const Scene& scene, GlslVersion version = GlslVersion::core_330);
+///   A scene with a view is one of a window's frames: the text then stays the same for any camera, exposure
+///   and turn of the environment, and the uniform picture_origin (0, 0 if it is not set) says where in the
+///   target its left lower pixel lies.
+GlslText glsl_text(const Scene& scene, GlslVersion version = GlslVersion::core_330,
+                   const GlslDisplay* display = nullptr);
 
 /// A fragment shader that writes f_r of `model` for the directions in two float textures, one pixel each
 /// (core/brdf's frame): what tests compare with C++.

@@ -102,6 +102,7 @@ class Shader {
   Shader(const Scene& scene, const Environment* environment, const SpectralFresnel* fresnel)
       : scene_(scene),
         environment_(environment),
+        turn_(scene.environment_turn_deg),
         fresnel_(fresnel),
         exponent_(std::exp2(12 * scene.surface.gloss)),
         specular_values_(seen_specular_values(scene)) {
@@ -164,7 +165,7 @@ class Shader {
     const double share = by_light ? 1.0 / 3 : 0.5;
     Vec3 l;
     if (by_light && pick < share) {
-      l = frame * environment_->sample(a, b);
+      l = frame * turn_.from_map(environment_->sample(a, b));
     } else if (pick < 2 * share && (by_light || pick < share)) {
       const double radius = std::sqrt(a), phi = 2 * pi * b;
       l = {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - a)};
@@ -183,10 +184,10 @@ class Shader {
     const Vec3 outside = out_of(frame, l);
     const double lobe_pdf = (exponent_ + 1) / (2 * pi) * std::pow(nh, exponent_) / (4 * vh);
     double pdf = share * (l[2] / pi + lobe_pdf);
-    if (by_light) pdf += share * environment_->pdf(outside);
+    if (by_light) pdf += share * environment_->pdf(turn_.to_map(outside));
     if (!(pdf > 0)) return {};
     Vec3 radiance{};
-    if (environment_ != nullptr) radiance = environment_->radiance(outside);
+    if (environment_ != nullptr) radiance = environment_->radiance(turn_.to_map(outside));
     if (scene_.lights.hemispheres) {
       const Hemispheres& h = *scene_.lights.hemispheres;
       radiance = radiance + (dot(outside, h.axis) > 0 ? h.upper : h.lower);
@@ -209,6 +210,7 @@ class Shader {
  private:
   const Scene& scene_;
   const Environment* environment_;
+  EnvironmentTurn turn_;
   const SpectralFresnel* fresnel_;
   const Model* diffuse_ = nullptr;
   double exponent_;
@@ -238,8 +240,7 @@ PixelSum draw_pixel(const Scene& scene, const Camera& camera, const Shader& shad
     }
     ++out.hits;
     const Camera::Sight sight = camera.sight(x, y);
-    const Vec3 normal = scene.shape == Shape::quad ? Vec3{0, 0, 1} : sight.position;
-    const Mat3 frame = frame_of(normal);
+    const Mat3 frame = frame_of(sight.normal);
     const Vec3 v = frame * sight.viewer;
     Vec3 light = shader.from_lights(sight.position, frame, v);
     if (shader.has_ambient() && options.light_samples > 0) {

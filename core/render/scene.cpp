@@ -223,6 +223,19 @@ void validate(const Scene& scene) {
           "a finite factor of at least 0");
   require(scene.field_of_view_deg >= 1 && scene.field_of_view_deg <= 170, "field of view",
           scene.field_of_view_deg, "1 to 170 degrees");
+  if (scene.view) {
+    const View& view = *scene.view;
+    require(std::abs(view.rise_deg) <= 90, "camera's height", view.rise_deg, "-90 to 90 degrees");
+    require(view.zoom >= 1e-3 && view.zoom <= 1e3, "zoom", view.zoom, "0.001 to 1000");
+    for (const double value : {view.turn_deg, view.pan_x, view.pan_y})
+      require(std::abs(value) <= 1e6, "view", value, "finite numbers");
+  }
+  require(std::isfinite(scene.environment_turn_deg), "environment's turn", scene.environment_turn_deg,
+          "a finite angle");
+  if (scene.textures)
+    for (const Image* each : {&scene.textures->body, &scene.textures->gloss})
+      if (each->channels != 4 || each->width < 1 || each->height < 1)
+        throw Error::at("texture", std::to_string(each->channels) + " channels", "a picture of four");
   validate(scene.lights, "lights");
 }
 

@@ -189,22 +189,23 @@ void add_hemispheres(Chunk& c, const ChunkHemispheres& h, const vec3& f0_value, 
 }
 
 // The prefiltered maps are looked up in double whatever `real` is: trigonometry costs more than the width.
-void add_environment(Chunk& c, const Environment& environment, const vec3& f0_value, real gloss,
-                     const vec3& diffuse, bool with_specular, bool with_diffuse) {
+void add_environment(Chunk& c, const Environment& environment, const EnvironmentTurn& turn,
+                     const vec3& f0_value, real gloss, const vec3& diffuse, bool with_specular,
+                     bool with_diffuse) {
   for (std::size_t i = 0; i < c.count; ++i) {
     const Vec3 n{c.normal[0][i], c.normal[1][i], c.normal[2][i]};
     if (with_specular) {
       const Vec3 v{c.viewer[0][i], c.viewer[1][i], c.viewer[2][i]};
       const double nv = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
       const Vec3 r{2 * nv * n[0] - v[0], 2 * nv * n[1] - v[1], 2 * nv * n[2] - v[2]};
-      const Vec3 light = environment.specular(r, double(gloss));
+      const Vec3 light = environment.specular(turn.to_map(r), double(gloss));
       const vec3 f = hemisphere_fresnel(f0_value, gloss, real(nv));
       c.specular[0][i] += f.x * real(light[0]);
       c.specular[1][i] += f.y * real(light[1]);
       c.specular[2][i] += f.z * real(light[2]);
     }
     if (with_diffuse) {
-      const Vec3 light = environment.irradiance(n);
+      const Vec3 light = environment.irradiance(turn.to_map(n));
       c.diffuse[0][i] += diffuse.x * real(light[0] / std::numbers::pi);
       c.diffuse[1][i] += diffuse.y * real(light[1] / std::numbers::pi);
       c.diffuse[2][i] += diffuse.z * real(light[2] / std::numbers::pi);
@@ -226,6 +227,19 @@ ETAK_RENDER_CLONES void sphere_points(Chunk& c, double first_x, double step, dou
     c.normal[0][i] = x;
     c.normal[1][i] = y_;
     c.normal[2][i] = std::sqrt(depth2 > 0 ? depth2 : real(0));
+  }
+}
+
+// Normals from the camera's axes to those of the scene.
+ETAK_RENDER_CLONES void turn_points(Chunk& c, const Mat3& axes) {
+  real m[9];
+  for (std::size_t i = 0; i < 9; ++i) m[i] = real(axes[i / 3][i % 3]);
+  const std::size_t count = c.whole_blocks;
+  for (std::size_t i = 0; i < count; ++i) {
+    const real x = c.normal[0][i], y = c.normal[1][i], z = c.normal[2][i];
+    c.normal[0][i] = x * m[0] + y * m[3] + z * m[6];
+    c.normal[1][i] = x * m[1] + y * m[4] + z * m[7];
+    c.normal[2][i] = x * m[2] + y * m[5] + z * m[8];
   }
 }
 

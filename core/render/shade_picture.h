@@ -11,6 +11,7 @@ struct Shading {
   const Scene& scene;
   const Environment* environment;
   Camera camera;
+  EnvironmentTurn turn;
   const Model* specular;  // null where it gives nothing
   const Model* diffuse;
   std::vector<double> specular_values;
@@ -24,6 +25,7 @@ struct Shading {
       : scene(s),
         environment(e),
         camera(s),
+        turn(s.environment_turn_deg),
         specular(s.specular),
         diffuse(s.diffuse),
         specular_values(seen_specular_values(s)) {
@@ -31,7 +33,8 @@ struct Shading {
     const bool both = specular != nullptr && specular->kind == ModelKind::both;
     with_diffuse = diffuse != nullptr || (both && !body_is_black(*specular, s.specular_values));
     f0_luminance = 0.2126 * s.surface.f0[0] + 0.7152 * s.surface.f0[1] + 0.0722 * s.surface.f0[2];
-    needs_viewers = s.lights.hemispheres.has_value() || e != nullptr;
+    needs_viewers = s.lights.hemispheres.has_value() || e != nullptr || camera.turned();
+    const Vec3& viewer = camera.axes()[2];
     const double scale = s.lights.pi_scaled ? std::numbers::pi : 1;
     far = !camera.perspective() && has_far_respond;
     for (const Model* model : {specular, diffuse}) far = far && (model == nullptr || model->has_far_loop());
@@ -41,8 +44,8 @@ struct Shading {
       const double sign = directional ? -1 : 1;
       const double radian = std::numbers::pi / 180;
       const double power = light.intensity * scale;
-      const double hx = sign * light.direction[0], hy = sign * light.direction[1],
-                   hz = sign * light.direction[2] + 1;
+      const double hx = sign * light.direction[0] + viewer[0], hy = sign * light.direction[1] + viewer[1],
+                   hz = sign * light.direction[2] + viewer[2];
       // Light from straight behind has no half vector and lights nothing.
       const double length = std::max(std::sqrt(hx * hx + hy * hy + hz * hz), 1e-30);
       lights.push_back({directional, light.kind == LightKind::spot, real(light.position[0]),
@@ -69,11 +72,10 @@ void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
   const bool quick = !flat && !camera.perspective();
   if (quick) {
     sphere_points(c, camera.x(piece.first + 0.5), camera.pixel(), y);
-    if (shading.needs_viewers) {
-      c.viewer[0].fill(c.count, 0);
-      c.viewer[1].fill(c.count, 0);
-      c.viewer[2].fill(c.count, 1);
-    }
+    if (camera.turned()) turn_points(c, camera.axes());
+    if (shading.needs_viewers)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        c.viewer[axis].fill(c.whole_blocks, real(camera.axes()[2][axis]));
   }
   for (std::size_t i = 0; i < c.count; ++i) {
     if (quick && i == piece.whole_first) i = piece.whole_last;
@@ -81,7 +83,7 @@ void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
     const Camera::Sight sight = camera.sight(camera.x(piece.first + static_cast<int>(i) + 0.5), y);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       c.position[axis][i] = real(sight.position[axis]);
-      c.normal[axis][i] = real(flat ? (axis == 2 ? 1 : 0) : sight.position[axis]);
+      c.normal[axis][i] = real(sight.normal[axis]);
       c.viewer[axis][i] = real(sight.viewer[axis]);
     }
   }
@@ -94,7 +96,7 @@ void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
 void shade(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
   const std::size_t count = c.whole_blocks;
-  build_frames(c, !shading.camera.perspective());
+  build_frames(c, !shading.camera.perspective() && !shading.camera.turned());
   const bool with_specular = shading.specular != nullptr;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     if (with_specular) c.specular[channel].fill(count, 0);
@@ -133,7 +135,8 @@ void shade(const Shading& shading, Chunk& c) {
     add_hemispheres(c, narrow, f0_value, gloss, body, with_specular, shading.with_diffuse);
   }
   if (shading.environment != nullptr)
-    add_environment(c, *shading.environment, f0_value, gloss, body, with_specular, shading.with_diffuse);
+    add_environment(c, *shading.environment, shading.turn, f0_value, gloss, body, with_specular,
+                    shading.with_diffuse);
   if (scene.surface.opacity < 1) see_through(c, real(scene.surface.opacity), real(shading.f0_luminance));
 }
 

@@ -23,3 +23,9 @@ vec3 environment_diffuse(vec3 n) {
 vec3 environment_specular(vec3 r) {
   return mix(lat_long(environment_sharp, r), lat_long(environment_dull, r), environment_share);
 }
+
+// To the map of an environment that is turned around y.
+//   turn   cosine and sine
+vec3 turned_to_map(vec3 d, vec2 turn) {
+  return vec3(d.x * turn.x - d.z * turn.y, d.y, d.x * turn.y + d.z * turn.x);
+}

@@ -49,3 +49,25 @@ vec3 tangent_of(vec3 n) {
 vec3 in_frame(vec3 w, vec3 t, vec3 b, vec3 n) {
   return vec3(dot(w, t), dot(w, b), dot(w, n));
 }
+
+// From the camera's axes (right, up, towards the camera) to the scene's.
+vec3 out_of_camera(vec3 w, vec3 right, vec3 up, vec3 back) {
+  return w.x * right + w.y * up + w.z * back;
+}
+
+// A square that is not seen from the front: see Camera::plane() (core/render/camera.h) for the rows.
+//   place   on the square, at times w in front of the camera
+vec3 plane_place(vec2 at, vec3 row_x, vec3 row_y, vec3 row_w) {
+  vec3 h = vec3(at, 1.0);
+  return vec3(dot(row_x, h), dot(row_y, h), dot(row_w, h));
+}
+
+float plane_coverage(vec3 place, float facing, vec3 row_x, vec3 row_y, vec3 row_w, float pixel) {
+  if (abs(facing) < 1e-3 || place.z <= 1e-6) return 0.0;
+  vec2 on = place.xy / place.z;
+  float slope_x = length(row_x.xy - on.x * row_w.xy);
+  float slope_y = length(row_y.xy - on.y * row_w.xy);
+  vec2 margin = (1.0 - abs(on)) * place.z / max(vec2(slope_x, slope_y), vec2(1e-6));
+  vec2 inside = clamp(0.5 + margin / pixel, 0.0, 1.0);
+  return inside.x * inside.y;
+}
