@@ -1,87 +1,249 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/viewport.h"
 
-#include <QPainter>
+#include <QResizeEvent>
+#include <thread>
 
+#include "app/viewport/viewport_private.h"
 #include "core/base/error.h"
-#include "core/render/display.h"
+#include "core/render/glsl_text.h"
 
 namespace etak {
 
-class Viewport::Private {
- public:
-  ViewState state;
-  QString message;
-
-  QImage draw(int width, int height) {
-    QImage out(width, height, QImage::Format_RGB888);
-    try {
-      const Image8 codes = to_codes(draw_view(state, width, height, 2), 1, Transfer::srgb);
-      for (int y = 0; y < height; ++y)
-        std::copy_n(codes.at(0, y).data(), static_cast<std::size_t>(width) * 3, out.scanLine(y));
-      message.clear();
-    } catch (const Error& error) {
-      out.fill(Qt::darkGray);
-      message = QString::fromUtf8(error.what());
-    }
-    return out;
-  }
-};
-
-Viewport::Viewport(QWidget* parent, Backend) : QWidget(parent), d_(std::make_unique<Private>()) {
+Viewport::Viewport(QWidget* parent, Backend backend) : QWidget(parent), d_(std::make_unique<Private>(*this)) {
+  qRegisterMetaType<ViewState>();
+  qRegisterMetaType<PatchUnderCursor>();
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(tr("Viewport"));
+  setMouseTracking(true);
   setAcceptDrops(true);
+  setAccessibleName(tr("Viewport"));
+  setAccessibleDescription(
+      tr("Picture of the material. Drag to orbit, Shift and drag to move a light, Ctrl and drag to turn the "
+         "environment, F to frame, Space to see the other side."));
+  d_->overlay = new Overlay(this);
+  d_->hover_timer.setSingleShot(true);
+  d_->hover_timer.setInterval(30);
+  connect(&d_->hover_timer, &QTimer::timeout, this, [this] { d_->hover(); });
+  const QString why = backend == Backend::cpu ? tr("The CPU was asked for.") : why_no_gl();
+  if (why.isEmpty())
+    d_->use_gl();
+  else
+    d_->use_cpu(why);
 }
-Viewport::~Viewport() = default;
+
+Viewport::~Viewport() {
+  // The views' last signals must not find half an object.
+  delete d_->gl;
+  delete d_->cpu;
+}
+
+void Viewport::Private::use_gl() {
+  delete gl;
+  gl = new GlView(&q);
+  gl->setAttribute(Qt::WA_TransparentForMouseEvents);
+  gl->setFocusPolicy(Qt::NoFocus);
+  gl->setGeometry(q.rect());
+  gl->show();
+  overlay->raise();
+  QObject::connect(gl, &GlView::drawn, &q, [this](double ms) {
+    frame_ms = ms;
+    refusal.clear();
+    tell_message();
+    emit q.frame_drawn(ms);
+  });
+  QObject::connect(gl, &GlView::refused, &q, [this](const QString& why) {
+    refusal = why;
+    tell_message();
+  });
+  // Queued: they come while the view draws, and end it.
+  QObject::connect(
+      gl, &GlView::failed, &q, [this](const QString& why) { use_cpu(why); }, Qt::QueuedConnection);
+  QObject::connect(gl, &GlView::lost, &q, &Viewport::recover_from_lost_context, Qt::QueuedConnection);
+  refresh();
+}
+
+void Viewport::Private::use_cpu(const QString& why) {
+  no_gl = why;
+  delete gl;
+  gl = nullptr;
+  if (cpu == nullptr) {
+    cpu = new CpuView(&q);
+    cpu->setAttribute(Qt::WA_TransparentForMouseEvents);
+    cpu->setGeometry(q.rect());
+    cpu->show();
+    overlay->raise();
+    QObject::connect(cpu, &CpuView::drawn, &q, [this](double ms) {
+      frame_ms = ms;
+      refusal.clear();
+      tell_message();
+      emit q.frame_drawn(ms);
+    });
+    QObject::connect(cpu, &CpuView::refused, &q, [this](const QString& message) {
+      refusal = message;
+      tell_message();
+    });
+  }
+  refresh();
+  emit q.backend_changed(false);
+}
+
+void Viewport::recover_from_lost_context() {
+  if (d_->gl == nullptr) return;
+  if (++d_->contexts_lost > 1) return d_->use_cpu(tr("OpenGL lost its context twice."));
+  d_->use_gl();
+}
+
+ViewState Viewport::Private::shown_state() const {
+  ViewState out = state;
+  if (flipped && (out.b.specular != nullptr || out.b.diffuse != nullptr)) std::swap(out.a, out.b);
+  return out;
+}
+
+void Viewport::Private::refresh() {
+  if (state.plain_display()) {
+    display = {};
+    display_failure.clear();
+  } else if (!display.is_of(state)) {
+    open_display();
+  }
+  const bool hurry = drag != Drag::none;
+  if (gl != nullptr) gl->show_state(shown_state(), display, hurry);
+  if (cpu != nullptr) cpu->show_state(shown_state(), display, hurry);
+  refresh_overlay();
+  tell_message();
+}
+
+// Configs take a tenth of a second to read: until then the last display stays.
+void Viewport::Private::open_display() {
+  if (opening) return;
+  opening = true;
+  openers.start([this, config = state.ocio_config, name = state.ocio_display, view = state.ocio_view] {
+    ViewDisplay opened{config, name, view, nullptr, nullptr};
+    QString failure;
+    try {
+      opened = etak::open_display(config, name, view);
+    } catch (const Error& error) {
+      failure = QString::fromUtf8(error.what());
+    }
+    QMetaObject::invokeMethod(
+        &q,
+        [this, opened, failure] {
+          opening = false;
+          if (!opened.is_of(state)) return refresh();  // another was asked for since
+          display = opened;
+          display_failure = failure;
+          refresh();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+QString Viewport::Private::message() const {
+  if (!refusal.isEmpty()) return refusal;
+  if (!display_failure.isEmpty()) return display_failure;
+  return no_gl.isEmpty() ? QString() : tr("Drawn by the CPU. %1").arg(no_gl);
+}
+
+void Viewport::Private::tell_message() {
+  const QString now = message();
+  if (now == last_message) return;
+  last_message = now;
+  refresh_overlay();
+  emit q.message_changed(now);
+}
+
+QSize Viewport::Private::picture_size() const {
+  return q.size() * q.devicePixelRatioF();
+}
 
 void Viewport::set_state(const ViewState& state) {
+  if (state == d_->state) return;
   d_->state = state;
-  update();
+  d_->refusal.clear();
+  d_->refresh();
 }
+
 const ViewState& Viewport::state() const {
   return d_->state;
 }
+
 QImage Viewport::grab_picture() {
-  return d_->draw(width(), height());
+  const QSize size = d_->picture_size();
+  try {
+    if (!d_->display.is_of(d_->state)) {
+      const ViewState& s = d_->state;
+      d_->openers.waitForDone();
+      d_->display = etak::open_display(s.ocio_config, s.ocio_display, s.ocio_view);
+    }
+    if (d_->gl != nullptr) {
+      d_->gl->show_state(d_->shown_state(), d_->display, false);
+      return d_->gl->picture(size);
+    }
+    return cpu_picture(d_->shown_state(), d_->display, size,
+                       std::max(1u, std::thread::hardware_concurrency()));
+  } catch (const Error& error) {
+    d_->refusal = QString::fromUtf8(error.what());
+    d_->tell_message();
+  }
+  QImage out(size.expandedTo(QSize(1, 1)), QImage::Format_RGB888);
+  out.fill(QColor(51, 51, 51));
+  return out;
 }
+
 bool Viewport::uses_gl() const {
-  return false;
+  return d_->gl != nullptr;
 }
 QString Viewport::gl_name() const {
-  return {};
+  return d_->gl == nullptr ? QString() : d_->gl->gl_name();
 }
 QString Viewport::fallback_reason() const {
-  return tr("not built yet");
+  return d_->no_gl;
 }
 QString Viewport::message() const {
-  return d_->message;
-}
-QString Viewport::shader_text() const {
-  return {};
+  return d_->message();
 }
 double Viewport::compile_ms() const {
-  return 0;
+  return d_->gl == nullptr ? 0 : d_->gl->compile_ms();
 }
 double Viewport::frame_ms() const {
-  return 0;
+  return d_->frame_ms;
 }
-std::optional<PatchUnderCursor> Viewport::patch_at(const QPointF&) const {
-  return std::nullopt;
+
+QString Viewport::shader_text() const {
+  try {
+    const QSize size = d_->picture_size().expandedTo(QSize(1, 1));
+    const std::vector<ViewTile> tiles = view_tiles(d_->shown_state(), size.width(), size.height());
+    if (tiles.empty()) return {};
+    GlslDisplay shown;
+    if (d_->display.gpu) shown = {d_->display.gpu->text, d_->display.gpu->function, "OpenColorIO"};
+    const GlslText text =
+        glsl_text(tiles.front().scene, GlslVersion::core_330, d_->display.gpu ? &shown : nullptr);
+    QString out;
+    for (const bool in : {true, false}) {
+      out += in ? tr("// In the shader:\n") : tr("// Left out:\n");
+      for (const GlslFeature& each : text.features)
+        if (each.in == in)
+          out += QStringLiteral("//   %1: %2\n")
+                     .arg(QString::fromStdString(each.name), QString::fromStdString(each.reason));
+    }
+    return out + '\n' + QString::fromStdString(text.fragment);
+  } catch (const Error& error) {
+    return QString::fromUtf8(error.what());
+  }
 }
+
 QSize Viewport::sizeHint() const {
   return {640, 640};
 }
 QSize Viewport::minimumSizeHint() const {
   return {160, 160};
 }
-void Viewport::frame_object() {}
-void Viewport::reset_camera() {}
 
-void Viewport::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.drawImage(0, 0, d_->draw(width(), height()));
-  painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, d_->message);
+void Viewport::resizeEvent(QResizeEvent*) {
+  if (d_->gl != nullptr) d_->gl->setGeometry(rect());
+  if (d_->cpu != nullptr) d_->cpu->setGeometry(rect());
+  d_->overlay->setGeometry(rect());
+  d_->refresh_overlay();
 }
 
 }  // namespace etak

@@ -12,16 +12,14 @@
 
 #include "core/render/view_state.h"
 
-class QMimeData;
-
 namespace etak {
 
-/// What lies under the cursor on both sides of a comparison: means of a patch of some pixels.
+/// What lies under the cursor on both sides of a comparison: means of a patch of 5 x 5 pixels.
 struct PatchUnderCursor {
   QPointF position;                       // in the widget
   std::array<int, 3> code_a{}, code_b{};  // 8-bit codes as the display shows them
   std::array<int, 3> difference{};        // b - a
-  double delta_e = 0;                     // CIEDE2000 of the two
+  double delta_e = 0;                     // CIEDE2000 of the two codes
   bool on_object = false;
 };
 
@@ -29,8 +27,9 @@ struct PatchUnderCursor {
 ///
 /// Mouse: left drag orbits (so does Alt + left), middle drag pans, wheel or Alt + right drag zooms, Ctrl +
 /// left drag turns the environment, Shift + left drag moves a light or the hemispheres' axis (the one whose
-/// mark is nearest), a drag on the separator moves that, double click resets the camera. Keys: F frames the
-/// object, held Space shows b in place of a. Arrow keys are left to the window.
+/// mark is nearest), Shift + wheel changes its strength, a drag on the separator moves that, double click
+/// resets the camera. Keys: F frames the object, held Space shows b in place of a. Arrow keys are left to the
+/// window.
 class Viewport : public QWidget {
   Q_OBJECT
 
@@ -43,7 +42,8 @@ class Viewport : public QWidget {
   void set_state(const ViewState& state);
   const ViewState& state() const;
 
-  /// The picture in device pixels as core's rules say, without marks and texts; waits for it.
+  /// The picture in device pixels as core's rules say, without marks and texts; waits for it. Grey where the
+  /// state cannot be drawn.
   QImage grab_picture();
 
   bool uses_gl() const;
@@ -52,20 +52,25 @@ class Viewport : public QWidget {
   QString message() const;          // what is shown over the picture: an error, the lack of GL; may be empty
 
   QString shader_text() const;  // of side a: what is in, what was left out and why, then the fragment shader
-  double compile_ms() const;    // of that shader; 0 where it was not compiled
-  double frame_ms() const;      // of the last whole frame
+  double compile_ms() const;    // of that shader and its first drawing; 0 without GL
+  double frame_ms() const;      // of the last frame
 
   std::optional<PatchUnderCursor> patch_at(const QPointF& position) const;
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
- protected:
-  void paintEvent(QPaintEvent* event) override;
+  /// The kind of drag that material_dropped() answers: UTF-8 text.
+  static constexpr const char* material_mime = "application/x-etak-material";
 
  public slots:
-  void frame_object();  // F: middle of the picture, whole
-  void reset_camera();  // double click
+  void frame_object();        // F: the whole object in the middle
+  void reset_camera();        // double click
+  void set_flipped(bool on);  // shows b in place of a
+
+  /// As when the driver takes the context away (a reset of the device): draws on with a new one, after the
+  /// second time with the CPU.
+  void recover_from_lost_context();
 
  signals:
   /// The user changed the state by mouse or keys (it is set already). All edits of one drag have one
@@ -79,15 +84,26 @@ class Viewport : public QWidget {
   void textures_dropped(const QStringList& paths);
   void material_dropped(const QString& material_id);
   void message_changed(const QString& message);
+  void backend_changed(bool uses_gl);
 
- public:
-  /// The kind of drag that material_dropped() answers: UTF-8 text.
-  static constexpr const char* material_mime = "application/x-etak-material";
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   class Private;
   std::unique_ptr<Private> d_;
-  friend class Private;
 };
 
 }  // namespace etak

@@ -261,7 +261,7 @@ void OcioDisplay::apply(float* rgb, std::size_t count) const {
 
 OcioShader OcioDisplay::shader() const {
   try {
-    const auto description = ocio::GpuShaderDesc::CreateShaderDesc();
+    auto description = ocio::GpuShaderDesc::CreateShaderDesc();
     description->setLanguage(ocio::GPU_LANGUAGE_GLSL_1_3);
     description->setFunctionName("ocio_view");
     description->setResourcePrefix("ocio_");

@@ -245,10 +245,14 @@ Vec3 Environment::irradiance(const Vec3& n) const {
   return look_up(irradiance_, place_of(n));
 }
 
-Vec3 Environment::specular(const Vec3& r, double gloss) const {
+Environment::Between Environment::between(double gloss) const {
   const double at = (1 - std::clamp(gloss, 0.0, 1.0)) * (level_count - 1);
   const auto first = std::min(static_cast<std::size_t>(at), levels_.size() - 2);
-  const double share = at - static_cast<double>(first);
+  return {first, at - static_cast<double>(first)};
+}
+
+Vec3 Environment::specular(const Vec3& r, double gloss) const {
+  const auto [first, share] = between(gloss);
   const Place place = place_of(r);
   const Vec3 sharp = look_up(levels_[first].map, place);
   if (share == 0) return sharp;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,13 @@ class Environment {
     double gloss;
     Image map;
   };
+  /// The level above a gloss and the share of the one below it.
+  struct Between {
+    std::size_t sharp;
+    double share;
+  };
+  Between between(double gloss) const;
+
   const Image& map() const { return map_; }
   const Image& irradiance_map() const { return irradiance_; }
   const std::vector<Level>& levels() const { return levels_; }  // gloss 1 first, 0 last

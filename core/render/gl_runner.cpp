@@ -327,11 +327,8 @@ class Prepared {
     drawn.lights.environment = environment != nullptr ? "given" : "";
     const Program& program = state.use(glsl_text(drawn));
     if (environment == nullptr) return;
-    const auto& levels = environment->levels();
-    std::size_t sharp = 0;
-    while (sharp + 2 < levels.size() && levels[sharp + 1].gloss > scene.surface.gloss) ++sharp;
-    const Environment::Level &above = levels[sharp], &below = levels[sharp + 1];
-    const double share = (above.gloss - scene.surface.gloss) / (above.gloss - below.gloss);
+    const auto [sharp, share] = environment->between(scene.surface.gloss);
+    const Environment::Level &above = environment->levels()[sharp], &below = environment->levels()[sharp + 1];
     textures_.emplace_back(std::make_unique<FloatTexture>(0, environment->irradiance_map()));
     textures_.emplace_back(std::make_unique<FloatTexture>(1, above.map));
     textures_.emplace_back(std::make_unique<FloatTexture>(2, below.map));

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/cpu_view.h"
+
+#include <QElapsedTimer>
+#include <QPainter>
+#include <algorithm>
+#include <thread>
+
+#include "core/base/error.h"
+
+namespace etak {
+namespace {
+
+constexpr double fluid_ms = 33;
+
+}  // namespace
+
+CpuView::CpuView(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  pool_.setMaxThreadCount(1);
+}
+
+CpuView::~CpuView() {
+  pool_.waitForDone();
+}
+
+void CpuView::show_state(const ViewState& state, const ViewDisplay& display, bool hurry) {
+  state_ = state;
+  display_ = display;
+  hurry_ = hurry;
+  wanted_ = true;
+  if (!running_) start();
+}
+
+void CpuView::start() {
+  const QSize whole = picture_size();
+  if (!wanted_ || whole.isEmpty()) return;
+  wanted_ = false;
+  running_ = true;
+  const bool half = hurry_ && whole_ms_ > fluid_ms;
+  const QSize size = half ? QSize((whole.width() + 1) / 2, (whole.height() + 1) / 2) : whole;
+  pool_.start([this, state = state_, display = display_, size, half] {
+    QElapsedTimer timer;
+    timer.start();
+    QImage picture;
+    QString message;
+    try {
+      picture = cpu_picture(state, display, size, std::max(1u, std::thread::hardware_concurrency()));
+    } catch (const Error& error) {
+      message = QString::fromUtf8(error.what());
+    }
+    const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    QMetaObject::invokeMethod(
+        this, [=, this] { take(picture, message, ms, half); }, Qt::QueuedConnection);
+  });
+}
+
+void CpuView::take(const QImage& picture, const QString& message, double ms, bool half) {
+  running_ = false;
+  whole_ms_ = half ? 4 * ms : ms;
+  picture_ = picture;
+  update();
+  if (message.isEmpty())
+    emit drawn(ms);
+  else
+    emit refused(message);
+  start();
+}
+
+void CpuView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (picture_.isNull()) {
+    painter.fillRect(rect(), QColor(51, 51, 51));
+    return;
+  }
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, picture_.size() != picture_size());
+  painter.drawImage(QRectF(rect()), picture_, QRectF(picture_.rect()));
+}
+
+void CpuView::resizeEvent(QResizeEvent*) {
+  wanted_ = true;
+  if (!running_) start();
+}
+
+}  // namespace etak

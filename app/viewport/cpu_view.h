@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QImage>
+#include <QThreadPool>
+#include <QWidget>
+
+#include "app/viewport/display.h"
+
+namespace etak {
+
+/// The picture of a state by core's CPU renderer, drawn in a thread of its own: the last picture stays until
+/// the next is there.
+class CpuView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CpuView(QWidget* parent);
+  ~CpuView() override;
+
+  void show_state(const ViewState& state, const ViewDisplay& display, bool hurry);
+  QSize picture_size() const { return size() * devicePixelRatioF(); }
+  double whole_frame_ms() const { return whole_ms_; }
+
+ signals:
+  void drawn(double frame_ms);
+  void refused(const QString& message);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Job;
+  void start();
+  void take(const QImage& picture, const QString& message, double ms, bool half);
+
+  ViewState state_;
+  ViewDisplay display_;
+  QImage picture_;
+  bool hurry_ = false, running_ = false, wanted_ = false;
+  double whole_ms_ = 0;
+  QThreadPool pool_;  // last: its thread ends before the rest goes
+};
+
+}  // namespace etak

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/gl_painter.h"
+
+#include <QElapsedTimer>
+#include <QOpenGLContext>
+#include <QOpenGLVersionFunctionsFactory>
+#include <algorithm>
+#include <map>
+
+#include "app/viewport/gl_program.h"
+#include "app/viewport/gl_textures.h"
+#include "core/base/error.h"
+
+namespace etak {
+namespace {
+
+constexpr GLenum context_lost_error = 0x0507;  // GL_CONTEXT_LOST of KHR_robustness
+
+double ms_of(const QElapsedTimer& timer) {
+  return static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+}
+
+// A picture of 8-bit codes to draw into.
+class Target {
+ public:
+  Target(Gl& gl, const QSize& size) : gl_(gl), size_(size) {
+    gl_.glGenRenderbuffers(1, &buffer_);
+    gl_.glBindRenderbuffer(GL_RENDERBUFFER, buffer_);
+    gl_.glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size.width(), size.height());
+    gl_.glGenFramebuffers(1, &frame_);
+    gl_.glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+    gl_.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer_);
+    if (gl_.glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+    remove();
+    throw Error::at("OpenGL", "cannot draw a picture of " + std::to_string(size.width()) + " x " +
+                                  std::to_string(size.height()) + " pixels");
+  }
+  ~Target() { remove(); }
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+
+  GLuint frame() const { return frame_; }
+  const QSize& size() const { return size_; }
+
+ private:
+  void remove() {
+    gl_.glDeleteFramebuffers(1, &frame_);
+    gl_.glDeleteRenderbuffers(1, &buffer_);
+  }
+
+  Gl& gl_;
+  QSize size_;
+  GLuint frame_ = 0, buffer_ = 0;
+};
+
+Gl* functions() {
+  QOpenGLContext* context = QOpenGLContext::currentContext();
+  Gl* gl = context == nullptr ? nullptr : QOpenGLVersionFunctionsFactory::get<Gl>(context);
+  if (gl == nullptr || !gl->initializeOpenGLFunctions())
+    throw Error::at("OpenGL", "the driver has no OpenGL 3.3 core", "one that has");
+  return gl;
+}
+
+}  // namespace
+
+struct GlPainter::State {
+  Gl& gl = *functions();
+  GLuint no_vertices = 0;
+  std::map<std::string, std::unique_ptr<GlProgram>> programs;  // by fragment text
+  double compile_ms = 0;
+  std::unique_ptr<Target> small;
+
+  std::shared_ptr<const Environment> environment;
+  std::unique_ptr<GlTexture> irradiance;
+  std::vector<std::unique_ptr<GlTexture>> levels;
+  std::shared_ptr<const OcioShader> display;
+  std::vector<std::unique_ptr<GlTexture>> tables;
+
+  State() { gl.glGenVertexArrays(1, &no_vertices); }
+  ~State() { gl.glDeleteVertexArrays(1, &no_vertices); }
+
+  void take(const std::shared_ptr<const Environment>& wanted) {
+    if (wanted == environment) return;
+    irradiance.reset();
+    levels.clear();
+    environment = wanted;
+    if (!environment) return;
+    irradiance = std::make_unique<GlTexture>(gl, environment->irradiance_map(), true);
+    for (const Environment::Level& level : environment->levels())
+      levels.push_back(std::make_unique<GlTexture>(gl, level.map, true));
+  }
+
+  void take(const std::shared_ptr<const OcioShader>& wanted) {
+    if (wanted == display) return;
+    tables.clear();
+    display = wanted;
+    if (display)
+      for (const OcioShader::Table& table : display->tables)
+        tables.push_back(std::make_unique<GlTexture>(gl, table));
+  }
+
+  void bind_textures(GlProgram& program, const Scene& scene) {
+    int unit = 0;
+    const auto bind = [&](GlTexture& texture, const std::string& sampler) {
+      texture.bind(unit);
+      program.set_sampler(sampler, unit++);
+    };
+    if (environment) {
+      const auto [sharp, share] = environment->between(scene.surface.gloss);
+      bind(*irradiance, "environment_irradiance");
+      bind(*levels[sharp], "environment_sharp");
+      bind(*levels[sharp + 1], "environment_dull");
+      program.set({"environment_share", 1, 1, false, {static_cast<float>(share)}});
+    }
+    for (std::size_t i = 0; i < tables.size(); ++i) bind(*tables[i], display->tables[i].sampler);
+  }
+
+  // Milliseconds of compiling.
+  double draw_tile(const ViewTile& tile, int height) {
+    GlslDisplay shown;
+    if (display) shown = {display->text, display->function, "OpenColorIO"};
+    const GlslText text = glsl_text(tile.scene, GlslVersion::core_330, display ? &shown : nullptr);
+    QElapsedTimer timer;
+    timer.start();
+    // A session that tries everything does not keep everything.
+    if (programs.size() > 200 && !programs.contains(text.fragment)) programs.clear();
+    std::unique_ptr<GlProgram>& program = programs[text.fragment];
+    if (!program) program = std::make_unique<GlProgram>(gl, text);
+    return draw_with(*program, text, tile, height, timer);
+  }
+
+  double draw_with(GlProgram& program, const GlslText& text, const ViewTile& tile, int height,
+                   const QElapsedTimer& timer) {
+    const int bottom = height - tile.y - tile.scene.height;
+    program.use();
+    for (const GlslUniform& uniform : text.uniforms) program.set(uniform);
+    program.set({"picture_origin", 2, 1, false, {static_cast<float>(tile.x), static_cast<float>(bottom)}});
+    bind_textures(program, tile.scene);
+    gl.glViewport(tile.x, bottom, tile.scene.width, tile.scene.height);
+    gl.glScissor(tile.clip_first, bottom, tile.clip_last - tile.clip_first, tile.scene.height);
+    gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (program.drawn) return 0;
+    // Drivers put off work to the first drawing.
+    gl.glFinish();
+    program.drawn = true;
+    program.compile_ms = ms_of(timer);
+    return program.compile_ms;
+  }
+
+  Drawn draw(const std::vector<ViewTile>& tiles, const QSize& size, GLuint target) {
+    Drawn out;
+    QElapsedTimer timer;
+    timer.start();
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
+    gl.glBindVertexArray(no_vertices);
+    gl.glDisable(GL_DITHER);
+    gl.glDisable(GL_BLEND);
+    gl.glDisable(GL_DEPTH_TEST);
+    gl.glDisable(GL_CULL_FACE);
+    gl.glDisable(GL_SCISSOR_TEST);
+    gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.glViewport(0, 0, size.width(), size.height());
+    gl.glClearColor(0.2F, 0.2F, 0.2F, 1);
+    gl.glClear(GL_COLOR_BUFFER_BIT);
+    // The fourth channel is the object's coverage: nothing for a window that would look through it.
+    gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    gl.glEnable(GL_SCISSOR_TEST);
+    bool first = true;
+    for (const ViewTile& tile : tiles) {
+      const double ms = draw_tile(tile, size.height());
+      out.compile_ms += ms;
+      if (first && ms > 0) compile_ms = ms;
+      first = false;
+    }
+    gl.glDisable(GL_SCISSOR_TEST);
+    gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl.glActiveTexture(GL_TEXTURE0);
+    gl.glFinish();
+    for (GLenum error = gl.glGetError(); error != GL_NO_ERROR && !out.context_lost; error = gl.glGetError())
+      out.context_lost = error == context_lost_error;
+    out.frame_ms = ms_of(timer) - out.compile_ms;
+    return out;
+  }
+};
+
+GlPainter::GlPainter() : state_(std::make_unique<State>()) {}
+GlPainter::~GlPainter() = default;
+
+std::string GlPainter::name() const {
+  const auto text = [&](GLenum which) {
+    const GLubyte* found = state_->gl.glGetString(which);
+    return found == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(found));
+  };
+  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
+
+GlPainter::Drawn GlPainter::draw(const std::vector<ViewTile>& tiles,
+                                 const std::shared_ptr<const Environment>& environment,
+                                 const std::shared_ptr<const OcioShader>& display, const QSize& size,
+                                 unsigned target) {
+  state_->take(environment);
+  state_->take(display);
+  return state_->draw(tiles, size, target);
+}
+
+GlPainter::Drawn GlPainter::draw_small(const std::vector<ViewTile>& tiles,
+                                       const std::shared_ptr<const Environment>& environment,
+                                       const std::shared_ptr<const OcioShader>& display, const QSize& small,
+                                       const QSize& size, unsigned target) {
+  Gl& gl = state_->gl;
+  if (!state_->small || state_->small->size() != small) state_->small = std::make_unique<Target>(gl, small);
+  Drawn out = draw(tiles, environment, display, small, state_->small->frame());
+  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, state_->small->frame());
+  gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+  gl.glBlitFramebuffer(0, 0, small.width(), small.height(), 0, 0, size.width(), size.height(),
+                       GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
+  return out;
+}
+
+QImage GlPainter::picture(const std::vector<ViewTile>& tiles,
+                          const std::shared_ptr<const Environment>& environment,
+                          const std::shared_ptr<const OcioShader>& display, const QSize& size) {
+  Gl& gl = state_->gl;
+  const Target target(gl, size);
+  draw(tiles, environment, display, size, target.frame());
+  QImage out(size, QImage::Format_RGBX8888);
+  gl.glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.glReadPixels(0, 0, size.width(), size.height(), GL_RGBA, GL_UNSIGNED_BYTE, out.bits());
+  return out.mirrored();
+}
+
+double GlPainter::compile_ms() const {
+  return state_->compile_ms;
+}
+
+}  // namespace etak

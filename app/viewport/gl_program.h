@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QOpenGLFunctions_3_3_Core>
+#include <map>
+#include <string>
+
+#include "core/render/glsl_text.h"
+
+namespace etak {
+
+using Gl = QOpenGLFunctions_3_3_Core;
+
+/// A linked pair of shaders.
+class GlProgram {
+ public:
+  /// Throws Error with the driver's message.
+  GlProgram(Gl& gl, const GlslText& text);
+  ~GlProgram();
+  GlProgram(const GlProgram&) = delete;
+  GlProgram& operator=(const GlProgram&) = delete;
+
+  void use();
+  void set(const GlslUniform& uniform);
+  void set_sampler(const std::string& name, int unit);
+
+  double compile_ms = 0;  // compiling, linking and the first drawing
+  bool drawn = false;
+
+ private:
+  GLint place(const std::string& name);
+  void attach(GLenum kind, const std::string& text);
+
+  Gl& gl_;
+  GLuint id_;
+  std::map<std::string, GLint> places_;
+};
+
+}  // namespace etak

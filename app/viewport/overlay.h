@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+namespace etak {
+
+/// What lies over the picture: the separator with both names, marks of lights, the patch's numbers, messages.
+class Overlay : public QWidget {
+ public:
+  struct Mark {
+    QPointF at;
+    QString name;
+    bool held = false;
+  };
+  struct Content {
+    std::optional<double> separator;  // in widget pixels from the left
+    QString left_name, right_name;
+    std::vector<Mark> marks;
+    QString readout, message;
+  };
+  explicit Overlay(QWidget* parent);
+  void show_content(Content content);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Content content_;
+};
+
+}  // namespace etak

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QThreadPool>
+#include <QTimer>
+
+#include "app/viewport/cpu_view.h"
+#include "app/viewport/gl_view.h"
+#include "app/viewport/overlay.h"
+#include "app/viewport/viewport.h"
+#include "core/render/view_moves.h"
+
+namespace etak {
+
+class Viewport::Private {
+ public:
+  explicit Private(Viewport& viewport) : q(viewport) { openers.setMaxThreadCount(1); }
+  ~Private() { openers.waitForDone(); }
+
+  Viewport& q;
+  ViewState state;
+  ViewDisplay display;
+  GlView* gl = nullptr;  // one of the two
+  CpuView* cpu = nullptr;
+  Overlay* overlay = nullptr;
+  QString no_gl, refusal, display_failure;
+  QString last_message;
+  double frame_ms = 0;
+  int contexts_lost = 0;
+  bool flipped = false, opening = false;
+
+  enum class Drag { none, orbit, pan, zoom, environment, light, separator };
+  Drag drag = Drag::none;
+  int press_id = 0;
+  QPointF last;    // of the drag
+  ViewPlace grip;  // from the cursor to the mark it holds
+  int held_light = 0;
+  bool shift_held = false;
+  QTimer hover_timer;
+  QPointF hover_at;
+  QString readout;
+  QThreadPool openers;  // last: its thread ends before the rest goes
+
+  void use_gl();
+  void use_cpu(const QString& why);
+  ViewState shown_state() const;
+  void refresh();  // picture and overlay
+  void refresh_overlay();
+  void open_display();  // in a thread
+  void tell_message();
+  QString message() const;
+  QSize picture_size() const;
+
+  // Of a point of the widget; none for a state that cannot be drawn.
+  std::optional<PlaceUnder> under(const QPointF& position) const;
+  double separator_x() const;
+  bool on_separator(const QPointF& position) const;
+  void edited();  // by hand: shows and tells
+  void begin(Drag kind, const QPointF& position);
+  void drag_to(const QPointF& position);
+  int nearest_light(const ViewPlace& place, double& distance) const;
+  void hover();
+  void show_cursor(const QPointF& position);
+};
+
+}  // namespace etak

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// The OpenGL viewport shows core's picture: grabbed framebuffers against core's CPU renderer.
+#include <QtTest>
+
+#include "app/viewport/display.h"
+#include "app/viewport/gl_view.h"
+#include "tests/gui/view_states.h"
+
+using namespace etak;
+using namespace etak::test;
+
+class ViewportGl : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<Viewport> viewport;
+
+  // What the window shows, by Qt's own grab of the framebuffer.
+  QImage on_screen() { return viewport->findChild<GlView*>()->grabFramebuffer(); }
+
+  void check(const ViewState& state, const QByteArray& what, const ViewDisplay& display = {}) {
+    QSignalSpy drawn(viewport.get(), &Viewport::frame_drawn);
+    viewport->set_state(state);
+    if (!display.config.empty() || display.cpu) (void)viewport->grab_picture();  // waits for the display
+    const QImage picture = on_screen();
+    const Image linear = draw_view(state, picture.width(), picture.height(), 2);
+    const QImage expected = shown(linear, display, 2);
+    const Apart found = apart(picture, expected, linear);
+    QVERIFY2(found.pixels > 1000, what + " covers nothing");
+    QVERIFY2(found.codes <= 2, what + ": " + QByteArray::number(found.codes) + " codes at column " +
+                                   QByteArray::number(found.x) + ", row " + QByteArray::number(found.y));
+    QVERIFY2(found.delta_e <= 0.3, what + ": mean Delta E " + QByteArray::number(found.delta_e));
+  }
+
+ private slots:
+  void initTestCase() {
+    viewport = std::make_unique<Viewport>();
+    viewport->resize(360, 300);
+    viewport->show();
+    QVERIFY(QTest::qWaitForWindowExposed(viewport.get()));
+    if (!viewport->uses_gl()) QSKIP(qPrintable("skipped: no OpenGL here: " + viewport->fallback_reason()));
+    qInfo("%s", qPrintable(viewport->gl_name()));
+  }
+
+  void every_model_data() {
+    QTest::addColumn<int>("index");
+    for (std::size_t i = 0; i < models().size(); ++i)
+      QTest::newRow(std::string(models()[i].id).c_str()) << static_cast<int>(i);
+  }
+  void every_model() {
+    QFETCH(int, index);
+    const Model& model = models()[static_cast<std::size_t>(index)];
+    check(state_with(model), QByteArray(std::string(model.id).c_str()));
+  }
+
+  void microfacet_of_three_terms() {
+    const Model* model = find_model("microfacet:ggx,schlick,smith-ggx-height");
+    QVERIFY(model != nullptr);
+    check(state_with(*model), "microfacet:ggx,schlick,smith-ggx-height");
+  }
+
+  void camera_goes_around() {
+    for (const char* id : {"schueler-optimized-bounded", "ashikhmin-shirley", "ggx-schlick"}) {
+      const Model* model = find_model(id);
+      if (model == nullptr) continue;
+      ViewState state = state_with(*model);
+      for (const View& view :
+           {View{40, 20, 0, 0, 1}, View{-150, -70, 0.3, -0.2, 2.5}, View{90, 90, 0, 0, 0.6}}) {
+        state.camera = view;
+        check(state, QByteArray(id) + " turned by " + QByteArray::number(view.turn_deg));
+      }
+    }
+  }
+
+  void quad_from_all_sides() {
+    ViewState state = state_with(*find_model("ggx-schlick"));
+    state.shape = ViewShape::quad;
+    for (const View& view : {View{}, View{40, 20, 0, 0, 1}, View{160, -30, 0.1, 0, 1.2}}) {
+      state.camera = view;
+      check(state, "quad turned by " + QByteArray::number(view.turn_deg));
+    }
+  }
+
+  void lights_of_all_kinds_and_environment() {
+    ViewState state = state_with(*find_model("schueler-optimized-bounded"));
+    Light point;
+    point.kind = LightKind::point;
+    point.position = {1.5, 1, 2};
+    point.intensity = 4;
+    Light spot = point;
+    spot.kind = LightKind::spot;
+    spot.position = {-1.5, 1.5, 2};
+    spot.direction = {0.514495755427527, -0.514495755427527, -0.6859943405700353};
+    state.lights.lights.push_back(point);
+    state.lights.lights.push_back(spot);
+    check(state, "lights");
+    state.environment = std::make_shared<const Environment>(studio_environment(128), 1, "studio", 2);
+    state.environment_turn_deg = 70;
+    state.exposure = 0.6;
+    state.a.surface.opacity = 0.5;
+    check(state, "environment");
+  }
+
+  void split_and_wedge() {
+    ViewState state = gold_state();
+    state.b.specular = find_model("ggx-schlick");
+    state.split = true;
+    state.separator = 0.37;
+    check(state, "split");
+    state.shape = ViewShape::wedge;
+    check(state, "wedge of both");
+    state.split = false;
+    state.wedge_parameter = "K";
+    check(state, "wedge of K");
+  }
+
+  void by_open_color_io() {
+    if (!qEnvironmentVariableIsEmpty("ETAK_NO_OCIO")) return;
+    ViewState state = gold_state();
+    const ViewDisplay all = open_display("", "sRGB - Display", "");
+    state.ocio_display = "sRGB - Display";
+    check(state, "OpenColorIO sRGB", all);
+  }
+
+  void grabbed_picture_is_the_windows() {
+    viewport->set_state(gold_state());
+    QCOMPARE(viewport->grab_picture().convertToFormat(QImage::Format_RGB888),
+             on_screen().convertToFormat(QImage::Format_RGB888));
+  }
+
+  void shader_tells_what_was_left_out() {
+    ViewState state = gold_state();
+    viewport->set_state(state);
+    (void)viewport->grab_picture();
+    const QString text = viewport->shader_text();
+    QVERIFY(text.contains("// Left out:"));
+    QVERIFY(text.contains("diffuse: K_d is 0"));
+    QVERIFY(text.contains("void main()"));
+    QVERIFY(viewport->compile_ms() > 0);
+  }
+
+  void values_compile_nothing() {
+    ViewState state = gold_state();
+    viewport->set_state(state);
+    (void)viewport->grab_picture();
+    const double before = viewport->compile_ms();
+    const QString text = viewport->shader_text();
+    state.a.surface.gloss = 0.31;
+    state.a.surface.f0 = {0.2, 0.3, 0.4};
+    state.camera = {33, 12, 0.1, 0.2, 1.4};
+    state.exposure = 1.7;
+    state.lights.lights[0].intensity *= 2;
+    viewport->set_state(state);
+    (void)viewport->grab_picture();
+    QCOMPARE(viewport->shader_text(), text);
+    QCOMPARE(viewport->compile_ms(), before);
+  }
+
+  void context_loss_is_survived() {
+    viewport->set_state(gold_state());
+    const QImage before = viewport->grab_picture();
+    viewport->recover_from_lost_context();
+    QVERIFY(viewport->uses_gl());
+    QSignalSpy drawn(viewport.get(), &Viewport::frame_drawn);
+    QVERIFY(drawn.wait(patience_ms));
+    QCOMPARE(viewport->grab_picture(), before);
+    viewport->recover_from_lost_context();
+    QVERIFY(!viewport->uses_gl());
+    QVERIFY(viewport->message().contains("context"));
+    QVERIFY(drawn.wait(patience_ms));
+    const QImage after = viewport->grab_picture();
+    const Image linear = draw_view(gold_state(), after.width(), after.height(), 2);
+    QVERIFY(apart(after, before, linear).codes <= 2);
+  }
+
+  void cleanupTestCase() { viewport.reset(); }
+};
+
+QTEST_MAIN(ViewportGl)
+#include "test_viewport_gl.moc"
