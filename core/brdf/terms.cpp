@@ -59,6 +59,8 @@ constexpr std::string_view f82_files[] = {"fresnel/schlick.glsl", "fresnel/f82.g
 constexpr std::string_view lazanyi_files[] = {"fresnel/lazanyi.glsl"};
 constexpr std::string_view gulbrandsen_files[] = {"fresnel/conductor.glsl", "fresnel/gulbrandsen.glsl"};
 constexpr std::string_view from_f0_files[] = {"fresnel/from_f0.glsl"};
+constexpr std::string_view by_f0_files[] = {"fresnel/schlick.glsl", "fresnel/from_f0.glsl",
+                                            "fresnel/by_f0.glsl"};
 constexpr std::string_view gaussian_files[] = {"fresnel/spherical_gaussian.glsl"};
 constexpr std::string_view v_ct_files[] = {"brdf/geometry.glsl", "brdf/g_cook_torrance.glsl"};
 constexpr std::string_view v_simple_files[] = {"brdf/geometry.glsl", "brdf/g_simple.glsl"};
@@ -206,6 +208,15 @@ constexpr Term rows[] = {
      from_f0_files,
      "f_from_f0",
      "for dielectrics: k = 0"},
+    {"by-f0",
+     "exact below F0 of 0.2, Schlick above",
+     "k = 0 below the forbidden zone; Schlick 1994, eq. 15",
+     F,
+     f0_only,
+     {},
+     by_f0_files,
+     "f_by_f0",
+     "for textures that mix dielectrics and metals"},
     {"spherical-gaussian",
      "spherical-Gaussian Schlick",
      "Lagarde 2012",

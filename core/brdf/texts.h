@@ -12,6 +12,7 @@
 #include "core/fresnel/lazanyi.glsl"
 #include "core/fresnel/gulbrandsen.glsl"
 #include "core/fresnel/from_f0.glsl"
+#include "core/fresnel/by_f0.glsl"
 #include "core/brdf/geometry.glsl"
 #include "core/brdf/gloss.glsl"
 #include "core/brdf/d_ggx.glsl"

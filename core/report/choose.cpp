@@ -30,6 +30,7 @@ std::string_view term_of(std::string_view form) {
   if (form == "spherical_gaussian") return "spherical-gaussian";
   if (form == "f82_tint") return "f82-tint";
   if (form == "from_f0") return "from-f0";
+  if (form == "by_f0") return "by-f0";
   if (form == "index" || form == "mean_index" || form == "three_wavelengths") return "exact";
   return form;
 }
@@ -37,7 +38,7 @@ std::string_view term_of(std::string_view form) {
 // What a colour alone can feed.
 bool needs_f0_alone(const FresnelForm& form) {
   return form.id == "schlick" || form.id == "schueler" || form.id == "spherical_gaussian" ||
-         form.id == "from_f0";
+         form.id == "from_f0" || form.id == "by_f0";
 }
 
 // The form's numbers in the order of the model's parameters: three channels of each, then the width.
@@ -290,18 +291,21 @@ class Choosing {
     out_.model_values = model_numbers(*find_model(out_.model), out_.values, out_.alpha);
     out_.defines = shading_defines(out_.model, name(out_.filter));
 
-    std::string_view full = "index";
-    if (!subject_.dataset)
-      full = std::any_of(truths_.begin(), truths_.end(),
-                         [](const FresnelTruth& truth) { return looks_dielectric(truth.f0); })
-                 ? "from_f0"
-                 : "schlick";
+    const std::string_view full = subject_.dataset ? "index" : form_of_colours();
     const auto cost = [&](std::string_view form, std::string_view visibility, TextureFilter filter) {
       return costs_.of("fresnel/" + std::string(form)) + costs_.of("visibility/" + std::string(visibility)) +
              (subject_.textured() ? costs_.of("filter/" + std::string(name(filter))) : 0);
     };
     out_.everything_ns = cost(full, full_visibility, full_filter());
     out_.chosen_ns = cost(out_.fresnel->id, out_.visibility, out_.filter);
+  }
+
+  // The least that gives "everything" for the colours of F0 that occur.
+  std::string_view form_of_colours() const {
+    bool low = false, high = false;
+    for (const FresnelTruth& truth : truths_)
+      for (const double f0 : truth.f0) (f0 < forbidden_zone_first ? low : high) = true;
+    return low && high ? "by_f0" : low ? "from_f0" : "schlick";
   }
 
   const ChooseSubject& subject_;

@@ -92,8 +92,8 @@ struct ChooseOptions {
   ErrorUnit unit = ErrorUnit::delta_e;
 };
 
-/// "Everything" is: F at every nanometre where the spectrum is known, else exact from F0 for a dielectric (F0
-/// below the forbidden zone) and Schlick's form for a metal, of which a colour says no more; a GGX lobe with
+/// "Everything" is: F at every nanometre where the spectrum is known, else per channel exact from F0 below
+/// the forbidden zone and Schlick's form above, because a colour says no more of a metal; a GGX lobe with
 /// height-correlated Smith masking; trilinear filtering; F0 by the exact quadrature. The budget holds for F
 /// at any angle and for every pixel of rendered spheres (of textures: at levels of detail from twice
 /// magnified to eight mips down), for all that was chosen together.

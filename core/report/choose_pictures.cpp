@@ -41,18 +41,10 @@ double value_of(const Term& term, const Directions& d, double alpha) {
 
 }  // namespace
 
-bool looks_dielectric(const Vec3& f0) {
-  return 0.2126 * f0[0] + 0.7152 * f0[1] + 0.0722 * f0[2] < forbidden_zone_first;
-}
-
 Vec3 f_of_colour(const Vec3& f0, double cosine) {
-  static const FresnelForm &dielectric = *fresnel_form("from_f0"), &metal = *fresnel_form("schlick");
-  const FresnelForm& form = looks_dielectric(f0) ? dielectric : metal;
+  static const FresnelForm& form = *fresnel_form("by_f0");
   Vec3 out{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double p[4] = {f0[c], 0, 0, 0};
-    out[c] = form.value(p, cosine);
-  }
+  for (std::size_t c = 0; c < 3; ++c) out[c] = form.value(&f0[c], cosine);
   return out;
 }
 

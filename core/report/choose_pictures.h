@@ -43,9 +43,6 @@ class ChoosePictures {
   std::vector<Light> lights_;
 };
 
-/// Whether a colour known by F0 alone is taken as a dielectric's: below the forbidden zone.
-bool looks_dielectric(const Vec3& f0);
-
 /// What F is where F0 alone is known, per channel.
 Vec3 f_of_colour(const Vec3& f0, double cosine);
 

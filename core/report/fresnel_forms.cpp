@@ -34,6 +34,7 @@ constexpr real largest_reflectance = 1 - 1e-12;
 #include "core/fresnel/lazanyi.glsl"
 #include "core/fresnel/gulbrandsen.glsl"
 #include "core/fresnel/from_f0.glsl"
+#include "core/fresnel/by_f0.glsl"
 #include "core/report/fresnel_forms.inc"
 // clang-format on
 }  // namespace in_double
@@ -53,12 +54,13 @@ constexpr real largest_reflectance = 1 - 1e-6f;
 #include "core/fresnel/lazanyi.glsl"
 #include "core/fresnel/gulbrandsen.glsl"
 #include "core/fresnel/from_f0.glsl"
+#include "core/fresnel/by_f0.glsl"
 #include "core/report/fresnel_forms.inc"
 // clang-format on
 }  // namespace in_single
 #pragma GCC diagnostic pop
 
-constexpr std::array<double, 3> channel_nm{611, 549, 464};
+constexpr std::array<double, 3> channel_nm{611.4, 549.1, 464.3};
 
 // Spectra on the grid to linear sRGB.
 class Eye {
@@ -98,7 +100,7 @@ FresnelValues fit_f82(const FresnelTruth& truth) {
 FresnelValues fit_f82_tint(const FresnelTruth& truth) {
   return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> std::array<double, 4> {
     const double f0 = std::clamp(t.f0[c], 0.0, 1.0);
-    return {f0, std::clamp(t.f82[c] / f64::f_schlick(f0, f82_cosine), 0.0, 1.0)};
+    return {f0, std::clamp(t.f82[c] / f64::f_schlick(t.f0[c], f82_cosine), 0.0, 1.0)};
   });
 }
 
@@ -126,13 +128,14 @@ FresnelValues fit_three(const FresnelTruth& truth) {
   });
 }
 
-// Sum of squared errors over the sphere, of one channel.
+// Sum of squared errors of one channel, every angle alike: weighted as a sphere shows them, grazing angles
+// would hardly count, and with them the largest error.
 template <class Value>
 double squared_error(const FresnelTruth& truth, std::size_t channel, Value value) {
   double sum = 0;
   for (std::size_t i = 0; i < truth.cosine.size(); ++i) {
     const double error = value(truth.cosine[i]) - truth.rgb[i][channel];
-    sum += truth.weight[i] * error * error;
+    sum += error * error;
   }
   return sum;
 }
@@ -175,8 +178,8 @@ FresnelValues fit_lazanyi(const FresnelTruth& truth) {
       for (std::size_t i = 0; i < truth.cosine.size(); ++i) {
         const double cosine = truth.cosine[i], m = 1 - cosine;
         const double dip = cosine * std::pow(std::max(m, 0.0), alpha);
-        over += truth.weight[i] * dip * (in_double::f_lazanyi(n, k, 0, alpha, cosine) - truth.rgb[i][c]);
-        under += truth.weight[i] * dip * dip;
+        over += dip * (in_double::f_lazanyi(n, k, 0, alpha, cosine) - truth.rgb[i][c]);
+        under += dip * dip;
       }
       return under > 0 ? over / under : 0.0;
     };
@@ -209,6 +212,7 @@ constexpr FresnelForm rows[] = {
     ETAK_ROW(lazanyi, "Lazányi, fitted", true, fit_lazanyi),
     ETAK_ROW(gulbrandsen, "Gulbrandsen, fitted", true, fit_gulbrandsen),
     ETAK_ROW(from_f0, "exact, n from F0", true, fit_f0),
+    ETAK_ROW(by_f0, "exact below F0 of 0.2, Schlick above", true, fit_f0),
     ETAK_ROW(index, "exact, n and k from F0 and F82", true, fit_index),
     ETAK_ROW(mean_index, "exact, averaged n and k", true, fit_mean_index),
     ETAK_ROW(three_wavelengths, "exact, n and k at 611, 549, 464 nm", true, fit_three),
@@ -251,9 +255,11 @@ FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what
   truth.f82 = seen(f82_cosine);
   truth.mean_index = {eye.rgb(index.n), eye.rgb(index.k)};
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto at = static_cast<std::size_t>(channel_nm[c] - grid_first_nm);
-    truth.three_wavelengths[0][c] = index.n[at];
-    truth.three_wavelengths[1][c] = index.k[at];
+    const double place = channel_nm[c] - grid_first_nm;
+    const auto at = static_cast<std::size_t>(place);
+    const double share = place - static_cast<double>(at);
+    truth.three_wavelengths[0][c] = std::lerp(index.n[at], index.n[at + 1], share);
+    truth.three_wavelengths[1][c] = std::lerp(index.k[at], index.k[at + 1], share);
   }
   return truth;
 }
@@ -261,12 +267,13 @@ FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what
 FresnelError fresnel_error(const FresnelTruth& truth, const FresnelForm& form, const FresnelValues& values) {
   FresnelError error;
   double weight = 0;
+  Vec3 means{};
   for (std::size_t i = 0; i < truth.cosine.size(); ++i) {
     Vec3 rgb{};
     for (std::size_t c = 0; c < 3; ++c) {
       rgb[c] = form.value(values[c].data(), truth.cosine[i]);
       const double miss = std::abs(rgb[c] - truth.rgb[i][c]);
-      error.mean_abs += truth.weight[i] * miss / 3;
+      means[c] += truth.weight[i] * miss;
       if (!(miss <= error.max_abs)) {
         error.max_abs = miss;
         error.at_deg = std::acos(truth.cosine[i]) * 180 / std::numbers::pi;
@@ -277,6 +284,7 @@ FresnelError fresnel_error(const FresnelTruth& truth, const FresnelForm& form, c
     error.mean_de += truth.weight[i] * de;
     weight += truth.weight[i];
   }
+  error.mean_abs = std::max({means[0], means[1], means[2]});
   error.mean_de /= weight;
   return error;
 }

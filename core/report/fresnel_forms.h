@@ -19,7 +19,7 @@ struct FresnelTruth {
   std::vector<Vec3> rgb;
   Vec3 f0{}, f82{};                         // at cos 1 and 1/7
   std::array<Vec3, 2> mean_index{};         // n and k averaged over the spectrum as reflectances are
-  std::array<Vec3, 2> three_wavelengths{};  // n and k at 611, 549 and 464 nm
+  std::array<Vec3, 2> three_wavelengths{};  // n and k at 611.4, 549.1 and 464.3 nm, as sRGB's primaries
 };
 
 /// Angles 0 to 90 degrees in steps of `step_deg`. Throws Error (naming `what`) as grid_index() does.
@@ -42,7 +42,7 @@ const FresnelForm* fresnel_form(std::string_view id);
 
 struct FresnelError {
   double max_abs = 0;              // over angles and channels
-  double mean_abs = 0;             // by weight, over channels
+  double mean_abs = 0;             // by weight, of the worst channel
   double max_de = 0, mean_de = 0;  // CIEDE2000 of the colours, D65
   double at_deg = 0;               // where max_abs is
 };
