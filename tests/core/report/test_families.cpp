@@ -181,9 +181,60 @@ TEST_CASE("hemispheres: mean albedo errors, and the share of the upper hemispher
     CHECK(error(share, "wide", metric) <= error(share, "corrected", metric));
     CHECK(2 * error(share, "corrected", metric) < error(share, "printed", metric));
   }
+  // Printed: 0.026 to 0.18 and 0.013 to 0.18 over the glosses. The upper ends are those of g = 0.25; the
+  // lower ones, of g = 1, depend on where the axes stand (the family's note).
+  CHECK(error(share, "corrected", "rms_0.25") == Approx(0.18).margin(0.006));
+  CHECK(error(share, "wide", "rms_0.25") == Approx(0.18).margin(0.006));
+  CHECK(error(share, "corrected", "rms_1") == Approx(0.026).margin(0.024));
+  CHECK(error(share, "wide", "rms_1") == Approx(0.013).margin(0.013));
   CHECK(error(share, "printed", "max") > 1);
   CHECK(error(share, "corrected", "max") <= 0.5);
   CHECK(contains(family.notes[0], "1 against 0.0069"));
+}
+
+TEST_CASE("transfer: errors of the shortcuts in codes and in linear light, as printed") {
+  const ErrorTimeFamily family = transfer_family(quick());
+  check_form(family);
+  check_same_again(family, transfer_family);
+  const ErrorTimeTable& encode = table(family, "encode");
+  CHECK(error(encode, "power_1_22", "max_codes") == Approx(8.5).margin(0.05));
+  CHECK(error(encode, "power_045", "max_codes") == Approx(9.0).margin(0.05));
+  CHECK(error(encode, "root", "max_codes") == Approx(9.5).margin(0.05));
+  CHECK(error(encode, "power_1_22", "codes_at_004") == Approx(2.7).margin(0.05));
+  CHECK(error(encode, "power_045", "codes_at_004") == Approx(3.6).margin(0.05));
+  CHECK(error(encode, "root", "codes_at_004") == Approx(-5.3).margin(0.05));
+  const ErrorTimeTable& decode = table(family, "decode");
+  struct Printed {
+    const char* row;
+    const char* metric;
+    double percent;
+  };
+  for (const Printed& p : {Printed{"power_22", "relative_at_10", -73},
+                           {"power_22", "relative_at_39", -21},
+                           {"power_22", "relative_at_56", -10},
+                           {"square", "relative_at_10", -49},
+                           {"square", "relative_at_39", 15},
+                           {"square", "relative_at_56", 22},
+                           {"square", "relative_at_128", 17}}) {
+    INFO(p.row << " " << p.metric);
+    CHECK(error(decode, p.row, p.metric) == Approx(p.percent).margin(0.5));
+  }
+  CHECK(error(decode, "power_22", "relative_at_128") == Approx(1.7).margin(0.05));
+  CHECK(contains(family.notes[0], "2.2 in and 0.45 out moves 179 of 256 codes"));
+  CHECK(contains(family.notes[0], "sRGB in and out 0."));
+}
+
+TEST_CASE("Fresnel: dielectrics are exact from F0, metals best with F82 for its time") {
+  const ErrorTimeFamily family = fresnel_family(quick());
+  check_form(family);
+  check_same_again(family, fresnel_family);
+  CHECK(error(table(family, "dielectrics"), "from_f0", "max_de") < 0.05);
+  for (const char* cheaper : {"schlick", "schueler", "spherical_gaussian"})
+    CHECK(error(table(family, "metals"), "f82", "max_abs") <
+          error(table(family, "metals"), cheaper, "max_abs"));
+  // As the notes have it: worse than Schlick where there is Brewster's dip.
+  CHECK(error(table(family, "dielectrics"), "f82", "max_de") >
+        error(table(family, "dielectrics"), "schlick", "max_de"));
 }
 
 TEST_CASE("quantisation: half steps of F0 in 8 bit, the step of gloss, and which coding is the best") {
