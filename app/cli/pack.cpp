@@ -63,10 +63,10 @@ void add_layout_options(CLI::App& verb, PackArguments& a) {
 
 void add_leave_out_options(CLI::App& verb, PackArguments& a) {
   const std::string group = "Leaving out";
-  verb.add_option(
-          "--keep", a.keep,
-          "do not leave out: unreached, equal, alpha, constant, crop, islands, textures or all; may be "
-          "given again")
+  verb.add_option("--keep", a.keep,
+                  "do not leave out: unreached, equal, alpha, constant, grey, crop, islands, resolution, "
+                  "textures, mips "
+                  "or all; may be given again")
       ->type_name("WHAT")
       ->allow_extra_args(false)
       ->delimiter(',')
@@ -79,6 +79,25 @@ void add_leave_out_options(CLI::App& verb, PackArguments& a) {
       ->group(group);
   verb.add_flag("--islands", a.islands, "of a scene, keep only the islands of texels that triangles use")
       ->group(group);
+  verb.add_option(
+          "--max-error", a.max_error,
+          "store a region at half its size, a quarter, ... while that differs by no more than so many "
+          "dE2000 (and percent of alpha and of gloss) from what can be seen")
+      ->type_name("DE")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->group(group);
+  verb.add_option("--texel-density", a.texel_density,
+                  "of a scene: so many texels per unit of its world are enough")
+      ->type_name("N")
+      ->check(CLI::Range(1e-9, 1e12))
+      ->group(group);
+  verb.add_option(
+          "--view-height", a.view_height,
+          "of a scene with cameras: height of their pictures in pixels; resolution and mips that none "
+          "of them can show are left out")
+      ->type_name("PIXELS")
+      ->check(CLI::Range(1, 1000000))
+      ->group(group);
 }
 
 void add_content_options(CLI::App& verb, PackArguments& a) {
@@ -88,6 +107,16 @@ void add_content_options(CLI::App& verb, PackArguments& a) {
                   "what the gloss channel is to hold: schueler, one_minus_roughness or roughness; default as "
                   "the input")
       ->check(CLI::IsMember({"schueler", "one_minus_roughness", "roughness"}))
+      ->group(group);
+  verb.add_option(
+          "--space-of", a.space_of,
+          "ROLE=SPACE: colour space of pictures that name none: srgb, linear, power-2.2 or one of the "
+          "OpenColorIO config; roles: diffuse, specular, basecolor; may be given again")
+      ->type_name("ROLE=SPACE")
+      ->allow_extra_args(false)
+      ->group(group);
+  verb.add_option("--ocio", a.ocio, "OpenColorIO config to look spaces up in (else $OCIO, else etak's own)")
+      ->type_name("FILE")
       ->group(group);
   verb.add_flag("--bleed", a.bleed, "give texels of alpha 0 the colours of their visible neighbours")
       ->group(group);
@@ -108,7 +137,8 @@ void add_content_options(CLI::App& verb, PackArguments& a) {
 
 void add_output_group(CLI::App& verb, PackArguments& a) {
   const std::string group = "Output";
-  verb.add_option("--format", a.formats, "of the textures: png, ktx2, dds, with ',' between")
+  verb.add_option("--format", a.formats,
+                  "of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between")
       ->type_name("LIST")
       ->capture_default_str()
       ->group(group);

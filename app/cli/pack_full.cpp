@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/pack.h"
+#include "core/color/ocio.h"
 #include "core/image/image_io.h"
 #include "core/image/load.h"
 
@@ -28,7 +29,20 @@ PictureDoor picture_door() {
   door.load_bytes = [](std::string_view bytes, const std::string& label) {
     return codes_or_floats(load_picture(bytes, label));
   };
+  door.encode = [](const Image& image, std::string_view format, std::string_view fourth) {
+    return format == "exr" ? exr_bytes(image, std::string(fourth)) : tiff_bytes(image, std::string(fourth));
+  };
   return door;
+}
+
+void need_float_formats() {}
+
+SpaceOpener space_opener(const std::string& config) {
+  return [config](const std::string& name) -> SpaceCurve {
+    return [source = OcioSource::open(config, name)](float* rgb, std::size_t count) {
+      source.to_linear_srgb(rgb, count);
+    };
+  };
 }
 
 }  // namespace etak::cli

@@ -5,6 +5,15 @@
 #include "core/base/json_node.inc"
 
 namespace etak::cli {
+namespace {
+
+double in_range(const JsonNode& node, double least, double most) {
+  const double value = node.number();
+  if (value < least || value > most) node.fail_type("a number within the option's range");
+  return value;
+}
+
+}  // namespace
 
 std::vector<PackArguments> parse_jobs(std::string_view text, const std::string& file,
                                       const PackArguments& line) {
@@ -20,9 +29,11 @@ std::vector<PackArguments> parse_jobs(std::string_view text, const std::string& 
   std::vector<PackArguments> out;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const JsonNode job = jobs.at(i);
-    job.expect_object({"input", "out",      "page",       "page-form", "rotate",    "effort",  "gutter",
-                       "mips",  "previous", "extra-area", "keep",      "islands",   "pattern", "gloss",
-                       "bleed", "scene",    "gltf-form",  "format",    "png-level", "zstd",    "choice"});
+    job.expect_object({"input",     "out",   "page",      "page-form",     "rotate",      "effort",
+                       "gutter",    "mips",  "previous",  "extra-area",    "keep",        "islands",
+                       "pattern",   "gloss", "bleed",     "scene",         "gltf-form",   "format",
+                       "png-level", "zstd",  "max-error", "texel-density", "view-height", "space-of",
+                       "ocio",      "choice"});
     PackArguments a = line;
     const auto text_of = [&](const char* key, std::string& value) {
       if (job.has(key)) value = job.at(key).text();
@@ -49,6 +60,11 @@ std::vector<PackArguments> parse_jobs(std::string_view text, const std::string& 
     number_of("zstd", a.zstd, 0, 22);
     number_of("scene", a.scene, 0, 1000000);
     if (job.has("extra-area")) a.extra_area = job.at("extra-area").number();
+    if (job.has("max-error")) a.max_error = in_range(job.at("max-error"), 0, 1000);
+    if (job.has("texel-density")) a.texel_density = in_range(job.at("texel-density"), 1e-9, 1e12);
+    number_of("view-height", a.view_height, 1, 1000000);
+    if (job.has("space-of")) a.space_of = job.at("space-of").texts();
+    path_of("ocio", a.ocio);
     text_of("page-form", a.page_form);
     text_of("pattern", a.pattern);
     text_of("gloss", a.gloss);

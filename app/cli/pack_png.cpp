@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/image_program.h"
 #include "app/cli/pack.h"
+#include "core/base/error.h"
 
 namespace etak::cli {
 namespace {
@@ -14,9 +15,26 @@ namespace {
 }  // namespace
 
 PictureDoor picture_door() {
-  return {[](const std::string& path) -> PictureHeader { become(path); },
-          [](const std::string& path) -> std::variant<Image8, Image> { become(path); },
-          [](std::string_view, const std::string& label) -> std::variant<Image8, Image> { become(label); }};
+  PictureDoor door;
+  door.header = [](const std::string& path) -> PictureHeader { become(path); };
+  door.load = [](const std::string& path) -> std::variant<Image8, Image> { become(path); };
+  door.load_bytes = [](std::string_view, const std::string& label) -> std::variant<Image8, Image> {
+    become(label);
+  };
+  return door;
+}
+
+void need_float_formats() {
+  become_image_program("--format", "tiff and exr need OpenImageIO, and the program that has it is missing",
+                       "png, ktx2 or dds, or an etak built with OpenImageIO and OpenColorIO");
+}
+
+SpaceOpener space_opener(const std::string&) {
+  return [](const std::string& name) -> SpaceCurve {
+    become_image_program(printable(name),
+                         "is a space for OpenColorIO, and the program that has it is missing",
+                         "srgb, linear or power-2.2, or an etak built with OpenColorIO");
+  };
 }
 
 }  // namespace etak::cli

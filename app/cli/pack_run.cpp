@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <map>
 #include <memory>
 
 #include "app/cli/pack.h"
@@ -33,7 +35,7 @@ std::vector<std::string> formats(const std::string& list) {
   for (const std::string& each : split(list)) {
     const bool known = std::find(page_formats.begin(), page_formats.end(), each) != page_formats.end();
     const bool twice = std::find(out.begin(), out.end(), each) != out.end();
-    if (!known || twice) throw Error::at("--format", printable(each), "png, ktx2, dds, each once");
+    if (!known || twice) throw Error::at("--format", printable(each), "png, ktx2, dds, tiff, exr, each once");
     out.push_back(each);
   }
   return out;
@@ -105,6 +107,30 @@ void keep_freed_memory() {
 
 }  // namespace
 
+// ROLE=SPACE, of the roles that are colours.
+std::map<std::string, std::string> spaces(const std::vector<std::string>& list) {
+  std::map<std::string, std::string> out;
+  for (const std::string& each : list) {
+    const std::size_t at = each.find('=');
+    const std::string role = each.substr(0, at);
+    const bool color = role == "diffuse" || role == "specular" || role == "basecolor";
+    if (at == std::string::npos || at + 1 == each.size() || !color)
+      throw Error::at("--space-of", printable(each), "ROLE=SPACE, of diffuse, specular or basecolor");
+    if (!out.emplace(role, each.substr(at + 1)).second)
+      throw Error::at("--space-of", printable(each), "each role once");
+  }
+  return out;
+}
+
+// The config that spaces are looked up in, for its bytes to count as an input.
+std::string config_file(const std::string& asked) {
+  if (!asked.empty()) return asked;
+  const char* environment = std::getenv("OCIO");
+  std::error_code failure;
+  const std::string path = environment == nullptr ? "" : environment;
+  return std::filesystem::is_regular_file(path, failure) ? path : "";
+}
+
 PackOptions pack_options(const PackArguments& a) {
   PackOptions out;
   out.pattern = a.pattern;
@@ -114,6 +140,12 @@ PackOptions pack_options(const PackArguments& a) {
   out.scene.variants = !a.drop_variants;
   out.keep = parse_keep(a.keep);
   out.islands = a.islands;
+  out.max_error = a.max_error;
+  out.texel_density = a.texel_density;
+  out.view_height = a.view_height;
+  out.open_space = space_opener(a.ocio);
+  out.spaces = spaces(a.space_of);
+  out.space_config = config_file(a.ocio);
   out.page = a.page;
   out.form = page_form(a.page_form);
   out.rotate = a.rotate;
@@ -128,6 +160,11 @@ PackOptions pack_options(const PackArguments& a) {
   out.most_extra_area = a.extra_area / 100;
   if (!a.choice.empty()) out.variants = parse_choices(read_file(a.choice), a.choice);
   out.write.formats = formats(a.formats);
+  for (const std::string& format : out.write.formats)
+    if (holds_floats(format)) {
+      need_float_formats();
+      break;
+    }
   const std::string& level = a.png_level.empty() && out.variants ? out.variants->png_level : a.png_level;
   out.write.png_level = level == "small"      ? PngLevel::small
                         : level == "smallest" ? PngLevel::smallest

@@ -9,6 +9,18 @@ std::string_view name(Texture texture) {
   return texture == Texture::diffuse_alpha ? "diffuse_alpha" : "specular_gloss";
 }
 
+namespace {
+
+// Whether red, green and blue are equal in every texel.
+bool is_grey(const std::uint8_t* rgba, std::size_t count) {
+  std::uint8_t different = 0;
+  for (std::size_t i = 0; i < 4 * count; i += 4)
+    different = static_cast<std::uint8_t>(different | (rgba[i] ^ rgba[i + 1]) | (rgba[i] ^ rgba[i + 2]));
+  return different == 0;
+}
+
+}  // namespace
+
 void add_texels(ChannelRange& range, Texture texture, const std::uint8_t* rgba, std::size_t count) {
   // Sixteen texels side by side: plain loops that the compiler puts into vector lanes.
   constexpr std::size_t lanes = 64;
@@ -26,6 +38,7 @@ void add_texels(ChannelRange& range, Texture texture, const std::uint8_t* rgba, 
     least[i % 4] = std::min(least[i % 4], rgba[i]);
     most[i % 4] = std::max(most[i % 4], rgba[i]);
   }
+  if (texture == Texture::specular_gloss && range.grey) range.grey = is_grey(rgba, count);
   const std::size_t first = first_channel(texture);
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const std::size_t c = first + lane % 4;

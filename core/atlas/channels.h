@@ -30,6 +30,7 @@ constexpr std::size_t first_channel(Texture texture) {
 /// The least and the largest code of every channel over some texels; least above most: over none.
 struct ChannelRange {
   std::array<std::uint8_t, channel_count> least, most;
+  bool grey = true;  // red, green and blue of F0 are equal in every texel
 
   ChannelRange() {
     least.fill(255);
@@ -51,6 +52,7 @@ struct ChannelRange {
       least[c] = std::min(least[c], other.least[c]);
       most[c] = std::max(most[c], other.most[c]);
     }
+    grey = grey && other.grey;
   }
   friend bool operator==(const ChannelRange&, const ChannelRange&) = default;
 };

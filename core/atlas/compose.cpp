@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/atlas/content_hash.h"
+#include "core/atlas/resolution.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/dilate.h"
@@ -53,15 +54,6 @@ void read_strips(const PackInput& m, Texture texture, std::array<FileBytes, 2>& 
   clamped += color.clamped() + grey.clamped();
 }
 
-// The column or row of a picture that a sampler reads at `at`.
-int wrapped(int at, int size, Wrap wrap) {
-  if (at >= 0 && at < size) return at;
-  if (wrap == Wrap::clamp) return std::clamp(at, 0, size - 1);
-  const int period = wrap == Wrap::mirrored ? 2 * size : size;
-  const int in = (at % period + period) % period;
-  return in < size ? in : period - 1 - in;
-}
-
 // The cell's texels outside of the box, from the box: its edges, or what lies there when it is a whole
 // picture that wraps.
 void fill_gutter(const PixelsView8& page, const PixelBox& box, const PixelBox& cell, std::array<Wrap, 2> wrap,
@@ -71,8 +63,8 @@ void fill_gutter(const PixelsView8& page, const PixelBox& box, const PixelBox& c
   if (wrap == std::array{Wrap::clamp, Wrap::clamp}) return replicate_edges(page, box, cell);
   for (int y = cell.y; y < cell.y + cell.height; ++y)
     for (int x = cell.x; x < cell.x + cell.width; ++x) {
-      const int from_x = box.x + wrapped(x - box.x, box.width, wrap[0]);
-      const int from_y = box.y + wrapped(y - box.y, box.height, wrap[1]);
+      const int from_x = box.x + wrapped_texel(x - box.x, box.width, wrap[0]);
+      const int from_y = box.y + wrapped_texel(y - box.y, box.height, wrap[1]);
       if (from_x != x || from_y != y) std::memcpy(page.at(x, y), page.at(from_x, from_y), 4);
     }
 }
@@ -99,26 +91,8 @@ Image8 copy_of(const PixelsView8& page, const PixelBox& box, bool rotated) {
   return out;
 }
 
-// mip_pair() takes gloss as Schueler's. Roughness averages as the squared width alpha^2 = roughness^4 of its
-// lobe, each level from the first.
-void average_roughness(std::vector<Image8>& levels, GlossForm form) {
-  const Image8& first = levels.front();
-  Image squared(first.width, first.height, 1);
-  for (std::size_t i = 0; i < squared.values.size(); ++i) {
-    const double r = converted_gloss(first.values[4 * i + 3] / 255.0, form, GlossForm::roughness);
-    squared.values[i] = static_cast<float>(r * r * r * r);
-  }
-  for (std::size_t l = 1; l < levels.size(); ++l) {
-    const Image mean = shrunk(squared, levels[l].width, levels[l].height);
-    for (std::size_t i = 0; i < mean.values.size(); ++i) {
-      const double r = std::sqrt(std::sqrt(std::clamp(double{mean.values[i]}, 0.0, 1.0)));
-      levels[l].values[4 * i + 3] =
-          static_cast<std::uint8_t>(255 * converted_gloss(r, GlossForm::roughness, form) + 0.5);
-    }
-  }
-}
+}  // namespace
 
-// The part of a normal map that belongs to a box of its material.
 Image8 normals_of(const PackInput& m, const PixelBox& box) {
   FileBytes memory;
   PlaneRows rows(m.normal, memory);
@@ -139,8 +113,6 @@ Image8 normals_of(const PackInput& m, const PixelBox& box) {
   }
   return out;
 }
-
-}  // namespace
 
 void copy_texels(const ConstPixelsView8& picture, const PixelBox& box, const PixelsView8& page, int x, int y,
                  bool rotated) {
@@ -217,8 +189,7 @@ void Composer::stream(const Task& task, const PixelsView8& page, Learned& learne
   learned.seen[index_of(task.texture)] = true;
 }
 
-void Composer::place(const Task& task, const PixelsView8& page, const Image8& picture,
-                     Learned& learned) const {
+void Composer::place(const Task& task, const PixelsView8& page, const Image8& picture, Learned& learned) {
   const Place& at = plan_.places[task.region];
   if (!materials_[regions_[task.region].material].facts.learned) {
     const ConstPixelsView8 all = etak::view(picture);
@@ -230,8 +201,14 @@ void Composer::place(const Task& task, const PixelsView8& page, const Image8& pi
     learned.hash[index_of(task.texture)] = hash.value();
     learned.seen[index_of(task.texture)] = true;
   }
-  const PackInput& m = materials_[regions_[task.region].material];
-  const PixelBox& box = regions_[task.region].box;
+  const Region& region = regions_[task.region];
+  const PackInput& m = materials_[region.material];
+  const PixelBox& box = region.box;
+  if (region.shrink > 0) {
+    const MaterialPair stored = stored_pair(pair_of(region.material), region, m, options_.gloss);
+    return copy_texels(etak::view(stored.of(task.texture)), {0, 0, region.width(), region.height()}, page,
+                       at.x, at.y, at.rotated);
+  }
   copy_texels(etak::view(picture), box, page, at.x, at.y, at.rotated);
   if (at.gutter == 0) return;
   // What the sampler would have read around the box: the picture's own texels, and beyond its edges as it
@@ -239,11 +216,12 @@ void Composer::place(const Task& task, const PixelsView8& page, const Image8& pi
   const auto around = [&](int column, int row) {
     const int x = at.rotated ? at.x + box.height - 1 - row : at.x + column,
               y = at.rotated ? at.y + column : at.y + row;
-    std::memcpy(
-        page.at(x, y),
-        picture.at(wrapped(box.x + column, m.width, m.wrap[0]), wrapped(box.y + row, m.height, m.wrap[1]))
-            .data(),
-        4);
+    std::memcpy(page.at(x, y),
+                picture
+                    .at(wrapped_texel(box.x + column, m.width, m.wrap[0]),
+                        wrapped_texel(box.y + row, m.height, m.wrap[1]))
+                    .data(),
+                4);
   };
   for (int row = -at.gutter; row < box.height + at.gutter; ++row)
     for (int column = -at.gutter; column < box.width + at.gutter; ++column)
@@ -283,7 +261,8 @@ void Composer::texels(int page, PagePixels& pixels, std::vector<Learned>& learne
     const std::size_t owner = regions_[task.region].material;
     const PackInput& m = materials_[owner];
     const PixelsView8 out = pixels.view(task.texture);
-    if (!m.convert && is_whole(regions_[task.region].box, m) && !plan_.places[task.region].rotated)
+    const Region& region = regions_[task.region];
+    if (!m.convert && is_whole(region.box, m) && region.shrink == 0 && !plan_.places[task.region].rotated)
       stream(task, out, halves[owner][index_of(task.texture)], files[worker]);
     else
       place(task, out, pair_of(owner).of(task.texture), halves[owner][index_of(task.texture)]);
@@ -313,18 +292,21 @@ void Composer::mips(int page, PagePixels& pixels) {
     }
   parallel_chunks(here.size(), options_.threads, 1,
                   [&](std::size_t begin, std::size_t, unsigned) { region_mips(here[begin], pixels); });
+  pairs_.clear();
   if (pixels.levels() > clean && size.width > 0) page_mips(pixels, clean);
 }
 
-void Composer::region_mips(std::size_t region, PagePixels& pixels) const {
+void Composer::region_mips(std::size_t region, PagePixels& pixels) {
   const Place& at = plan_.places[region];
   const PackInput& m = materials_[regions_[region].material];
   const Page& page = plan_.pages[static_cast<std::size_t>(at.page)];
-  const PixelBox source = regions_[region].box;
+  const int shrink = regions_[region].shrink;
+  const PixelBox& part_shown = regions_[region].box;
+  const PixelBox source{0, 0, regions_[region].width(), regions_[region].height()};
   const PixelBox box{at.x, at.y, at.rotated ? source.height : source.width,
                      at.rotated ? source.width : source.height};
   const bool both = page.has[0] && page.has[1];
-  const std::array<Wrap, 2> wrap = is_whole(source, m) ? m.wrap : std::array{Wrap::clamp, Wrap::clamp};
+  const std::array<Wrap, 2> wrap = is_whole(part_shown, m) ? m.wrap : std::array{Wrap::clamp, Wrap::clamp};
   int clean = 1;
   for (const Place& each : plan_.places)
     if (each.page == at.page) clean = std::max(clean, each.clean_levels);
@@ -346,11 +328,22 @@ void Composer::region_mips(std::size_t region, PagePixels& pixels) const {
     if (m.alpha_mode == AlphaMode::mask) options.alpha_cutoff = m.alpha_cutoff;
     std::optional<Image8> normals;
     if (m.normal.is_image() && options_.gloss == GlossForm::schueler) {
-      normals = normals_of(m, source);
+      normals = normals_of(m, part_shown);
       options.normals = &*normals;
     }
-    MipPair chain = mip_pair(a, b, options);
-    if (options_.gloss != GlossForm::schueler) average_roughness(chain.specular_gloss, options_.gloss);
+    MipPair chain;
+    if (shrink > 0 && options.normals != nullptr) {
+      // The spread of all normals counts, also of those between the texels that are stored.
+      options.levels = shrink + levels;
+      const MaterialPair& whole = pair_of(regions_[region].material);
+      chain = region_chain(part_of(whole.diffuse_alpha, part_shown),
+                           part_of(whole.specular_gloss, part_shown), options, options_.gloss);
+      for (auto* images : {&chain.diffuse_alpha, &chain.specular_gloss})
+        images->erase(images->begin(),
+                      images->begin() + std::min(shrink, static_cast<int>(images->size()) - 1));
+    } else {
+      chain = region_chain(a, b, options, options_.gloss);
+    }
     for (const Texture texture : both_textures) {
       if (!page.has[index_of(texture)]) continue;
       const auto& images = texture == Texture::diffuse_alpha ? chain.diffuse_alpha : chain.specular_gloss;
@@ -371,7 +364,7 @@ void Composer::region_mips(std::size_t region, PagePixels& pixels) const {
   }
   // Level 0 may have its gutter from the picture already; then only the rounding of the cell is left.
   PixelBox filled = box;
-  if (m.convert || at.rotated)
+  if ((m.convert || at.rotated) && shrink == 0)
     filled = {box.x - at.gutter, box.y - at.gutter, box.width + 2 * at.gutter, box.height + 2 * at.gutter};
   for (const Texture texture : both_textures)
     if (page.has[index_of(texture)])
@@ -391,8 +384,7 @@ void Composer::page_mips(PagePixels& pixels, int first) const {
   if (b.values.empty()) b = Image8(a.width, a.height, 4, 0);
   MipOptions options;
   options.levels = pixels.levels() - first + 1;
-  MipPair chain = mip_pair(a, b, options, options_.threads);
-  if (options_.gloss != GlossForm::schueler) average_roughness(chain.specular_gloss, options_.gloss);
+  const MipPair chain = region_chain(a, b, options, options_.gloss, options_.threads);
   for (const Texture texture : both_textures) {
     const auto& images = texture == Texture::diffuse_alpha ? chain.diffuse_alpha : chain.specular_gloss;
     for (int l = first; l < pixels.levels(); ++l) {

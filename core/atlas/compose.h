@@ -69,8 +69,8 @@ class Composer {
     Texture texture;
   };
   void stream(const Task& task, const PixelsView8& page, Learned& learned, std::array<FileBytes, 2>& files);
-  void place(const Task& task, const PixelsView8& page, const Image8& picture, Learned& learned) const;
-  void region_mips(std::size_t region, PagePixels& pixels) const;
+  void place(const Task& task, const PixelsView8& page, const Image8& picture, Learned& learned);
+  void region_mips(std::size_t region, PagePixels& pixels);
   void page_mips(PagePixels& pixels, int first) const;
   const MaterialPair& pair_of(std::size_t material);
 
@@ -85,6 +85,18 @@ class Composer {
   };
   std::map<std::size_t, Cached> pairs_;
 };
+
+/// The column or row of a picture of `size` that a sampler reads at `at`.
+inline int wrapped_texel(int at, int size, Wrap wrap) {
+  if (at >= 0 && at < size) return at;
+  if (wrap == Wrap::clamp) return at < 0 ? 0 : size - 1;
+  const int period = wrap == Wrap::mirrored ? 2 * size : size;
+  const int in = (at % period + period) % period;
+  return in < size ? in : period - 1 - in;
+}
+
+/// The part of a material's normal map that belongs to a box of its pictures, RGB.
+Image8 normals_of(const PackInput& material, const PixelBox& box);
 
 /// Copies `box` of a picture to column x, row y of a page; rotated: column c becomes row c, rows run from
 /// right to left.

@@ -13,9 +13,9 @@ std::vector<std::string> material_defines(const MaterialFate& fate, AlphaMode mo
     out.push_back("ETAK_DIFFUSE_TEXTURE");
   else if (*constant[0] == 0 && *constant[1] == 0 && *constant[2] == 0)
     out.push_back("ETAK_NO_DIFFUSE");
-  if (varies(specular_channel))
-    out.push_back("ETAK_SPECULAR_TEXTURE");
-  else if (*constant[4] == *constant[5] && *constant[5] == *constant[6])
+  const bool specular_varies = varies(specular_channel);
+  if (specular_varies) out.push_back("ETAK_SPECULAR_TEXTURE");
+  if (specular_varies ? fate.grey : *constant[4] == *constant[5] && *constant[5] == *constant[6])
     out.push_back("ETAK_SCALAR_F0");
   if (!constant[gloss_channel]) out.push_back("ETAK_GLOSS_TEXTURE");
   const bool opaque = mode == AlphaMode::opaque || constant[alpha_channel] == 255;

@@ -21,6 +21,13 @@ using SceneImages = std::function<const Image8&(int image)>;
 MaterialPair scene_material_pair(const GltfMaterial& material, const SceneImages& images, GlossForm gloss,
                                  bool keep_alpha, std::size_t& clamped);
 
+/// The picture of an image of the document as floats: codes as fractions of full scale.
+using SceneFloats = std::function<const Image&(int image)>;
+
+/// The same as floats (FloatPair), from pictures of any depth; nothing is clamped.
+FloatPair scene_material_floats(const GltfMaterial& material, const SceneFloats& images, GlossForm gloss,
+                                bool keep_alpha);
+
 /// The textures that make up the pair; none are null.
 std::vector<const GltfTexture*> pair_textures(const GltfMaterial& material);
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/atlas/content_hash.h"
+#include "core/atlas/floats.h"
 #include "core/atlas/gltf_convert.h"
 #include "core/atlas/gltf_files.h"
 #include "core/atlas/pack.h"
@@ -18,6 +19,7 @@
 #include "core/color/srgb.h"
 #include "core/image/png.h"
 #include "core/scene/material_texels.h"
+#include "core/scene/texel_scale.h"
 #include "core/scene/uv_use.h"
 
 namespace etak {
@@ -29,6 +31,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t island_cost = 256;
 constexpr int island_margin = 0;  // footprints hold what bilinear filtering reads; gutters serve the mips
 constexpr int sampled_gutter_levels = 4;
+// Surfaces are seen at an angle, and isotropic filters go by the longer side of a pixel's footprint: so many
+// levels more are an angle of 83 degrees (a cosine of 1/8).
+constexpr int oblique_levels = 3;
 
 PixelBox box_of(const std::array<int, 4>& box) {
   return {box[0], box[1], box[2], box[3]};
@@ -124,17 +129,40 @@ struct ScenePack::State {
   explicit State(const PackOptions& options_)
       : options(options_), gloss(options_.gloss.value_or(GlossForm::one_minus_roughness)) {}
 
+  bool writes_floats() const {
+    const auto& formats = options.write.formats;
+    return std::any_of(formats.begin(), formats.end(), [](const auto& each) { return holds_floats(each); });
+  }
+
+  // The bytes of an image, inside the document or from its file.
+  std::string_view bytes_of(const GltfImage& image, FileBytes& file) const {
+    if (image.path.empty()) return image.bytes;
+    file.load(image.path);
+    return file.view();
+  }
+
+  FloatPair floats_of(int material) const {
+    std::map<int, Image> images;
+    const SceneFloats floats = [&](int index) -> const Image& {
+      const auto [found, fresh] = images.try_emplace(index);
+      if (!fresh) return found->second;
+      const GltfImage& image = scene.images[static_cast<std::size_t>(index)];
+      FileBytes file;
+      const std::string_view bytes = bytes_of(image, file);
+      auto png = png_fractions(bytes, image.label);
+      return found->second = png ? std::move(*png) : fractions(options.door.load_bytes(bytes, image.label));
+    };
+    return scene_material_floats(scene.materials[static_cast<std::size_t>(material)], floats, gloss,
+                                 options.keep.contains("alpha"));
+  }
+
   const Image8& picture(int index) {
     const std::lock_guard lock(pictures_lock);
     auto [found, fresh] = pictures.try_emplace(index);
     if (!fresh) return found->second;
     const GltfImage& image = scene.images[static_cast<std::size_t>(index)];
     FileBytes file;
-    std::string_view bytes = image.bytes;
-    if (!image.path.empty()) {
-      file.load(image.path);
-      bytes = file.view();
-    }
+    const std::string_view bytes = bytes_of(image, file);
     try {
       if (auto codes = read_png8(bytes, image.label)) return found->second = std::move(*codes);
       const auto loaded = options.door.load_bytes(bytes, image.label);
@@ -190,13 +218,42 @@ struct ScenePack::State {
     in.height = in.facts.height = pair->diffuse_alpha.height;
     in.facts.crop = {0, 0, in.width, in.height};
     const GltfTexture* lead = leading_texture(m);
-    if (in.facts.reached && lead != nullptr) use_of(in, entry, *lead);
+    if (in.facts.reached && lead != nullptr) {
+      use_of(in, entry, *lead);
+      scale_of(in, entry, *lead);
+    }
     look_at(*pair, entry.use ? &*entry.use : nullptr, in.facts.opaque, in.facts);
+    if (writes_floats()) {
+      in.convert_floats = [this, material = entry.material] { return floats_of(material); };
+      const bool masked =
+          entry.use && entry.use->touched > 0 && entry.use->mask.size() == pair->diffuse_alpha.pixel_count();
+      look_at_floats(floats_of(entry.material), masked ? entry.use->mask.data() : nullptr, in.facts.opaque,
+                     in.facts);
+    }
     if (clamped > 0)
       clamped_[i] =
           100 * static_cast<double>(clamped) / static_cast<double>(pair->diffuse_alpha.pixel_count());
     entry.pair = std::move(pair);
     in.convert = [shared = entry.pair](std::vector<std::string>&) { return *shared; };
+  }
+
+  // What the cameras, and the density that was asked for, leave of the texture's resolution and mips.
+  void scale_of(PackInput& in, const Entry& entry, const GltfTexture& lead) {
+    in.facts.levels = lead.sampler.mipmaps ? 0 : 1;
+    if (options.texel_density == 0 && options.view_height == 0) return;
+    const TexelScale scale =
+        texel_scale(scene, entry.material, lead, in.width, in.height, options.view_height);
+    constexpr double rounding = 1e-6;
+    std::optional<double> halvings;
+    if (options.texel_density > 0 && scale.least_density > 0)
+      halvings = std::log2(scale.least_density / options.texel_density);
+    if (scale.seen && std::isfinite(scale.least_level))
+      halvings = std::min(halvings.value_or(scale.least_level), scale.least_level);
+    if (options.view_height == 0 || scale.seen)
+      in.facts.unseen = std::clamp(static_cast<int>(std::floor(halvings.value_or(0) + rounding)), 0, 15);
+    if (scale.seen && lead.sampler.mipmaps && std::isfinite(scale.most_level))
+      in.facts.levels =
+          1 + oblique_levels + std::clamp(static_cast<int>(std::ceil(scale.most_level - rounding)), 0, 15);
   }
 
   void use_of(PackInput& in, Entry& entry, const GltfTexture& lead) {
@@ -377,8 +434,8 @@ std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const Atla
         const Place& at = plan.places[r];
         const PixelBox& box = regions[r].box;
         const Page& size = plan.pages[static_cast<std::size_t>(at.page)];
-        const std::array<int, 4> place{at.x, at.y, at.rotated ? box.height : box.width,
-                                       at.rotated ? box.width : box.height};
+        const int width = regions[r].width(), height = regions[r].height();
+        const std::array<int, 4> place{at.x, at.y, at.rotated ? height : width, at.rotated ? width : height};
         const UvTransform region =
             region_transform(array_of(box), in.width, in.height, place, at.rotated, size.width, size.height);
         if (page >= 0 && page != at.page)

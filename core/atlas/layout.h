@@ -38,6 +38,9 @@ struct AtlasMaterialRow {
   AlphaMode alpha_mode = AlphaMode::blend;
   double alpha_cutoff = 0.5;
   std::array<std::optional<std::uint8_t>, channel_count> constant;
+  // Of the same channels where the atlas was packed from floats: what `constant` is the code of, colours in
+  // linear light.
+  std::array<std::optional<double>, channel_count> value;
   std::vector<std::string> defines;  // for a shader
   friend bool operator==(const AtlasMaterialRow&, const AtlasMaterialRow&) = default;
 };

@@ -68,7 +68,13 @@ std::string material_json(const AtlasMaterialRow& m) {
   std::string out = "{\"name\": " + json(m.name) + ", \"texels\": " + json(m.texels) +
                     ", \"alpha_mode\": " + json(mode_name(m.alpha_mode));
   if (m.alpha_mode == AlphaMode::mask) out += ", \"alpha_cutoff\": " + json(m.alpha_cutoff);
-  return out + ", \"constant\": {" + constants + "}, \"defines\": " + texts_json(m.defines) + "}";
+  out += ", \"constant\": {" + constants + "}";
+  std::string values;
+  for (std::size_t c = 0; c < channel_count; ++c)
+    if (m.value[c])
+      values += (values.empty() ? "" : ", ") + json(channel_names[c]) + ": " + json(*m.value[c]);
+  if (!values.empty()) out += ", \"value\": {" + values + "}";
+  return out + ", \"defines\": " + texts_json(m.defines) + "}";
 }
 
 template <class Rows, class Form>
@@ -139,6 +145,10 @@ AtlasMaterialRow read_material(const JsonNode& node) {
   for (std::size_t c = 0; c < channel_count; ++c)
     if (constant.has(channel_names[c]))
       out.constant[c] = static_cast<std::uint8_t>(constant.at(channel_names[c]).integer(0, 255));
+  if (node.has("value"))
+    for (std::size_t c = 0; c < channel_count; ++c)
+      if (node.at("value").has(channel_names[c]))
+        out.value[c] = node.at("value").at(channel_names[c]).number();
   out.defines = node.at("defines").texts();
   return out;
 }

@@ -48,8 +48,12 @@ class Steps {
     equal();
     step("alpha", [&](std::size_t i) { return drop_alpha(i); });
     step("constant", [&](std::size_t i) { return drop_constant(i); });
+    step("grey", [&](std::size_t i) { return one_number(i); });
     step("crop", [&](std::size_t i) { return crop(i); });
     if (options_.islands) step("islands", [&](std::size_t i) { return split(i); });
+    for (std::size_t i = 0; i < materials_.size(); ++i)
+      out_.fates[i].channels =
+          static_cast<std::size_t>(std::count(channels_[i].begin(), channels_[i].end(), true));
     return std::move(out_);
   }
 
@@ -178,6 +182,22 @@ class Steps {
         channels_[i][c] = channels_[i][c] && varies;
       }
     return any;
+  }
+
+  // F0 that varies, but not in its colour.
+  bool one_number(std::size_t i) {
+    const auto varies = [](const MaterialFacts& m) {
+      return !m.range.constant(specular_channel) || !m.range.constant(specular_channel + 1) ||
+             !m.range.constant(specular_channel + 2);
+    };
+    const MaterialFacts& m = materials_[i];
+    if (!m.learned || !m.range.grey || !varies(m)) return false;
+    out_.fates[i].grey = true;
+    if (!is_owner(i)) return true;
+    bool all = true;
+    users(i, [&](std::size_t j) { all = all && materials_[j].learned && materials_[j].range.grey; });
+    if (all) channels_[i][specular_channel + 1] = channels_[i][specular_channel + 2] = false;
+    return true;
   }
 
   // A material that needs no texels; others that used its texels get the first of them as their owner.

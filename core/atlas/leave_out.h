@@ -23,11 +23,14 @@ namespace etak {
 ///   equal       materials whose texels another one has
 ///   alpha       alpha of opaque materials
 ///   constant    channels that hold one code over the texels in use, and materials that have no others
+///   grey        two of F0's three channels where they are equal in every texel in use
 ///   crop        texels outside of the box that the triangles use
 ///   islands     texels between the islands that the triangles use (only when islands are asked for)
+///   resolution  detail that the content does not have, or that is never seen (only when asked for)
 ///   textures    one texture of regions that vary only in the other one, where a page of their own is smaller
-inline constexpr std::array<std::string_view, 7> leave_out_names{
-    "unreached", "equal", "alpha", "constant", "crop", "islands", "textures"};
+///   mips        levels that no sampler reads, or in which no region has a texel of its own
+inline constexpr std::array<std::string_view, 10> leave_out_names{
+    "unreached", "equal", "alpha", "constant", "grey", "crop", "islands", "resolution", "textures", "mips"};
 
 /// What is known of a material. Without `learned`, its texels have not been looked at yet: it is then taken
 /// to need them all.
@@ -39,10 +42,15 @@ struct MaterialFacts {
   bool learned = false;
   ChannelRange range;  // over the texels in use, alpha 255 when opaque
   std::array<std::uint64_t, 2> color_hash{}, alpha_hash{}, specular_hash{};  // of all texels
+  // Decided on floats (floats.h): what channels that do not vary hold, colours in linear light.
+  bool floats = false;
+  std::array<double, channel_count> exact{};
   std::string source;             // the same text: the same files read in the same way
   PixelBox crop;                  // of the texels in use; the whole where that is not known
   std::vector<PixelBox> islands;  // empty: the crop box is the only one
   bool tiles = false;             // the whole period is in use
+  int levels = 0;                 // mips that its sampler reads, level 0 among them; 0: all
+  int unseen = 0;                 // halvings of its picture that nobody comes near enough to see
 
   friend bool operator==(const MaterialFacts&, const MaterialFacts&) = default;
 };
@@ -54,7 +62,9 @@ struct MaterialFate {
   std::array<bool, 2> varies{true, true};  // by Texture: some channel of it varies
   std::array<std::optional<std::uint8_t>, channel_count>
       constant;                 // the code of a channel that does not vary
+  bool grey = false;            // F0 varies, and is one number in every texel
   std::vector<PixelBox> boxes;  // of an owner: the parts of its picture to keep; may overlap
+  std::size_t channels = 0;     // of an owner: how many of them vary
 };
 
 /// What one step took away.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/outputs.h"
 
-#include <algorithm>
 #include <cstring>
 
 #include "core/image/containers.h"
@@ -49,8 +48,9 @@ std::vector<std::string> page_files(int page, Texture texture, int levels,
                                     const std::vector<std::string>& formats) {
   std::vector<std::string> out;
   for (const std::string& format : formats) out.push_back(page_file(page, texture, format));
-  if (std::find(formats.begin(), formats.end(), "png") != formats.end())
-    for (int l = 1; l < levels; ++l) out.push_back(page_file(page, texture, "png", l));
+  for (const std::string& format : formats)
+    if (format == "png" || holds_floats(format))
+      for (int l = 1; l < levels; ++l) out.push_back(page_file(page, texture, format, l));
   return out;
 }
 
@@ -59,7 +59,7 @@ void write_page(OutputFolder& folder, int page, Texture texture, const PagePixel
   for (const std::string& format : options.formats) {
     if (format == "png")
       write_pngs(folder, page, texture, pixels, options);
-    else
+    else if (!holds_floats(format))
       write_container(folder, page, texture, pixels, format, options);
   }
 }

@@ -13,8 +13,12 @@
 
 namespace etak {
 
-/// What page textures are written as: "png" (mips in files of their own), "ktx2" and "dds" (mips inside).
-inline constexpr std::array<std::string_view, 3> page_formats{"png", "ktx2", "dds"};
+/// What page textures are written as: "png" (mips in files of their own), "ktx2" and "dds" (mips inside); as
+/// floats "tiff" and "exr" (mips in files of their own).
+inline constexpr std::array<std::string_view, 5> page_formats{"png", "ktx2", "dds", "tiff", "exr"};
+constexpr bool holds_floats(std::string_view format) {
+  return format == "tiff" || format == "exr";
+}
 
 struct WriteOptions {
   std::vector<std::string> formats{"png"};
@@ -30,7 +34,7 @@ std::string page_file(int page, Texture texture, std::string_view format, int le
 std::vector<std::string> page_files(int page, Texture texture, int levels,
                                     const std::vector<std::string>& formats);
 
-/// Writes one texture of a page.
+/// Writes one texture of a page, in those of the formats that hold codes.
 void write_page(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
                 const WriteOptions& options);
 

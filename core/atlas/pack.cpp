@@ -8,14 +8,19 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <tuple>
 
 #include "core/atlas/apply_variants.h"
 #include "core/atlas/compose.h"
+#include "core/atlas/compose_floats.h"
 #include "core/atlas/content_hash.h"
 #include "core/atlas/defines.h"
+#include "core/atlas/floats.h"
 #include "core/atlas/gltf_pack.h"
+#include "core/atlas/resolution.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/image/mips.h"
 
@@ -52,6 +57,12 @@ class Packing {
       report_.files = owned_;
       return std::move(report_);
     }
+    if (writes_floats() && !scene_)
+      timed("float values", [&] {
+        for (PackInput& m : inputs_.materials)
+          if (!m.facts.learned || m.files.empty())  // else somebody said that its texels count as equal
+            look_at_floats(load_floats(m), nullptr, m.facts.opaque, m.facts);
+      });
     if (!options_.previous.empty()) previous_ = parse_layout(read_file(options_.previous), options_.previous);
     for (report_.passes = 1;; ++report_.passes) {
       timed("layout", [&] { decide(); });
@@ -80,8 +91,9 @@ class Packing {
   void read_inputs() {
     std::error_code failure;
     if (fs::is_directory(input_, failure)) {
-      inputs_ = resolve_manifest(with_methods(manifest_of_folder(input_, options_.pattern), variants()),
-                                 library_, options_.gloss, options_.door, options_.open_space);
+      inputs_ =
+          resolve_manifest(with_methods(manifest_of_folder(input_, options_.pattern), variants()), library_,
+                           options_.gloss, options_.door, options_.open_space, options_.spaces);
       inputs_.settings += options_.pattern;
     } else if (input_.ends_with(".gltf") || input_.ends_with(".glb")) {
       scene_ = std::make_unique<ScenePack>(input_, options_);
@@ -89,11 +101,17 @@ class Packing {
     } else {
       const std::string text = read_file(input_);
       inputs_ = resolve_manifest(with_methods(parse_manifest(text, input_), variants()), library_,
-                                 options_.gloss, options_.door, options_.open_space);
+                                 options_.gloss, options_.door, options_.open_space, options_.spaces);
       inputs_.settings += text;
     }
     if (options_.variants)
       apply_variants(*options_.variants, options_.keep.contains("constant"), input_, inputs_);
+    if (!scene_ && (options_.texel_density > 0 || options_.view_height > 0))
+      throw Error::at(options_.texel_density > 0 ? "--texel-density" : "--view-height",
+                      input_ + " says nothing of sizes in a world", "a glTF scene");
+    if (scene_ && !options_.spaces.empty())
+      throw Error::at("--space-of", "a glTF scene, which says what space its pictures are of",
+                      "a manifest or a folder");
     learned_.resize(inputs_.materials.size());
     report_.materials = inputs_.materials.size();
     report_.gloss = inputs_.gloss;
@@ -136,6 +154,10 @@ class Packing {
     number(options_.most_extra_area);
     number(options_.scene.scene.value_or(-1));
     number(int{options_.scene.all_scenes} + 2 * int{options_.scene.variants});
+    number(options_.max_error.value_or(-1));
+    number(options_.texel_density);
+    number(options_.view_height);
+    for (const auto& [role, space] : options_.spaces) text += role + '=' + space + '|';
     hash.add(text);
     return hash.hex();
   }
@@ -147,6 +169,7 @@ class Packing {
       if (m.normal.is_image()) files.push_back(m.normal.path);
     }
     if (scene_) scene_->add_files(files);
+    if (!options_.space_config.empty()) files.push_back(options_.space_config);
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
     std::vector<std::string> hashes(files.size());
@@ -179,6 +202,9 @@ class Packing {
     for (const PackInput& m : inputs_.materials) facts.push_back(m.facts);
     left_out_ = leave_out(facts, {options_.keep, options_.islands});
     regions_ = regions();
+    for (Region& region : regions_) region.shrink = resolution(region).shrink;
+    for (Region& region : regions_)
+      if (region.levels > 0) region.levels = std::max(1, region.levels - region.shrink);
     std::vector<std::string> names;
     for (const PackInput& m : inputs_.materials) names.push_back(m.name);
     const AtlasLayout* previous = previous_ ? &*previous_ : nullptr;
@@ -191,13 +217,52 @@ class Packing {
       const MaterialFate& fate = left_out_.fates[i];
       if (!fate.texels || fate.owner != i) continue;
       std::array<bool, 2> in{false, false};
-      for (const MaterialFate& user : left_out_.fates)
-        if (user.texels && user.owner == i)
-          for (std::size_t t = 0; t < 2; ++t) in[t] = in[t] || user.varies[t];
+      int levels = 1;
+      users(i, [&](const PackInput& m, const MaterialFate& user) {
+        for (std::size_t t = 0; t < 2; ++t) in[t] = in[t] || user.varies[t];
+        levels = levels == 0 || m.facts.levels == 0 ? 0 : std::max(levels, m.facts.levels);
+      });
       if (options_.keep.contains("textures")) in = {true, true};
-      for (const PixelBox& box : fate.boxes) out.push_back({i, box, in, inputs_.materials[i].own_page});
+      if (options_.keep.contains("mips")) levels = 0;
+      for (const PixelBox& box : fate.boxes)
+        out.push_back({i, box, in, inputs_.materials[i].own_page, levels, 0});
     }
     return out;
+  }
+
+  // Every material that uses the texels of `owner`.
+  template <class Act>
+  void users(std::size_t owner, Act act) const {
+    for (std::size_t j = 0; j < left_out_.fates.size(); ++j)
+      if (left_out_.fates[j].texels && left_out_.fates[j].owner == owner)
+        act(inputs_.materials[j], left_out_.fates[j]);
+  }
+
+  // With how many texels a region is stored; found once.
+  const Resolution& resolution(const Region& region) {
+    const PackInput& m = inputs_.materials[region.material];
+    const PixelBox& box = region.box;
+    int unseen = 15;
+    bool mask = false;
+    users(region.material, [&](const PackInput& user, const MaterialFate&) {
+      unseen = std::min(unseen, user.facts.unseen);
+      mask = mask || user.alpha_mode == AlphaMode::mask;
+    });
+    const auto [found, fresh] = resolutions_.try_emplace(std::array{
+        static_cast<int>(region.material), box.x, box.y, box.width, box.height, unseen, int{mask}});
+    const bool asked = options_.max_error || unseen > 0;
+    if (!fresh || !asked || options_.keep.contains("resolution")) return found->second;
+    std::vector<std::string> ignored;
+    const MaterialPair pair = load_pair(m, ignored);
+    MipOptions mips;
+    mips.levels = options_.max_error ? 0 : unseen + 1;
+    if (mask) mips.alpha_cutoff = m.alpha_cutoff;
+    const MipPair chain = region_chain(part_of(pair.diffuse_alpha, box), part_of(pair.specular_gloss, box),
+                                       mips, inputs_.gloss, options_.threads);
+    const bool whole = box == PixelBox{0, 0, m.width, m.height};
+    found->second = resolution_of(chain, mask, whole ? m.wrap : WrapBoth{Wrap::clamp, Wrap::clamp}, unseen,
+                                  options_.max_error, options_.threads);
+    return found->second;
   }
 
   int levels() const {
@@ -222,6 +287,7 @@ class Packing {
     out.levels = levels();
     out.gutter = options_.gutter;
     out.split_textures = !options_.keep.contains("textures");
+    out.most_extra_area = options_.most_extra_area;
     if (scene_) {
       // Viewers make the mips that samplers ask for by themselves, and UVs cannot be inset without shrinking
       // the picture.
@@ -233,9 +299,23 @@ class Packing {
     return out;
   }
 
-  int page_levels(const Page& page) const {
+  int offered_levels(int p) const {
+    const Page& page = plan_.pages[static_cast<std::size_t>(p)];
     const int full = full_mip_levels(page.width, page.height), wanted = levels();
     return wanted == 0 ? full : std::min(wanted, full);
+  }
+
+  // Of those the ones that a sampler reads, and in which some region has a texel of its own.
+  int page_levels(int p) const {
+    const int offered = offered_levels(p);
+    if (options_.keep.contains("mips")) return offered;
+    int read = 1;
+    for (std::size_t r = 0; r < regions_.size(); ++r) {
+      if (plan_.places[r].page != p) continue;
+      const int own = full_mip_levels(regions_[r].width(), regions_[r].height());
+      read = std::max(read, regions_[r].levels == 0 ? own : std::min(own, regions_[r].levels));
+    }
+    return std::min(offered, read);
   }
 
   // ---- pages
@@ -259,8 +339,8 @@ class Packing {
     };
     for (int p = 0; p < static_cast<int>(plan_.pages.size()); ++p) {
       const Page& page = plan_.pages[static_cast<std::size_t>(p)];
-      check_memory(page);
-      pixels.start(page, page_levels(page));
+      check_memory(p);
+      pixels.start(page, page_levels(p));
       timed("texels", [&] { composer.texels(p, pixels, learned_, region_done); });
       if (learn()) return false;
       timed("gutters and mips", [&] { composer.mips(p, pixels); });
@@ -272,6 +352,7 @@ class Packing {
           if (page.has[static_cast<std::size_t>(texture)]) write_page(*folder, p, texture, pixels, write);
         if (scene_) scene_->write_page(*folder, p, pixels, write);
       });
+      if (writes_floats()) timed("floats", [&] { write_floats(*folder, p, compose); });
     }
     pixels.release();
     timed("table", [&] { layout_ = make_layout(); });
@@ -279,16 +360,29 @@ class Packing {
     return true;
   }
 
-  void check_memory(const Page& page) const {
+  void check_memory(int p) const {
+    const Page& page = plan_.pages[static_cast<std::size_t>(p)];
     std::size_t bytes = 0;
-    for (int l = 0; l < page_levels(page); ++l)
-      bytes += 8 * static_cast<std::size_t>(std::max(1, page.width >> l)) *
+    const std::size_t texel = writes_floats() ? 8 + 32 : 8;
+    for (int l = 0; l < page_levels(p); ++l)
+      bytes += texel * static_cast<std::size_t>(std::max(1, page.width >> l)) *
                static_cast<std::size_t>(std::max(1, page.height >> l));
     if (options_.memory != 0 && bytes > options_.memory)
       throw Error::at("--memory",
                       "a page of " + std::to_string(page.width) + " x " + std::to_string(page.height) +
                           " takes " + std::to_string((bytes >> 20) + 1) + " MiB",
                       "more memory, or a smaller --page");
+  }
+
+  bool writes_floats() const {
+    const auto& formats = options_.write.formats;
+    return std::any_of(formats.begin(), formats.end(), [](const auto& each) { return holds_floats(each); });
+  }
+
+  void write_floats(OutputFolder& folder, int p, const ComposeOptions& compose) {
+    const FloatPage page = compose_floats(p, page_levels(p), inputs_.materials, regions_, plan_, compose);
+    for (const std::string& format : options_.write.formats)
+      if (holds_floats(format)) write_float_page(folder, p, page, format, options_.door);
   }
 
   // Takes what the texels taught into the facts; true when it changes which regions there are.
@@ -320,7 +414,8 @@ class Packing {
     const std::vector<Region> now = regions();
     return now.size() != regions_.size() ||
            !std::equal(now.begin(), now.end(), regions_.begin(), [](const Region& a, const Region& b) {
-             return a.material == b.material && a.box == b.box && a.in == b.in && a.own_page == b.own_page;
+             return std::tie(a.material, a.box, a.in, a.own_page) ==
+                    std::tie(b.material, b.box, b.in, b.own_page);
            });
   }
 
@@ -330,18 +425,20 @@ class Packing {
     for (int p = 0; p < static_cast<int>(plan_.pages.size()); ++p) {
       const Page& page = plan_.pages[static_cast<std::size_t>(p)];
       AtlasPage row{page.width, page.height, {}};
-      out.levels = std::max(out.levels, page_levels(page));
+      out.levels = std::max(out.levels, page_levels(p));
       for (const Texture texture : both_textures)
         if (page.has[static_cast<std::size_t>(texture)])
           row.files[static_cast<std::size_t>(texture)] =
-              page_files(p, texture, page_levels(page), options_.write.formats);
+              page_files(p, texture, page_levels(p), options_.write.formats);
       out.pages.push_back(std::move(row));
     }
     for (std::size_t i = 0; i < inputs_.materials.size(); ++i) {
       const PackInput& m = inputs_.materials[i];
       const MaterialFate& fate = left_out_.fates[i];
       if (!m.facts.reached && !fate.texels) continue;
-      AtlasMaterialRow row{m.name, fate.texels, m.alpha_mode, m.alpha_cutoff, fate.constant, {}};
+      AtlasMaterialRow row{m.name, fate.texels, m.alpha_mode, m.alpha_cutoff, fate.constant, {}, {}};
+      for (std::size_t c = 0; c < channel_count && m.facts.floats; ++c)
+        if (fate.constant[c]) row.value[c] = c == alpha_channel && m.facts.opaque ? 1 : m.facts.exact[c];
       row.defines = material_defines(fate, m.alpha_mode);
       if (const MaterialVariant* variant = variants() ? variants()->find(m.name) : nullptr)
         row.defines.insert(row.defines.end(), variant->defines.begin(), variant->defines.end());
@@ -365,8 +462,8 @@ class Packing {
       rect.page = at.page;
       rect.x = at.x;
       rect.y = at.y;
-      rect.width = at.rotated ? box.height : box.width;
-      rect.height = at.rotated ? box.width : box.height;
+      rect.width = at.rotated ? regions_[r].height() : regions_[r].width();
+      rect.height = at.rotated ? regions_[r].width() : regions_[r].height();
       rect.rotated = at.rotated;
       rect.crop = box;
       rect.source_width = m.width;
@@ -411,6 +508,9 @@ class Packing {
     report_.kept_previous = plan_.kept_previous;
     report_.moved = plan_.moved;
     report_.inset = plan_.inset;
+    if (plan_.clean_limit > 0)
+      report_.remarks.push_back("new regions have at most " + std::to_string(plan_.clean_limit) +
+                                " mips free of neighbours, so that the others could stay where they were");
     report_.levels = layout_.levels;
     account();
     for (std::size_t i = 0; i < learned_.size(); ++i)
@@ -433,10 +533,10 @@ class Packing {
     std::uint64_t cells = 0, regions = 0, single = 0;
     std::size_t singles = 0;
     for (std::size_t r = 0; r < regions_.size(); ++r) {
-      const PixelBox &box = regions_[r].box, &cell = plan_.places[r].cell;
+      const PixelBox& cell = plan_.places[r].cell;
       const Page& page = plan_.pages[static_cast<std::size_t>(plan_.places[r].page)];
       const auto textures = static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
-      const auto area = static_cast<std::uint64_t>(box.width) * static_cast<std::uint64_t>(box.height);
+      const std::uint64_t area = texels_of(regions_[r].width(), regions_[r].height());
       regions += textures * area;
       cells += textures * static_cast<std::uint64_t>(cell.width) * static_cast<std::uint64_t>(cell.height);
       if (textures == 1) single += area, ++singles;
@@ -444,10 +544,61 @@ class Packing {
     report_.region_texels = regions;
     report_.gutter_texels = cells - regions;
     report_.waste_texels = plan_.page_texels() - cells;
+    account_resolution();
+    account_mips();
     if (singles == 0) return;
     left_out_.lines.push_back({"textures", std::to_string(singles) + " regions need one texture only",
                                singles, single, 0, 4 * single, 0});
     left_out_.after.texels -= single;
+  }
+
+  static std::uint64_t texels_of(int width, int height) {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  }
+
+  void account_resolution() {
+    LeaveOutLine line;
+    line.what = "resolution";
+    double worst = 0, seen = 0;
+    for (const Region& region : regions_) {
+      if (region.shrink == 0) continue;
+      const Resolution& found = resolution(region);
+      const PixelBox& box = region.box;
+      const std::uint64_t gone =
+          texels_of(box.width, box.height) - texels_of(region.width(), region.height());
+      ++line.materials;
+      line.texels += 2 * gone;
+      line.channel_texels += left_out_.fates[region.material].channels * gone;
+      line.error = std::max(line.error, found.whole.codes);
+      worst = std::max(worst, found.whole.delta_e);
+      seen = std::max(seen, found.seen.delta_e);
+      report_.reduced.push_back({inputs_.materials[region.material].name, box.width, box.height,
+                                 region.width(), region.height(), found.seen.delta_e, found.whole.delta_e,
+                                 found.whole.codes});
+    }
+    if (line.materials == 0) return;
+    line.bytes = 4 * line.texels;
+    line.detail = std::to_string(line.materials) + " regions, up to dE " + number(worst, 3) +
+                  " from the full size and " + number(seen, 3) + " from what is seen";
+    left_out_.after.texels -= line.texels;
+    left_out_.after.channel_texels -= line.channel_texels;
+    left_out_.lines.push_back(std::move(line));
+  }
+
+  // Levels are no texels of level 0: their bytes alone are counted.
+  void account_mips() {
+    LeaveOutLine line;
+    line.what = "mips";
+    int levels = 0;
+    for (int p = 0; p < static_cast<int>(plan_.pages.size()); ++p) {
+      const Page& page = plan_.pages[static_cast<std::size_t>(p)];
+      const auto textures = static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
+      for (int l = page_levels(p); l < offered_levels(p); ++l, ++levels)
+        line.bytes += 4 * textures * texels_of(std::max(1, page.width >> l), std::max(1, page.height >> l));
+    }
+    if (levels == 0) return;
+    line.detail = std::to_string(levels) + " levels that nothing reads";
+    left_out_.lines.push_back(std::move(line));
   }
 
   const std::string input_, output_;
@@ -462,6 +613,7 @@ class Packing {
   std::vector<Learned> learned_;
   LeaveOut left_out_;
   std::vector<Region> regions_;
+  std::map<std::array<int, 7>, Resolution> resolutions_;
   Plan plan_;
   AtlasLayout layout_;
 };

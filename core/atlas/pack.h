@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,11 +28,19 @@ struct PackOptions {
   std::optional<GlossForm> gloss;             // what texture B is to hold; none: as the input
   GltfOptions scene;
   SpaceOpener open_space;
+  std::map<std::string, std::string> spaces;  // of pictures of a role that name none
+  std::string space_config;                   // the file that open_space reads; empty: none
   PictureDoor door;
   // leaving out
   std::set<std::string> keep;
   bool islands = false;
   std::optional<ShadingVariants> variants;  // what etak choose found: defines, flat textures, unread mips
+  // Where fewer texels do: differences up to `max_error` (CIEDE2000; and percent of alpha and gloss) against
+  // what is seen; below so many texels per unit of a scene's world, and in pictures of so many pixels' height
+  // from its cameras, nothing is. None and 0: resolutions stay.
+  std::optional<double> max_error;
+  double texel_density = 0;
+  int view_height = 0;
   // layout
   int page = 4096;
   std::optional<PageForm> form;  // none: mixed; for scenes one free page where that holds everything
@@ -55,6 +64,15 @@ struct PackOptions {
   std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
+/// A region that was stored with fewer texels.
+struct ReducedRegion {
+  std::string material;
+  int width = 0, height = 0;                // of what it shows
+  int stored_width = 0, stored_height = 0;  // of what was stored
+  double seen_delta_e = 0;                  // against what can be seen at most
+  double delta_e = 0, codes = 0;            // against level 0
+};
+
 struct PackStage {
   std::string name;
   double seconds = 0;
@@ -75,6 +93,7 @@ struct PackReport {
   int passes = 1;  // 2: what the texels taught changed the layout
   std::vector<std::string> files, remarks;
   std::vector<PackStage> stages;
+  std::vector<ReducedRegion> reduced;
   GlossForm gloss = GlossForm::schueler;
 };
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -32,19 +34,25 @@ struct Cells {
 };
 
 // What each region takes with its gutter.
-Cells cells_of(const std::vector<Region>& regions, const PlanOptions& options, bool gutters) {
+//   clean_limit   above 0: clean mips at most
+Cells cells_of(const std::vector<Region>& regions, const PlanOptions& options, bool gutters,
+               int clean_limit = 0) {
   Cells out;
   for (const Region& region : regions) {
-    const int smaller = std::min(region.box.width, region.box.height);
-    const int wanted = options.levels == 0 ? 16 : options.levels;
-    int clean = std::min(wanted, default_clean_levels(region.box.width, region.box.height));
+    const int smaller = std::min(region.width(), region.height());
+    int wanted = options.levels == 0 ? 16 : options.levels;
+    if (region.levels > 0) wanted = std::min(wanted, region.levels);
+    const auto limited = [&](int levels) {
+      return std::min({levels, wanted, clean_limit > 0 ? clean_limit : wanted});
+    };
+    int clean = limited(default_clean_levels(region.width(), region.height()));
     // Bilinear filtering of the last clean mip, 2^(clean - 1) texels to one, reads one beyond the edge.
     int gutter = gutters ? std::max(options.least_gutter, 1 << (clean - 1)) : 0;
     if (options.gutter) {
       gutter = *options.gutter;
-      clean = gutter == 0 ? clean : std::min(wanted, 1 + log2_floor(gutter));
+      clean = gutter == 0 ? clean : limited(1 + log2_floor(gutter));
     }
-    if (!gutters && !options.gutter) clean = std::min(wanted, std::max(1, log2_floor(smaller) - 1));
+    if (!gutters && !options.gutter) clean = limited(std::max(1, log2_floor(smaller) - 1));
     out.gutters.push_back(gutter);
     out.clean.push_back(clean);
     if (wanted > 1) out.align = std::max(out.align, 1 << (clean - 1));
@@ -52,19 +60,17 @@ Cells cells_of(const std::vector<Region>& regions, const PlanOptions& options, b
   // One grid for all cells, so that every texel of every clean mip belongs to one region. A grid coarser than
   // a quarter of the usual region would waste more than the last mips are worth.
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    const PixelBox& box = regions[i].box;
-    out.sizes.push_back({rounded_up(box.width + 2 * out.gutters[i], out.align),
-                         rounded_up(box.height + 2 * out.gutters[i], out.align)});
+    out.sizes.push_back({rounded_up(regions[i].width() + 2 * out.gutters[i], out.align),
+                         rounded_up(regions[i].height() + 2 * out.gutters[i], out.align)});
   }
   return out;
 }
 
-std::optional<RectPlace> old_place(const AtlasRect& rect, const Cells& cells, std::size_t i, int gutter) {
+std::optional<RectPlace> old_place(const AtlasRect& rect, const Cells& cells, int gutter) {
   RectPlace place{rect.page, rect.x - gutter, rect.y - gutter, rect.rotated};
   if (place.x < 0 || place.y < 0 || place.x % cells.align != 0 || place.y % cells.align != 0 ||
       rect.gutter != gutter)
     return std::nullopt;
-  (void)i;
   return place;
 }
 
@@ -75,6 +81,38 @@ class Planner {
       : regions_(regions), names_(names), options_(options), previous_(previous) {}
 
   Plan best() {
+    const AtlasLayout* const earlier = std::exchange(previous_, nullptr);
+    Plan fresh = least();
+    if (earlier == nullptr) return fresh;
+    previous_ = earlier;
+    const double allowed = static_cast<double>(fresh.page_texels()) * (1 + options_.most_extra_area);
+    fresh.moved = moved(fresh);
+    Plan best = std::move(fresh);
+    const auto offer = [&](Plan plan) {
+      plan.moved = moved(plan);
+      const auto rank = [](const Plan& p) { return std::make_tuple(p.moved, p.page_texels()); };
+      if (static_cast<double>(plan.page_texels()) <= allowed && rank(plan) < rank(best))
+        best = std::move(plan);
+    };
+    // A new region with more clean mips than any before it would move all others to a coarser grid.
+    const int limits[] = {0, earlier_limit()};
+    for (std::size_t k = 0; k < 2 && best.moved > 0; ++k) {
+      if (k > 0 && limits[k] == 0) break;
+      clean_limit_ = limits[k];
+      for (const bool gutters : {true, false}) {
+        if (!gutters && (!options_.may_inset || options_.gutter)) continue;
+        if (!fits(cells_of(regions_, options_, gutters, clean_limit_))) continue;
+        offer(made(gutters, false));
+        if (may_be_apart()) offer(made(gutters, true));
+      }
+    }
+    best.kept_previous = best.kept_previous || best.moved == 0;
+    return best;
+  }
+
+ private:
+  // The plan of least area that gutters are worth, without regard to an earlier one.
+  Plan least() {
     if (regions_.empty()) return {};
     // A region by itself needs no gutter when the page is of just its size.
     if (regions_.size() == 1 && !options_.may_inset && !options_.gutter && !regions_[0].own_page) {
@@ -82,22 +120,21 @@ class Planner {
       add_own_page(plan, 0);
       return plan;
     }
+    const auto smaller = [&](bool gutters) {
+      Plan common = made(gutters, false);
+      if (!may_be_apart()) return common;
+      Plan apart = made(gutters, true);
+      return apart.page_texels() < common.page_texels() ? apart : common;
+    };
     const bool may_inset = options_.may_inset && !options_.gutter;
-    if (may_inset && !fits(cells_of(regions_, options_, true))) {
-      Plan bare = split(false);
-      bare.inset = true;
-      return bare;
-    }
-    Plan out = split(true);
+    if (may_inset && !fits(cells_of(regions_, options_, true))) return smaller(false);
+    Plan out = smaller(true);
     if (!may_inset) return out;
-    Plan bare = split(false);
-    bare.inset = true;
+    Plan bare = smaller(false);
     if (static_cast<double>(out.page_texels()) > most_gutter_area * static_cast<double>(bare.page_texels()))
       return bare;
     return out;
   }
-
- private:
   bool fits(const Cells& cells) const {
     for (std::size_t i = 0; i < regions_.size(); ++i)
       if (!regions_[i].own_page &&
@@ -106,39 +143,79 @@ class Planner {
     return true;
   }
 
+  // Regions that lack a texture may be a group of pages by themselves.
+  bool may_be_apart() const {
+    return options_.split_textures && std::any_of(regions_.begin(), regions_.end(), [](const Region& r) {
+             return !r.own_page && !(r.in[0] && r.in[1]);
+           });
+  }
+
   // All regions on common pages, or those that one texture can do without on pages that lack it.
-  Plan split(bool gutters) {
-    const Cells cells = cells_of(regions_, options_, gutters);
-    std::vector<std::size_t> all, groups[3];
+  Plan made(bool gutters, bool apart) const {
+    const Cells cells = cells_of(regions_, options_, gutters, clean_limit_);
+    std::vector<std::size_t> groups[3];
     for (std::size_t i = 0; i < regions_.size(); ++i) {
-      if (regions_[i].own_page) continue;
-      all.push_back(i);
-      groups[regions_[i].in[0] && regions_[i].in[1] ? 0 : regions_[i].in[0] ? 1 : 2].push_back(i);
+      const auto& in = regions_[i].in;
+      if (!regions_[i].own_page) groups[!apart || (in[0] && in[1]) ? 0 : in[0] ? 1 : 2].push_back(i);
     }
-    const bool one_group = groups[0].size() == all.size();
-    Plan common = empty_plan();
-    add(common, cells, all, {true, true});
-    // Regions that lack a texture may be a group of pages by themselves.
-    if (!one_group && options_.split_textures) {
-      Plan apart = empty_plan();
-      add(apart, cells, groups[0], {true, true});
-      add(apart, cells, groups[1], {true, false});
-      add(apart, cells, groups[2], {false, true});
-      if (apart.page_texels() < common.page_texels()) common = std::move(apart);
-    }
+    Plan plan = empty_plan();
+    add(plan, cells, groups[0], {true, true});
+    add(plan, cells, groups[1], {true, false});
+    add(plan, cells, groups[2], {false, true});
     for (std::size_t i = 0; i < regions_.size(); ++i)
-      if (regions_[i].own_page) add_own_page(common, i);
-    return common;
+      if (regions_[i].own_page) add_own_page(plan, i);
+    plan.inset = !gutters;
+    plan.clean_limit = clean_limit_;
+    return plan;
+  }
+
+  // Regions of the earlier layout that are the same and lie elsewhere.
+  std::size_t moved(const Plan& plan) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+      const AtlasRect* old = earlier_rect(i);
+      const Place& now = plan.places[i];
+      if (old != nullptr &&
+          std::tie(old->page, old->x, old->y, old->rotated) != std::tie(now.page, now.x, now.y, now.rotated))
+        ++count;
+    }
+    return count;
+  }
+
+  const AtlasRect* earlier_rect(std::size_t i) const {
+    if (earlier_.empty())
+      for (const AtlasRect& rect : previous_->rects)
+        earlier_[{rect.name, rect.crop.x, rect.crop.y, rect.crop.width, rect.crop.height}] = &rect;
+    const PixelBox& box = regions_[i].box;
+    const auto found = earlier_.find({names_[regions_[i].material], box.x, box.y, box.width, box.height});
+    if (found == earlier_.end()) return nullptr;
+    const AtlasRect& old = *found->second;
+    const bool same = (old.rotated ? old.height : old.width) == regions_[i].width() &&
+                      (old.rotated ? old.width : old.height) == regions_[i].height();
+    return same ? &old : nullptr;
+  }
+
+  // The clean mips that unchanged regions had at most; 0 where the choice of mips itself is another one now.
+  int earlier_limit() const {
+    const bool gutters = !std::any_of(previous_->rects.begin(), previous_->rects.end(),
+                                      [](const AtlasRect& rect) { return rect.inset > 0; });
+    const Cells cells = cells_of(regions_, options_, gutters);
+    int most = 0;
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+      const AtlasRect* old = regions_[i].own_page ? nullptr : earlier_rect(i);
+      if (old == nullptr) continue;
+      if (old->mips != cells.clean[i] || old->gutter != cells.gutters[i]) return 0;
+      most = std::max(most, old->mips);
+    }
+    return most;
   }
 
   void add_own_page(Plan& plan, std::size_t i) const {
-    const PixelBox& box = regions_[i].box;
+    const int width = regions_[i].width(), height = regions_[i].height();
     const int levels = options_.levels == 0 ? 16 : options_.levels;
-    const int clean = std::min(levels, 1 + log2_floor(std::max(box.width, box.height)));
-    plan.places[i] = {static_cast<int>(plan.pages.size()), 0, 0, false, 0, clean,
-                      {0, 0, box.width, box.height}};
-    plan.pages.push_back(
-        {box.width, box.height, options_.split_textures ? regions_[i].in : std::array{true, true}});
+    const int clean = std::min(levels, 1 + log2_floor(std::max(width, height)));
+    plan.places[i] = {static_cast<int>(plan.pages.size()), 0, 0, false, 0, clean, {0, 0, width, height}};
+    plan.pages.push_back({width, height, options_.split_textures ? regions_[i].in : std::array{true, true}});
   }
 
   Plan empty_plan() const {
@@ -147,7 +224,8 @@ class Planner {
     return plan;
   }
 
-  void add(Plan& plan, const Cells& cells, const std::vector<std::size_t>& which, std::array<bool, 2> has) {
+  void add(Plan& plan, const Cells& cells, const std::vector<std::size_t>& which,
+           std::array<bool, 2> has) const {
     if (which.empty()) return;
     std::vector<RectSize> sizes;
     for (const std::size_t i : which) sizes.push_back(cells.sizes[i]);
@@ -177,7 +255,6 @@ class Planner {
     plan.tries += layout.tries;
     plan.cut_by_time = plan.cut_by_time || layout.cut_by_time;
     plan.kept_previous = plan.kept_previous || layout.kept_previous;
-    plan.moved += layout.moved;
   }
 
   // One page of any sides where that was asked for and is possible, else several.
@@ -206,16 +283,13 @@ class Planner {
       page_number[static_cast<int>(p)] = static_cast<int>(out.pages.size());
       out.pages.push_back({page.width, page.height});
     }
-    std::map<std::tuple<std::string, int, int, int, int>, const AtlasRect*> old;
-    for (const AtlasRect& rect : previous_->rects)
-      old[{rect.name, rect.crop.x, rect.crop.y, rect.crop.width, rect.crop.height}] = &rect;
+    out.most_extra_area = std::numeric_limits<double>::max();  // what it costs is judged of the whole plan
     for (const std::size_t i : which) {
-      const PixelBox& box = regions_[i].box;
-      const auto found = old.find({names_[regions_[i].material], box.x, box.y, box.width, box.height});
       std::optional<RectPlace> place;
-      if (found != old.end() && page_number.contains(found->second->page)) {
-        place = old_place(*found->second, cells, i, cells.gutters[i]);
-        if (place) place->page = page_number[found->second->page];
+      const AtlasRect* old = earlier_rect(i);
+      if (old != nullptr && page_number.contains(old->page)) {
+        place = old_place(*old, cells, cells.gutters[i]);
+        if (place) place->page = page_number[old->page];
       }
       out.places.push_back(place);
     }
@@ -226,6 +300,8 @@ class Planner {
   const std::vector<std::string>& names_;
   const PlanOptions& options_;
   const AtlasLayout* previous_;
+  mutable std::map<std::tuple<std::string, int, int, int, int>, const AtlasRect*> earlier_;
+  int clean_limit_ = 0;
 };
 
 }  // namespace

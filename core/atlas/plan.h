@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,16 +23,24 @@ struct Region {
   PixelBox box;                        // in its picture
   std::array<bool, 2> in{true, true};  // by Texture: which of the two textures must hold it
   bool own_page = false;               // a page of just its size, whose edges wrap
+  int levels = 0;                      // mips that its samplers read, level 0 among them; 0: all
+  int shrink = 0;                      // stored as the mip of this level: sides halved so many times
+
+  // Texels a side as stored.
+  int width() const { return std::max(1, box.width >> shrink); }
+  int height() const { return std::max(1, box.height >> shrink); }
+  friend bool operator==(const Region&, const Region&) = default;
 };
 
 struct PlanOptions {
-  RectOptions rects;           // form, side, rotation, effort, threads
-  bool free_first = false;     // one page of any sides where that holds everything, else `rects.form`
-  int levels = 1;              // mips that will be sampled, level 0 among them; 0: down to 1 x 1
-  std::optional<int> gutter;   // texels on every side; none: from the mips of each region
-  int least_gutter = 0;        // of those from the mips
-  bool may_inset = true;       // no gutters where they would cost more than a quarter of the area
-  bool split_textures = true;  // regions that one texture can do without may go to pages of their own
+  RectOptions rects;              // form, side, rotation, effort, threads
+  bool free_first = false;        // one page of any sides where that holds everything, else `rects.form`
+  int levels = 1;                 // mips that will be sampled, level 0 among them; 0: down to 1 x 1
+  std::optional<int> gutter;      // texels on every side; none: from the mips of each region
+  int least_gutter = 0;           // of those from the mips
+  bool may_inset = true;          // no gutters where they would cost more than a quarter of the area
+  bool split_textures = true;     // regions that one texture can do without may go to pages of their own
+  double most_extra_area = 0.05;  // of what the least layout takes: so much more may staying in place cost
 };
 
 /// A region's place. The texels lie at x, y; around them are `gutter` texels that repeat the edge.
@@ -57,7 +66,9 @@ struct Plan {
   std::string method;
   int tries = 0;
   bool cut_by_time = false, kept_previous = false;
-  std::size_t moved = 0;
+  std::size_t moved = 0;  // regions of the earlier layout that lie elsewhere now
+  // Above 0: new regions have no more clean mips than this, so that the others could stay on their grid.
+  int clean_limit = 0;
 
   std::uint64_t page_texels() const;  // of both textures
 };
@@ -68,7 +79,8 @@ int default_clean_levels(int width, int height);
 
 /// Deterministic in the set of regions: their order plays no part beyond ties of equal sizes, which go by
 /// index.
-///   previous   of the same materials, matched by name, island and size
+///   previous   of the same materials, matched by name, island and size. Of the layouts that take at most
+///              `most_extra_area` more than the least, the one that moves the fewest regions is taken
 /// Throws Error for a region that fits no page.
 Plan plan_pages(const std::vector<Region>& regions, const std::vector<std::string>& names,
                 const PlanOptions& options, const AtlasLayout* previous = nullptr);

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/image/linear_tables.h"
 
 namespace etak {
 namespace {
@@ -88,7 +89,7 @@ PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&so
   height_ = info.height;
   bits_ = info.bits;
   check_channels(info.channels);
-  if (bits_ == 16 || (source.curve && source.curve->apply)) {
+  if (!source.space && (bits_ == 16 || (source.curve && source.curve->apply))) {
     static const CodeCurve unchanged;
     codes_ = (source.curve ? *source.curve : unchanged).codes(bits_, &clamps_);
     for (const bool each : clamps_) may_clamp_ = may_clamp_ || each;
@@ -96,7 +97,7 @@ PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&so
 }
 
 void PlaneRows::check_channels(int channels) {
-  channels_ = channels;
+  channels_ = file_channels_ = channels;
   pick_ = source_->pick;
   // A grey picture serves as a colour; a colour that is to be a grey quantity must say which channel.
   if (source_->color && !source_->picked && channels <= 2) pick_ = {0, 0, 0};
@@ -104,6 +105,34 @@ void PlaneRows::check_channels(int channels) {
   if (last >= channels)
     throw Error::at(source_->path, "has " + std::to_string(channels) + " channels",
                     "at least " + std::to_string(last + 1));
+  if (source_->space) channels_ = 3;
+}
+
+// Three channels of codes in rows_, from what the space makes of the picked ones.
+template <class Sample>
+void PlaneRows::convert_space(const Sample* in, std::size_t texels, int step, float scale) {
+  floats_.resize(3 * texels);
+  for (std::size_t i = 0; i < texels; ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto value =
+          static_cast<float>(in[i * static_cast<std::size_t>(step) + static_cast<std::size_t>(pick_[c])]);
+      if (!std::isfinite(value))
+        throw Error::at(source_->path, "holds a value that is no finite number", "finite numbers");
+      floats_[3 * i + c] = value / scale;
+    }
+  source_->space(floats_.data(), texels);
+  rows_.resize(3 * texels);
+  const LinearTables& tables = linear_tables();
+  // What rounds to 0 and to 255 is inside: half a code at either end, which is linear at the lower one.
+  constexpr float lowest = -0.5f / 255 / 12.92f, highest = 1.00447f;
+  for (std::size_t i = 0; i < floats_.size(); ++i) {
+    const float linear = floats_[i];
+    if (!std::isfinite(linear))
+      throw Error::at(source_->path, "has colours that " + source_->space_name + " makes no finite number of",
+                      "values of that space");
+    clamped_ += linear < lowest || linear > highest ? 1 : 0;
+    rows_[i] = tables.srgb_code(linear);
+  }
 }
 
 // Formats without strips of their own: the whole picture at once, as codes.
@@ -116,6 +145,17 @@ void PlaneRows::open_whole(const PlaneSource& source) {
         check_channels(picture.channels);
       },
       loaded);
+  if (source.space) {
+    std::visit(
+        [&](const auto& picture) {
+          const bool codes = sizeof(picture.values[0]) == 1;
+          convert_space(picture.values.data(), picture.pixel_count(), picture.channels,
+                        codes ? 255.0f : 1.0f);
+        },
+        loaded);
+    whole_.values.swap(rows_);
+    return;
+  }
   static const CodeCurve unchanged;
   const CodeCurve& curve = source.curve ? *source.curve : unchanged;
   if (const auto* codes = std::get_if<Image8>(&loaded)) {
@@ -152,21 +192,29 @@ void PlaneRows::convert(const Sample* in, std::size_t samples) {
 
 const std::uint8_t* PlaneRows::read(int count) {
   assert(width_ > 0 && row_ + count <= height_);
-  const auto samples = static_cast<std::size_t>(width_) * static_cast<std::size_t>(channels_);
-  const auto first = static_cast<std::size_t>(row_) * samples;
+  const auto texels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(count);
+  const auto first =
+      static_cast<std::size_t>(row_) * static_cast<std::size_t>(width_) * static_cast<std::size_t>(channels_);
   row_ += count;
   if (!png_) return whole_.values.data() + first;
-  const std::size_t stride = samples * static_cast<std::size_t>(bits_ / 8),
-                    all = samples * static_cast<std::size_t>(count);
-  raw_.resize(stride * static_cast<std::size_t>(count));
-  png_->read_rows(raw_.data(), stride, count);
-  if (codes_.empty()) return raw_.data();
+  const std::size_t all = texels * static_cast<std::size_t>(file_channels_),
+                    bytes = all * static_cast<std::size_t>(bits_ / 8);
+  raw_.resize(bytes);
+  png_->read_rows(raw_.data(), bytes / static_cast<std::size_t>(count), count);
   if (bits_ == 8) {
-    convert(raw_.data(), all);
+    if (source_->space)
+      convert_space(raw_.data(), texels, file_channels_, 255);
+    else if (codes_.empty())
+      return raw_.data();
+    else
+      convert(raw_.data(), all);
   } else {
     std::vector<std::uint16_t> wide(all);
     std::memcpy(wide.data(), raw_.data(), 2 * all);
-    convert(wide.data(), all);
+    if (source_->space)
+      convert_space(wide.data(), texels, file_channels_, 65535);
+    else
+      convert(wide.data(), all);
   }
   return rows_.data();
 }

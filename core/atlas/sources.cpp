@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/atlas/floats.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/color/srgb.h"
@@ -23,8 +24,9 @@ std::string size_text(int width, int height) {
 class Resolver {
  public:
   Resolver(const AtlasManifest& manifest, const MaterialLibrary& library, std::optional<GlossForm> gloss,
-           const PictureDoor& door)
-      : manifest_(manifest), library_(library), door_(door) {
+           const PictureDoor& door, const SpaceOpener& open_space,
+           const std::map<std::string, std::string>& spaces)
+      : manifest_(manifest), library_(library), door_(door), open_space_(open_space), spaces_(spaces) {
     out_.gloss = gloss.value_or(manifest.gloss);
   }
 
@@ -53,18 +55,19 @@ class Resolver {
       in.color[b] = color(m, *m.specular, "specular");
     }
     in.grey[a] =
-        m.alpha && m.alpha_mode != AlphaMode::opaque ? grey(m, *m.alpha, "alpha", nullptr) : fixed_grey(255);
+        m.alpha && m.alpha_mode != AlphaMode::opaque ? grey(m, *m.alpha, "alpha", nullptr) : fixed_grey(1);
     in.grey[b] = gloss_plane(m);
     sizes(m, in);
     facts(in);
     out_.materials.push_back(std::move(in));
   }
 
-  static PlaneSource fixed_grey(std::uint8_t code) {
+  static PlaneSource fixed_grey(double value) {
     PlaneSource out;
     out.color = false;
     out.pick = {0, 0, 0};
-    out.constant = {code, code, code};
+    out.exact.fill(value);
+    out.constant.fill(static_cast<std::uint8_t>(255 * std::clamp(value, 0.0, 1.0) + 0.5));
     return out;
   }
 
@@ -84,8 +87,7 @@ class Resolver {
     if (const auto* constant = std::get_if<ConstantSource>(&source)) {
       const double value = constant->linear.r, encoded = curve ? curve->apply(value) : value;
       note_clamped(m, role, encoded);
-      out.constant.fill(static_cast<std::uint8_t>(255 * std::clamp(encoded, 0.0, 1.0) + 0.5));
-      return out;
+      return fixed_grey(encoded);
     }
     const auto& image = std::get<ImageSource>(source);
     out.path = image.path;
@@ -104,17 +106,22 @@ class Resolver {
     if (const auto* constant = std::get_if<ConstantSource>(&source)) {
       const Srgb8 codes = constant->codes ? *constant->codes : srgb_u8(constant->linear);
       out.constant = {codes.r, codes.g, codes.b};
+      out.exact = {constant->linear.r, constant->linear.g, constant->linear.b};
       return out;
     }
     if (const auto* material = std::get_if<LibrarySource>(&source)) {
-      const Srgb8 codes = library_color(m, *material, role);
-      out.constant = {codes.r, codes.g, codes.b};
+      const F0Result result = library_color(m, *material, role);
+      const LinearRgb& linear = result.srgb_linear;
+      out.constant = {result.srgb8.r, result.srgb8.g, result.srgb8.b};
+      out.exact = {linear.r, linear.g, linear.b};
       return out;
     }
     const auto& image = std::get<ImageSource>(source);
     out.path = image.path;
     out.door = &door_;
-    out.curve = color_curve(m, image.space, role);
+    const auto usual = spaces_.find(role);
+    out.space_name = image.space.empty() && usual != spaces_.end() ? usual->second : image.space;
+    set_space(m, role, out);
     if (!image.channels.empty()) {
       out.picked = true;
       for (std::size_t i = 0; i < 3; ++i) out.pick[i] = channel(image.channels[i]);
@@ -122,26 +129,45 @@ class Resolver {
     return out;
   }
 
-  static std::shared_ptr<const CodeCurve> color_curve(const ManifestMaterial& m, const std::string& space,
-                                                      const char* role) {
-    static const std::shared_ptr<const CodeCurve> floats_linear = [] {
+  void set_space(const ManifestMaterial& m, const char* role, PlaneSource& to) const {
+    const std::string& space = to.space_name;
+    const auto same = [](double v) { return v; };
+    const auto encode = [](double v) { return srgb_encode(v); };
+    static const std::shared_ptr<const CodeCurve> floats_linear = [&] {
       // Codes of files of 8 and 16 bits are sRGB-encoded already; numbers of EXR and HDR files are linear.
       auto curve = std::make_shared<CodeCurve>();
-      curve->apply_float = [](double v) { return srgb_encode(v); };
+      curve->apply_float = encode;
+      curve->linear_float = same;
       return curve;
     }();
-    if (space.empty() || space == "srgb") return space.empty() ? floats_linear : nullptr;
+    if (space.empty()) {
+      to.curve = floats_linear;
+      return;
+    }
+    if (space == "srgb") return;
     auto curve = std::make_shared<CodeCurve>();
-    if (space == "linear")
-      curve->apply = [](double v) { return srgb_encode(v); };
-    else if (space == "power-2.2")
+    if (space == "linear") {
+      curve->linear = same;
+      curve->apply = encode;
+    } else if (space == "power-2.2") {
+      curve->linear = [](double v) { return std::pow(std::max(v, 0.0), 2.2); };
       curve->apply = [](double v) { return srgb_encode(std::pow(std::max(v, 0.0), 2.2)); };
-    else
-      throw Error::at(m.place + '/' + role + "/space", printable(space), "srgb, linear or power-2.2");
-    return curve;
+    } else {
+      const std::string place = m.place + '/' + role + "/space";
+      if (!open_space_)
+        throw Error::at(place, printable(space),
+                        "srgb, linear, power-2.2 or a space of an OpenColorIO config");
+      try {
+        to.space = open_space_(space);
+      } catch (const Error& error) {
+        throw Error::at(place, printable(space) + ": " + error.what(), "srgb, linear or power-2.2 otherwise");
+      }
+      return;
+    }
+    to.curve = std::move(curve);
   }
 
-  Srgb8 library_color(const ManifestMaterial& m, const LibrarySource& source, const char* role) {
+  F0Result library_color(const ManifestMaterial& m, const LibrarySource& source, const char* role) {
     const std::string place = m.place + '/' + role;
     const auto material = library_.find(source.material);
     if (!material) {
@@ -166,7 +192,7 @@ class Resolver {
       if (!method) throw Error::at(place, printable(source.method), "a method of integration");
       options.method = *method;
     }
-    const F0Result result = F0Solver(std::move(options)).solve(dataset->optics, dataset->flags);
+    F0Result result = F0Solver(std::move(options)).solve(dataset->optics, dataset->flags);
     if (result.refused()) throw Error::at(place, material->id + ": " + result.refusal);
     const LinearRgb& c = result.srgb_linear;
     for (const double v : {c.r, c.g, c.b})
@@ -176,7 +202,7 @@ class Resolver {
                                " linear); brought back to 0..1");
         break;
       }
-    return result.srgb8;
+    return result;
   }
 
   OutsideMedium outside(const std::string& place, const std::string& text) {
@@ -262,13 +288,17 @@ class Resolver {
       }
       return out;
     };
+    in.convert_floats = [planes, width, height] {
+      return metallic_floats((*planes)[0], (*planes)[1], (*planes)[2], (*planes)[3], width, height);
+    };
     in.color[1] = PlaneSource{};
   }
 
   static std::string plane_text(const PlaneSource& p) {
-    std::string out = p.path + '|' + (p.curve ? "c" : "-");
+    std::string out = p.path + '|' + (p.curve ? "c" : "-") + p.space_name;
     for (const int pick : p.pick) out += std::to_string(pick);
     for (const std::uint8_t code : p.constant) out += ',' + std::to_string(code);
+    for (const double value : p.exact) out += ',' + number(value, 17);
     return out;
   }
 
@@ -303,6 +333,8 @@ class Resolver {
   const AtlasManifest& manifest_;
   const MaterialLibrary& library_;
   const PictureDoor& door_;
+  const SpaceOpener& open_space_;
+  const std::map<std::string, std::string>& spaces_;
   PackInputs out_;
   PlaneSource base_, metal_;
 };
@@ -326,8 +358,9 @@ double converted_gloss(double value, GlossForm from, GlossForm to) {
 }
 
 PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,
-                            std::optional<GlossForm> gloss, const PictureDoor& door, const SpaceOpener&) {
-  return Resolver(manifest, library, gloss, door).resolve();
+                            std::optional<GlossForm> gloss, const PictureDoor& door,
+                            const SpaceOpener& open_space, const std::map<std::string, std::string>& spaces) {
+  return Resolver(manifest, library, gloss, door, open_space, spaces).resolve();
 }
 
 }  // namespace etak

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,6 +24,11 @@ struct MaterialPair {
   }
 };
 
+/// The same as floats: colours in linear light, alpha and gloss as they are, nothing clamped.
+struct FloatPair {
+  Image diffuse_alpha, specular_gloss;
+};
+
 /// A material as the packer reads it: two planes a texture that can be read in strips, or a function that
 /// makes the whole pair.
 struct PackInput {
@@ -33,6 +39,7 @@ struct PackInput {
   PlaneSource normal;                      // tangent-space normal map, or a constant for none
   std::array<PlaneSource, 2> color, grey;  // by Texture
   std::function<MaterialPair(std::vector<std::string>& remarks)> convert;  // set: in place of the planes
+  std::function<FloatPair()> convert_floats;                               // the same for floats.h
   MaterialFacts facts;
   bool streamed = true;                                // every picture can be read in strips
   std::array<Wrap, 2> wrap{Wrap::clamp, Wrap::clamp};  // what lies beyond the picture's edges, by axis
@@ -50,18 +57,19 @@ struct PackInputs {
   std::string settings;              // everything but the files' bytes that decides the result
 };
 
-/// Opens a colour space that etak does not have itself: linear sRGB from its values, `count` pixels of three
-/// in place.
-using SpaceOpener =
-    std::function<std::function<void(float* rgb, std::size_t count)>(const std::string& name)>;
+/// Opens a colour space that etak does not have itself. Throws Error that tells the nearest names.
+using SpaceOpener = std::function<SpaceCurve(const std::string& name)>;
 
 /// Turns manifest entries into inputs: sizes from the headers, constants and library materials into codes.
-///   gloss   what texture B is to hold; as in the manifest where not given
-///   door    must outlive the inputs
+///   gloss        what texture B is to hold; as in the manifest where not given
+///   door         must outlive the inputs
+///   open_space   for spaces of pictures other than srgb, linear and power-2.2; empty: there are no others
+///   spaces       of pictures that name none, by role
 /// Throws Error: files that are missing or of different sizes, unknown materials, spaces and channels.
 PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,
                             std::optional<GlossForm> gloss, const PictureDoor& door,
-                            const SpaceOpener& open_space);
+                            const SpaceOpener& open_space,
+                            const std::map<std::string, std::string>& spaces = {});
 
 /// One form of gloss as another, both in [0, 1]. The result may leave [0, 1]: g of very smooth and very rough
 /// surfaces.

@@ -153,16 +153,31 @@ const std::string& OcioSpace::role() const {
   return state_->interchange.role;
 }
 
+namespace {
+
+// A space that holds colour, and the door next to it. Throws Error.
+ocio::ConstColorSpaceRcPtr colour_space(const OpenConfig& open, const std::string& space) {
+  const auto found = space.empty() ? nullptr : open.config->getColorSpace(space.c_str());
+  if (!found)
+    throw Error::at(open.label, "no colour space \"" + printable(space, 80) + "\"",
+                    "one of its spaces, the nearest are " + nearest_spaces(*open.config, space));
+  if (found->isData())
+    throw Error::at(open.label, "space \"" + printable(space, 80) + "\" holds data",
+                    "a space that holds colour");
+  return found;
+}
+
+[[noreturn]] void cannot_be_used(const OpenConfig& open, const std::string& space, const ocio::Exception& e) {
+  throw Error::at(open.label,
+                  "space \"" + printable(space, 80) + "\" cannot be used (" + one_line(e.what()) + ")");
+}
+
+}  // namespace
+
 OcioSpace OcioSpace::open(const std::string& config, const std::string& space) {
   const OpenConfig open = open_config(config);
   try {
-    const auto found = space.empty() ? nullptr : open.config->getColorSpace(space.c_str());
-    if (!found)
-      throw Error::at(open.label, "no colour space \"" + printable(space, 80) + "\"",
-                      "one of its spaces, the nearest are " + nearest_spaces(*open.config, space));
-    if (found->isData())
-      throw Error::at(open.label, "space \"" + printable(space, 80) + "\" holds data",
-                      "a space that holds colour");
+    const auto found = colour_space(open, space);
     State state;
     state.config = open.label;
     state.name = found->getName();
@@ -172,8 +187,7 @@ OcioSpace OcioSpace::open(const std::string& config, const std::string& space) {
                           ->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
     return OcioSpace(std::make_shared<const State>(std::move(state)));
   } catch (const ocio::Exception& e) {
-    throw Error::at(open.label,
-                    "space \"" + printable(space, 80) + "\" cannot be used (" + one_line(e.what()) + ")");
+    cannot_be_used(open, space, e);
   }
 }
 
@@ -183,6 +197,50 @@ LinearRgb OcioSpace::from_xyz(const Xyz& xyz, const Xyz& white) const {
   std::array<float, 3> pixel{static_cast<float>(in[0]), static_cast<float>(in[1]), static_cast<float>(in[2])};
   state_->processor->applyRGB(pixel.data());
   return {pixel[0], pixel[1], pixel[2]};
+}
+
+struct OcioSource::State {
+  std::string config, name;
+  Mat3 from_interchange;
+  ocio::ConstCPUProcessorRcPtr processor;
+};
+
+OcioSource::OcioSource(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+
+const std::string& OcioSource::name() const {
+  return state_->name;
+}
+const std::string& OcioSource::config() const {
+  return state_->config;
+}
+
+OcioSource OcioSource::open(const std::string& config, const std::string& space) {
+  const OpenConfig open = open_config(config);
+  try {
+    const auto found = colour_space(open, space);
+    const Interchange door = interchange_for(open, *found);
+    const Xyz white = white_of(0.3127, 0.3290);
+    State state;
+    state.config = open.label;
+    state.name = found->getName();
+    state.from_interchange = inverse(rgb_to_xyz(primaries(RgbSpace::srgb), white)) *
+                             (bradford(door.white, white) * inverse(door.from_xyz));
+    state.processor = open.config->getProcessor(found->getName(), door.role.c_str())
+                          ->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
+    return OcioSource(std::make_shared<const State>(std::move(state)));
+  } catch (const ocio::Exception& e) {
+    cannot_be_used(open, space, e);
+  }
+}
+
+void OcioSource::to_linear_srgb(float* rgb, std::size_t count) const {
+  if (count == 0) return;
+  ocio::PackedImageDesc pixels(rgb, static_cast<long>(count), 1, 3);
+  state_->processor->apply(pixels);
+  for (std::size_t i = 0; i < count; ++i, rgb += 3) {
+    const Vec3 out = state_->from_interchange * Vec3{double{rgb[0]}, double{rgb[1]}, double{rgb[2]}};
+    for (std::size_t c = 0; c < 3; ++c) rgb[c] = static_cast<float>(out[c]);
+  }
 }
 
 struct OcioDisplay::State {

@@ -42,6 +42,27 @@ class OcioSpace {
   std::shared_ptr<const State> state_;
 };
 
+/// A colour space of an OpenColorIO config as the source of colours, such as pictures are stored in.
+class OcioSource {
+ public:
+  /// Throws Error as OcioSpace::open does.
+  static OcioSource open(const std::string& config, const std::string& space);
+
+  /// Values of the space, in place to linear sRGB (D65); never clipped. White goes to white: Bradford from
+  /// the interchange space's white. May be called from several threads.
+  ///   rgb     `count` pixels of three, as fractions of full scale
+  ///   error   OpenColorIO computes in float, and configs round their matrices: 1e-5 for values in [0, 1]
+  void to_linear_srgb(float* rgb, std::size_t count) const;
+
+  const std::string& name() const;    // as the config spells it
+  const std::string& config() const;  // path, or builtin_ocio_config
+
+ private:
+  struct State;
+  explicit OcioSource(std::shared_ptr<const State> state);
+  std::shared_ptr<const State> state_;
+};
+
 /// A display and view as text for OpenGL 3.3, made by OpenColorIO.
 struct OcioShader {
   /// A table that the text reads, to be bound as a texture. Rows of `values` from the first, edges clamped.

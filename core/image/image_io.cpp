@@ -156,23 +156,30 @@ Pixels<Value> read_codes(const std::string& path, int bits, OIIO::TypeDesc type)
   return read_pixels<Value>(input, path, type);
 }
 
+// The whole file, made in memory.
 template <class Value>
-void write(const std::string& path, const Pixels<Value>& image, const char* format,
-           OIIO::TypeDesc memory_type, OIIO::ImageSpec spec, bool overwrite) {
+std::string encoded(const std::string& label, const Pixels<Value>& image, const char* format,
+                    OIIO::TypeDesc memory_type, OIIO::ImageSpec spec) {
   std::vector<unsigned char> bytes;
   {
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create(std::string("etak.") + format);
     if (!output || !output->supports("ioproxy"))
-      throw Error::at(path, std::string("this OpenImageIO cannot write ") + format);
+      throw Error::at(label, std::string("this OpenImageIO cannot write ") + format);
     spec[unassociated] = 1;
     output->set_ioproxy(&memory);
-    if (!output->open(path, spec) || !output->write_image(memory_type, image.values.data()) ||
-        !output->close())
-      throw Error::at(path, "cannot be encoded (" + one_line(output->geterror()) + ")");
+    if (!output->open(std::string("etak.") + format, spec) ||
+        !output->write_image(memory_type, image.values.data()) || !output->close())
+      throw Error::at(label, "cannot be encoded (" + one_line(output->geterror()) + ")");
   }
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters
-  write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, overwrite);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+template <class Value>
+void write(const std::string& path, const Pixels<Value>& image, const char* format,
+           OIIO::TypeDesc memory_type, const OIIO::ImageSpec& spec, bool overwrite) {
+  write_file(path, encoded(path, image, format, memory_type, spec), overwrite);
 }
 
 template <class Value>
@@ -236,6 +243,20 @@ void write_exr(const std::string& path, const Image& image, bool floats, bool ov
   Image finite = image;
   for (float& value : finite.values) value = std::clamp(value, -largest_half, largest_half);
   write(path, finite, "exr", OIIO::TypeFloat, spec, overwrite);
+}
+
+std::string exr_bytes(const Image& image, const std::string& fourth) {
+  OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeFloat);
+  spec["compression"] = "zip";
+  if (image.channels == 4) spec.channelnames = {"R", "G", "B", fourth};
+  return encoded("exr", image, "exr", OIIO::TypeFloat, spec);
+}
+
+std::string tiff_bytes(const Image& image, const std::string& fourth) {
+  OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeFloat);
+  spec["compression"] = "zip";
+  spec.alpha_channel = image.channels == 4 && fourth == "alpha" ? 3 : -1;
+  return encoded("tiff", image, "tif", OIIO::TypeFloat, spec);
 }
 
 void write_tiff(const std::string& path, const Image8& image, bool overwrite) {

@@ -66,6 +66,12 @@ void write_png(const std::string& path, const Image8& image, bool overwrite);
 ///   floats   32-bit values; else half: 11 bits of precision, at most 65504 (larger ones are written as that)
 void write_exr(const std::string& path, const Image& image, bool floats, bool overwrite);
 
+/// Files of 32-bit floats in memory, ZIP compression. Nothing is multiplied by the fourth channel, and no
+/// reader is asked to: it is called `fourth` in OpenEXR, and is unassociated alpha (for `fourth` = "alpha")
+/// or unspecified in TIFF.
+std::string exr_bytes(const Image& image, const std::string& fourth);
+std::string tiff_bytes(const Image& image, const std::string& fourth);
+
 /// TIFF with 8-bit codes, 16-bit codes or 32-bit floats; ZIP compression, and a last channel of two or four
 /// that is no factor of the colour ("unassociated").
 void write_tiff(const std::string& path, const Image8& image, bool overwrite);

@@ -90,6 +90,9 @@ struct GltfUse {
   std::vector<std::array<std::array<float, 2>, 3>> uv[2];  // per uv set; empty when the primitive lacks it
   std::vector<float> world_area;                           // per triangle, after the node's transform
   std::vector<std::array<float, 3>> world_center;          // per triangle
+  std::vector<float> world_radius;  // per triangle: its farthest corner from the centre
+  // Per triangle, of its edges a and b from the first corner: a a, a b, b b in the world.
+  std::vector<std::array<float, 3>> world_edges;
 };
 
 struct GltfCamera {

@@ -146,6 +146,8 @@ class Walk {
     GltfUse use;
     use.world_area.reserve(triangles_.size());
     use.world_center.reserve(triangles_.size());
+    use.world_radius.reserve(triangles_.size());
+    use.world_edges.reserve(triangles_.size());
     for (const auto& triangle : triangles_) {
       std::array<Vec3, 3> corner;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -168,6 +170,14 @@ class Walk {
       use.world_area.push_back(static_cast<float>(twice / 2));
       use.world_center.push_back(
           {static_cast<float>(center[0]), static_cast<float>(center[1]), static_cast<float>(center[2])});
+      double radius = 0;
+      for (const Vec3& each : corner)
+        radius = std::max(radius, std::hypot(each[0] - center[0], each[1] - center[1], each[2] - center[2]));
+      use.world_radius.push_back(static_cast<float>(radius));
+      const auto product = [](const Vec3& p, const Vec3& q) {
+        return static_cast<float>(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]);
+      };
+      use.world_edges.push_back({product(a, a), product(a, b), product(b, b)});
     }
     return use;
   }

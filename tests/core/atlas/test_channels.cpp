@@ -55,3 +55,27 @@ TEST_CASE("the content hash tells a changed bit, a swap and a cut apart") {
   pieces.add(text.substr(320));
   CHECK(pieces.hex() == whole);
 }
+
+TEST_CASE("one coloured texel anywhere ends the grey, in F0 only") {
+  for (const std::size_t count : {1u, 3u, 16u, 17u, 64u, 129u}) {
+    std::vector<std::uint8_t> rgba;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto v = static_cast<std::uint8_t>(7 * i);
+      rgba.insert(rgba.end(), {v, v, v, static_cast<std::uint8_t>(i)});
+    }
+    ChannelRange range;
+    add_texels(range, Texture::specular_gloss, rgba.data(), count);
+    CHECK(range.grey);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t c = 0; c < 3; ++c) {
+        rgba[4 * i + c] ^= 16;
+        ChannelRange one;
+        add_texels(one, Texture::specular_gloss, rgba.data(), count);
+        CHECK_FALSE(one.grey);
+        ChannelRange diffuse;
+        add_texels(diffuse, Texture::diffuse_alpha, rgba.data(), count);
+        CHECK(diffuse.grey);
+        rgba[4 * i + c] ^= 16;
+      }
+  }
+}

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "core/atlas/defines.h"
 #include "core/atlas/leave_out.h"
 #include "tests/support.h"
 
@@ -20,6 +21,7 @@ MaterialFacts facts(const std::string& name, int side,
   f.learned = true;
   f.range.least.fill(0);
   f.range.most.fill(255);
+  f.range.grey = false;
   for (const auto& [channel, code] : constant)
     f.range.least[channel] = f.range.most[channel] = static_cast<std::uint8_t>(code);
   static std::uint64_t unique = 0;
@@ -150,4 +152,34 @@ TEST_CASE("the lines of a report add up to what is gone") {
         CHECK(owner.texels);
       }
   }
+}
+
+TEST_CASE("grey F0 that varies is one channel, where all who share the texels have it so") {
+  MaterialFacts grey = facts("grey", 16), other = facts("other", 8),
+                scalar = facts("scalar", 4, {{4, 9}, {5, 9}, {6, 9}});
+  grey.range.grey = scalar.range.grey = true;
+  LeaveOut out = leave_out({grey, other, scalar}, {});
+  REQUIRE(line(out, "grey") != nullptr);
+  CHECK(line(out, "grey")->channel_texels == 2 * 256);
+  CHECK(line(out, "grey")->materials == 1);
+  CHECK(line(out, "grey")->texels == 0);
+  CHECK(out.fates[0].grey);
+  CHECK_FALSE(out.fates[1].grey);
+  CHECK_FALSE(out.fates[2].grey);  // constant: the line before has it
+  CHECK(material_defines(out.fates[0], AlphaMode::opaque) ==
+        std::vector<std::string>{"ETAK_DIFFUSE_TEXTURE", "ETAK_SPECULAR_TEXTURE", "ETAK_SCALAR_F0",
+                                 "ETAK_GLOSS_TEXTURE"});
+  CHECK(material_defines(out.fates[2], AlphaMode::opaque) ==
+        std::vector<std::string>{"ETAK_DIFFUSE_TEXTURE", "ETAK_SCALAR_F0", "ETAK_GLOSS_TEXTURE"});
+  // One texel that another user reads in colour keeps the channels.
+  MaterialFacts user = other;
+  user.width = user.height = 16;
+  user.crop = grey.crop;
+  user.color_hash = grey.color_hash;
+  user.specular_hash = grey.specular_hash;
+  out = leave_out({grey, user}, {});
+  CHECK(line(out, "grey")->channel_texels == 0);
+  LeaveOutOptions keep;
+  keep.keep = {"grey"};
+  CHECK(line(leave_out({grey}, keep), "grey") == nullptr);
 }

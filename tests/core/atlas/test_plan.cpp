@@ -126,3 +126,80 @@ TEST_CASE("a tiling region has a page of just its size to itself") {
 TEST_CASE("a region larger than any page is refused") {
   CHECK_FALSE(error_of([] { (void)plan_pages({region(0, 300, 10)}, names(1), options(256)); }).empty());
 }
+
+namespace {
+
+// The layout that a plan was written as.
+AtlasLayout written(const Plan& plan, const std::vector<Region>& regions) {
+  AtlasLayout out;
+  for (const Page& page : plan.pages) {
+    AtlasPage row{page.width, page.height, {}};
+    for (std::size_t t = 0; t < 2; ++t)
+      if (page.has[t]) row.files[t] = {"file"};
+    out.pages.push_back(row);
+  }
+  const auto all = names(regions.size());
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    AtlasRect rect;
+    const Place& at = plan.places[i];
+    rect.name = all[regions[i].material];
+    rect.page = at.page, rect.x = at.x, rect.y = at.y, rect.rotated = at.rotated;
+    rect.crop = regions[i].box;
+    rect.width = at.rotated ? rect.crop.height : rect.crop.width;
+    rect.height = at.rotated ? rect.crop.width : rect.crop.height;
+    rect.gutter = at.gutter, rect.mips = at.clean_levels;
+    rect.inset = plan.inset ? 0.5 * (1 << (at.clean_levels - 1)) : 0;
+    out.rects.push_back(rect);
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("staying costs no more than the stated share of area") {
+  // Half of what was there goes: a page of half the size would do for the rest.
+  std::vector<Region> regions;
+  for (std::size_t i = 0; i < 16; ++i) regions.push_back(region(i, 60, 60));
+  PlanOptions choice = options(1024);
+  choice.rects.form = PageForm::free;
+  const Plan before = plan_pages(regions, names(16), choice);
+  const AtlasLayout old = written(before, regions);
+  std::vector<Region> rest;
+  for (std::size_t i = 0; i < 16; i += 2) rest.push_back(regions[i]);
+  const Plan fresh = plan_pages(rest, names(16), choice);
+  REQUIRE(fresh.page_texels() < before.page_texels());
+  choice.most_extra_area = 0;
+  const Plan tight = plan_pages(rest, names(16), choice, &old);
+  CHECK(tight.page_texels() <= fresh.page_texels());
+  choice.most_extra_area = 10;
+  const Plan loose = plan_pages(rest, names(16), choice, &old);
+  CHECK(loose.moved == 0);
+  CHECK(loose.kept_previous);
+  CHECK(fault_of(loose, rest) == "");
+  for (std::size_t k = 0; k < rest.size(); ++k) CHECK(loose.places[k] == before.places[2 * k]);
+  // In between: never above the share, whatever moves.
+  for (const double share : {0.02, 0.1, 0.3, 0.6, 1.0}) {
+    choice.most_extra_area = share;
+    const Plan plan = plan_pages(rest, names(16), choice, &old);
+    CHECK(static_cast<double>(plan.page_texels()) <= static_cast<double>(fresh.page_texels()) * (1 + share));
+    CHECK(fault_of(plan, rest) == "");
+  }
+}
+
+TEST_CASE("a new region with more clean mips than the others moves none of them") {
+  std::vector<Region> regions;
+  for (std::size_t i = 0; i < 12; ++i)
+    regions.push_back(region(i, 70 + static_cast<int>(i), 90 - static_cast<int>(i)));
+  PlanOptions choice = options(2048);
+  choice.levels = 0;
+  const Plan before = plan_pages(regions, names(13), choice);
+  const AtlasLayout old = written(before, regions);
+  std::vector<Region> more = regions;
+  more.push_back(region(12, 300, 300));
+  choice.most_extra_area = 0.5;
+  const Plan after = plan_pages(more, names(13), choice, &old);
+  CHECK(after.moved == 0);
+  CHECK(after.clean_limit == before.places[0].clean_levels);
+  CHECK(fault_of(after, more) == "");
+  for (std::size_t i = 0; i < regions.size(); ++i) CHECK(after.places[i] == before.places[i]);
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/atlas/compose.h"
+#include "core/base/output_folder.h"
+
+namespace etak {
+
+/// One page as floats, by Texture and level: colours in linear light, alpha and gloss as they are. Empty
+/// where the page has no such texture.
+struct FloatPage {
+  std::array<std::vector<Image>, 2> levels;
+};
+
+/// The same places, gutters and mips as Composer gives the 8-bit pages, from the numbers of the files.
+FloatPage compose_floats(int page, int levels, const std::vector<PackInput>& materials,
+                         const std::vector<Region>& regions, const Plan& plan, const ComposeOptions& options);
+
+/// Writes the page's files of one format.
+void write_float_page(OutputFolder& folder, int page, const FloatPage& pixels, const std::string& format,
+                      const PictureDoor& door);
+
+}  // namespace etak

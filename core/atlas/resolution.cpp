@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/resolution.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+
+#include "core/atlas/compose.h"
+#include "core/base/parallel.h"
+#include "core/color/delta_e.h"
+#include "core/image/linear_tables.h"
+
+namespace etak {
+namespace {
+
+// The eight quantities of a texel, colours linear.
+using Quantities = std::array<float, channel_count>;
+
+class Sampler {
+ public:
+  Sampler(const MaterialPair& pair, const WrapBoth& wrap) : pair_(pair), wrap_(wrap) {}
+
+  int width() const { return pair_.diffuse_alpha.width; }
+  int height() const { return pair_.diffuse_alpha.height; }
+
+  // Bilinear at a place in texels, their centres at halves.
+  Quantities at(double x, double y) const {
+    const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
+    const auto right_share = static_cast<float>(x - 0.5 - left),
+               low_share = static_cast<float>(y - 0.5 - top);
+    Quantities out{};
+    for (int j = 0; j < 2; ++j)
+      for (int i = 0; i < 2; ++i) {
+        const float share = (i == 0 ? 1 - right_share : right_share) * (j == 0 ? 1 - low_share : low_share);
+        if (share > 0) add(static_cast<int>(left) + i, static_cast<int>(top) + j, share, out);
+      }
+    return out;
+  }
+
+ private:
+  void add(int x, int y, float share, Quantities& out) const {
+    const int column = wrapped_texel(x, width(), wrap_[0]), row = wrapped_texel(y, height(), wrap_[1]);
+    const auto& linear = linear_tables().srgb;
+    std::size_t c = 0;
+    for (const Image8* picture : {&pair_.diffuse_alpha, &pair_.specular_gloss}) {
+      const auto texel = picture->at(column, row);
+      for (std::size_t k = 0; k < 3; ++k) out[c++] += share * linear[texel[k]];
+      out[c++] += share * static_cast<float>(texel[3]) / 255;
+    }
+  }
+
+  const MaterialPair& pair_;
+  const WrapBoth& wrap_;
+};
+
+LinearRgb color(const Quantities& v, std::size_t first) {
+  return {double{v[first]}, double{v[first + 1]}, double{v[first + 2]}};
+}
+
+double encoded(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+ResolutionError difference(const Quantities& a, const Quantities& b) {
+  if (a == b) return {};
+  ResolutionError out;
+  for (const Texture texture : both_textures) {
+    const std::size_t first = first_channel(texture);
+    out.delta_e = std::max(out.delta_e, delta_e2000(to_lab(color(a, first)), to_lab(color(b, first))));
+    const double plain = std::abs(double{a[first + 3]} - double{b[first + 3]});
+    out.delta_e = std::max(out.delta_e, 100 * plain);
+    out.codes = std::max(out.codes, 255 * plain);
+    for (std::size_t c = first; c < first + 3; ++c)
+      out.codes = std::max(out.codes, 255 * std::abs(encoded(double{a[c]}) - encoded(double{b[c]})));
+  }
+  return out;
+}
+
+// mip_pair() takes gloss as Schueler's. Roughness averages as the squared width alpha^2 = roughness^4 of its
+// lobe, each level from the first.
+template <class Value, class Read, class Write>
+void average_roughness(std::vector<Pixels<Value>>& levels, GlossForm form, Read read, Write write) {
+  const Pixels<Value>& first = levels.front();
+  Image squared(first.width, first.height, 1);
+  for (std::size_t i = 0; i < squared.values.size(); ++i) {
+    const double r = converted_gloss(read(first.values[4 * i + 3]), form, GlossForm::roughness);
+    squared.values[i] = static_cast<float>(r * r * r * r);
+  }
+  for (std::size_t l = 1; l < levels.size(); ++l) {
+    const Image mean = shrunk(squared, levels[l].width, levels[l].height);
+    for (std::size_t i = 0; i < mean.values.size(); ++i) {
+      const double r = std::sqrt(std::sqrt(std::max(double{mean.values[i]}, 0.0)));
+      levels[l].values[4 * i + 3] = write(converted_gloss(r, GlossForm::roughness, form));
+    }
+  }
+}
+
+}  // namespace
+
+MipPair region_chain(const Image8& a, const Image8& b, const MipOptions& options, GlossForm gloss,
+                     unsigned threads) {
+  MipPair out = mip_pair(a, b, options, threads);
+  if (gloss != GlossForm::schueler)
+    average_roughness(
+        out.specular_gloss, gloss, [](std::uint8_t code) { return code / 255.0; },
+        [](double v) { return static_cast<std::uint8_t>(255 * std::clamp(v, 0.0, 1.0) + 0.5); });
+  return out;
+}
+
+MipPairFloat region_chain(const Image& a, const Image& b, const MipOptions& options, GlossForm gloss,
+                          unsigned threads) {
+  MipPairFloat out = mip_pair(a, b, options, threads);
+  if (gloss != GlossForm::schueler)
+    average_roughness(
+        out.specular_gloss, gloss, [](float v) { return double{v}; },
+        [](double v) { return static_cast<float>(v); });
+  return out;
+}
+
+ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& fewer, const WrapBoth& wrap,
+                                 double enough, unsigned threads) {
+  const Sampler a(whole, wrap), b(fewer, wrap);
+  const double across = static_cast<double>(b.width()) / a.width(),
+               down = static_cast<double>(b.height()) / a.height();
+  const auto rows = 2 * static_cast<std::size_t>(a.height()) + 1;
+  std::vector<ResolutionError> worst(rows);
+  std::atomic<bool> stop{false};
+  parallel_chunks(rows, threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t row = begin; row < end && !stop; ++row)
+      for (int column = 0; column <= 2 * a.width(); ++column) {
+        const double x = 0.5 * column, y = 0.5 * static_cast<double>(row);
+        const ResolutionError here = difference(a.at(x, y), b.at(across * x, down * y));
+        worst[row].delta_e = std::max(worst[row].delta_e, here.delta_e);
+        worst[row].codes = std::max(worst[row].codes, here.codes);
+        if (here.delta_e > enough) {
+          stop = true;
+          return;
+        }
+      }
+  });
+  ResolutionError out;
+  for (const ResolutionError& each : worst) {
+    out.delta_e = std::max(out.delta_e, each.delta_e);
+    out.codes = std::max(out.codes, each.codes);
+  }
+  return out;
+}
+
+Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap, int unseen,
+                         std::optional<double> bound, unsigned threads) {
+  const int deepest = static_cast<int>(levels.diffuse_alpha.size()) - 1;
+  const auto level = [&](int l) {
+    return MaterialPair{levels.diffuse_alpha[static_cast<std::size_t>(l)],
+                        levels.specular_gloss[static_cast<std::size_t>(l)]};
+  };
+  constexpr double any = 1e9;
+  Resolution out;
+  const int free = out.shrink = std::min(unseen, deepest);
+  const MaterialPair reference = level(free);
+  const auto varies = [](const Image8& picture) {
+    for (std::size_t i = 3; i < picture.values.size(); i += 4)
+      if (picture.values[i] != picture.values[3]) return true;
+    return false;
+  };
+  if (bound && !(mask && varies(reference.diffuse_alpha)))
+    for (int l = free + 1; l <= deepest; ++l) {
+      const ResolutionError error = resolution_error(reference, level(l), wrap, *bound, threads);
+      if (error.delta_e > *bound) break;
+      out.shrink = l;
+      out.seen = error;
+    }
+  if (out.shrink > 0)
+    out.whole = free == 0 ? out.seen : resolution_error(level(0), level(out.shrink), wrap, any, threads);
+  return out;
+}
+
+MaterialPair stored_pair(const MaterialPair& pair, const Region& region, const PackInput& material,
+                         GlossForm gloss) {
+  MipOptions options;
+  options.levels = region.shrink + 1;
+  if (material.alpha_mode == AlphaMode::mask) options.alpha_cutoff = material.alpha_cutoff;
+  MipPair chain = region_chain(part_of(pair.diffuse_alpha, region.box),
+                               part_of(pair.specular_gloss, region.box), options, gloss);
+  return {std::move(chain.diffuse_alpha.back()), std::move(chain.specular_gloss.back())};
+}
+
+}  // namespace etak

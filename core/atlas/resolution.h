@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/atlas/plan.h"
+#include "core/atlas/sources.h"
+#include "core/image/image.h"
+#include "core/image/mips.h"
+
+namespace etak {
+
+// Storing a region with fewer texels than its picture has: as the mip of a higher level.
+
+/// How far a region with fewer texels is from the one it stands for, at worst, over the texels and the points
+/// half way between them, both filtered bilinearly in linear light, diffuse and F0 alike.
+struct ResolutionError {
+  double delta_e = 0;  // CIEDE2000, and 100 times the difference of alpha and of gloss where that is more
+  double codes = 0;    // of 255, of any channel
+  friend bool operator==(const ResolutionError&, const ResolutionError&) = default;
+};
+
+/// What a sampler does at the edges of the region, by axis.
+using WrapBoth = std::array<Wrap, 2>;
+
+/// Compares a pair with a smaller one of the same content. Stops early and returns what it has found so far
+/// where delta_e exceeds `enough`.
+ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& fewer, const WrapBoth& wrap,
+                                 double enough, unsigned threads);
+
+struct Resolution {
+  int shrink = 0;         // level that is stored
+  ResolutionError seen;   // against the level that can be seen at most (level 0 without `unseen`)
+  ResolutionError whole;  // against level 0
+};
+
+/// The fewest texels for a region.
+///   levels    the mip chain of the region, level 0 first, as deep as the result may go
+///   unseen    halvings that cost nothing that can be seen
+///   bound     of `seen.delta_e` for halvings beyond those; none: there are no others
+/// A pair whose alpha is tested (`mask`) and varies stays as it is beyond `unseen`: a small difference of
+/// alpha is a large one of what is seen.
+Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap, int unseen,
+                         std::optional<double> bound, unsigned threads);
+
+/// Mips of a region in whatever form its gloss is; as mip_pair() otherwise.
+MipPair region_chain(const Image8& a, const Image8& b, const MipOptions& options, GlossForm gloss,
+                     unsigned threads = 1);
+MipPairFloat region_chain(const Image& a, const Image& b, const MipOptions& options, GlossForm gloss,
+                          unsigned threads = 1);
+
+/// A box of a picture of four channels.
+template <class Value>
+Pixels<Value> part_of(const Pixels<Value>& picture, const PixelBox& box) {
+  Pixels<Value> out(box.width, box.height, picture.channels);
+  paste(picture, -box.x, -box.y, out);
+  return out;
+}
+
+/// The region as it is stored at level 0, without its gutter.
+///   pair   of the whole material
+MaterialPair stored_pair(const MaterialPair& pair, const Region& region, const PackInput& material,
+                         GlossForm gloss);
+
+}  // namespace etak
