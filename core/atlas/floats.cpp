@@ -16,38 +16,55 @@ namespace {
 
 constexpr std::size_t piece = 1024;  // texels hashed at a time
 
+// A picture's numbers: codes as they are, which floats hold exactly.
+struct Numbers {
+  Image image;
+  double full = 1;      // the code that stands for 1
+  bool floats = false;  // of a file of floats, whose colours are linear by themselves
+
+  double at(std::size_t i) const { return double{image.values[i]} / full; }
+};
+
 template <class Code>
-Image fractions_of(const Pixels<Code>& codes) {
-  constexpr double full = std::numeric_limits<Code>::max();
-  Image out(codes.width, codes.height, codes.channels);
-  std::transform(codes.values.begin(), codes.values.end(), out.values.begin(),
-                 [](Code code) { return static_cast<float>(code / full); });
+Numbers numbers_of(const Pixels<Code>& codes) {
+  Numbers out{Image(codes.width, codes.height, codes.channels), std::numeric_limits<Code>::max(), false};
+  std::copy(codes.values.begin(), codes.values.end(), out.image.values.begin());
   return out;
 }
 
 template <class Code>
-Image read_all(PngReader& reader) {
+Numbers read_all(PngReader& reader) {
   const PngInfo& info = reader.info();
   Pixels<Code> codes(info.width, info.height, info.channels);
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): codes as bytes
   reader.read_rows(reinterpret_cast<std::uint8_t*>(codes.values.data()),
                    static_cast<std::size_t>(info.width * info.channels) * sizeof(Code), info.height);
-  return fractions_of(codes);
+  return numbers_of(codes);
 }
 
-// A picture's numbers, and whether they are of a file of floats, whose colours are linear by themselves.
-struct Numbers {
-  Image image;
-  bool floats = false;
-};
+std::optional<Numbers> png_numbers(std::string_view bytes, const std::string& label) {
+  auto png = PngReader::open(bytes, label);
+  if (!png) return std::nullopt;
+  return png->info().bits == 16 ? read_all<std::uint16_t>(*png) : read_all<std::uint8_t>(*png);
+}
 
 Numbers numbers_of(const PlaneSource& source) {
   FileBytes file;
   file.load(source.path);
-  if (auto png = png_fractions(file.view(), source.path)) return {std::move(*png), false};
-  const auto loaded = source.door->load(source.path);
-  const bool codes = std::holds_alternative<Image8>(loaded);
-  return {fractions(loaded), !codes && source.door->header(source.path).bits != 16};
+  if (auto png = png_numbers(file.view(), source.path)) return std::move(*png);
+  auto loaded = source.door->load(source.path);
+  if (const auto* codes = std::get_if<Image8>(&loaded)) return numbers_of(*codes);
+  Image& image = std::get<Image>(loaded);
+  if (source.door->header(source.path).bits != 16) return {std::move(image), 1, true};
+  constexpr float full = 65535;
+  for (float& v : image.values) v = std::round(full * v);
+  return {std::move(image), double{full}, false};
+}
+
+Image fractions_of(const Numbers& numbers) {
+  Image out = numbers.image;
+  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = static_cast<float>(numbers.at(i));
+  return out;
 }
 
 double value_of(const PlaneSource& source, double v, bool floats) {
@@ -77,14 +94,14 @@ std::uint8_t code(std::size_t channel, float value) {
 }  // namespace
 
 Image fractions(const std::variant<Image8, Image>& picture) {
-  if (const auto* codes = std::get_if<Image8>(&picture)) return fractions_of(*codes);
+  if (const auto* codes = std::get_if<Image8>(&picture)) return fractions_of(numbers_of(*codes));
   return std::get<Image>(picture);
 }
 
 std::optional<Image> png_fractions(std::string_view bytes, const std::string& label) {
-  auto png = PngReader::open(bytes, label);
-  if (!png) return std::nullopt;
-  return png->info().bits == 16 ? read_all<std::uint16_t>(*png) : read_all<std::uint8_t>(*png);
+  const auto numbers = png_numbers(bytes, label);
+  if (!numbers) return std::nullopt;
+  return fractions_of(*numbers);
 }
 
 Image plane_floats(const PlaneSource& source, int width, int height) {
@@ -109,11 +126,11 @@ Image plane_floats(const PlaneSource& source, int width, int height) {
                       "at least " + std::to_string(pick[c] + 1));
   for (std::size_t i = 0; i < out.pixel_count(); ++i)
     for (std::size_t c = 0; c < channels; ++c) {
-      const float v = from.values[step * i + static_cast<std::size_t>(pick[c])];
+      const double v = numbers.at(step * i + static_cast<std::size_t>(pick[c]));
       if (!std::isfinite(v))
         throw Error::at(source.path, "holds a value that is no finite number", "finite numbers");
       out.values[channels * i + c] =
-          source.space ? v : static_cast<float>(value_of(source, double{v}, numbers.floats));
+          static_cast<float>(source.space ? v : value_of(source, v, numbers.floats));
     }
   if (source.space) source.space(out.values.data(), out.pixel_count());
   return out;

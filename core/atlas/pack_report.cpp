@@ -42,6 +42,16 @@ std::string line_json(const LeaveOutLine& line) {
          ", \"error\": " + json(line.error) + "}";
 }
 
+std::string reduced_json(const ReducedRegion& r) {
+  const auto size = [](int width, int height) {
+    return "[" + std::to_string(width) + ", " + std::to_string(height) + "]";
+  };
+  return "{\"material\": " + json(r.material) + ", \"size\": " + size(r.width, r.height) +
+         ", \"stored\": " + size(r.stored_width, r.stored_height) +
+         ", \"seen_delta_e\": " + json(r.seen_delta_e) + ", \"delta_e\": " + json(r.delta_e) +
+         ", \"codes\": " + json(r.codes) + "}";
+}
+
 std::string page_json(const Page& page) {
   return "{\"width\": " + std::to_string(page.width) + ", \"height\": " + std::to_string(page.height) +
          ", \"diffuse_alpha\": " + json(page.has[0]) + ", \"specular_gloss\": " + json(page.has[1]) + "}";
@@ -85,6 +95,10 @@ std::string report_text(const PackReport& r, bool stages) {
   out += "left of two full-size textures: " + fixed(percent(after.texels, before.texels), 1) +
          " % of the texels, " + fixed(percent(after.channel_texels, before.channel_texels), 1) +
          " % of the channels' texels\n";
+  for (const ReducedRegion& each : r.reduced)
+    out += each.material + ": " + std::to_string(each.width) + "x" + std::to_string(each.height) +
+           " stored as " + std::to_string(each.stored_width) + "x" + std::to_string(each.stored_height) +
+           ", dE " + number(each.delta_e, 3) + ", " + number(each.seen_delta_e, 3) + " of what is seen\n";
   if (stages)
     for (const PackStage& stage : r.stages)
       out += left(stage.name, 18) + right(fixed(1000 * stage.seconds, 1), 9) + " ms\n";
@@ -111,6 +125,7 @@ std::string report_json(const PackReport& r, bool stages) {
                      ", \"inset\": " + json(r.inset) + ", \"levels\": " + std::to_string(r.levels) +
                      ", \"passes\": " + std::to_string(r.passes) + "}"},
       {"left_out", list_json(r.left_out.lines, line_json)},
+      {"reduced", list_json(r.reduced, reduced_json)},
       {"before", account_json(r.left_out.before)},
       {"after", account_json(r.left_out.after)},
       {"files", list_json(r.files, quoted)},

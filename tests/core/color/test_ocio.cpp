@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <OpenColorIO/OpenColorIO.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -232,4 +234,39 @@ TEST_CASE("errors of a config name it, the space and what is missing") {
     CHECK(contains(message, folder.file("lut.ocio")));
     CHECK(contains(message, "Lut"));
   }
+}
+
+TEST_CASE("values of a space become the linear sRGB that OpenColorIO itself makes of them") {
+  const auto config = OCIO_NAMESPACE::Config::CreateFromFile(own_config.c_str());
+  for (const char* name : {"ACEScg", "ACES2065-1", "Linear Rec.2020", "Linear Display P3", "sRGB - Texture",
+                           "Linear Rec.709 (sRGB)", "CIE XYZ D65"}) {
+    INFO(name);
+    const OcioSource source = OcioSource::open(own_config, name);
+    CHECK(source.name() == name);
+    const auto theirs = config->getProcessor(name, "Linear Rec.709 (sRGB)")
+                            ->getOptimizedCPUProcessor(OCIO_NAMESPACE::OPTIMIZATION_LOSSLESS);
+    std::vector<float> many;
+    for (const Vec3& each : colours)
+      for (const double v : each) many.push_back(static_cast<float>(v));
+    std::vector<float> expected = many;
+    source.to_linear_srgb(many.data(), colours.size());
+    for (std::size_t i = 0; i < colours.size(); ++i) theirs->applyRGB(expected.data() + 3 * i);
+    for (std::size_t i = 0; i < many.size(); ++i)
+      CHECK(double{many[i]} == Approx(double{expected[i]}).margin(1e-5));
+  }
+}
+
+TEST_CASE("a display's values become the linear sRGB that it shows") {
+  for (int code = 0; code < 256; ++code) {
+    const auto v = static_cast<float>(code / 255.0);
+    for (const char* name : {"sRGB - Texture", "sRGB - Display"}) {
+      float rgb[3] = {v, 0.25f, 1};
+      OcioSource::open(own_config, name).to_linear_srgb(rgb, 1);
+      CHECK(double{rgb[0]} == Approx(srgb_decode(double{v})).margin(2e-5));
+      CHECK(srgb_u8(std::clamp(double{rgb[0]}, 0.0, 1.0)) == code);
+      CHECK(double{rgb[2]} == Approx(1).margin(2e-5));
+    }
+  }
+  CHECK(contains(error_of([] { OcioSource::open(own_config, "ACEScgg"); }), "\"ACEScg\""));
+  CHECK(contains(error_of([] { OcioSource::open(own_config, "Raw"); }), "data"));
 }
