@@ -65,9 +65,9 @@ constexpr std::array<double, 3> channel_nm{611.4, 549.1, 464.3};
 // Spectra on the grid to linear sRGB.
 class Eye {
  public:
-  Eye() : quadrature_(make_quadrature(Method::nm1, {})) {
-    const Xyz white = to_xyz(quadrature_.white());
-    matrix_ = xyz_to_rgb(RgbSpace::srgb, white, white);
+  explicit Eye(Viewing viewing) : quadrature_(make_quadrature(Method::nm1, viewing)) {
+    const Quadrature d65 = make_quadrature(Method::nm1, {viewing.observer, Illuminant::d65});
+    matrix_ = xyz_to_rgb(RgbSpace::srgb, to_xyz(quadrature_.white()), to_xyz(d65.white()));
   }
   Vec3 rgb(std::span<const double> reflectance) const { return matrix_ * quadrature_.integrate(reflectance); }
 
@@ -75,6 +75,22 @@ class Eye {
   Quadrature quadrature_;
   Mat3 matrix_;
 };
+
+// n and k against the outside medium.
+GridIndex relative_index(const OpticalConstants& optics, const OutsideMedium& outside,
+                         std::string_view what) {
+  GridIndex index = grid_index(optics, what);
+  GridIndex medium;
+  if (const auto* constants = std::get_if<OpticalConstants>(&outside.index))
+    medium = grid_index(*constants, outside.label);
+  else
+    medium.n.fill(std::get<double>(outside.index));
+  for (std::size_t i = 0; i < grid_size; ++i) {
+    index.n[i] /= medium.n[i];
+    index.k[i] /= medium.n[i];
+  }
+  return index;
+}
 
 // ---- fits: what a renderer is given, per channel
 
@@ -232,9 +248,10 @@ const FresnelForm* fresnel_form(std::string_view id) {
   return nullptr;
 }
 
-FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg) {
-  static const Eye eye;
-  const GridIndex index = grid_index(optics, what);
+FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg,
+                           const F0Options& seen_under) {
+  const Eye eye(seen_under.viewing);
+  const GridIndex index = relative_index(optics, seen_under.outside, what);
   const auto seen = [&](double cosine) {
     std::array<double, grid_size> reflectance{};
     f64::fresnel_exact(index.n, index.k, cosine, reflectance);

@@ -7,12 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/material/f0.h"
 #include "core/material/material.h"
 #include "core/math/mat3.h"
 
 namespace etak {
 
-/// F over angle as it is seen: F(wavelength, angle) at 1 nm to linear sRGB under D65, unclipped.
+/// F over angle as it is seen: F(wavelength, angle) at 1 nm to linear sRGB, unclipped.
 struct FresnelTruth {
   std::vector<double> cosine;  // of incidence
   std::vector<double> weight;  // of each in the mean over a sphere seen from far away: 2 c dc; sums to 1
@@ -23,7 +24,9 @@ struct FresnelTruth {
 };
 
 /// Angles 0 to 90 degrees in steps of `step_deg`. Throws Error (naming `what`) as grid_index() does.
-FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg = 0.25);
+///   seen   observer, illuminant and outside medium of these options count; space and method do not
+FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg = 0.25,
+                           const F0Options& seen = {});
 
 /// Up to four numbers per channel, as a renderer gets them.
 using FresnelValues = std::array<std::array<double, 4>, 3>;

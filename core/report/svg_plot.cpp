@@ -233,6 +233,10 @@ PlotAxis nice_axis(std::string label, double least, double most, int count) {
   return axis;
 }
 
+std::string tick_text(const PlotAxis& axis, double tick) {
+  return tick_text(tick, step_of(axis));
+}
+
 std::string svg(const LinePlot& plot) {
   const Frame frame{plot, margin(plot.left), width - (plot.right ? margin(*plot.right) : 14)};
   std::string out = "<svg class=\"plot\" viewBox=\"0 0 460 270\" role=\"img\"><title>";

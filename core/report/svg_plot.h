@@ -20,6 +20,9 @@ struct PlotAxis {
 /// or non-finite ends give an axis of some width.
 PlotAxis nice_axis(std::string label, double least, double most, int count = 5);
 
+/// The number at a tick of an axis.
+std::string tick_text(const PlotAxis& axis, double tick);
+
 /// A line over x; NaN in y breaks it.
 ///   css_class   class of its path: the page's style sheet gives colour, width and dashes
 ///   title       what a pointer over it shows

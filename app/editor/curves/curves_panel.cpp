@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/curves/curves_panel.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QTabWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/editor/curves/line_plot_widget.h"
+#include "app/editor/curves/polar_plot_widget.h"
+#include "core/base/error.h"
+
+namespace etak::editor {
+namespace {
+
+bool same_view(const F0Options& a, const F0Options& b) {
+  return a.viewing == b.viewing && a.interpolation == b.interpolation && a.outside.label == b.outside.label &&
+         a.outside.index == b.outside.index;
+}
+
+QLabel* label_for(QWidget* control, const QString& text) {
+  auto* label = new QLabel(text);
+  label->setBuddy(control);
+  control->setAccessibleName(QString(text).remove('&').remove(':'));
+  return label;
+}
+
+}  // namespace
+
+CurvesPanel::CurvesPanel(QWidget* parent)
+    : QWidget(parent),
+      tabs_(new QTabWidget),
+      index_(new LinePlotWidget),
+      reflectance_(new LinePlotWidget),
+      angles_(new LinePlotWidget),
+      lobe_(new PolarPlotWidget),
+      channel_(new QComboBox),
+      scale_(new QComboBox),
+      light_(new QDoubleSpinBox) {
+  pool_.setMaxThreadCount(1);
+  tabs_->setAccessibleName(tr("Curves"));
+  channel_->addItems({tr("Red"), tr("Green"), tr("Blue"), tr("Luminance")});
+  channel_->setCurrentIndex(3);
+  scale_->addItems({tr("Linear"), tr("Logarithmic")});
+  light_->setRange(0, 89);
+  light_->setValue(45);
+  light_->setDecimals(0);
+  light_->setSuffix(QStringLiteral("°"));
+
+  tabs_->addTab(with_controls(index_, {}), tr("n, k"));
+  tabs_->addTab(with_controls(reflectance_, {}), tr("R(λ)"));
+  tabs_->addTab(with_controls(angles_, {label_for(channel_, tr("C&hannel:")), channel_}), tr("F(θ)"));
+  tabs_->addTab(with_controls(lobe_, {label_for(light_, tr("&Light at:")), light_,
+                                      label_for(scale_, tr("S&cale:")), scale_}),
+                tr("Lobe"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(tabs_);
+
+  connect(channel_, &QComboBox::currentIndexChanged, this, [this] { show_angles(); });
+  connect(scale_, &QComboBox::currentIndexChanged, this, [this] { show_lobe(); });
+  connect(light_, &QDoubleSpinBox::valueChanged, this, [this] { ask(); });
+  for (PlotWidget* plot : {static_cast<PlotWidget*>(index_), static_cast<PlotWidget*>(reflectance_),
+                           static_cast<PlotWidget*>(angles_), static_cast<PlotWidget*>(lobe_)})
+    connect(plot, &PlotWidget::readout_changed, this, &CurvesPanel::readout_changed);
+}
+
+CurvesPanel::~CurvesPanel() {
+  pool_.clear();
+  pool_.waitForDone();
+}
+
+QWidget* CurvesPanel::with_controls(PlotWidget* plot, const std::vector<QWidget*>& controls) {
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->setSpacing(4);
+  auto* row = new QHBoxLayout;
+  for (QWidget* control : controls) row->addWidget(control);
+  row->addStretch();
+  const auto button = [&](const QString& text, const QString& name, auto act) {
+    auto* out = new QToolButton;
+    out->setText(text);
+    out->setToolTip(name);
+    out->setAccessibleName(name);
+    connect(out, &QToolButton::clicked, plot, act);
+    row->addWidget(out);
+  };
+  button(tr("CSV"), tr("Copy the curves as CSV"), &PlotWidget::copy_csv);
+  button(tr("SVG"), tr("Copy the plot as SVG"), &PlotWidget::copy_svg);
+  layout->addLayout(row);
+  layout->addWidget(plot, 1);
+  return page;
+}
+
+PlotWidget* CurvesPanel::current_plot() const {
+  return tabs_->currentWidget()->findChild<PlotWidget*>();
+}
+
+void CurvesPanel::set_material(const Material& material, const Dataset& dataset, const F0Options& options,
+                               double gloss, const Model* model, const std::vector<double>& values) {
+  wanted_.name = material.name;
+  wanted_.optics = dataset.optics;
+  wanted_.options = options;
+  wanted_.what = material.id + "/" + dataset.id;
+  wanted_.gloss = gloss;
+  wanted_.model = model;
+  wanted_.values = values;
+  ask();
+}
+
+void CurvesPanel::set_surface(const QString& name, double gloss, const Model* model,
+                              const std::vector<double>& values) {
+  wanted_.name = name.toStdString();
+  wanted_.optics.reset();
+  wanted_.what.clear();
+  wanted_.gloss = gloss;
+  wanted_.model = model;
+  wanted_.values = values;
+  ask();
+}
+
+// ---- work
+
+void CurvesPanel::ask() {
+  wanted_.theta_l_deg = light_->value();
+  waiting_ = true;
+  if (!running_) start();
+}
+
+void CurvesPanel::start() {
+  waiting_ = false;
+  running_ = true;
+  Request request = wanted_;
+  request.same_optics = has_shown_ && request.what == shown_.what && request.optics == shown_.optics &&
+                        same_view(request.options, shown_.options);
+  request.time_them = exact_ns_ == 0;
+  pool_.start([guard = QPointer<CurvesPanel>(this), request = std::move(request)]() mutable {
+    auto result = std::make_shared<Result>(compute(request));
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [guard, request = std::move(request), result] {
+          if (guard) guard->take(request, std::move(*result));
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+CurvesPanel::Result CurvesPanel::compute(const Request& request) {
+  Result out;
+  if (request.optics && !request.same_optics) {
+    try {
+      out.optics = curves_of(*request.optics, request.options);
+      out.angles = angle_curves(*request.optics, request.options, request.what);
+      if (request.time_them) time_angle_curves(*out.angles);
+    } catch (const Error& error) {
+      out.refusal = error.what();
+    }
+  }
+  if (request.model != nullptr && request.values.size() == request.model->value_count())
+    out.lobe = lobe_curve(*request.model, request.values, request.theta_l_deg);
+  return out;
+}
+
+void CurvesPanel::take(const Request& request, Result result) {
+  running_ = false;
+  const bool new_name = request.name != shown_.name;
+  if (!request.same_optics) {
+    result_.optics = std::move(result.optics);
+    result_.angles = std::move(result.angles);
+    result_.refusal = std::move(result.refusal);
+    if (AngleCurves* const angles = result_.angles ? &*result_.angles : nullptr) {
+      if (request.time_them && !angles->exact.empty()) {
+        exact_ns_ = angles->exact_ns;
+        form_ns_.clear();
+        for (const AngleCurve& form : angles->forms) form_ns_.emplace_back(form.id, form.ns);
+      }
+      if (!angles->exact.empty()) angles->exact_ns = exact_ns_;
+      for (AngleCurve& form : angles->forms)
+        for (const auto& [id, ns] : form_ns_)
+          if (id == form.id) form.ns = ns;
+    }
+  }
+  result_.lobe = std::move(result.lobe);
+  shown_ = request;
+  has_shown_ = true;
+  if (!request.same_optics || new_name) {
+    show_optics();
+    show_angles();
+  }
+  show_lobe();
+  // What came meanwhile is answered before anyone is told: drawn() means the last wish.
+  if (waiting_)
+    start();
+  else
+    emit drawn();
+}
+
+// ---- results to plots
+
+void CurvesPanel::show_optics() {
+  const auto nothing = [&](const char* title) {
+    LinePlot plot;
+    plot.title = shown_.name + title;
+    plot.description =
+        result_.refusal.empty() ? "no measured data: pick a material of the library" : result_.refusal;
+    return plot;
+  };
+  index_->set_plot(result_.optics ? index_plot(shown_.name, *result_.optics) : nothing(": n and k"),
+                   QStringLiteral(" nm"));
+  reflectance_->set_plot(result_.optics
+                             ? reflectance_plot(shown_.name, *result_.optics, shown_.options.viewing.observer)
+                             : nothing(": reflectance"),
+                         QStringLiteral(" nm"));
+}
+
+void CurvesPanel::show_angles() {
+  if (result_.angles && !result_.angles->forms.empty()) {
+    angles_->set_plot(
+        angle_plot(shown_.name, *result_.angles, static_cast<PlotChannel>(channel_->currentIndex())),
+        QStringLiteral("°"));
+    return;
+  }
+  LinePlot plot;
+  plot.title = shown_.name + ": F over angle";
+  plot.description = !result_.refusal.empty() ? result_.refusal : "no F0 is known";
+  angles_->set_plot(std::move(plot), {});
+}
+
+void CurvesPanel::show_lobe() {
+  const auto scale = scale_->currentIndex() == 0 ? RadialScale::linear : RadialScale::logarithmic;
+  if (result_.lobe) {
+    const std::string name = shown_.name + ", " + std::string(shown_.model->title) + ", gloss " +
+                             QString::number(shown_.gloss, 'g', 3).toStdString();
+    lobe_->set_plot(lobe_plot(name, *result_.lobe, scale));
+    return;
+  }
+  PolarPlot plot;
+  plot.title = shown_.name + ": lobe";
+  plot.description = "no specular model";
+  lobe_->set_plot(std::move(plot));
+}
+
+}  // namespace etak::editor

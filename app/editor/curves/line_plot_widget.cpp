@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/curves/line_plot_widget.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number.h"
+
+namespace etak::editor {
+namespace {
+
+constexpr double tick = 4, gap = 4;
+
+QString text_of(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+double widest(const PlotAxis& axis, const QFontMetricsF& metrics) {
+  double out = 0;
+  for (const double at : axis.ticks)
+    out = std::max(out, metrics.horizontalAdvance(text_of(tick_text(axis, at))));
+  return out;
+}
+
+}  // namespace
+
+void LinePlotWidget::set_plot(LinePlot plot, QString unit) {
+  plot_ = std::move(plot);
+  unit_ = std::move(unit);
+  plot_changed();
+}
+
+const PlotAxis& LinePlotWidget::axis_of(const PlotCurve& curve) const {
+  return curve.on_right && plot_.right ? *plot_.right : plot_.left;
+}
+
+QPointF LinePlotWidget::point(double x, double y, const PlotAxis& axis) const {
+  return {frame_.left() + (x - plot_.x.least) / (plot_.x.most - plot_.x.least) * frame_.width(),
+          frame_.bottom() - (y - axis.least) / (axis.most - axis.least) * frame_.height()};
+}
+
+void LinePlotWidget::draw(QPainter& painter, const QRectF& area) {
+  const QFontMetricsF metrics(painter.font());
+  const double label = metrics.height() + 2;
+  frame_ = area.adjusted(widest(plot_.left, metrics) + tick + gap + 8, label + metrics.height() / 2,
+                         -(plot_.right ? widest(*plot_.right, metrics) + tick + gap + 8
+                                       : metrics.horizontalAdvance(QStringLiteral("800")) / 2 + 8),
+                         -(2 * label + tick + gap));
+  draw_axes(painter, area);
+  painter.save();
+  painter.setClipRect(frame_.adjusted(-3, -3, 3, 3));
+  for (const PlotCurve& curve : plot_.curves) draw_curve(painter, curve);
+  painter.restore();
+}
+
+void LinePlotWidget::draw_axes(QPainter& painter, const QRectF& area) {
+  const QFontMetricsF metrics(painter.font());
+  const double half = metrics.height() / 2 - metrics.descent();
+  const auto centred = [&](double x, double y, const QString& text) {
+    painter.drawText(QPointF(x - metrics.horizontalAdvance(text) / 2, y), text);
+  };
+  painter.setPen(QPen(line(), 1));
+  for (const double at : plot_.left.ticks) {
+    const double y = point(0, at, plot_.left).y();
+    painter.drawLine(QPointF(frame_.left(), y), QPointF(frame_.right(), y));
+  }
+  for (const double at : plot_.x.ticks) {
+    const double x = point(at, 0, plot_.left).x();
+    painter.drawLine(QPointF(x, frame_.top()), QPointF(x, frame_.bottom()));
+  }
+  painter.setPen(ink_soft());
+  for (const double at : plot_.left.ticks) {
+    const QString text = text_of(tick_text(plot_.left, at));
+    painter.drawText(QPointF(frame_.left() - tick - gap - metrics.horizontalAdvance(text),
+                             point(0, at, plot_.left).y() + half),
+                     text);
+  }
+  for (const double at : plot_.x.ticks)
+    centred(point(at, 0, plot_.left).x(), frame_.bottom() + gap + metrics.ascent(),
+            text_of(tick_text(plot_.x, at)));
+  if (plot_.right)
+    for (const double at : plot_.right->ticks) {
+      const double y = point(0, at, *plot_.right).y();
+      painter.drawLine(QPointF(frame_.right(), y), QPointF(frame_.right() + tick, y));
+      painter.drawText(QPointF(frame_.right() + tick + gap, y + half), text_of(tick_text(*plot_.right, at)));
+    }
+  painter.drawLine(frame_.topLeft(), frame_.bottomLeft());
+  painter.drawLine(frame_.bottomLeft(), frame_.bottomRight());
+  painter.setPen(ink());
+  centred(frame_.center().x(), frame_.bottom() + 2 * gap + metrics.height() + metrics.ascent(),
+          text_of(plot_.x.label));
+  const double top = area.top() + metrics.ascent() + 2;
+  painter.drawText(QPointF(8, top), text_of(plot_.left.label));
+  if (plot_.right) {
+    const QString text = text_of(plot_.right->label);
+    painter.drawText(QPointF(area.right() - 8 - metrics.horizontalAdvance(text), top), text);
+  }
+}
+
+void LinePlotWidget::draw_curve(QPainter& painter, const PlotCurve& curve) const {
+  const PlotAxis& axis = axis_of(curve);
+  painter.setPen(pen_of(curve.css_class));
+  painter.setBrush(Qt::NoBrush);
+  QPainterPath path;
+  bool begun = false;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (!std::isfinite(curve.y[i])) {
+      begun = false;
+      continue;
+    }
+    const QPointF at = point(curve.x[i], curve.y[i], axis);
+    if (curve.dots) {
+      painter.drawPoint(at);
+    } else if (begun) {
+      path.lineTo(at);
+    } else {
+      path.moveTo(at);
+      begun = true;
+    }
+  }
+  painter.drawPath(path);
+}
+
+std::optional<double> LinePlotWidget::place_at(QPointF at) const {
+  if (!frame_.contains(at)) return std::nullopt;
+  return plot_.x.least + (at.x() - frame_.left()) / frame_.width() * (plot_.x.most - plot_.x.least);
+}
+
+std::vector<PlotWidget::Reading> LinePlotWidget::readings(double at) const {
+  std::vector<Reading> out;
+  for (const PlotCurve& curve : plot_.curves) {
+    const double y = value_at(curve, at);
+    if (curve.dots || !std::isfinite(y)) continue;
+    out.push_back({text_of(curve.title), y, pen_of(curve.css_class).color(), point(at, y, axis_of(curve))});
+  }
+  return out;
+}
+
+QString LinePlotWidget::place_text(double at) const {
+  return text_of(number(at, 4)) + unit_;
+}
+
+QLineF LinePlotWidget::cursor_line(double at) const {
+  const double x = point(at, 0, plot_.left).x();
+  return {x, frame_.top(), x, frame_.bottom()};
+}
+
+}  // namespace etak::editor

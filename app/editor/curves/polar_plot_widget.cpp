@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/curves/polar_plot_widget.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number.h"
+
+namespace etak::editor {
+namespace {
+
+QString text_of(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+}  // namespace
+
+void PolarPlotWidget::set_plot(PolarPlot plot) {
+  plot_ = std::move(plot);
+  plot_changed();
+}
+
+QPointF PolarPlotWidget::on_rim(double angle_deg, double share) const {
+  const double radian = qDegreesToRadians(angle_deg);
+  return centre_ + rim_ * share * QPointF(std::sin(radian), -std::cos(radian));
+}
+
+void PolarPlotWidget::draw(QPainter& painter, const QRectF& area) {
+  const QFontMetricsF metrics(painter.font());
+  const double below = 2 * metrics.height() + 12, above = metrics.height() + 6;
+  const double beside = metrics.horizontalAdvance(QStringLiteral("90°")) + 14;
+  rim_ = std::max(20.0, std::min(area.height() - below - above, area.width() / 2 - beside));
+  centre_ = {area.center().x(),
+             area.top() + above + std::max(rim_, (area.height() - below - above + rim_) / 2)};
+  draw_grid(painter);
+  painter.setBrush(Qt::NoBrush);
+  for (const PlotCurve& curve : plot_.curves) {
+    QPainterPath path;
+    bool begun = false;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+      if (!std::isfinite(curve.y[i])) {
+        begun = false;
+        continue;
+      }
+      const QPointF at = on_rim(curve.x[i], polar_radius(plot_, curve.y[i]));
+      if (begun)
+        path.lineTo(at);
+      else
+        path.moveTo(at);
+      begun = true;
+    }
+    painter.setPen(pen_of(curve.css_class));
+    painter.drawPath(path);
+  }
+}
+
+void PolarPlotWidget::draw_grid(QPainter& painter) const {
+  const QFontMetricsF metrics(painter.font());
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(line(), 1));
+  const auto centred = [&](QPointF at, const QString& text) {
+    painter.drawText(at - QPointF(metrics.horizontalAdvance(text) / 2, 0), text);
+  };
+  for (const double tick : plot_.radial.ticks) {
+    const double r = rim_ * polar_radius(plot_, tick);
+    // Sixteenths of a degree from three o'clock: the upper half.
+    if (r > 0) painter.drawArc(QRectF(centre_ - QPointF(r, r), QSizeF(2 * r, 2 * r)), 0, 180 * 16);
+  }
+  for (int angle = -60; angle <= 60; angle += 30) painter.drawLine(centre_, on_rim(angle, 1));
+  painter.setPen(QPen(ink_soft(), 1));
+  painter.drawLine(on_rim(-90, 1), on_rim(90, 1));
+  for (int angle = -90; angle <= 90; angle += 30) {
+    const QString text = QString::number(std::abs(angle)) + QStringLiteral("°");
+    const double wide = metrics.horizontalAdvance(text);
+    const QPointF at = on_rim(angle, 1) + 6 * (on_rim(angle, 1) - centre_) / rim_;
+    painter.drawText(at + QPointF(angle < 0   ? -wide
+                                  : angle > 0 ? 0
+                                              : -wide / 2,
+                                  angle % 90 == 0 && angle != 0 ? 4 : 0),
+                     text);
+  }
+  // Numbers that would stand on one another are left out.
+  double free_from = centre_.x();
+  const double y = centre_.y() + metrics.ascent() + 4;
+  for (const double tick : plot_.radial.ticks) {
+    const QString text = text_of(tick_text(plot_.radial, tick));
+    const double x = centre_.x() + rim_ * polar_radius(plot_, tick), wide = metrics.horizontalAdvance(text);
+    if (&tick != plot_.radial.ticks.data() && x - wide / 2 < free_from) continue;
+    centred({x, y}, text);
+    free_from = x + wide / 2 + 6;
+  }
+  painter.setPen(ink());
+  centred({centre_.x(), y + metrics.height() + 2}, text_of(plot_.radial.label));
+  // The light: an arrow towards the centre.
+  painter.setPen(QPen(ink(), 2));
+  const QPointF from = on_rim(plot_.light_deg, 1), to = on_rim(plot_.light_deg, 0.82);
+  painter.drawLine(from, to);
+  const QPointF back = 0.35 * (from - to), aside(-0.5 * back.y(), 0.5 * back.x());
+  painter.drawLine(to, to + back + aside);
+  painter.drawLine(to, to + back - aside);
+}
+
+std::optional<double> PolarPlotWidget::place_at(QPointF at) const {
+  const QPointF from = at - centre_;
+  if (from.y() > 0 || std::hypot(from.x(), from.y()) > 1.1 * rim_) return std::nullopt;
+  return qRadiansToDegrees(std::atan2(from.x(), -from.y()));
+}
+
+std::vector<PlotWidget::Reading> PolarPlotWidget::readings(double at) const {
+  std::vector<Reading> out;
+  for (const PlotCurve& curve : plot_.curves) {
+    const double value = value_at(curve, at);
+    if (!std::isfinite(value)) continue;
+    out.push_back({text_of(curve.title), value, pen_of(curve.css_class).color(),
+                   on_rim(at, polar_radius(plot_, value))});
+  }
+  return out;
+}
+
+QString PolarPlotWidget::place_text(double at) const {
+  return text_of(number(std::abs(at), 3)) + QStringLiteral("°") +
+         (at < 0 ? tr(" on the light's side") : QString());
+}
+
+QLineF PolarPlotWidget::cursor_line(double at) const {
+  return {centre_, on_rim(at, 1)};
+}
+
+}  // namespace etak::editor
