@@ -103,7 +103,7 @@ LinePlot reflectance_plot(const std::string& name, const OpticsCurves& curves, O
   r.add(curves.r82);
   plot.left = nice_axis("R", 0, r.empty() ? 1 : r.most);
   plot.right = nice_axis("x̄, ȳ, z̄", 0, 2);
-  constexpr std::array<const char*, 3> names{"x̄ (right)", "ȳ (right)", "z̄ (right)"};
+  constexpr std::array<const char*, 3> names{"x̄", "ȳ", "z̄"};
   constexpr std::array<const char*, 3> classes{"c7 dotted", "c8 dotted", "c9 dotted"};
   const auto matching = matching_functions(observer);
   std::vector<double> nm;
@@ -143,7 +143,7 @@ LinePlot angle_plot(const std::string& name, const AngleCurves& curves, PlotChan
     PlotCurve curve{curves.angle_deg, seen(rgb, channel), css_class, std::move(title), false, false};
     extent.add(curve.y);
     plot.curves.push_back(std::move(curve));
-    plot.keys.push_back({css_class, std::move(key)});
+    plot.keys.push_back({css_class, std::move(key), plot.curves.back().title});
   };
   if (!curves.exact.empty()) {
     const std::string time = time_text(curves.exact_ns);
@@ -156,8 +156,8 @@ LinePlot angle_plot(const std::string& name, const AngleCurves& curves, PlotChan
       key += ": error " + number(form.error.max_abs, 2) + " at " + number(form.error.at_deg, 3) + "°";
     add(form.rgb, classes[i % classes.size()], std::string(form.title), key + time_text(form.ns));
   }
-  plot.left = nice_axis(std::string("F, ") + channels[static_cast<std::size_t>(channel)],
-                        std::min(extent.least, 0.0), std::max(extent.most, 1.0));
+  plot.left = nice_axis(std::string("F, ") + channels[static_cast<std::size_t>(channel)], extent.least,
+                        std::max(extent.most, 1.0));
   plot.description = curves.exact.empty() ? "no exact curve: the data are reflectance at normal incidence"
                                           : "errors are the largest over angles, red, green and blue";
   return plot;

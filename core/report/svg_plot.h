@@ -36,8 +36,10 @@ struct PlotCurve {
 };
 
 /// An entry of the legend; without a class it is text alone.
+///   brief   said where there is no room for the text; empty: the text
 struct PlotKey {
   std::string css_class, text;
+  std::string brief = {};
 };
 
 /// A line plot for HTML pages.

@@ -71,7 +71,12 @@ void LinePlotWidget::draw_axes(QPainter& painter, const QRectF& area) {
     painter.drawLine(QPointF(x, frame_.top()), QPointF(x, frame_.bottom()));
   }
   painter.setPen(ink_soft());
+  // Numbers that would stand on one another are left out.
+  const double room = metrics.height() * 0.9;
+  double free_below = frame_.bottom() + 2 * room;
   for (const double at : plot_.left.ticks) {
+    if (point(0, at, plot_.left).y() > free_below - room) continue;
+    free_below = point(0, at, plot_.left).y();
     const QString text = text_of(tick_text(plot_.left, at));
     painter.drawText(QPointF(frame_.left() - tick - gap - metrics.horizontalAdvance(text),
                              point(0, at, plot_.left).y() + half),
@@ -80,9 +85,12 @@ void LinePlotWidget::draw_axes(QPainter& painter, const QRectF& area) {
   for (const double at : plot_.x.ticks)
     centred(point(at, 0, plot_.left).x(), frame_.bottom() + gap + metrics.ascent(),
             text_of(tick_text(plot_.x, at)));
+  free_below = frame_.bottom() + 2 * room;
   if (plot_.right)
     for (const double at : plot_.right->ticks) {
       const double y = point(0, at, *plot_.right).y();
+      if (y > free_below - room) continue;
+      free_below = y;
       painter.drawLine(QPointF(frame_.right(), y), QPointF(frame_.right() + tick, y));
       painter.drawText(QPointF(frame_.right() + tick + gap, y + half), text_of(tick_text(*plot_.right, at)));
     }

@@ -35,7 +35,9 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent) {
 void PlotWidget::plot_changed() {
   setAccessibleName(text_of(title()));
   setAccessibleDescription(text_of(description()));
-  setToolTip(text_of(description()));
+  QString told = text_of(description());
+  for (const PlotKey& key : keys()) told += '\n' + text_of(key.text);
+  setToolTip(told);
   if (cursor_) {
     const auto [least, most] = range();
     if (empty() || *cursor_ < least || *cursor_ > most) cursor_.reset();
@@ -87,10 +89,10 @@ void PlotWidget::copy_csv() const {
 
 void PlotWidget::copy_svg() const {
   const QString text = svg_text();
-  auto* data = new QMimeData;
-  data->setText(text);
-  data->setData("image/svg+xml", text.toUtf8());
-  QApplication::clipboard()->setMimeData(data);
+  auto* copied = new QMimeData;
+  copied->setText(text);
+  copied->setData("image/svg+xml", text.toUtf8());
+  QApplication::clipboard()->setMimeData(copied);
 }
 
 QString PlotWidget::readout() const {
@@ -117,30 +119,32 @@ void PlotWidget::set_cursor(std::optional<double> at) {
 
 // ---- drawing
 
-double PlotWidget::draw_legend(QPainter& painter, double width) const {
+double PlotWidget::legend(QPainter* painter, bool brief) const {
   constexpr double sample = 28, gap = 6, between = 16, edge = 8;
-  const QFontMetricsF metrics(painter.font());
+  const QFontMetricsF metrics(font());
   const double row = metrics.height() + 2;
   double x = edge, y = 4;
   for (const PlotKey& key : keys()) {
-    const QString text = text_of(key.text);
+    const QString text = text_of(brief && !key.brief.empty() ? key.brief : key.text);
     const double wide = (key.css_class.empty() ? 0 : sample + gap) + metrics.horizontalAdvance(text);
-    if (x > edge && x + wide > width - edge) {
+    if (x > edge && x + wide > width() - edge) {
       x = edge;
       y += row;
     }
-    double text_x = x;
-    if (!key.css_class.empty()) {
-      painter.setPen(pen_of(key.css_class));
-      const double middle = y + row / 2;
-      if (plot_style(key.css_class).dots)
-        painter.drawPoint(QPointF(x + sample / 2, middle));
-      else
-        painter.drawLine(QPointF(x, middle), QPointF(x + sample, middle));
-      text_x += sample + gap;
+    if (painter != nullptr) {
+      double text_x = x;
+      if (!key.css_class.empty()) {
+        painter->setPen(pen_of(key.css_class));
+        const double middle = y + row / 2;
+        if (plot_style(key.css_class).dots)
+          painter->drawPoint(QPointF(x + sample / 2, middle));
+        else
+          painter->drawLine(QPointF(x, middle), QPointF(x + sample, middle));
+        text_x += sample + gap;
+      }
+      painter->setPen(ink());
+      painter->drawText(QPointF(text_x, y + metrics.ascent() + 1), text);
     }
-    painter.setPen(ink());
-    painter.drawText(QPointF(text_x, y + metrics.ascent() + 1), text);
     x += wide + between;
   }
   return keys().empty() ? 4 : y + row + 2;
@@ -169,6 +173,11 @@ void PlotWidget::draw_cursor(QPainter& painter) const {
   const double x = std::max(at.x1(), at.x2());
   box.moveTopLeft({x + 10 + wide <= width() ? x + 10 : std::min(at.x1(), at.x2()) - 10 - wide,
                    std::min(at.y1(), at.y2()) + 6});
+  // Where fewer of the values are.
+  const double low = std::max(at.y1(), at.y2()) - box.height() - 6;
+  const auto above = std::count_if(
+      all.begin(), all.end(), [&](const Reading& each) { return each.place.y() < (at.y1() + at.y2()) / 2; });
+  if (2 * above > static_cast<std::ptrdiff_t>(all.size())) box.moveTop(std::max(box.top(), low));
   box.moveLeft(std::max(box.left(), 2.0));
   box.moveBottom(std::min(box.bottom(), height() - 2.0));
   QColor ground = color_of(colors().background);
@@ -197,8 +206,9 @@ void PlotWidget::paintEvent(QPaintEvent* /*event*/) {
     painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
                      text_of(description()));
   } else {
-    const double legend = draw_legend(painter, width());
-    draw(painter, QRectF(0, legend, width(), height() - legend));
+    // The plot keeps two thirds: what is left out of the legend stands in the tool tip.
+    const double top = legend(&painter, legend(nullptr, false) > height() / 3.0);
+    draw(painter, QRectF(0, top, width(), height() - top));
     if (cursor_) draw_cursor(painter);
   }
   if (hasFocus()) {

@@ -84,7 +84,8 @@ class PlotWidget : public QWidget {
 
  private:
   bool dark() const;
-  double draw_legend(QPainter& painter, double width) const;  // returns its height
+  /// Draws the legend, or with no painter only finds its height.
+  double legend(QPainter* painter, bool brief) const;
   void draw_cursor(QPainter& painter) const;
 
   std::optional<double> cursor_;
