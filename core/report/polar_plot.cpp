@@ -33,6 +33,10 @@ PlotAxis radial_axis(std::string label, double most, RadialScale scale) {
   return out;
 }
 
+std::string radial_text(const PolarPlot& plot, double tick) {
+  return plot.scale == RadialScale::linear ? tick_text(plot.radial, tick) : number(tick, 6);
+}
+
 double polar_radius(const PolarPlot& plot, double value) {
   const PlotAxis& axis = plot.radial;
   if (!(value > axis.least)) return 0;
@@ -73,7 +77,7 @@ std::string svg_file(const PolarPlot& plot, bool dark) {
   }
   for (const double tick : plot.radial.ticks)
     append(out, "<text x=\"", fixed(cx + rim * polar_radius(plot, tick), 1), "\" y=\"", fixed(cy + 15, 1),
-           "\" text-anchor=\"middle\">", tick_text(plot.radial, tick), "</text>\n");
+           "\" text-anchor=\"middle\">", radial_text(plot, tick), "</text>\n");
   append(out, "<text class=\"label\" x=\"", fixed(cx, 1), "\" y=\"", fixed(cy + 32, 1),
          "\" text-anchor=\"middle\">", escape_html(plot.radial.label), "</text>\n<path class=\"axis\" d=\"M",
          at(on_rim(plot.light_deg, 1)), "L", at(on_rim(plot.light_deg, 0.8)), "\" stroke-width=\"3\"/>\n");

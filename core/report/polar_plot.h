@@ -26,6 +26,9 @@ struct PolarPlot {
 /// The radial axis for values up to `most`: from 0, or four decades.
 PlotAxis radial_axis(std::string label, double most, RadialScale scale);
 
+/// The number at a tick of the radial axis.
+std::string radial_text(const PolarPlot& plot, double tick);
+
 /// Where a value lies between the centre (0) and the rim (1).
 double polar_radius(const PolarPlot& plot, double value);
 

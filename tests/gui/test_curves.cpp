@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QElapsedTimer>
 #include <QImage>
 #include <QMimeData>
 #include <QPainter>
@@ -16,6 +15,7 @@
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "app/editor/curves/curves_panel.h"
 #include "app/editor/curves/line_plot_widget.h"
@@ -69,6 +69,13 @@ QImage picture_of(QWidget& widget, double ratio) {
   out.setDevicePixelRatio(ratio);
   widget.render(&out);
   return out;
+}
+
+// Time this thread has worked: what else the machine does is not counted.
+double thread_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
 }
 
 // Distinct colours other than the commonest: 0 for an empty picture.
@@ -198,18 +205,19 @@ class Curves : public QObject {
     panel.show();
     show_material(panel, "gold");
     QVERIFY(wait(panel));
-    qint64 longest = 0;
-    QElapsedTimer beat;
+    double longest = 0, last = thread_ms();
     QTimer timer;
     timer.setInterval(0);
-    connect(&timer, &QTimer::timeout, this, [&] { longest = std::max(longest, beat.restart()); });
+    connect(&timer, &QTimer::timeout, this, [&] {
+      const double now = thread_ms();
+      longest = std::max(longest, now - last);
+      last = now;
+    });
     const char* ids[] = {"gold", "silver", "copper", "fused_silica"};
     auto* tabs = panel.findChild<QTabWidget*>();
     const Model& m = model();
-    const Material material = *MaterialLibrary::builtin().find("gold");
     std::vector<Material> all;
     for (const char* id : ids) all.push_back(*MaterialLibrary::builtin().find(id));
-    beat.start();
     timer.start();
     for (int i = 0; i < 60; ++i) {
       const Material& each = all[static_cast<std::size_t>(i) % 4];
@@ -219,10 +227,12 @@ class Curves : public QObject {
     }
     QVERIFY(wait(panel));
     timer.stop();
-    qInfo("longest gap between events: %lld ms", longest);
-    // Where the machine is shared the system itself can take a thread away for longer.
-    if (longest >= 50 && qEnvironmentVariableIsSet("ETAK_STRICT_TIMES")) QFAIL("50 ms or more");
-    QVERIFY(longest < 400);
+    qInfo("longest work between events: %.1f ms", longest);
+#ifdef __SANITIZE_ADDRESS__
+    QVERIFY(longest < 250);
+#else
+    QVERIFY(longest < 50);
+#endif
   }
 
   void the_cursor_moves_by_pointer_and_keys_and_is_read_out() {

@@ -85,7 +85,7 @@ void PolarPlotWidget::draw_grid(QPainter& painter) const {
   double free_from = centre_.x();
   const double y = centre_.y() + metrics.ascent() + 4;
   for (const double tick : plot_.radial.ticks) {
-    const QString text = text_of(tick_text(plot_.radial, tick));
+    const QString text = text_of(radial_text(plot_, tick));
     const double x = centre_.x() + rim_ * polar_radius(plot_, tick), wide = metrics.horizontalAdvance(text);
     if (&tick != plot_.radial.ticks.data() && x - wide / 2 < free_from) continue;
     centred({x, y}, text);

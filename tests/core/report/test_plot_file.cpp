@@ -98,6 +98,8 @@ TEST_CASE("polar points: the normal is up, the viewer's side right, the rim is t
   CHECK(plot.radial.most == Approx(1000));
   CHECK(plot.radial.least == Approx(0.1));
   CHECK(polar_radius(plot, 10) == Approx(0.5));
+  CHECK(radial_text(plot, 0.1) == "0.1");
+  CHECK(radial_text(plot, 1000) == "1000");
   CHECK(polar_radius(plot, 0) == 0);
 }
 
