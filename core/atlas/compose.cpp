@@ -94,6 +94,7 @@ Image8 copy_of(const PixelsView8& page, const PixelBox& box, bool rotated) {
 }  // namespace
 
 Image8 normals_of(const PackInput& m, const PixelBox& box) {
+  if (m.load_normals) return part_of(m.load_normals(), box);
   FileBytes memory;
   PlaneRows rows(m.normal, memory);
   if (rows.width() != m.width || rows.height() != m.height)
@@ -327,7 +328,7 @@ void Composer::region_mips(std::size_t region, PagePixels& pixels) {
     options.levels = levels;
     if (m.alpha_mode == AlphaMode::mask) options.alpha_cutoff = m.alpha_cutoff;
     std::optional<Image8> normals;
-    if (m.normal.is_image() && options_.gloss == GlossForm::schueler) {
+    if (m.has_normals() && levels > 1) {
       normals = normals_of(m, part_shown);
       options.normals = &*normals;
     }

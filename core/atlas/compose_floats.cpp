@@ -71,7 +71,7 @@ class FloatComposer {
     options.levels = region.shrink + levels;
     if (m.alpha_mode == AlphaMode::mask) options.alpha_cutoff = m.alpha_cutoff;
     MipPairFloat chain = region_chain(a, b, options, options_.gloss, options_.threads);
-    if (m.normal.is_image() && options_.gloss == GlossForm::schueler && levels > 1) {
+    if (m.has_normals() && levels > 1) {
       // The level that is stored is looked at with its normals; those after it stand for their spread.
       const Image8 normals = normals_of(m, region.box);
       options.normals = &normals;

@@ -220,6 +220,23 @@ class Converter {
 
 }  // namespace
 
+Image8 scaled_normals(const Image8& map, double scale, int width, int height) {
+  Image8 out(width, height, 3);
+  const bool grey = map.channels < 3;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto from = map.at(static_cast<int>(std::int64_t{x} * map.width / width),
+                               static_cast<int>(std::int64_t{y} * map.height / height));
+      Vec3 v;
+      for (std::size_t c = 0; c < 3; ++c) v[c] = (from[grey ? 0 : c] / 127.5 - 1) * (c < 2 ? scale : 1);
+      const double length = scale == 1 ? 1 : std::max(1e-6, std::hypot(v[0], v[1], v[2]));
+      for (std::size_t c = 0; c < 3; ++c)
+        out.at(x, y)[c] =
+            static_cast<std::uint8_t>(std::clamp((v[c] / length + 1) * 127.5 + 0.5, 0.0, 255.0));
+    }
+  return out;
+}
+
 std::vector<const GltfTexture*> pair_textures(const GltfMaterial& m) {
   std::vector<const GltfTexture*> out;
   const auto add = [&](const std::optional<GltfTexture>& texture) {

@@ -28,6 +28,10 @@ using SceneFloats = std::function<const Image&(int image)>;
 FloatPair scene_material_floats(const GltfMaterial& material, const SceneFloats& images, GlossForm gloss,
                                 bool keep_alpha);
 
+/// A normal map at a pair's size: the nearest normal of each texel, with x and y times `scale`. A larger map
+/// loses what lies between, a smaller one repeats.
+Image8 scaled_normals(const Image8& map, double scale, int width, int height);
+
 /// The textures that make up the pair; none are null.
 std::vector<const GltfTexture*> pair_textures(const GltfMaterial& material);
 

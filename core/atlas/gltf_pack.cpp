@@ -221,6 +221,7 @@ struct ScenePack::State {
     if (in.facts.reached && lead != nullptr) {
       use_of(in, entry, *lead);
       scale_of(in, entry, *lead);
+      normals_of(in, m, *lead);
     }
     look_at(*pair, entry.use ? &*entry.use : nullptr, in.facts.opaque, in.facts);
     if (writes_floats()) {
@@ -254,6 +255,19 @@ struct ScenePack::State {
     if (scale.seen && lead.sampler.mipmaps && std::isfinite(scale.most_level))
       in.facts.levels =
           1 + oblique_levels + std::clamp(static_cast<int>(std::ceil(scale.most_level - rounding)), 0, 15);
+  }
+
+  // The normal map where it is looked up as the pair is, at the pair's size.
+  void normals_of(PackInput& in, const GltfMaterial& m, const GltfTexture& lead) {
+    if (!m.normal_texture) return;
+    const GltfTexture& map = *m.normal_texture;
+    if (map.uv_set != lead.uv_set || map.transform != lead.transform ||
+        map.sampler.wrap_u != lead.sampler.wrap_u || map.sampler.wrap_v != lead.sampler.wrap_v) {
+      remarks.push_back(in.name + ": its normal map is looked up elsewhere and does not widen its gloss");
+      return;
+    }
+    in.load_normals = [this, image = map.image, scale = m.normal_scale, width = in.width,
+                       height = in.height] { return scaled_normals(picture(image), scale, width, height); };
   }
 
   void use_of(PackInput& in, Entry& entry, const GltfTexture& lead) {

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "core/atlas/compose.h"
 #include "core/base/parallel.h"
@@ -77,45 +79,74 @@ ResolutionError difference(const Quantities& a, const Quantities& b) {
   return out;
 }
 
-// mip_pair() takes gloss as Schueler's. Roughness averages as the squared width alpha^2 = roughness^4 of its
-// lobe, each level from the first.
+// Unit normals as three planes side by side, whose means are the levels' mean normals.
+Image unit_normals(const Image8& map) {
+  Image out(map.width, map.height, 3);
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      const auto code = map.at(x, y);
+      double v[3], square = 0;
+      for (std::size_t c = 0; c < 3; ++c) v[c] = code[c] / 127.5 - 1, square += v[c] * v[c];
+      const double length = std::sqrt(square);
+      for (std::size_t c = 0; c < 3; ++c)
+        out.at(x, y)[c] = static_cast<float>(length > 0 ? v[c] / length : c == 2 ? 1 : 0);
+    }
+  return out;
+}
+
+double variance(std::span<const float> mean) {
+  constexpr double least = 1e-3;  // of |N|: what is rougher than any lobe
+  const double length = std::max(least, std::hypot(double{mean[0]}, double{mean[1]}, double{mean[2]}));
+  return std::max(0.0, (1 - length) / length);
+}
+
+// mip_pair() takes gloss as Schueler's. Each level from the first.
 template <class Value, class Read, class Write>
-void average_roughness(std::vector<Pixels<Value>>& levels, GlossForm form, Read read, Write write) {
+void average_roughness(std::vector<Pixels<Value>>& levels, GlossForm form, const Image8* normals, Read read,
+                       Write write) {
   const Pixels<Value>& first = levels.front();
   Image squared(first.width, first.height, 1);
   for (std::size_t i = 0; i < squared.values.size(); ++i) {
     const double r = converted_gloss(read(first.values[4 * i + 3]), form, GlossForm::roughness);
     squared.values[i] = static_cast<float>(r * r * r * r);
   }
+  const Image units = normals != nullptr ? unit_normals(*normals) : Image();
   for (std::size_t l = 1; l < levels.size(); ++l) {
     const Image mean = shrunk(squared, levels[l].width, levels[l].height);
+    const Image spread = normals != nullptr ? shrunk(units, levels[l].width, levels[l].height) : Image();
     for (std::size_t i = 0; i < mean.values.size(); ++i) {
-      const double r = std::sqrt(std::sqrt(std::max(double{mean.values[i]}, 0.0)));
+      double width = std::max(double{mean.values[i]}, 0.0);
+      if (normals != nullptr) width += 2 * variance({spread.values.data() + 3 * i, 3});
+      const double r = std::sqrt(std::sqrt(std::min(width, 1.0)));
       levels[l].values[4 * i + 3] = write(converted_gloss(r, GlossForm::roughness, form));
     }
   }
+}
+
+template <class Picture, class Read, class Write>
+auto chain_of(const Picture& a, const Picture& b, MipOptions options, GlossForm gloss, unsigned threads,
+              Read read, Write write) {
+  if (gloss == GlossForm::schueler) return mip_pair(a, b, options, threads);
+  const Image8* normals = std::exchange(options.normals, nullptr);
+  auto out = mip_pair(a, b, options, threads);
+  average_roughness(out.specular_gloss, gloss, normals, read, write);
+  return out;
 }
 
 }  // namespace
 
 MipPair region_chain(const Image8& a, const Image8& b, const MipOptions& options, GlossForm gloss,
                      unsigned threads) {
-  MipPair out = mip_pair(a, b, options, threads);
-  if (gloss != GlossForm::schueler)
-    average_roughness(
-        out.specular_gloss, gloss, [](std::uint8_t code) { return code / 255.0; },
-        [](double v) { return static_cast<std::uint8_t>(255 * std::clamp(v, 0.0, 1.0) + 0.5); });
-  return out;
+  return chain_of(
+      a, b, options, gloss, threads, [](std::uint8_t code) { return code / 255.0; },
+      [](double v) { return static_cast<std::uint8_t>(255 * std::clamp(v, 0.0, 1.0) + 0.5); });
 }
 
 MipPairFloat region_chain(const Image& a, const Image& b, const MipOptions& options, GlossForm gloss,
                           unsigned threads) {
-  MipPairFloat out = mip_pair(a, b, options, threads);
-  if (gloss != GlossForm::schueler)
-    average_roughness(
-        out.specular_gloss, gloss, [](float v) { return double{v}; },
-        [](double v) { return static_cast<float>(v); });
-  return out;
+  return chain_of(
+      a, b, options, gloss, threads, [](float v) { return double{v}; },
+      [](double v) { return static_cast<float>(v); });
 }
 
 ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& fewer, const WrapBoth& wrap,

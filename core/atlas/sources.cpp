@@ -43,9 +43,6 @@ class Resolver {
     in.alpha_cutoff = m.alpha_cutoff;
     in.normal.path = m.normal;
     in.normal.door = &door_;
-    if (!m.normal.empty() && out_.gloss != GlossForm::schueler)
-      out_.remarks.push_back(m.name +
-                             ": its normal map plays no part: normals widen gloss of the form schueler only");
     constexpr auto a = static_cast<std::size_t>(Texture::diffuse_alpha);
     constexpr auto b = static_cast<std::size_t>(Texture::specular_gloss);
     if (m.base_color)

@@ -37,6 +37,7 @@ struct PackInput {
   AlphaMode alpha_mode = AlphaMode::blend;
   double alpha_cutoff = 0.5;
   PlaneSource normal;                      // tangent-space normal map, or a constant for none
+  std::function<Image8()> load_normals;    // the same of a scene, at the material's size, RGB; empty: none
   std::array<PlaneSource, 2> color, grey;  // by Texture
   std::function<MaterialPair(std::vector<std::string>& remarks)> convert;  // set: in place of the planes
   std::function<FloatPair()> convert_floats;                               // the same for floats.h
@@ -47,6 +48,7 @@ struct PackInput {
   int document_index = -1;         // in a glTF
   std::vector<std::string> files;  // all that are read
 
+  bool has_normals() const { return normal.is_image() || load_normals; }
   bool repeats() const { return wrap[0] == Wrap::repeat && wrap[1] == Wrap::repeat; }
 };
 

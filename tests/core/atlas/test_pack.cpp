@@ -445,20 +445,35 @@ TEST_CASE("mips average gloss in the form it has") {
   CHECK(std::abs(level_1("schueler") - 255 * std::log2(2.0) / 12) <= 25);
 }
 
-TEST_CASE("a rough normal map lowers the gloss of the mips") {
+TEST_CASE("a rough normal map lowers the gloss of the mips, in every form") {
   const TempFolder folder;
   add_material(folder, "a", 64, 64, 1);
   save(folder.file("a_gloss.png"), Image8(64, 64, 1, 200));
-  save(folder.file("a_normal.png"), noise(64, 64, 3, 9));
+  // Tilted to the left and to the right by turns: |N| of the mean is the cosine of the tilt.
+  Image8 tilted(64, 64, 3, 128);
+  const double tilt = 0.5;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      tilted.at(x, y)[0] =
+          static_cast<std::uint8_t>(127.5 * (1 + (x % 2 == 0 ? 1 : -1) * std::sin(tilt)) + 0.5);
+      tilted.at(x, y)[2] = static_cast<std::uint8_t>(127.5 * (1 + std::cos(tilt)) + 0.5);
+    }
+  save(folder.file("a_normal.png"), tilted);
   PackOptions options;
   options.mips = 2;
-  const auto level_1 = [&](const std::string& more) {
+  const auto level_1 = [&](const std::string& more, const std::string& form) {
     std::string text = entry("a");
     text.insert(text.size() - 1, more);
-    (void)run(folder, manifest({text}), options);
+    (void)run(folder, "{\"gloss\": \"" + form + "\", " + manifest({text}).substr(1), options);
     const AtlasRect rect = layout_of(folder.file("out")).rects.at(0);
     return int{load(folder.file("out/page0_specular_gloss.mip1.png")).at(rect.x / 2 + 3, rect.y / 2 + 3)[3]};
   };
-  CHECK(level_1("") == 200);
-  CHECK(level_1(", \"normal\": \"a_normal.png\"") < 150);
+  const std::string map = ", \"normal\": \"a_normal.png\"";
+  CHECK(level_1("", "schueler") == 200);
+  CHECK(level_1(map, "schueler") < 150);
+  const double spread = (1 - std::cos(tilt)) / std::cos(tilt);
+  const auto rougher = [&](double r) { return std::pow(r * r * r * r + 2 * spread, 0.25); };
+  CHECK(level_1("", "roughness") == 200);
+  CHECK(std::abs(level_1(map, "roughness") - 255 * rougher(200 / 255.0)) <= 2);
+  CHECK(std::abs(level_1(map, "one_minus_roughness") - 255 * (1 - rougher(1 - 200 / 255.0))) <= 2);
 }

@@ -244,3 +244,30 @@ TEST_CASE(
   CHECK(report.levels == 6);  // not 7: on a texel of the last one four regions would meet
   CHECK(line_named(report, "mips")->bytes == 4);
 }
+
+TEST_CASE("the normal map of a scene widens the gloss of its mips, at its own strength") {
+  const TempFolder folder;
+  const std::string scene = square(folder, 9987);
+  std::string json = slurp(scene);
+  json = replaced(json, R"("images":[)", R"("images":[{"uri":"n.png"},)");
+  json = replaced(json, R"("textures":[{"source":0,"sampler":0}])",
+                  R"("textures":[{"source":1,"sampler":0},{"source":0,"sampler":0}])");
+  Image8 rough = noise(128, 128, 3, 3);
+  for (std::size_t i = 2; i < rough.values.size(); i += 3) rough.values[i] = 255;
+  save_png(folder.file("n.png"), rough);
+  PackOptions options;
+  options.mips = 3;
+  options.keep = {"constant", "textures"};
+  const auto level_2 = [&](const std::string& map) {
+    spit(scene, replaced(json, "\"name\":\"m\",", "\"name\":\"m\"," + map));
+    (void)pack_square(folder, scene, options);
+    return int{load_png(folder.file("out/page0_specular_gloss.mip2.png")).at(20, 20)[3]};
+  };
+  CHECK(level_2("") == 128);
+  const int full = level_2(R"("normalTexture":{"index":1},)");
+  const int weak = level_2(R"("normalTexture":{"index":1,"scale":0.2},)");
+  CHECK(full < 110);
+  CHECK(weak > full);
+  CHECK(weak < 128);
+  CHECK(level_2(R"("normalTexture":{"index":1,"texCoord":1},)") == 128);  // looked up elsewhere
+}
