@@ -5,6 +5,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
 #include <algorithm>
+#include <deque>
 #include <map>
 
 #include "app/viewport/gl_program.h"
@@ -76,6 +77,22 @@ struct GlPainter::State {
   std::shared_ptr<const OcioShader> display;
   std::vector<std::unique_ptr<GlTexture>> tables;
 
+  // Texture pairs of both sides, the last used first.
+  struct Pair {
+    std::shared_ptr<const SurfaceTextures> of;
+    std::unique_ptr<GlTexture> body, gloss;
+  };
+  std::deque<Pair> pairs;
+
+  const Pair& take_textures(const std::shared_ptr<const SurfaceTextures>& wanted) {
+    for (const Pair& pair : pairs)
+      if (pair.of == wanted) return pair;
+    if (pairs.size() >= 2) pairs.pop_back();
+    pairs.push_front({wanted, std::make_unique<GlTexture>(gl, wanted->body, false),
+                      std::make_unique<GlTexture>(gl, wanted->gloss, false)});
+    return pairs.front();
+  }
+
   State() { gl.glGenVertexArrays(1, &no_vertices); }
   ~State() { gl.glDeleteVertexArrays(1, &no_vertices); }
 
@@ -111,6 +128,11 @@ struct GlPainter::State {
       bind(*levels[sharp], "environment_sharp");
       bind(*levels[sharp + 1], "environment_dull");
       program.set({"environment_share", 1, 1, false, {static_cast<float>(share)}});
+    }
+    if (scene.textures) {
+      const Pair& pair = take_textures(scene.textures);
+      bind(*pair.body, "surface_body");
+      bind(*pair.gloss, "surface_gloss");
     }
     for (std::size_t i = 0; i < tables.size(); ++i) bind(*tables[i], display->tables[i].sampler);
   }

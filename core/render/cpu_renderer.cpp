@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/render/camera.h"
 #include "core/render/display.h"
+#include "core/render/surface_textures.h"
 
 // The loops over a chunk exist once per instruction set, the processor's best is taken at start-up.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \

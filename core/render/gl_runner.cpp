@@ -322,6 +322,7 @@ class Prepared {
   template <class State>
   Prepared(State& state, const Scene& scene, const Environment* environment) {
     validate(scene);
+    if (scene.textures) throw Error::at("scene", "has textures", "one without them for this way of drawing");
     Scene drawn = scene;
     // Whether there is one is told by the pointer; a file's name without its picture lights nothing.
     drawn.lights.environment = environment != nullptr ? "given" : "";

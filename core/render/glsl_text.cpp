@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/number.h"
 #include "core/render/camera.h"
 #include "core/render/environment.h"
 #include "core/render/glsl_source.h"
+#include "core/render/surface_textures.h"
 
 namespace etak {
 namespace {
@@ -22,6 +24,12 @@ bool is_black(const Vec3& color) {
 
 Vec3 scaled(const Vec3& color, double by) {
   return {color[0] * by, color[1] * by, color[2] * by};
+}
+
+// As a real number in GLSL.
+std::string decimal(double value) {
+  const std::string text = number(value, 9);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
 std::string type_name(int width) {
@@ -84,10 +92,31 @@ class Glue {
   std::string declarations_, body_;
 };
 
+// What a parameter is at a texel; as TexturedValues has it.
+std::string from_texture(const Parameter& parameter) {
+  const auto held = [&](const std::string& value) {
+    return "clamp(" + value + ", " + decimal(parameter.min) + ", " + decimal(parameter.max) + ")";
+  };
+  const std::string channels = parameter.color ? ".xyz" : ".x";
+  switch (parameter.role) {
+    case Role::diffuse:
+      return "(body_here" + channels + " * body_here.w)";
+    case Role::f0:
+      return "gloss_here" + channels;
+    case Role::gloss:
+      return held("gloss_here.w");
+    case Role::alpha:
+      return held("sqrt(2.0 / (exp2(12.0 * gloss_here.w) + 2.0))");
+    default:
+      return held("exp2(12.0 * gloss_here.w)");
+  }
+}
+
 // Declares the model's parameters as uniforms, "specular_K", and gives the call that evaluates it. `opacity`
 // scales what is diffuse in it: every model is linear in its diffuse colour.
+//   textured   parameters that follow a texture are taken from body_here and gloss_here
 std::string model_call(Glue& glue, const std::string& part, const Model& model,
-                       const std::vector<double>& values, double opacity) {
+                       const std::vector<double>& values, double opacity, bool textured = false) {
   if (values.size() != model.value_count())
     throw Error::at(model.id, std::to_string(values.size()) + " values",
                     std::to_string(model.value_count()) + " for its parameters");
@@ -96,6 +125,11 @@ std::string model_call(Glue& glue, const std::string& part, const Model& model,
   for (const Parameter& parameter : model.parameters) {
     const std::string uniform = part + '_' + std::string(parameter.name);
     const double scale = parameter.role == Role::diffuse ? opacity : 1;
+    if (textured && follows_texture(model, parameter)) {
+      at += parameter.color ? 3 : 1;
+      call += ", " + from_texture(parameter);
+      continue;
+    }
     if (parameter.color)
       glue.uniform(uniform, Vec3{values[at] * scale, values[at + 1] * scale, values[at + 2] * scale});
     else
@@ -153,11 +187,13 @@ class SceneText {
       : scene_(scene),
         display_(display),
         camera_(scene),
+        textured_(scene.textures != nullptr),
         opacity_(scene.surface.opacity),
         lit_(std::ranges::any_of(scene.lights.lights, shines)) {}
 
   GlslText finish(GlslVersion version) {
     if (display_ != nullptr) glue_.line(display_->text);
+    textures();
     brdf();
     lights();
     hemispheres();
@@ -179,15 +215,28 @@ class SceneText {
   }
 
  private:
+  bool body_is_black(bool both) const {
+    return is_black(scene_.surface.diffuse) ||
+           (both ? diffuse_is_black(*scene_.specular, scene_.specular_values)
+                 : scene_.diffuse != nullptr && diffuse_is_black(*scene_.diffuse, scene_.diffuse_values));
+  }
+
+  // Textures as globals that main() fills for its pixel.
+  void textures() {
+    if (!textured_) return glue_.leave_out("textures", "the surface is the same everywhere");
+    glue_.declare("sampler2D", "surface_body");
+    glue_.declare("sampler2D", "surface_gloss");
+    glue_.line("vec4 body_here;\nvec4 gloss_here;\n");
+    glue_.use("textures", "diffuse and opacity, F0 and gloss");
+  }
+
   void brdf() {
     const Model* specular = scene_.specular;
     const Model* diffuse = scene_.diffuse;
     if (specular == nullptr && diffuse == nullptr)
       throw Error::at("scene", "no model", "a specular or a diffuse one");
     const bool both = specular != nullptr && specular->kind == ModelKind::both;
-    const bool black = is_black(scene_.surface.diffuse) ||
-                       (both ? diffuse_is_black(*specular, scene_.specular_values)
-                             : diffuse != nullptr && diffuse_is_black(*diffuse, scene_.diffuse_values));
+    const bool black = !textured_ && body_is_black(both);
     has_diffuse_ = !black && (both || diffuse != nullptr);
     if (!lit_) {
       // Hemispheres and environment have forms of their own.
@@ -196,7 +245,7 @@ class SceneText {
       return;
     }
     if (specular != nullptr) {
-      brdf_ = model_call(glue_, "specular", *specular, scene_.specular_values, opacity_);
+      brdf_ = model_call(glue_, "specular", *specular, scene_.specular_values, opacity_, textured_);
       glue_.use("specular", std::string(specular->id));
     } else {
       glue_.leave_out("specular", "no specular model");
@@ -205,7 +254,7 @@ class SceneText {
       glue_.use("diffuse", "part of " + std::string(specular->id));
     } else if (has_diffuse_) {
       brdf_ += brdf_.empty() ? "" : " + ";
-      brdf_ += model_call(glue_, "diffuse", *diffuse, scene_.diffuse_values, opacity_);
+      brdf_ += model_call(glue_, "diffuse", *diffuse, scene_.diffuse_values, opacity_, textured_);
       glue_.use("diffuse", std::string(diffuse->id));
     } else {
       glue_.leave_out("diffuse", diffuse == nullptr ? "no diffuse model" : "K_d is 0");
@@ -293,7 +342,8 @@ class SceneText {
     }
     if (diffuse) {
       body_uniform();
-      light_code_ += "  sum += hemisphere_diffuse(body_K, sky_lower, sky_upper, dot(n, sky_axis));\n";
+      light_code_ +=
+          "  sum += hemisphere_diffuse(" + body_color() + ", sky_lower, sky_upper, dot(n, sky_axis));\n";
       glue_.use("diffuse hemispheres", "K_d is not 0");
     } else {
       glue_.leave_out("diffuse hemispheres", dark ? reason : no_body());
@@ -304,8 +354,8 @@ class SceneText {
                                  : form == HemisphereForm::wide  ? "hemisphere_specular_wide"
                                                                  : "hemisphere_specular";
     mirror();
-    light_code_ +=
-        "  sum += " + function + "(gloss_K, gloss, nv, dot(mirrored, sky_axis), sky_lower, sky_upper);\n";
+    light_code_ += "  sum += " + function + "(" + gloss_color() +
+                   ", nv, dot(mirrored, sky_axis), sky_lower, sky_upper);\n";
     glue_.use("specular hemispheres", std::string(name(form)));
   }
 
@@ -322,12 +372,12 @@ class SceneText {
     }
     if (has_diffuse_) {
       body_uniform();
-      light_code_ += "  sum += body_K * environment_diffuse(" + to_map("n") + ");\n";
+      light_code_ += "  sum += " + body_color() + " * environment_diffuse(" + to_map("n") + ");\n";
       parts = "diffuse";
     }
     if (scene_.specular != nullptr) {
       mirror();
-      light_code_ += "  sum += hemisphere_fresnel(gloss_K, gloss, nv) * environment_specular(" +
+      light_code_ += "  sum += hemisphere_fresnel(" + gloss_color() + ", nv) * environment_specular(" +
                      to_map("mirrored") + ");\n";
       parts += parts.empty() ? "specular" : " and specular";
     }
@@ -337,7 +387,11 @@ class SceneText {
 
   std::string no_body() const { return is_black(scene_.surface.diffuse) ? "K_d is 0" : "no diffuse model"; }
 
+  std::string body_color() const { return textured_ ? "(body_here.xyz * body_here.w)" : "body_K"; }
+  std::string gloss_color() const { return textured_ ? "gloss_here.xyz, gloss_here.w" : "gloss_K, gloss"; }
+
   void body_uniform() {
+    if (textured_) return;
     if (!std::exchange(body_declared_, true))
       glue_.uniform("body_K", scaled(scene_.surface.diffuse, opacity_));
   }
@@ -345,8 +399,10 @@ class SceneText {
   // What hemispheres and environment need of the mirror direction.
   void mirror() {
     if (std::exchange(mirror_declared_, true)) return;
-    glue_.uniform("gloss_K", scene_.surface.f0);
-    glue_.uniform("gloss", scene_.surface.gloss);
+    if (!textured_) {
+      glue_.uniform("gloss_K", scene_.surface.f0);
+      glue_.uniform("gloss", scene_.surface.gloss);
+    }
     light_code_ += "  float nv = dot(n, v);\n  vec3 mirrored = 2.0 * nv * n - v;\n";
   }
 
@@ -364,8 +420,14 @@ class SceneText {
       from_anywhere(sphere);
     else
       from_the_front(sphere);
+    if (textured_) {
+      glue_.line(sphere ? "    vec2 texel_at = sphere_texel(p);" : "    vec2 texel_at = square_texel(p);");
+      glue_.line("    body_here = texture(surface_body, texel_at);");
+      glue_.line("    gloss_here = texture(surface_gloss, texel_at);");
+    }
     glue_.line("    vec3 object = shade(p, n, v);");
     transparency();
+    marks();
     glue_.line("    color = mix(background, object, coverage);\n  }");
     transfer();
     glue_.line("  pixel_color = vec4(color, coverage);\n}");
@@ -439,7 +501,51 @@ class SceneText {
     }
   }
 
+  void marks() {
+    const std::vector<float>& energy = scene_.mark_energy;
+    const bool zone = scene_.mark_zone;
+    if (!zone) glue_.leave_out("zone stripes", "not asked for");
+    if (energy.empty()) glue_.leave_out("energy stripes", "not asked for");
+    if (!zone && energy.empty()) return;
+    std::string in_zone = "false", in_energy = "false";
+    if (zone) {
+      in_zone = "in_forbidden_zone(" + (textured_ ? std::string("gloss_here.xyz") : zone_color()) + ")";
+      glue_.use("zone stripes", "luminance of F0");
+    }
+    if (!energy.empty() && textured_) {
+      in_energy = "sends_too_much(gloss_here.xyz, " + body_color() + ")";
+      glue_.use("energy stripes", "diffuse colour and F0");
+    } else if (!energy.empty()) {
+      const std::string last = std::to_string(energy.size() - 1), size = decimal(double(energy.size() - 1));
+      glue_.uniforms("mark_energy", 1, energy);
+      glue_.line("    float step = clamp(dot(n, v), 0.0, 1.0) * " + size + ";");
+      glue_.line("    int lower = min(int(step), " + last + " - 1);");
+      glue_.line("    float albedo = mix(mark_energy[lower], mark_energy[lower + 1], step - float(lower));");
+      in_energy = "albedo > too_much";
+      glue_.use("energy stripes", "albedo towards the viewer");
+    }
+    const bool anywhere = scene_.view.has_value();
+    glue_.line(std::string("    vec2 stripe_at = floor(gl_FragCoord.xy") +
+               (anywhere ? " - picture_origin" : "") + ");");
+    glue_.line("    object = with_stripes(object, " + in_zone + ", " + in_energy +
+               ", stripe_at.x, picture_size.y - 1.0 - stripe_at.y, " + exposure_name() + ");");
+  }
+
+  // F0 as a uniform of its own: hemispheres have one only where there are some.
+  std::string zone_color() {
+    glue_.uniform("zone_f0", scene_.surface.f0);
+    return "zone_f0";
+  }
+
+  std::string exposure_name() const { return scene_.exposure != 1 || scene_.view ? "exposure" : "1.0"; }
+
   void transparency() {
+    if (textured_) {
+      glue_.line(
+          "    object += (1.0 - fresnel_opacity(body_here.w, luminance_of(gloss_here.xyz), dot(n, v))) * "
+          "background;");
+      return glue_.use("transparency", "of the texture");
+    }
     if (opacity_ >= 1) return glue_.leave_out("transparency", "opacity is 1");
     const Vec3& f0 = scene_.surface.f0;
     glue_.uniform("opacity", opacity_);
@@ -486,6 +592,7 @@ class SceneText {
   const Scene& scene_;
   const GlslDisplay* display_;
   const Camera camera_;
+  const bool textured_;
   const double opacity_;
   Glue glue_;
   std::string brdf_, light_code_;

@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/fresnel/fresnel.h"
 #include "core/image/image.h"
+#include "core/render/surface_textures.h"
 
 namespace etak {
 namespace {
@@ -234,8 +235,12 @@ void validate(const Scene& scene) {
           "a finite angle");
   if (scene.textures)
     for (const Image* each : {&scene.textures->body, &scene.textures->gloss})
-      if (each->channels != 4 || each->width < 1 || each->height < 1)
-        throw Error::at("texture", std::to_string(each->channels) + " channels", "a picture of four");
+      if (each->channels != 4 || each->width < 1 || each->height < 1 ||
+          std::max(each->width, each->height) > max_scene_texture)
+        throw Error::at("texture",
+                        std::to_string(each->width) + " x " + std::to_string(each->height) + " pixels of " +
+                            std::to_string(each->channels) + " channels",
+                        "at most " + std::to_string(max_scene_texture) + " a side, four channels");
   validate(scene.lights, "lights");
 }
 

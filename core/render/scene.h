@@ -104,6 +104,9 @@ enum class Transfer { srgb, power_045, square_root, linear };
 ///   gloss of `surface` opacity < 1 specular + opacity * diffuse + (1 - opacity)(1 - F(nv)) * background, F =
 ///   Schueler's of the luminance of
 ///               surface.f0; specular is never multiplied by opacity
+///   stripes     of the object, 6 pixels wide at 45 degrees, 0.6 of which is magenta (zone) or, the other way
+///               round, yellow (energy), as if lit so that it shows under the exposure. With textures both
+///               are decided per pixel, and energy is diffuse colour plus F0 above 1
 ///   output      transfer(clamp to >= 0 of exposure * mix(background, object, coverage)), alpha 1
 struct Scene {
   Shape shape = Shape::sphere;
@@ -113,7 +116,9 @@ struct Scene {
   const Model* diffuse = nullptr;  // null: no diffuse part (or `specular` is of kind both)
   std::vector<double> diffuse_values;
   std::shared_ptr<const SurfaceTextures>
-      textures;  // in place of the surface's diffuse, opacity, f0 and gloss
+      textures;                    // in place of the surface's diffuse, opacity, f0 and gloss
+  bool mark_zone = false;          // stripes where the luminance of F0 is in the forbidden zone
+  std::vector<float> mark_energy;  // stripes where this (quick_albedo) is above 1; empty: none
   LightSetup lights;
   double environment_turn_deg = 0;  // around y
   std::optional<View> view;         // none: from the front, whole

@@ -8,6 +8,7 @@
 #include "core/light/hemispheres.glsl"
 #include "core/light/lights.glsl"
 #include "core/light/transparency.glsl"
+#include "core/light/marks.glsl"
 // clang-format on
 
 // Loops run over whole blocks of lanes, past the end too (nothing reads what they leave there): a rest that
@@ -35,6 +36,8 @@ struct Chunk {
   Triple response;                   // f_r of one model
   Triple specular, diffuse;          // radiance
   Lane through;                      // share of the background that is seen through the object
+  Triple texel_body, texel_f0;       // of textures: diffuse colour times opacity, F0
+  Lane texel_opacity, texel_gloss;
 };
 
 // One light in numbers the loops need.
@@ -161,9 +164,28 @@ struct ChunkHemispheres {
   vec3 axis, lower, upper;
 };
 
-void add_hemispheres(Chunk& c, const ChunkHemispheres& h, const vec3& f0_value, real gloss,
-                     const vec3& diffuse, bool with_specular, bool with_diffuse) {
+// What hemispheres and environment see of the surface at a point.
+struct PointSurface {
+  vec3 f0_value, diffuse;
+  real gloss;
+};
+struct SameSurface {
+  PointSurface all;
+  const PointSurface& at(std::size_t) const { return all; }
+};
+struct TexturedSurface {
+  const Chunk& c;
+  PointSurface at(std::size_t i) const {
+    return {vec3(c.texel_f0[0][i], c.texel_f0[1][i], c.texel_f0[2][i]),
+            vec3(c.texel_body[0][i], c.texel_body[1][i], c.texel_body[2][i]), c.texel_gloss[i]};
+  }
+};
+
+template <class Surface>
+void add_hemispheres(Chunk& c, const ChunkHemispheres& h, const Surface& surface, bool with_specular,
+                     bool with_diffuse) {
   for (std::size_t i = 0; i < c.count; ++i) {
+    const auto& [f0_value, diffuse, gloss] = surface.at(i);
     const vec3 n(c.normal[0][i], c.normal[1][i], c.normal[2][i]);
     const real nz = dot(n, h.axis);
     if (with_specular) {
@@ -189,16 +211,18 @@ void add_hemispheres(Chunk& c, const ChunkHemispheres& h, const vec3& f0_value, 
 }
 
 // The prefiltered maps are looked up in double whatever `real` is: trigonometry costs more than the width.
-void add_environment(Chunk& c, const Environment& environment, const EnvironmentTurn& turn,
-                     const vec3& f0_value, real gloss, const vec3& diffuse, bool with_specular,
-                     bool with_diffuse) {
+//   lobe_gloss   of the look-up: one for all points, as a GPU has two levels of the map at a time
+template <class Surface>
+void add_environment(Chunk& c, const Environment& environment, const EnvironmentTurn& turn, real lobe_gloss,
+                     const Surface& surface, bool with_specular, bool with_diffuse) {
   for (std::size_t i = 0; i < c.count; ++i) {
+    const auto& [f0_value, diffuse, gloss] = surface.at(i);
     const Vec3 n{c.normal[0][i], c.normal[1][i], c.normal[2][i]};
     if (with_specular) {
       const Vec3 v{c.viewer[0][i], c.viewer[1][i], c.viewer[2][i]};
       const double nv = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
       const Vec3 r{2 * nv * n[0] - v[0], 2 * nv * n[1] - v[1], 2 * nv * n[2] - v[2]};
-      const Vec3 light = environment.specular(turn.to_map(r), double(gloss));
+      const Vec3 light = environment.specular(turn.to_map(r), double(lobe_gloss));
       const vec3 f = hemisphere_fresnel(f0_value, gloss, real(nv));
       c.specular[0][i] += f.x * real(light[0]);
       c.specular[1][i] += f.y * real(light[1]);
@@ -216,6 +240,13 @@ void add_environment(Chunk& c, const Environment& environment, const Environment
 void see_through(Chunk& c, real opacity, real luminance) {
   for (std::size_t i = 0; i < c.count; ++i)
     c.through[i] = 1 - fresnel_opacity(opacity, luminance, c.local_viewer[2][i]);
+}
+
+void see_through_texture(Chunk& c) {
+  for (std::size_t i = 0; i < c.count; ++i) {
+    const real luminance = luminance_of(vec3(c.texel_f0[0][i], c.texel_f0[1][i], c.texel_f0[2][i]));
+    c.through[i] = 1 - fresnel_opacity(c.texel_opacity[i], luminance, c.local_viewer[2][i]);
+  }
 }
 
 ETAK_RENDER_CLONES void sphere_points(Chunk& c, double first_x, double step, double y) {

@@ -20,6 +20,7 @@ struct Shading {
   bool needs_positions = false, needs_viewers;
   bool far = false;  // light and viewer are far away, and the models have loops for that
   double f0_luminance;
+  bool in_zone = false;
 
   Shading(const Scene& s, const Environment* e)
       : scene(s),
@@ -32,11 +33,17 @@ struct Shading {
     if (diffuse != nullptr && body_is_black(*diffuse, s.diffuse_values)) diffuse = nullptr;
     const bool both = specular != nullptr && specular->kind == ModelKind::both;
     with_diffuse = diffuse != nullptr || (both && !body_is_black(*specular, s.specular_values));
+    if (s.textures) {
+      diffuse = s.diffuse;
+      with_diffuse = diffuse != nullptr || both;
+      needs_positions = true;
+    }
     f0_luminance = 0.2126 * s.surface.f0[0] + 0.7152 * s.surface.f0[1] + 0.0722 * s.surface.f0[2];
     needs_viewers = s.lights.hemispheres.has_value() || e != nullptr || camera.turned();
     const Vec3& viewer = camera.axes()[2];
     const double scale = s.lights.pi_scaled ? std::numbers::pi : 1;
-    far = !camera.perspective() && has_far_respond;
+    in_zone = zone_of(f0_luminance) == Zone::inside;
+    far = !camera.perspective() && has_far_respond && !s.textures;
     for (const Model* model : {specular, diffuse}) far = far && (model == nullptr || model->has_far_loop());
     for (const Light& light : s.lights.lights) {
       const bool directional = light.kind == LightKind::directional;
@@ -93,9 +100,43 @@ void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
     std::copy_n(c.normal[axis].values.begin(), c.whole_blocks, c.position[axis].values.begin());
 }
 
+// A model's values at every lit point of a textured chunk.
+void respond_textured(const Model& model, const std::vector<double>& values, const Range& lit, Chunk& c) {
+  TexturedValues textured(model, values);
+  for (std::size_t i = lit.first; i < std::min(lit.last, c.count); ++i) {
+    if (!(c.irradiance[i] > 0)) continue;
+    // The body's colour has its opacity already.
+    const std::array<double, 4> body{double(c.texel_body[0][i]), double(c.texel_body[1][i]),
+                                     double(c.texel_body[2][i]), 1},
+        gloss{double(c.texel_f0[0][i]), double(c.texel_f0[1][i]), double(c.texel_f0[2][i]),
+              double(c.texel_gloss[i])};
+    respond(model, textured.at(body, gloss), {i, i + 1}, c);
+  }
+}
+
+void look_up_textures(const Shading& shading, Chunk& c) {
+  const SurfaceTextures& textures = *shading.scene.textures;
+  for (std::size_t i = 0; i < c.whole_blocks; ++i) {
+    const bool there = i < c.count;
+    const auto [u, v] = texture_place(
+        shading.camera.shape(),
+        there ? Vec3{double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])}
+              : Vec3{0, 0, 1});
+    const std::array<double, 4> body = texel(textures.body, u, v), gloss = texel(textures.gloss, u, v);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      c.texel_body[channel][i] = real(body[channel] * body[3]);
+      c.texel_f0[channel][i] = real(gloss[channel]);
+    }
+    c.texel_opacity[i] = real(body[3]);
+    c.texel_gloss[i] = real(gloss[3]);
+  }
+}
+
 void shade(const Shading& shading, Chunk& c) {
   const Scene& scene = shading.scene;
   const std::size_t count = c.whole_blocks;
+  const bool textured = scene.textures != nullptr;
+  if (textured) look_up_textures(shading, c);
   build_frames(c, !shading.camera.perspective() && !shading.camera.turned());
   const bool with_specular = shading.specular != nullptr;
   for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -112,43 +153,80 @@ void shade(const Shading& shading, Chunk& c) {
       aim_point(c, light);
     const Range lit = lit_blocks(c);
     if (lit.first == lit.last) continue;
-    const auto respond_to = [&](const Model& model, const double* values) {
-      if (far)
-        respond_far(model, values, light.lh, lit, c);
+    const auto respond_to = [&](const Model& model, const std::vector<double>& values) {
+      if (textured)
+        respond_textured(model, values, lit, c);
+      else if (far)
+        respond_far(model, values.data(), light.lh, lit, c);
       else
-        respond(model, values, lit, c);
+        respond(model, values.data(), lit, c);
     };
     if (with_specular) {
-      respond_to(*shading.specular, shading.specular_values.data());
+      respond_to(*shading.specular, shading.specular_values);
       add_light(c, lit, light.color, c.specular);
     }
     if (shading.diffuse != nullptr) {
-      respond_to(*shading.diffuse, scene.diffuse_values.data());
+      respond_to(*shading.diffuse, scene.diffuse_values);
       add_light(c, lit, light.color, c.diffuse);
     }
   }
-  const vec3 f0_value = narrowed(scene.surface.f0), body = narrowed(scene.surface.diffuse);
   const real gloss = real(scene.surface.gloss);
+  const SameSurface same{{narrowed(scene.surface.f0), narrowed(scene.surface.diffuse), gloss}};
+  const TexturedSurface of_texture{c};
   if (scene.lights.hemispheres) {
     const Hemispheres& h = *scene.lights.hemispheres;
     const ChunkHemispheres narrow{h.form, narrowed(h.axis), narrowed(h.lower), narrowed(h.upper)};
-    add_hemispheres(c, narrow, f0_value, gloss, body, with_specular, shading.with_diffuse);
+    if (textured)
+      add_hemispheres(c, narrow, of_texture, with_specular, shading.with_diffuse);
+    else
+      add_hemispheres(c, narrow, same, with_specular, shading.with_diffuse);
   }
-  if (shading.environment != nullptr)
-    add_environment(c, *shading.environment, shading.turn, f0_value, gloss, body, with_specular,
-                    shading.with_diffuse);
-  if (scene.surface.opacity < 1) see_through(c, real(scene.surface.opacity), real(shading.f0_luminance));
+  if (const Environment* environment = shading.environment) {
+    if (textured)
+      add_environment(c, *environment, shading.turn, gloss, of_texture, with_specular, shading.with_diffuse);
+    else
+      add_environment(c, *environment, shading.turn, gloss, same, with_specular, shading.with_diffuse);
+  }
+  if (textured)
+    see_through_texture(c);
+  else if (scene.surface.opacity < 1)
+    see_through(c, real(scene.surface.opacity), real(shading.f0_luminance));
+}
+
+// Whether a point gets stripes: of the forbidden zone, of energy from nowhere.
+struct Marks {
+  bool zone, energy;
+};
+Marks marks_at(const Shading& shading, const Chunk& c, std::size_t i) {
+  const Scene& scene = shading.scene;
+  Marks out{scene.mark_zone && shading.in_zone, false};
+  if (scene.textures) {
+    const vec3 f0_here(c.texel_f0[0][i], c.texel_f0[1][i], c.texel_f0[2][i]);
+    out.zone = scene.mark_zone && in_forbidden_zone(f0_here);
+    out.energy = !scene.mark_energy.empty() &&
+                 sends_too_much(f0_here, vec3(c.texel_body[0][i], c.texel_body[1][i], c.texel_body[2][i]));
+  } else if (!scene.mark_energy.empty()) {
+    const double at =
+        std::clamp(double(c.local_viewer[2][i]), 0.0, 1.0) * double(scene.mark_energy.size() - 1);
+    const auto first = std::min(static_cast<std::size_t>(at), scene.mark_energy.size() - 2);
+    const double share = at - double(first);
+    out.energy = too_much < (1 - share) * double{scene.mark_energy[first]} +
+                                share * double{scene.mark_energy[first + 1]};
+  }
+  return out;
 }
 
 // `row`: where the pixels of the piece go.
 void store(const Shading& shading, const Piece& piece, const Chunk& c, float* row) {
   const Scene& scene = shading.scene;
   const Camera& camera = shading.camera;
-  const real opacity = real(scene.surface.opacity);
+  const bool textured = scene.textures != nullptr;  // whose body has its opacity already
+  const real opacity = textured ? real(1) : real(scene.surface.opacity);
   const vec3 behind = narrowed(scene.background);
-  const bool clear = opacity < 1;
+  const bool clear = textured || opacity < 1;
+  const bool marked = scene.mark_zone || !scene.mark_energy.empty();
   std::size_t whole_first = c.count, whole_last = c.count;
-  if (!clear) {
+  if (!clear && !marked) {
     whole_first = std::min(piece.whole_first, c.count);
     whole_last = std::min(piece.whole_last, c.count);
     store_whole(c, whole_first, whole_last, opacity, row);
@@ -159,6 +237,11 @@ void store(const Shading& shading, const Piece& piece, const Chunk& c, float* ro
     vec3 seen(c.specular[0][i], c.specular[1][i], c.specular[2][i]);
     seen = seen + opacity * vec3(c.diffuse[0][i], c.diffuse[1][i], c.diffuse[2][i]);
     if (clear) seen = seen + behind * c.through[i];
+    if (marked) {
+      const Marks marks = marks_at(shading, c, i);
+      const real column = real(piece.first + static_cast<int>(i)), down = real(piece.row);
+      seen = with_stripes(seen, marks.zone, marks.energy, column, down, real(scene.exposure));
+    }
     const real cover =
         real(camera.coverage(camera.x(piece.first + static_cast<int>(i) + 0.5), camera.y(piece.row + 0.5)));
     const vec3 shown = mix(behind, seen, cover);

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/render/cpu_renderer.h"
+#include "core/render/energy.h"
 
 namespace etak {
 namespace {
@@ -22,12 +23,13 @@ Scene frame_of(const ViewState& state, int width, int height) {
   out.environment_turn_deg = state.environment_turn_deg;
   out.exposure = state.exposure;
   out.background = state.background;
+  out.mark_zone = state.zone_overlay;
   out.view = state.camera;
   out.view->zoom *= std::min(1.0, double(width) / height);
   return out;
 }
 
-void set_side(const ViewSide& side, Scene& scene) {
+void set_side(const ViewSide& side, bool energy_overlay, Scene& scene) {
   scene.surface = side.surface;
   FittedModels fitted = fit_models(side.specular, side.diffuse, side.overrides, scene.surface);
   scene.specular = fitted.specular;
@@ -35,6 +37,8 @@ void set_side(const ViewSide& side, Scene& scene) {
   scene.specular_values = std::move(fitted.specular_values);
   scene.diffuse_values = std::move(fitted.diffuse_values);
   scene.textures = side.textures;
+  // Core does it here, so that both devices show one and the same.
+  if (energy_overlay) scene.mark_energy = quick_albedo(scene, 17);
 }
 
 const Parameter* parameter_named(const ViewSide& side, std::string_view name) {
@@ -69,7 +73,7 @@ std::vector<ViewTile> view_tiles(const ViewState& state, int width, int height) 
     const auto add = [&](const ViewSide& side, int first, int last) {
       if (first >= last) return;
       ViewTile tile{frame_of(state, width, height), 0, 0, first, last};
-      set_side(side, tile.scene);
+      set_side(side, state.energy_overlay, tile.scene);
       validate(tile.scene);
       out.push_back(std::move(tile));
     };
@@ -88,7 +92,7 @@ std::vector<ViewTile> view_tiles(const ViewState& state, int width, int height) 
       ViewTile tile{frame_of(state, right - left, bottom - top), left, top, left, right};
       set_side(wedge_side(row == 0 ? state.a : state.b, state.wedge_parameter,
                           double(i) / (state.wedge_steps - 1)),
-               tile.scene);
+               state.energy_overlay, tile.scene);
       validate(tile.scene);
       out.push_back(std::move(tile));
     }

@@ -71,3 +71,14 @@ float plane_coverage(vec3 place, float facing, vec3 row_x, vec3 row_y, vec3 row_
   vec2 inside = clamp(0.5 + margin / pixel, 0.0, 1.0);
   return inside.x * inside.y;
 }
+
+// Places in a texture: texture_place() of core/render/surface_textures.h.
+vec2 square_texel(vec3 p) {
+  return vec2(0.5 + 0.5 * p.x, 0.5 - 0.5 * p.y);
+}
+
+vec2 sphere_texel(vec3 p) {
+  const float turn = 6.283185307179586;
+  float around = abs(p.x) + abs(p.z) > 0.0 ? atan(p.x, p.z) : 0.0;
+  return vec2(0.5 + around / turn, atan(length(p.xz), p.y) * 2.0 / turn);
+}

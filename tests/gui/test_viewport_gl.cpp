@@ -114,8 +114,44 @@ class ViewportGl : public QObject {
     check(state, "wedge of K");
   }
 
+  void textures() {
+    ViewState state = gold_state();
+    Image body(8, 8, 4), gloss(8, 4, 4);
+    for (std::size_t i = 0; i < body.values.size(); ++i) body.values[i] = static_cast<float>(i % 7) / 8;
+    for (std::size_t i = 0; i < gloss.values.size(); ++i)
+      gloss.values[i] = 0.2F + static_cast<float>(i % 5) / 8;
+    const auto pair = surface_textures(&body, &gloss, state.a.surface);
+    for (const char* id :
+         {"schueler-optimized-bounded", "ggx-schlick", "phong", "ashikhmin-shirley", "abc-schlick"}) {
+      state.a = state_with(*find_model(id)).a;
+      state.a.textures = pair;
+      for (const ViewShape shape : {ViewShape::quad, ViewShape::sphere}) {
+        state.shape = shape;
+        check(state, QByteArray("textured ") + id);
+        state.zone_overlay = state.energy_overlay = true;
+        check(state, QByteArray("textured, with stripes, ") + id);
+        state.zone_overlay = state.energy_overlay = false;
+      }
+    }
+  }
+
+  void stripes() {
+    ViewState state = state_with(*find_model("schueler-optimized"));
+    state.zone_overlay = true;
+    state.a.surface.f0 = {0.3, 0.3, 0.3};
+    check(state, "zone");
+    const QImage marked = viewport->grab_picture();
+    state.zone_overlay = false;
+    viewport->set_state(state);
+    QVERIFY(marked != viewport->grab_picture());
+    state.energy_overlay = true;
+    state.a.surface.f0 = {0.9, 0.9, 0.9};
+    state.a.surface.diffuse = {0.9, 0.9, 0.9};
+    state.exposure = 2;
+    check(state, "energy");
+  }
+
   void by_open_color_io() {
-    if (!qEnvironmentVariableIsEmpty("ETAK_NO_OCIO")) return;
     ViewState state = gold_state();
     const ViewDisplay all = open_display("", "sRGB - Display", "");
     state.ocio_display = "sRGB - Display";

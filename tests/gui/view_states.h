@@ -4,6 +4,7 @@
 #include <QImage>
 
 #include "app/viewport/viewport.h"
+#include "core/render/surface_textures.h"
 
 namespace etak::test {
 

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/surface_textures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/error.h"
+
+namespace etak {
+namespace {
+
+Image four_channels(const Image* picture, const Vec3& color, double fourth, int side) {
+  if (picture == nullptr) {
+    Image out(1, 1, 4);
+    for (std::size_t c = 0; c < 3; ++c) out.values[c] = static_cast<float>(color[c]);
+    out.values[3] = static_cast<float>(fourth);
+    return out;
+  }
+  if (picture->channels < 3 || picture->width < 1 || picture->height < 1)
+    throw Error::at("texture", std::to_string(picture->channels) + " channels", "three or four");
+  const int longer = std::max(picture->width, picture->height);
+  const double scale = longer > side ? double(side) / longer : 1;
+  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(length * scale)); };
+  const Image small =
+      scale < 1 ? shrunk(*picture, scaled(picture->width), scaled(picture->height)) : *picture;
+  if (small.channels == 4) return small;
+  Image out(small.width, small.height, 4);
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x) {
+      std::copy_n(small.at(x, y).data(), 3, out.at(x, y).data());
+      out.at(x, y)[3] = static_cast<float>(fourth);
+    }
+  return out;
+}
+
+}  // namespace
+
+std::shared_ptr<const SurfaceTextures> surface_textures(const Image* body, const Image* gloss,
+                                                        const SurfaceValues& surface, int side) {
+  if (side < 1 || side > max_scene_texture)
+    throw Error::at("texture", "side of " + std::to_string(side),
+                    "1 to " + std::to_string(max_scene_texture));
+  return std::make_shared<const SurfaceTextures>(
+      SurfaceTextures{four_channels(body, surface.diffuse, surface.opacity, side),
+                      four_channels(gloss, surface.f0, surface.gloss, side)});
+}
+
+std::array<double, 4> texel(const Image& texture, double u, double v) {
+  const auto inside = [](double at, int size) { return std::clamp(at * size - 0.5, 0.0, size - 1.0); };
+  const double x = inside(u, texture.width), y = inside(v, texture.height);
+  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+  const int x1 = std::min(x0 + 1, texture.width - 1), y1 = std::min(y0 + 1, texture.height - 1);
+  const double fx = x - x0, fy = y - y0;
+  const auto a = texture.at(x0, y0), b = texture.at(x1, y0), c = texture.at(x0, y1), d = texture.at(x1, y1);
+  std::array<double, 4> out{};
+  for (std::size_t i = 0; i < 4; ++i)
+    out[i] = (double{a[i]} * (1 - fx) + double{b[i]} * fx) * (1 - fy) +
+             (double{c[i]} * (1 - fx) + double{d[i]} * fx) * fy;
+  return out;
+}
+
+std::array<double, 2> texture_place(Shape shape, const Vec3& p) {
+  if (shape == Shape::quad) return {0.5 + 0.5 * p[0], 0.5 - 0.5 * p[1]};
+  constexpr double pi = std::numbers::pi;
+  return {0.5 + std::atan2(p[0], p[2]) / (2 * pi), std::atan2(std::hypot(p[0], p[2]), p[1]) / pi};
+}
+
+bool follows_texture(const Model& model, const Parameter& parameter) {
+  switch (parameter.role) {
+    case Role::diffuse:
+    case Role::f0:
+      return true;
+    case Role::gloss:
+    case Role::alpha:
+    case Role::exponent:
+      return model.derived.empty();
+    default:
+      return false;
+  }
+}
+
+TexturedValues::TexturedValues(const Model& model, std::vector<double> values)
+    : model_(model), values_(std::move(values)) {}
+
+const double* TexturedValues::at(const std::array<double, 4>& body, const std::array<double, 4>& gloss) {
+  std::size_t at = 0;
+  const double exponent = std::exp2(12 * gloss[3]);
+  for (const Parameter& parameter : model_.parameters) {
+    const std::size_t count = parameter.color ? 3 : 1;
+    const auto held = [&](double value) { return std::clamp(value, parameter.min, parameter.max); };
+    if (follows_texture(model_, parameter)) switch (parameter.role) {
+        case Role::diffuse:
+          for (std::size_t c = 0; c < count; ++c) values_[at + c] = body[c] * body[3];
+          break;
+        case Role::f0:
+          for (std::size_t c = 0; c < count; ++c) values_[at + c] = gloss[c];
+          break;
+        case Role::gloss:
+          values_[at] = held(gloss[3]);
+          break;
+        case Role::alpha:
+          values_[at] = held(std::sqrt(2 / (exponent + 2)));
+          break;
+        case Role::exponent:
+          values_[at] = held(exponent);
+          break;
+        default:
+          break;
+      }
+    at += count;
+  }
+  return values_.data();
+}
+
+}  // namespace etak
