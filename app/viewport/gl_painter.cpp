@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/gl_painter.h"
 
+#include <QColor>
 #include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
@@ -8,6 +9,7 @@
 #include <deque>
 #include <map>
 
+#include "app/viewport/display.h"
 #include "app/viewport/gl_program.h"
 #include "app/viewport/gl_textures.h"
 #include "core/base/error.h"
@@ -160,7 +162,7 @@ struct GlPainter::State {
     bind_textures(program, tile.scene);
     gl.glViewport(tile.x, bottom, tile.scene.width, tile.scene.height);
     gl.glScissor(tile.clip_first, bottom, tile.clip_last - tile.clip_first, tile.scene.height);
-    gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+    gl.glDrawArrays(GL_TRIANGLE_FAN, 0, text.corners);
     if (program.drawn) return 0;
     // Drivers put off work to the first drawing.
     gl.glFinish();
@@ -169,7 +171,18 @@ struct GlPainter::State {
     return program.compile_ms;
   }
 
-  Drawn draw(const std::vector<ViewTile>& tiles, const QSize& size, GLuint target) {
+  // The background as the display shows it, by core like the rest.
+  void clear_to_background(const Scene& scene, const ViewDisplay& shows) {
+    Image pixel(1, 1, 4);
+    for (std::size_t c = 0; c < 3; ++c)
+      pixel.values[c] = static_cast<float>(scene.background[c] * scene.exposure);
+    const QColor color = shown(pixel, shows, 1).pixelColor(0, 0);
+    gl.glClearColor(static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
+                    static_cast<float>(color.blueF()), 1);
+    gl.glClear(GL_COLOR_BUFFER_BIT);
+  }
+
+  Drawn draw(const std::vector<ViewTile>& tiles, const ViewDisplay& shows, const QSize& size, GLuint target) {
     Drawn out;
     QElapsedTimer timer;
     timer.start();
@@ -182,8 +195,12 @@ struct GlPainter::State {
     gl.glDisable(GL_SCISSOR_TEST);
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.glViewport(0, 0, size.width(), size.height());
-    gl.glClearColor(0.2F, 0.2F, 0.2F, 1);
-    gl.glClear(GL_COLOR_BUFFER_BIT);
+    if (tiles.empty()) {
+      gl.glClearColor(0.2F, 0.2F, 0.2F, 1);
+      gl.glClear(GL_COLOR_BUFFER_BIT);
+    } else {
+      clear_to_background(tiles.front().scene, shows);
+    }
     // The fourth channel is the object's coverage: nothing for a window that would look through it.
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     gl.glEnable(GL_SCISSOR_TEST);
@@ -218,17 +235,16 @@ std::string GlPainter::name() const {
 
 GlPainter::Drawn GlPainter::draw(const std::vector<ViewTile>& tiles,
                                  const std::shared_ptr<const Environment>& environment,
-                                 const std::shared_ptr<const OcioShader>& display, const QSize& size,
-                                 unsigned target) {
+                                 const ViewDisplay& display, const QSize& size, unsigned target) {
   state_->take(environment);
-  state_->take(display);
-  return state_->draw(tiles, size, target);
+  state_->take(display.gpu);
+  return state_->draw(tiles, display, size, target);
 }
 
 GlPainter::Drawn GlPainter::draw_small(const std::vector<ViewTile>& tiles,
                                        const std::shared_ptr<const Environment>& environment,
-                                       const std::shared_ptr<const OcioShader>& display, const QSize& small,
-                                       const QSize& size, unsigned target) {
+                                       const ViewDisplay& display, const QSize& small, const QSize& size,
+                                       unsigned target) {
   Gl& gl = state_->gl;
   if (!state_->small || state_->small->size() != small) state_->small = std::make_unique<Target>(gl, small);
   Drawn out = draw(tiles, environment, display, small, state_->small->frame());
@@ -241,8 +257,8 @@ GlPainter::Drawn GlPainter::draw_small(const std::vector<ViewTile>& tiles,
 }
 
 QImage GlPainter::picture(const std::vector<ViewTile>& tiles,
-                          const std::shared_ptr<const Environment>& environment,
-                          const std::shared_ptr<const OcioShader>& display, const QSize& size) {
+                          const std::shared_ptr<const Environment>& environment, const ViewDisplay& display,
+                          const QSize& size) {
   Gl& gl = state_->gl;
   const Target target(gl, size);
   draw(tiles, environment, display, size, target.frame());

@@ -89,9 +89,9 @@ void GlView::paintGL() {
   }
   try {
     const GlPainter::Drawn drawn_frame =
-        half ? painter_->draw_small(tiles, state_.environment, display_.gpu, size, whole,
+        half ? painter_->draw_small(tiles, state_.environment, display_, size, whole,
                                     defaultFramebufferObject())
-             : painter_->draw(tiles, state_.environment, display_.gpu, whole, defaultFramebufferObject());
+             : painter_->draw(tiles, state_.environment, display_, whole, defaultFramebufferObject());
     if (drawn_frame.context_lost || !context()->isValid()) {
       emit lost();
       return;
@@ -111,7 +111,7 @@ QImage GlView::picture(const QSize& size) {
   const std::vector<ViewTile> tiles = view_tiles(state_, size.width(), size.height());
   makeCurrent();
   try {
-    QImage out = painter_->picture(tiles, state_.environment, display_.gpu, size);
+    QImage out = painter_->picture(tiles, state_.environment, display_, size);
     compile_ms_ = painter_->compile_ms();
     doneCurrent();
     return out;

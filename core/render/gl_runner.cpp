@@ -304,7 +304,7 @@ struct GlRunner::State {
     return *program;
   }
 
-  static void draw() { glDrawArrays(GL_TRIANGLES, 0, 3); }
+  static void draw(int corners = 3) { glDrawArrays(GL_TRIANGLE_FAN, 0, corners); }
 
   static std::vector<float> read_rows_up(int width, int height) {
     std::vector<float> out(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
@@ -326,7 +326,9 @@ class Prepared {
     Scene drawn = scene;
     // Whether there is one is told by the pointer; a file's name without its picture lights nothing.
     drawn.lights.environment = environment != nullptr ? "given" : "";
-    const Program& program = state.use(glsl_text(drawn));
+    const GlslText text = glsl_text(drawn);
+    corners_ = text.corners;
+    const Program& program = state.use(text);
     if (environment == nullptr) return;
     const auto [sharp, share] = environment->between(scene.surface.gloss);
     const Environment::Level &above = environment->levels()[sharp], &below = environment->levels()[sharp + 1];
@@ -339,7 +341,10 @@ class Prepared {
     program.set({"environment_share", 1, 1, false, {static_cast<float>(share)}});
   }
 
+  int corners() const { return corners_; }
+
  private:
+  int corners_ = 3;
   std::vector<std::unique_ptr<FloatTexture>> textures_;
 };
 
@@ -377,9 +382,12 @@ Image GlRunner::render(const Scene& scene, const Environment* environment, std::
   linear.transfer = Transfer::linear;
   const Target target(GL_RGBA32F, scene.width, scene.height);
   const Prepared prepared(*state_, linear, environment);
+  glClearColor(static_cast<float>(scene.background[0]), static_cast<float>(scene.background[1]),
+               static_cast<float>(scene.background[2]), 0);
+  glClear(GL_COLOR_BUFFER_BIT);
   const GpuClock clock;
   clock.start();
-  State::draw();
+  State::draw(prepared.corners());
   clock.stop();
   const std::vector<float> rows_up = State::read_rows_up(scene.width, scene.height);
   if (gpu_ms != nullptr) *gpu_ms = clock.milliseconds();
@@ -430,7 +438,7 @@ GlRunner::FrameTime GlRunner::frame_time(const Scene& scene, const Environment* 
   FrameTime out;
   const auto start = Clock::now();
   const Prepared prepared(*state_, scene, environment);
-  State::draw();
+  State::draw(prepared.corners());
   glFinish();
   out.compile_ms = milliseconds_since(start);
   const GpuClock clock;
@@ -438,7 +446,7 @@ GlRunner::FrameTime GlRunner::frame_time(const Scene& scene, const Environment* 
   for (int i = 0; i < frames; ++i) {
     const auto begin = Clock::now();
     clock.start();
-    State::draw();
+    State::draw(prepared.corners());
     clock.stop();
     glFinish();
     times.push_back(milliseconds_since(begin));

@@ -61,6 +61,8 @@ class Glue {
   void declare(const std::string& type, const std::string& name) {
     declarations_ += "uniform " + type + ' ' + name + ";\n";
   }
+  // One of the vertex shader's own.
+  void vertex_uniform(GlslUniform uniform) { text.uniforms.push_back(std::move(uniform)); }
   void uniforms(const std::string& name, int width, const std::vector<float>& values) {
     add({name, width, static_cast<int>(values.size()) / width, true, values});
   }
@@ -76,7 +78,8 @@ class Glue {
         (version == GlslVersion::es_300 ? "precision highp float;\nprecision highp int;\n"
                                           "precision highp sampler2D;\n"
                                         : "");
-    const std::string_view vertex = glsl_file("shaders/full_screen.vert");
+    const std::string_view vertex =
+        glsl_file(text.corners > 3 ? "shaders/around_object.vert" : "shaders/full_screen.vert");
     text.vertex = head + std::string(vertex.substr(vertex.find('\n') + 1));
     text.fragment = head + "#define real float\n\n" + glsl_needed_by(glue) + "// ---- this scene\n" + glue;
     return std::move(text);
@@ -470,6 +473,7 @@ class SceneText {
     for (const Vec3& axis : camera_.axes()) append(axes, axis);
     for (const Vec3& row : camera_.plane()) append(plane, row);
     glue_.uniforms("camera_axes", 3, axes);
+    fan(sphere);
     if (!sphere) glue_.uniforms("square_rows", 3, plane);
     const std::string out_of = "out_of_camera(", by = ", camera_axes[0], camera_axes[1], camera_axes[2])";
     glue_.line("void main() {");
@@ -499,6 +503,24 @@ class SceneText {
       glue_.line(scene_.perspective ? "    vec3 v = normalize(camera_axes[2] * camera_distance - p);"
                                     : "    vec3 v = camera_axes[2];");
     }
+  }
+
+  // A polygon around the object: on a rasteriser without a GPU the pixels beside it cost as much as those on
+  // it.
+  void fan(bool sphere) {
+    if (!sphere && scene_.perspective) return;  // a near camera may see the square anywhere
+    const int corners = sphere || camera_.turned() ? 32 : 4;
+    const double reach = (sphere ? 1 : std::sqrt(2.0)) + 2 * camera_.pixel();
+    const double radius = reach / (corners == 4 ? 1 : std::cos(std::numbers::pi / corners)) / camera_.pixel();
+    const auto two = [](double x, double y) {
+      return std::vector<float>{static_cast<float>(x), static_cast<float>(y)};
+    };
+    const double w = scene_.width / 2.0, h = scene_.height / 2.0;
+    glue_.text.corners = corners;
+    glue_.vertex_uniform(
+        {"fan_centre", 2, 1, false, two(camera_.centre_column() / w - 1, 1 - camera_.centre_row() / h)});
+    glue_.vertex_uniform({"fan_radius", 2, 1, false, two(radius / w, radius / h)});
+    glue_.vertex_uniform({"fan_corners", 1, 1, false, {static_cast<float>(corners)}});
   }
 
   void marks() {

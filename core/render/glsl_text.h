@@ -38,6 +38,7 @@ struct GlslText {
   std::string vertex, fragment;
   std::vector<GlslFeature> features;
   std::vector<GlslUniform> uniforms;
+  int corners = 3;  // to draw, as a triangle fan. Above 3: around the object alone, the rest is to be cleared
 
   const GlslFeature* feature(std::string_view feature_name) const;
 };
