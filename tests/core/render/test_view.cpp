@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/brdf/albedo.h"
 #include "core/render/camera.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/energy.h"
@@ -180,9 +179,9 @@ TEST_CASE("a light moved to a place has its mark there") {
   CHECK(test::contains(test::error_of([&] { (void)moved_light(setup, view, 9, {}); }), "no light"));
 }
 
-TEST_CASE("the quick albedo is the exact one within 0.01") {
-  for (const char* id : {"lambert", "ggx-schlick", "schueler-optimized-bounded", "beckmann-smith"})
-    for (const double gloss : {0.1, 0.5, 0.9}) {
+TEST_CASE("the quick albedo is the sum over all directions of light within 0.01") {
+  for (const char* id : {"lambert", "ggx-schlick", "schueler-optimized-bounded"})
+    for (const double gloss : {0.1, 0.6}) {
       ViewState state = two_golds();
       const Model& model = *find_model(id);
       const bool diffuse = model.kind == ModelKind::diffuse;
@@ -194,18 +193,23 @@ TEST_CASE("the quick albedo is the exact one within 0.01") {
       const Scene scene = scene_of(state);
       const std::vector<double>& values = diffuse ? scene.diffuse_values : scene.specular_values;
       const std::vector<float> quick = quick_albedo(scene, 5);
+      constexpr int steps = 400;
+      constexpr double pi = 3.14159265358979;
       for (const std::size_t i : {1u, 2u, 4u}) {
-        AlbedoOptions options;
-        options.error = 1e-5;
-        options.lobe_width = std::sqrt(2 / (std::exp2(12 * gloss) + 2));
-        const double exact = directional_albedo(
-            [&](const Directions& d) {
-              double rgb[3];
-              model.f64(d, values.data(), rgb);
-              return rgb[1];
-            },
-            std::acos(double(i) / 4) * 180 / 3.14159265358979, options);
-        INFO(id << ", gloss " << gloss << ", cosine " << double(i) / 4);
+        const double nv = double(i) / 4;
+        double exact = 0;
+        for (int row = 0; row < steps; ++row)
+          for (int column = 0; column < steps; ++column) {
+            // Even in the square of the sine: nl is part of the measure.
+            const double s2 = (row + 0.5) / steps, phi = 2 * pi * (column + 0.5) / steps;
+            const double s = std::sqrt(s2);
+            const Directions d{
+                s * std::cos(phi), s * std::sin(phi), std::sqrt(1 - s2), std::sqrt(1 - nv * nv), 0, nv};
+            double rgb[3];
+            model.f64(d, values.data(), rgb);
+            exact += rgb[1] * pi / (double(steps) * steps);
+          }
+        INFO(id << ", gloss " << gloss << ", cosine " << nv);
         CHECK(quick[i] == Approx(exact).margin(0.01));
       }
     }
