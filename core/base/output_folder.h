@@ -31,12 +31,31 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// A new file "name" (no '/'), written by calling `body` with a sink for its bytes, and flushed to disk.
-  /// Throws Error, also for a full disk; what `body` throws comes out, and the file is gone. Different files
-  /// may be written from different threads.
+  /// A new file "name" (no '/'), written by calling `body` with a sink for its bytes. It goes on to the disk
+  /// while others are made; commit() waits for that. Throws Error, also for a full disk; what `body` throws
+  /// comes out, and the file is gone. Different files may be written from different threads.
   void write(const std::string& name,
              const std::function<void(const std::function<void(std::string_view)>&)>& body);
   void write(const std::string& name, std::string_view bytes);
+
+  /// The same piece by piece. A file that is not closed is gone. Lives no longer than its folder.
+  class File {
+   public:
+    ~File();
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    void add(std::string_view bytes);
+    /// Puts bytes over those from byte `at` on, which are there already.
+    void patch(std::size_t at, std::string_view bytes);
+    void close();
+
+   private:
+    friend class OutputFolder;
+    struct Open;
+    explicit File(std::unique_ptr<Open> open);
+    std::unique_ptr<Open> open_;
+  };
+  std::unique_ptr<File> open(const std::string& name);
 
   /// Names of files of an earlier set in the target that are not to live on. A name that is not there, or
   /// that this set has too, does nothing.

@@ -188,6 +188,26 @@ TEST_CASE("what the writer of a file throws comes out, and the file can be writt
   CHECK(all_in(folder.file("out")) == Files{{"a", "whole"}});
 }
 
+TEST_CASE("a file can be written piece by piece, and is gone when it is not closed") {
+  const test::TempFolder folder;
+  const std::string target = folder.file("out");
+  {
+    OutputFolder out(target, false);
+    const auto kept = out.open("kept");
+    const std::string large(200'000, 'x');
+    kept->add("head");
+    kept->add(large);
+    kept->patch(1, "EA");
+    kept->add("tail");
+    { const auto left = out.open("left"); }
+    out.write("left", "again");
+    kept->close();
+    CHECK_THROWS_AS(out.open("kept"), Error);
+    out.commit();
+    CHECK(all_in(target) == Files{{"kept", "hEAd" + large + "tail"}, {"left", "again"}});
+  }
+}
+
 TEST_CASE("files are written from several threads") {
   const test::TempFolder folder;
   OutputFolder out(folder.file("out"), false);
