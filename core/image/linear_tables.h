@@ -26,6 +26,9 @@ struct LinearTables {
   static constexpr int srgb_slots = 4096, slots_per_octave = 32, octaves = 13;
   std::array<std::uint8_t, srgb_slots + 1> srgb_guess;
   std::array<std::uint8_t, slots_per_octave * octaves + 1> gloss_guess;
+  std::array<std::uint8_t, 4> behind;  // vector loads of a guess take in the bytes that follow
+
+  static constexpr std::int32_t first_bits = (127 - octaves) << 23;  // of 2^-13
 
   /// sRGB code of linear light; below 0 counts as 0 and above 1 as 1.
   std::uint8_t srgb_code(float linear) const {
@@ -41,9 +44,6 @@ struct LinearTables {
         gloss_guess[static_cast<std::size_t>(std::clamp<std::int32_t>(slot, 0, slots_per_octave * octaves))];
     return static_cast<std::uint8_t>(guess - (inverse_exponent > gloss_step[guess] ? 1u : 0u));
   }
-
- private:
-  static constexpr std::int32_t first_bits = (127 - octaves) << 23;  // of 2^-13
 };
 
 /// Built on first use.

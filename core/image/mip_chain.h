@@ -76,6 +76,13 @@ struct OutRow {
   Texel *a, *b, *n;  // n null: no normals
 };
 
+/// The beginning of a new row whose texels cover 2 x 2, where a source has a faster way than average_rows();
+/// how many texels of a and b were made. A source that has one overloads this beside its Row.
+template <class Row>
+int average_first(const std::array<Row, 3>&, int, bool, const OutRow&) {
+  return 0;
+}
+
 /// The new row from those that it covers.
 template <class Row>
 void average_rows(const std::array<Row, 3>& rows, const Taps& across, int old_width, int new_width,
@@ -85,7 +92,7 @@ void average_rows(const std::array<Row, 3>& rows, const Taps& across, int old_wi
     out.b[x].v = mean_of_b(b, weighted_b);
   };
   if (across.count == 2 && old_width == 2 * new_width) {  // nearly all texels of nearly all pictures
-    for (int x = 0; x < new_width; ++x) {
+    for (int x = average_first(rows, new_width, weigh_by_opacity, out); x < new_width; ++x) {
       const Float4 a0 = rows[0].a(2 * x), a1 = rows[0].a(2 * x + 1);
       const Float4 a2 = rows[1].a(2 * x), a3 = rows[1].a(2 * x + 1);
       const Float4 b0 = rows[0].b(2 * x), b1 = rows[0].b(2 * x + 1);

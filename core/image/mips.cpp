@@ -6,6 +6,7 @@
 #include "core/image/dilate.h"
 #include "core/image/linear_tables.h"
 #include "core/image/mip_chain.h"
+#include "core/image/mip_rows.h"
 
 namespace etak {
 namespace {
@@ -47,6 +48,14 @@ struct CodeSource {
   }
 };
 
+// The beginning of a new row; returns how many texels.
+int average_first(const std::array<CodeRow, 3>& rows, int count, bool weigh_by_opacity, const OutRow& out) {
+  const MipRows* const fast = mip_rows();
+  if (fast == nullptr) return 0;
+  return fast->average(rows[0].codes_a, rows[1].codes_a, rows[0].codes_b, rows[1].codes_b, count,
+                       weigh_by_opacity, *rows[0].tables, out.a, out.b);
+}
+
 ChainShape shape_of(int width, int height, const MipOptions& options) {
   const int full = full_mip_levels(width, height);
   return {width, height, options.levels == 0 ? full : std::min(options.levels, full),
@@ -75,12 +84,16 @@ std::size_t write_levels(ConstPixelsView8 a, ConstPixelsView8 b, const MipOption
 
   const float widest = 1 / tables.gloss_step[1];  // up to half a code wider than gloss 0 still rounds to it
   std::atomic<std::size_t> clamped{0};
+  const MipRows* const fast = mip_rows();
   make_chain(shape, threads, source, [&](int level, int y, const StoredRow& row) {
     const auto at = static_cast<std::size_t>(level);
     const int width = side_at(a.width, level);
     std::uint8_t *out_a = to_a[at].row(y), *out_b = to_b[at].row(y);
     std::size_t wider = 0;
-    for (int x = 0; x < width; ++x, out_a += 4, out_b += 4) {
+    int x = 0;
+    if (fast != nullptr && row.texels_n == nullptr)
+      x = fast->encode(row.texels_a, row.texels_b, width, tables, widest, out_a, out_b, wider);
+    for (out_a += 4 * x, out_b += 4 * x; x < width; ++x, out_a += 4, out_b += 4) {
       const Float4 texel_a = row.a(x), texel_b = row.b(x);
       for (int c = 0; c < 3; ++c) {
         out_a[c] = tables.srgb_code(texel_a[c]);
@@ -95,7 +108,7 @@ std::size_t write_levels(ConstPixelsView8 a, ConstPixelsView8 b, const MipOption
     if (wider > 0) clamped += wider;
     if (!opacities[at].empty()) {
       float* to = opacities[at].data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-      for (int x = 0; x < width; ++x) to[x] = row.a(x)[3];
+      for (int i = 0; i < width; ++i) to[i] = row.a(i)[3];
     }
   });
 
@@ -122,9 +135,24 @@ std::size_t write_levels(ConstPixelsView8 a, ConstPixelsView8 b, const MipOption
 
 }  // namespace
 
+const mip_detail::MipRows* mip_detail::mip_rows() {
+#ifdef ETAK_MIPS_X86_64
+  static const bool avx2 = (__builtin_cpu_init(), __builtin_cpu_supports("avx2") != 0);
+  return avx2 ? &mip_rows_avx2() : nullptr;
+#else
+  return nullptr;
+#endif
+}
+
 int full_mip_levels(int width, int height) {
   assert(width >= 1 && height >= 1);
   return std::bit_width(static_cast<unsigned>(std::max(width, height)));
+}
+
+std::size_t mip_levels(const ConstPixelsView8& a, const ConstPixelsView8& b, const MipOptions& options,
+                       unsigned threads, std::span<const PixelsView8> to_a,
+                       std::span<const PixelsView8> to_b) {
+  return write_levels(a, b, options, threads, to_a, to_b);
 }
 
 MipPair mip_pair(const Image8& a, const Image8& b, const MipOptions& options, unsigned threads) {

@@ -59,6 +59,13 @@ struct MipPair {
 ///             2^(k/256) is found on the stored codes)
 MipPair mip_pair(const Image8& a, const Image8& b, const MipOptions& options, unsigned threads = 1);
 
+/// The same into pictures that somebody else holds: level l to to_a[l] and to_b[l], which have its size; [0]
+/// is not touched and may be the input. options.levels is at most to_a.size().
+///   returns   MipPair::gloss_clamped
+std::size_t mip_levels(const ConstPixelsView8& a, const ConstPixelsView8& b, const MipOptions& options,
+                       unsigned threads, std::span<const PixelsView8> to_a,
+                       std::span<const PixelsView8> to_b);
+
 /// The same for float pictures: colours linear, alpha and gloss plain. What is not finite stays so.
 ///   error   relative 1e-5 against double
 struct MipPairFloat {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/image/mips.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstring>
 #include <functional>
+#include <random>
 
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
 #include "core/image/mip_chain.h"
+#include "core/image/mip_rows.h"
 #include "tests/core/image/mip_reference.h"
 
 namespace etak {
@@ -95,6 +99,72 @@ TEST_CASE("mips are within one code of the chain in double, on noise of odd and 
     MipOptions plain;
     plain.alpha_weights_diffuse = false;
     CHECK(off_from_reference(a, b, plain) <= 1);
+  }
+}
+
+TEST_CASE("loops of several texels give the same bits as the plain ones") {
+  using namespace mip_detail;
+  const MipRows* const fast = mip_rows();
+  if (fast == nullptr) {
+    WARN("this processor has plain loops only");
+    return;
+  }
+  const LinearTables& tables = linear_tables();
+  struct PlainRow {
+    const std::uint8_t *codes_a, *codes_b;
+    static Float4 texel(const std::uint8_t* c, float last) {
+      const LinearTables& t = linear_tables();
+      return Float4{t.srgb[c[0]], t.srgb[c[1]], t.srgb[c[2]], last};
+    }
+    Float4 a(int x) const { return texel(codes_a + 4 * x, static_cast<float>(codes_a[4 * x + 3])); }
+    Float4 b(int x) const { return texel(codes_b + 4 * x, linear_tables().inverse[codes_b[4 * x + 3]]); }
+    static Float4 n(int) { return Float4{}; }
+  };
+  constexpr int count = 8 * 40;
+  std::mt19937 random(11);
+  for (int round = 0; round < 60; ++round) {
+    std::array<std::vector<std::uint8_t>, 4> rows;
+    for (auto& row : rows) {
+      row.resize(8 * count);
+      // Noise; few codes; black and white; nothing to see.
+      for (auto& code : row)
+        code = static_cast<std::uint8_t>(round % 4 == 0   ? random()
+                                         : round % 4 == 1 ? random() % 3
+                                         : round % 4 == 2 ? 255 * (random() % 2)
+                                                          : random() % 2 * 254);
+      if (round % 5 == 4)
+        for (std::size_t x = 3; x < row.size(); x += 4) row[x] = 0;
+    }
+    const std::array plain_rows{PlainRow{rows[0].data(), rows[2].data()},
+                                PlainRow{rows[1].data(), rows[3].data()}, PlainRow{}};
+    const bool weigh = round % 3 != 0;
+    std::vector<Texel> a(count), b(count), plain_a(count), plain_b(count);
+    average_rows(plain_rows, Taps{0, 2, {0.5f, 0.5f, 0}}, 2 * count, count, weigh,
+                 {plain_a.data(), plain_b.data(), nullptr});
+    REQUIRE(fast->average(rows[0].data(), rows[1].data(), rows[2].data(), rows[3].data(), count, weigh,
+                          tables, a.data(), b.data()) == count);
+    CHECK(std::memcmp(a.data(), plain_a.data(), count * sizeof(Texel)) == 0);
+    CHECK(std::memcmp(b.data(), plain_b.data(), count * sizeof(Texel)) == 0);
+
+    if (round % 2 == 1)
+      for (auto* texels : {&a, &b})
+        for (Texel& texel : *texels)  // up to beyond the ends of what codes hold
+          for (int c = 0; c < 4; ++c)
+            texel.v[c] = std::ldexp(static_cast<float>(random() % 4096), -11 - round / 4);
+    std::vector<std::uint8_t> codes_a(4 * count), codes_b(4 * count);
+    std::size_t wider = 0, plain_wider = 0;
+    REQUIRE(fast->encode(a.data(), b.data(), count, tables, 1, codes_a.data(), codes_b.data(), wider) ==
+            count);
+    for (std::size_t x = 0; x < count; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        REQUIRE(int{codes_a[4 * x + static_cast<std::size_t>(c)]} == int{tables.srgb_code(a[x].v[c])});
+        REQUIRE(int{codes_b[4 * x + static_cast<std::size_t>(c)]} == int{tables.srgb_code(b[x].v[c])});
+      }
+      REQUIRE(int{codes_a[4 * x + 3]} == int{static_cast<std::uint8_t>(static_cast<int>(a[x].v[3] + 0.5f))});
+      if (b[x].v[3] > 0) REQUIRE(int{codes_b[4 * x + 3]} == int{tables.gloss_code(b[x].v[3])});
+      plain_wider += b[x].v[3] > 1 ? 1 : 0;
+    }
+    CHECK(wider == plain_wider);
   }
 }
 
