@@ -84,6 +84,36 @@ struct PngOptions {
 void write_png(const PngRows& image, const PngOptions& options,
                const std::function<void(std::string_view)>& sink);
 
+/// A PNG file whose rows come in bands from the top, for pictures that are never whole in memory; bytes as
+/// write_png()'s. A band is made of strips, which threads of the caller's may make side by side.
+class PngBands {
+ public:
+  /// What threads work with; writers that share one hold no more of it than there are threads.
+  class Scratch;
+  static std::shared_ptr<Scratch> scratch();
+
+  /// `sink` as of write_png(); options.threads is not looked at.
+  PngBands(const PngInfo& info, const PngOptions& options, std::function<void(std::string_view)> sink,
+           std::shared_ptr<Scratch> scratch);
+  ~PngBands();
+  PngBands(const PngBands&) = delete;
+  PngBands& operator=(const PngBands&) = delete;
+
+  /// The next `count` rows, which stay where they are until the next call has returned; how many strips they
+  /// make (rows that fill none wait for the next band). The strips of the band before must be made.
+  std::size_t next(const std::uint8_t* rows, std::size_t stride, int count);
+
+  /// Filters, deflates and hands on strip i of the band; each once, in any order and by any threads.
+  void make(std::size_t i);
+
+  /// Ends the file when all rows are there and made.
+  void finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 /// The same in memory.
 std::string png_bytes(const PngRows& image, const PngOptions& options);
 

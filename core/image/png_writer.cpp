@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 
 #include "core/base/parallel.h"
@@ -75,143 +76,237 @@ Bytes head(const PngInfo& info, bool srgb) {
 
 // What one thread works with, kept from strip to strip: two rows as the file has them with zeros before them
 // and room behind, a strip of filtered rows, and the IDAT chunk made of it.
-class StripWriter {
+struct Tools {
+  explicit Tools(PngLevel level) : deflater(level) {}
+  Bytes row, above, filtered, idat;
+  Deflater deflater;
+};
+
+// A strip that is made and waits for those before it.
+struct Made {
+  Bytes idat;
+  std::uint32_t adler = 1, checksum = 0;
+  std::size_t filtered_size = 0;
+};
+
+}  // namespace
+
+class PngBands::Scratch {
  public:
-  StripWriter(const PngRows& image, PngLevel level)
-      : image_(image),
-        level_(level),
-        pixel_(static_cast<std::size_t>(image.info.channels * image.info.bits / 8)),
-        row_bytes_(static_cast<std::size_t>(image.info.width) * pixel_),
-        row_(png_row_lead + row_bytes_ + png_row_slack),
-        above_(row_.size()),
-        deflater_(level) {}
-
-  struct Result {
-    std::uint32_t adler, checksum;
-    std::size_t filtered_size;
-  };
-
-  /// Rows [begin, end) as an IDAT chunk in idat(), without its closing checksum.
-  Result make(int begin, int end) {
-    Result out{};
-    const auto rows = static_cast<std::size_t>(end - begin);
-    out.filtered_size = rows * (row_bytes_ + 1);
-    filtered_.resize(out.filtered_size + png_row_slack);
-    if (begin == 0)
-      std::fill(above_.begin(), above_.end(), std::uint8_t{0});
-    else
-      copy_row(begin - 1, above_);
-    std::uint8_t* at = filtered_.data();
-    for (int y = begin; y < end; ++y, at += row_bytes_ + 1) {
-      copy_row(y, row_);
-      filters_.filter(row_.data() + png_row_lead, above_.data() + png_row_lead, row_bytes_, pixel_, at);
-      row_.swap(above_);
+  std::unique_ptr<Tools> take(PngLevel level) {
+    {
+      const std::lock_guard lock(lock_);
+      auto& free = free_[static_cast<std::size_t>(level)];
+      if (!free.empty()) {
+        std::unique_ptr<Tools> out = std::move(free.back());
+        free.pop_back();
+        return out;
+      }
     }
-    const std::span filtered = std::span(filtered_).first(out.filtered_size);
-    out.adler = adler32_of(1, filtered);
-    idat_.clear();
-    begin_chunk(idat_, "IDAT");
-    if (begin == 0) {
-      const auto header = zlib_header(level_);
-      idat_.insert(idat_.end(), header.begin(), header.end());
-    }
-    deflater_.append(filtered, end == image_.info.height, idat_);
-    out.checksum = crc32_of(0, std::span(idat_).subspan(4));
+    return std::make_unique<Tools>(level);
+  }
+  void give_back(std::unique_ptr<Tools> tools, PngLevel level) {
+    const std::lock_guard lock(lock_);
+    free_[static_cast<std::size_t>(level)].push_back(std::move(tools));
+  }
+  Bytes take_bytes() {
+    const std::lock_guard lock(lock_);
+    if (bytes_.empty()) return {};
+    Bytes out = std::move(bytes_.back());
+    bytes_.pop_back();
     return out;
   }
-
-  Bytes& idat() { return idat_; }
+  void give_back(Bytes bytes) {
+    const std::lock_guard lock(lock_);
+    bytes_.push_back(std::move(bytes));
+  }
 
  private:
+  std::mutex lock_;
+  std::array<std::vector<std::unique_ptr<Tools>>, 3> free_;
+  std::vector<Bytes> bytes_;
+};
+
+struct PngBands::State {
+  static constexpr std::size_t most_waiting = 16;
+
+  PngInfo info;
+  PngOptions options;
+  std::function<void(std::string_view)> sink;
+  std::shared_ptr<Scratch> scratch;
+  std::size_t pixel = 0, row_bytes = 0;
+  int strip_rows = 1;
+  const PngFilters& filters = png_filters();
+
+  // The band: rows [first, end) of the picture; those before `split` lie in `carried`, the others at `rows`.
+  // One more row, the one above the band, comes first in `carried` (zeros above the picture).
+  int first = 0, split = 0, end = 0;
+  Bytes carried;
+  const std::uint8_t* rows = nullptr;
+  std::size_t stride = 0;
+
+  std::mutex lock;                   // of what follows
+  std::map<std::size_t, Made> made;  // strips, by number in the file, that wait for those before them
+  std::size_t next_strip = 0;
+  std::uint32_t adler = 1;
+  bool handing_on = false, failed = false;
+  std::condition_variable moved;
+
+  const std::uint8_t* row(int y) const {
+    if (y < split) return carried.data() + static_cast<std::size_t>(y - first + 1) * row_bytes;
+    return rows + static_cast<std::size_t>(y - split) * stride;
+  }
+
+  // A row with the samples in the file's byte order.
   void copy_row(int y, Bytes& to) const {
-    const std::uint8_t* from = image_.rows + static_cast<std::size_t>(y) * image_.stride;
+    const std::uint8_t* from = row(y);
     std::uint8_t* out = to.data() + png_row_lead;
-    if (image_.info.bits == 8 || std::endian::native == std::endian::big) {
-      std::copy_n(from, row_bytes_, out);
+    if (info.bits == 8 || std::endian::native == std::endian::big) {
+      std::copy_n(from, row_bytes, out);
       return;
     }
-    for (std::size_t i = 0; i < row_bytes_; i += 2) {
+    for (std::size_t i = 0; i < row_bytes; i += 2) {
       out[i] = from[i + 1];
       out[i + 1] = from[i];
     }
   }
 
-  const PngRows& image_;
-  PngLevel level_;
-  std::size_t pixel_, row_bytes_;
-  Bytes row_, above_, filtered_, idat_;
-  Deflater deflater_;
-  const PngFilters& filters_ = png_filters();
+  // Rows [begin, stop) as an IDAT chunk without its closing checksum.
+  Made deflated(int begin, int stop, Tools& tools) const {
+    Made out;
+    out.filtered_size = static_cast<std::size_t>(stop - begin) * (row_bytes + 1);
+    const std::size_t padded = png_row_lead + row_bytes + png_row_slack;
+    if (tools.filtered.size() < out.filtered_size + png_row_slack)
+      tools.filtered.resize(out.filtered_size + png_row_slack);
+    tools.row.resize(padded);
+    tools.above.resize(padded);
+    std::fill_n(tools.row.begin(), png_row_lead, std::uint8_t{0});
+    std::fill_n(tools.above.begin(), png_row_lead, std::uint8_t{0});
+    copy_row(begin - 1, tools.above);
+    std::uint8_t* at = tools.filtered.data();
+    for (int y = begin; y < stop; ++y, at += row_bytes + 1) {
+      copy_row(y, tools.row);
+      filters.filter(tools.row.data() + png_row_lead, tools.above.data() + png_row_lead, row_bytes, pixel,
+                     at);
+      tools.row.swap(tools.above);
+    }
+    const std::span filtered = std::span(tools.filtered).first(out.filtered_size);
+    out.adler = adler32_of(1, filtered);
+    out.idat = scratch->take_bytes();
+    out.idat.clear();
+    begin_chunk(out.idat, "IDAT");
+    if (begin == 0) {
+      const auto header = zlib_header(options.level);
+      out.idat.insert(out.idat.end(), header.begin(), header.end());
+    }
+    tools.deflater.append(filtered, stop == info.height, out.idat);
+    out.checksum = crc32_of(0, std::span(out.idat).subspan(4));
+    return out;
+  }
+
+  // Hands on the strips whose turn has come. One thread at a time does so; others leave theirs to it.
+  void hand_on(std::size_t number, Made strip) {
+    std::unique_lock guard(lock);
+    // Not too many wait at once, should the disk be slow.
+    moved.wait(guard, [&] { return failed || number == next_strip || made.size() < most_waiting; });
+    if (failed) return;
+    made.emplace(number, std::move(strip));
+    if (handing_on) return;
+    handing_on = true;
+    while (!made.empty() && made.begin()->first == next_strip) {
+      Made now = std::move(made.begin()->second);
+      made.erase(made.begin());
+      guard.unlock();
+      adler = next_strip == 0 ? now.adler : adler32_of_both(adler, now.adler, now.filtered_size);
+      if (static_cast<int>(next_strip + 1) * strip_rows >= info.height) {
+        append_big_endian(now.idat, adler);
+        now.checksum = crc32_of(now.checksum, std::span(now.idat).last(4));
+      }
+      end_chunk(now.idat, 0, now.checksum);
+      sink(characters(now.idat));
+      scratch->give_back(std::move(now.idat));
+      guard.lock();
+      ++next_strip;
+      moved.notify_all();
+    }
+    handing_on = false;
+  }
 };
 
-// Lets threads pass one at a time and in the order of their numbers.
-class Turnstile {
- public:
-  /// False when another thread has failed, and the turn will never come.
-  bool wait(std::size_t number) {
-    std::unique_lock lock(lock_);
-    moved_.wait(lock, [&] { return next_ == number || failed_; });
-    return !failed_;
-  }
-  void passed() {
-    const std::lock_guard lock(lock_);
-    ++next_;
-    moved_.notify_all();
-  }
-  void fail() {
-    const std::lock_guard lock(lock_);
-    failed_ = true;
-    moved_.notify_all();
-  }
+std::shared_ptr<PngBands::Scratch> PngBands::scratch() {
+  return std::make_shared<Scratch>();
+}
 
- private:
-  std::mutex lock_;
-  std::condition_variable moved_;
-  std::size_t next_ = 0;
-  bool failed_ = false;
-};
+PngBands::PngBands(const PngInfo& info, const PngOptions& options, std::function<void(std::string_view)> sink,
+                   std::shared_ptr<Scratch> scratch)
+    : state_(std::make_unique<State>()) {
+  assert(info.width >= 1 && info.height >= 1 && info.channels >= 1 && info.channels <= 4);
+  assert(info.bits == 8 || info.bits == 16);
+  State& s = *state_;
+  s.info = info;
+  s.options = options;
+  s.sink = std::move(sink);
+  s.scratch = std::move(scratch);
+  s.pixel = static_cast<std::size_t>(info.channels * info.bits / 8);
+  s.row_bytes = static_cast<std::size_t>(info.width) * s.pixel;
+  s.strip_rows = static_cast<int>(std::clamp<std::size_t>(strip_bytes(options.level) / (s.row_bytes + 1), 1,
+                                                          static_cast<std::size_t>(info.height)));
+  s.carried.resize(s.row_bytes);
+  s.sink(characters(head(info, options.srgb)));
+}
 
-}  // namespace
+PngBands::~PngBands() = default;
+
+std::size_t PngBands::next(const std::uint8_t* rows, std::size_t stride, int count) {
+  State& s = *state_;
+  assert(count >= 0 && s.end + count <= s.info.height);
+  // Rows of the old band that no strip has taken, and the one above them, come along.
+  const int taken = s.end == s.info.height ? s.end : s.end / s.strip_rows * s.strip_rows;
+  Bytes carried(static_cast<std::size_t>(s.end - taken + 1) * s.row_bytes);
+  for (int y = std::max(taken - 1, 0); y < s.end; ++y)
+    std::copy_n(s.row(y), s.row_bytes,
+                carried.data() + static_cast<std::size_t>(y - taken + 1) * s.row_bytes);
+  s.carried.swap(carried);
+  s.first = taken;
+  s.split = s.end;
+  s.end += count;
+  s.rows = rows;
+  s.stride = stride;
+  const int whole = s.end == s.info.height ? s.end - s.first + s.strip_rows - 1 : s.end - s.first;
+  return static_cast<std::size_t>(whole / s.strip_rows);
+}
+
+void PngBands::make(std::size_t i) {
+  State& s = *state_;
+  const int begin = s.first + static_cast<int>(i) * s.strip_rows;
+  const int stop = std::min(s.info.height, begin + s.strip_rows);
+  try {
+    std::unique_ptr<Tools> tools = s.scratch->take(s.options.level);
+    Made made = s.deflated(begin, stop, *tools);
+    s.scratch->give_back(std::move(tools), s.options.level);
+    s.hand_on(static_cast<std::size_t>(begin / s.strip_rows), std::move(made));
+  } catch (...) {
+    const std::lock_guard lock(s.lock);
+    s.failed = true;
+    s.moved.notify_all();
+    throw;
+  }
+}
+
+void PngBands::finish() {
+  assert(state_->end == state_->info.height && state_->made.empty());
+  Bytes tail;
+  append_chunk(tail, "IEND", {});
+  state_->sink(characters(tail));
+}
 
 void write_png(const PngRows& image, const PngOptions& options,
                const std::function<void(std::string_view)>& sink) {
-  const PngInfo& info = image.info;
-  assert(info.width >= 1 && info.height >= 1 && info.channels >= 1 && info.channels <= 4);
-  assert(info.bits == 8 || info.bits == 16);
-  sink(characters(head(info, options.srgb)));
-  const std::size_t row =
-      static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.channels * info.bits / 8) + 1;
-  const auto height = static_cast<std::size_t>(info.height);
-  const std::size_t rows = std::clamp<std::size_t>(strip_bytes(options.level) / row, 1, height);
-  const std::size_t strips = (height + rows - 1) / rows;
-
-  Turnstile turnstile;
-  std::uint32_t adler = 1;
-  std::vector<std::unique_ptr<StripWriter>> workers(std::max(1u, options.threads));
-  parallel_chunks(strips, options.threads, 1, [&](std::size_t strip, std::size_t, unsigned worker) {
-    try {
-      auto& mine = workers[worker];
-      if (!mine) mine = std::make_unique<StripWriter>(image, options.level);
-      const auto begin = strip * rows, end = std::min(height, begin + rows);
-      StripWriter::Result made = mine->make(static_cast<int>(begin), static_cast<int>(end));
-      if (!turnstile.wait(strip)) return;
-      adler = strip == 0 ? made.adler : adler32_of_both(adler, made.adler, made.filtered_size);
-      Bytes& idat = mine->idat();
-      if (strip + 1 == strips) {
-        append_big_endian(idat, adler);
-        made.checksum = crc32_of(made.checksum, std::span(idat).last(4));
-      }
-      end_chunk(idat, 0, made.checksum);
-      sink(characters(idat));
-      turnstile.passed();
-    } catch (...) {
-      turnstile.fail();
-      throw;
-    }
-  });
-  Bytes tail;
-  append_chunk(tail, "IEND", {});
-  sink(characters(tail));
+  PngBands bands(image.info, options, sink, PngBands::scratch());
+  const std::size_t strips = bands.next(image.rows, image.stride, image.info.height);
+  parallel_chunks(strips, options.threads, 1,
+                  [&](std::size_t strip, std::size_t, unsigned) { bands.make(strip); });
+  bands.finish();
 }
 
 std::string png_bytes(const PngRows& image, const PngOptions& options) {

@@ -101,6 +101,36 @@ TEST_CASE("the bytes are the same for any number of threads, and come in order")
   CHECK(small.size() <= one.size());
 }
 
+TEST_CASE("rows in bands of any heights become the bytes of the whole picture") {
+  const auto image = picture<std::uint8_t>(333, 700, 4);
+  const auto wide = picture<std::uint16_t>(1025, 203, 3);
+  for (const PngRows& rows : {rows_of(image), rows_of(wide)})
+    for (const std::vector<int>& heights : {std::vector<int>{1, 7, 300, 2}, {393}, {64, 64, 64}, {0, 2, 0}}) {
+      const PngOptions options;
+      std::string out;
+      PngBands bands(
+          rows.info, options, [&](std::string_view piece) { out += piece; }, PngBands::scratch());
+      int done = 0;
+      std::vector<std::uint8_t> band;
+      const auto next = [&](int height) {
+        // Each band's memory is another one, and that of the band before is overwritten.
+        std::vector<std::uint8_t> fresh(rows.rows + static_cast<std::size_t>(done) * rows.stride,
+                                        rows.rows + static_cast<std::size_t>(done + height) * rows.stride);
+        const std::size_t strips = bands.next(fresh.data(), rows.stride, height);
+        std::fill(band.begin(), band.end(), std::uint8_t{0xA5});
+        for (std::size_t i = strips; i-- > 0;) bands.make(i);
+        band.swap(fresh);
+        done += height;
+      };
+      for (const int height : heights)
+        if (done + height < rows.info.height) next(height);
+      next(rows.info.height - done);
+      bands.finish();
+      const bool same = out == png_bytes(rows, options);
+      CHECK(same);
+    }
+}
+
 TEST_CASE("what the sink throws comes out for any number of threads") {
   const Image8 image = picture<std::uint8_t>(700, 1500, 4);
   for (unsigned threads = 1; threads <= 4; ++threads)
