@@ -1,27 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/outputs.h"
 
-#include <cstring>
 
 #include "core/image/containers.h"
 
 namespace etak {
 namespace {
 
-Image8 image_of(const PixelsView8& pixels) {
-  Image8 out(pixels.width, pixels.height, 4);
-  std::memcpy(out.values.data(), pixels.data, out.values.size());
-  return out;
-}
-
 void write_container(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,
                      const std::string& format, const WriteOptions& options) {
-  std::vector<Image8> levels;
-  for (int l = 0; l < pixels.levels(); ++l) levels.push_back(image_of(pixels.view(texture, l)));
-  const TextureLevels whole{levels, true};
-  folder.write(page_file(page, texture, format), format == "ktx2"
-                                                     ? ktx2_bytes(whole, options.zstd_level)
-                                                     : dds_bytes(whole, texture == Texture::specular_gloss));
+  std::vector<ConstPixelsView8> levels;
+  for (int l = 0; l < pixels.levels(); ++l) levels.push_back(pixels.view(texture, l));
+  const auto file = folder.open(page_file(page, texture, format));
+  const FileSink sink{[&](std::string_view bytes) { file->add(bytes); },
+                      [&](std::size_t at, std::string_view bytes) { file->patch(at, bytes); }};
+  if (format == "ktx2")
+    write_ktx2(levels, true, options.zstd_level, sink);
+  else
+    write_dds(levels, true, texture == Texture::specular_gloss, DdsHeader::dx10, sink);
+  file->close();
 }
 
 void write_pngs(OutputFolder& folder, int page, Texture texture, const PagePixels& pixels,

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/image/pixels_view.h"
 
 namespace etak {
 
@@ -23,6 +25,16 @@ struct TextureLevels {
 ///   it.
 std::string ktx2_bytes(const TextureLevels& texture, int zstd_level);
 
+/// Where a file goes that is never whole in memory: bytes one behind the other, and some put over earlier
+/// ones.
+struct FileSink {
+  std::function<void(std::string_view)> add;
+  std::function<void(std::size_t at, std::string_view)> patch;
+};
+
+/// The same file, piece by piece, of levels that somebody else holds; rows without gaps between them.
+void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink);
+
 /// Whether ktx2_bytes takes a zstd_level above 0, and read_ktx2 files that were written so.
 bool has_zstd();
 
@@ -37,6 +49,10 @@ enum class DdsHeader { dx10, legacy };
 ///   custom_alpha   the fourth channel is not an opacity (gloss); DX10 only
 ///   header         legacy cannot say sRGB: throws Error for such a texture
 std::string dds_bytes(const TextureLevels& texture, bool custom_alpha, DdsHeader header = DdsHeader::dx10);
+
+/// The same file, piece by piece.
+void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
+               const FileSink& sink);
 
 /// Reads back what the two above write (and other uncompressed RGBA8 files of these kinds: 2-D, one layer,
 /// one face, alpha not premultiplied). Sizes, level counts and places are checked before anything is

@@ -28,11 +28,21 @@ constexpr std::array<std::uint32_t, 4> rgba_masks{0xff, 0xff00, 0xff0000, 0xff00
 }  // namespace
 
 std::string dds_bytes(const TextureLevels& texture, bool custom_alpha, DdsHeader header) {
-  assert(!texture.levels.empty());
-  if (header == DdsHeader::legacy && texture.srgb)
+  std::vector<ConstPixelsView8> levels;
+  for (const Image8& level : texture.levels) levels.push_back(view(level));
+  std::string out;
+  write_dds(levels, texture.srgb, custom_alpha, header,
+            {[&](std::string_view bytes) { out += bytes; }, [](std::size_t, std::string_view) {}});
+  return out;
+}
+
+void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
+               const FileSink& sink) {
+  assert(!levels.empty());
+  if (header == DdsHeader::legacy && srgb)
     throw Error::at("DDS", "an sRGB texture under a legacy header", "a DX10 header, which can say sRGB");
-  const Image8& first = texture.levels[0];
-  const bool mips = texture.levels.size() > 1, dx10 = header == DdsHeader::dx10;
+  const ConstPixelsView8& first = levels[0];
+  const bool mips = levels.size() > 1, dx10 = header == DdsHeader::dx10;
   std::string out("DDS ");
   append32(out, 124);
   append32(out, flag_caps | flag_height | flag_width | flag_pitch | flag_pixel_format |
@@ -41,7 +51,7 @@ std::string dds_bytes(const TextureLevels& texture, bool custom_alpha, DdsHeader
   append32(out, static_cast<std::uint64_t>(first.width));
   append32(out, static_cast<std::uint64_t>(first.width) * 4);  // pitch
   append32(out, 0);                                            // no depth
-  append32(out, texture.levels.size());
+  append32(out, levels.size());
   out.append(std::size_t{11} * 4, '\0');
   append32(out, 32);  // pixel format
   append32(out, dx10 ? pixel_four_cc : pixel_rgb | pixel_alpha);
@@ -51,22 +61,21 @@ std::string dds_bytes(const TextureLevels& texture, bool custom_alpha, DdsHeader
   append32(out, caps_texture | (mips ? caps_complex | caps_mipmap : 0));
   out.append(std::size_t{4} * 4, '\0');
   if (dx10) {
-    append32(out, texture.srgb ? dxgi_r8g8b8a8_unorm_srgb : dxgi_r8g8b8a8_unorm);
+    append32(out, srgb ? dxgi_r8g8b8a8_unorm_srgb : dxgi_r8g8b8a8_unorm);
     append32(out, texture_2d);
     append32(out, 0);
     append32(out, 1);  // one layer
     append32(out, custom_alpha ? alpha_custom : alpha_straight);
   }
-  std::size_t size = out.size();
-  for (const Image8& level : texture.levels) size += level.values.size();
-  out.reserve(size);
-  for (std::size_t l = 0; l < texture.levels.size(); ++l) {
-    const Image8& level = texture.levels[l];
+  sink.add(out);
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const ConstPixelsView8& level = levels[l];
     assert(level.channels == 4 && level.width == std::max(1, first.width >> l) &&
-           level.height == std::max(1, first.height >> l));
-    out.append(reinterpret_cast<const char*>(level.values.data()), level.values.size());
+           level.height == std::max(1, first.height >> l) &&
+           level.stride == 4 * static_cast<std::size_t>(level.width));
+    sink.add(
+        {reinterpret_cast<const char*>(level.data), level.stride * static_cast<std::size_t>(level.height)});
   }
-  return out;
 }
 
 TextureFile read_dds(std::string_view bytes, std::string_view path) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <memory>
+#include <new>
 
 #include "core/base/error.h"
 #include "core/image/bytes_le.h"
@@ -46,7 +48,7 @@ std::string data_format_descriptor(bool srgb) {
   append(out, srgb ? transfer_srgb : transfer_linear, 1);
   append(out, 0, 1);  // straight alpha
   append32(out, 0);   // texel blocks of 1 x 1 x 1 x 1
-  append64(out, 4);    // 4 bytes in plane 0, where compressed too (older revisions wanted 0 there)
+  append64(out, 4);   // 4 bytes in plane 0, where compressed too (older revisions wanted 0 there)
   for (std::uint64_t c = 0; c < samples; ++c) {
     const std::uint64_t channel = c < 3 ? c : alpha_channel | (srgb ? linear_sample : 0);
     append(out, 8 * c, 2);
@@ -71,13 +73,32 @@ std::string key_values() {
   return out;
 }
 
+// All of a level; rows lie without gaps.
+std::string_view bytes_of(const ConstPixelsView8& level) {
+  return {reinterpret_cast<const char*>(level.data), level_bytes(level.width, level.height)};
+}
+
 #ifdef ETAK_HAS_ZSTD
-std::string compressed(std::string_view bytes, int level) {
-  std::string out(ZSTD_compressBound(bytes.size()), '\0');
-  const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), level);
-  if (ZSTD_isError(size) != 0) throw Error::at("KTX2", ZSTD_getErrorName(size), "Zstandard to work");
-  out.resize(size);
-  return out;
+// One frame, handed on as it comes; returns its length.
+std::size_t compress(std::string_view bytes, int level, const std::function<void(std::string_view)>& add) {
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
+  if (!context) throw std::bad_alloc();
+  const auto checked = [](std::size_t result) {
+    if (ZSTD_isError(result) != 0) throw Error::at("KTX2", ZSTD_getErrorName(result), "Zstandard to work");
+    return result;
+  };
+  checked(ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level));
+  checked(ZSTD_CCtx_setPledgedSrcSize(context.get(), bytes.size()));
+  std::string piece(ZSTD_CStreamOutSize(), '\0');
+  ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
+  std::size_t length = 0, left = 1;
+  while (left != 0) {
+    ZSTD_outBuffer out{piece.data(), piece.size(), 0};
+    left = checked(ZSTD_compressStream2(context.get(), &out, &in, ZSTD_e_end));
+    add(std::string_view(piece).substr(0, out.pos));
+    length += out.pos;
+  }
+  return length;
 }
 #endif
 
@@ -164,40 +185,51 @@ bool has_zstd() {
 }
 
 std::string ktx2_bytes(const TextureLevels& texture, int zstd_level) {
-  assert(!texture.levels.empty() && zstd_level >= 0 && zstd_level <= 22);
+  std::vector<ConstPixelsView8> levels;
+  for (const Image8& level : texture.levels) levels.push_back(view(level));
+  std::string out;
+  write_ktx2(levels, texture.srgb, zstd_level,
+             {[&](std::string_view bytes) { out += bytes; },
+              [&](std::size_t at, std::string_view bytes) { out.replace(at, bytes.size(), bytes); }});
+  return out;
+}
+
+void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink) {
+  assert(!levels.empty() && zstd_level >= 0 && zstd_level <= 22);
   if (zstd_level > 0 && !has_zstd())
     throw Error::at("KTX2", "Zstandard supercompression", "none (this etak was built without Zstandard)");
-  const Image8& first = texture.levels[0];
-  const std::size_t count = texture.levels.size();
-  const std::string descriptor = data_format_descriptor(texture.srgb), pairs = key_values();
+  const ConstPixelsView8& first = levels[0];
+  const std::size_t count = levels.size();
+  const std::string descriptor = data_format_descriptor(srgb), pairs = key_values();
   const std::size_t descriptor_at = header_bytes + index_entry_bytes * count;
   const std::size_t pairs_at = descriptor_at + descriptor.size();
 
   // Smallest level first, so that a reader may stop early; the index is from the largest. All that stands
-  // before is a multiple of 4 bytes, and so is every level that is not compressed: aligned as they come.
-  std::vector<std::string> packed(count);
+  // before is a multiple of 4 bytes, and so is every level that is not compressed: aligned as they come. The
+  // lengths of compressed levels are put in when they are known.
   std::vector<std::size_t> offset(count), length(count);
   std::size_t end = pairs_at + pairs.size();
   for (std::size_t l = count; l-- > 0;) {
-    const Image8& level = texture.levels[l];
+    const ConstPixelsView8& level = levels[l];
     assert(level.channels == 4 && level.width == std::max(1, first.width >> l) &&
-           level.height == std::max(1, first.height >> l));
-    length[l] = level.values.size();
-#ifdef ETAK_HAS_ZSTD
-    if (zstd_level > 0) {
-      packed[l] =
-          compressed({reinterpret_cast<const char*>(level.values.data()), level.values.size()}, zstd_level);
-      length[l] = packed[l].size();
-    }
-#endif
+           level.height == std::max(1, first.height >> l) &&
+           level.stride == 4 * static_cast<std::size_t>(level.width));
+    length[l] = level_bytes(level.width, level.height);
     offset[l] = end;
     end += length[l];
   }
+  const auto index = [&] {
+    std::string out;
+    for (std::size_t l = 0; l < count; ++l) {
+      append64(out, offset[l]);
+      append64(out, length[l]);
+      append64(out, level_bytes(levels[l].width, levels[l].height));
+    }
+    return out;
+  };
 
-  std::string out;
-  out.reserve(end);
-  out += identifier;
-  append32(out, texture.srgb ? vk_r8g8b8a8_srgb : vk_r8g8b8a8_unorm);
+  std::string out(identifier);
+  append32(out, srgb ? vk_r8g8b8a8_srgb : vk_r8g8b8a8_unorm);
   append32(out, 1);  // bytes of a typed unit
   append32(out, static_cast<std::uint64_t>(first.width));
   append32(out, static_cast<std::uint64_t>(first.height));
@@ -212,21 +244,21 @@ std::string ktx2_bytes(const TextureLevels& texture, int zstd_level) {
   append32(out, pairs.size());
   append64(out, 0);  // no global data
   append64(out, 0);
-  for (std::size_t l = 0; l < count; ++l) {
-    append64(out, offset[l]);
-    append64(out, length[l]);
-    append64(out, texture.levels[l].values.size());
+  assert(out.size() == header_bytes);
+  sink.add(out + index() + descriptor + pairs);
+  if (zstd_level == 0) {
+    for (std::size_t l = count; l-- > 0;) sink.add(bytes_of(levels[l]));
+    return;
   }
-  out += descriptor;
-  out += pairs;
+#ifdef ETAK_HAS_ZSTD
+  end = pairs_at + pairs.size();
   for (std::size_t l = count; l-- > 0;) {
-    if (zstd_level > 0)
-      out += packed[l];
-    else
-      out.append(reinterpret_cast<const char*>(texture.levels[l].values.data()), length[l]);
+    offset[l] = end;
+    length[l] = compress(bytes_of(levels[l]), zstd_level, sink.add);
+    end += length[l];
   }
-  assert(out.size() == end);
-  return out;
+  sink.patch(header_bytes, index());
+#endif
 }
 
 TextureFile read_ktx2(std::string_view bytes, std::string_view path) {
