@@ -27,32 +27,44 @@ bool is_whole(const PixelBox& box, const PackInput& m) {
   return box == PixelBox{0, 0, m.width, m.height};
 }
 
-// Interleaves the strips of two planes into `out`, which has the material's size; act(first row, rows).
-template <class Act>
-void read_strips(const PackInput& m, Texture texture, std::array<FileBytes, 2>& files, const PixelsView8& out,
-                 std::size_t& clamped, Act act) {
-  const std::size_t t = index_of(texture);
-  PlaneRows color(m.color[t], files[0]), grey(m.grey[t], files[1]);
-  for (const PlaneRows* rows : {&color, &grey})
-    if (rows->width() != 0 && (rows->width() != m.width || rows->height() != m.height))
-      throw Error::at(
-          rows->source().path, "is " + std::to_string(rows->width()) + " x " + std::to_string(rows->height()),
-          std::to_string(m.width) + " x " + std::to_string(m.height) + ", as when it was looked at");
-  const auto width = static_cast<std::size_t>(m.width);
-  const int rows = static_cast<int>(std::max<std::size_t>(1, strip_bytes / (8 * width)));
-  for (int y = 0; y < m.height; y += rows) {
-    const int count = std::min(rows, m.height - y);
-    const std::uint8_t* c = color.width() != 0 ? color.read(count) : nullptr;
-    const std::uint8_t* g = grey.width() != 0 ? grey.read(count) : nullptr;
-    const std::size_t color_stride = c == nullptr ? 0 : width * static_cast<std::size_t>(color.step());
-    const std::size_t grey_stride = g == nullptr ? 0 : width * static_cast<std::size_t>(grey.step());
-    for (int i = 0; i < count; ++i)
-      interleave(out.row(y + i), width, c == nullptr ? c : c + static_cast<std::size_t>(i) * color_stride,
-                 color, g == nullptr ? g : g + static_cast<std::size_t>(i) * grey_stride, grey);
-    act(y, count);
+// Reads the two planes of a texture in strips and interleaves them.
+class StripReader {
+ public:
+  StripReader(const PackInput& m, Texture texture, std::array<FileBytes, 2>& files)
+      : width_(static_cast<std::size_t>(m.width)),
+        color_(m.color[index_of(texture)], files[0]),
+        grey_(m.grey[index_of(texture)], files[1]) {
+    for (const PlaneRows* rows : {&color_, &grey_})
+      if (rows->width() != 0 && (rows->width() != m.width || rows->height() != m.height))
+        throw Error::at(
+            rows->source().path,
+            "is " + std::to_string(rows->width()) + " x " + std::to_string(rows->height()),
+            std::to_string(m.width) + " x " + std::to_string(m.height) + ", as when it was looked at");
   }
-  clamped += color.clamped() + grey.clamped();
-}
+
+  // The next rows of the picture, into all of `out`; act(first row, rows) for each strip.
+  template <class Act>
+  void read(const PixelsView8& out, Act act) {
+    const int rows = static_cast<int>(std::max<std::size_t>(1, strip_bytes / (8 * width_)));
+    for (int y = 0; y < out.height; y += rows) {
+      const int count = std::min(rows, out.height - y);
+      const std::uint8_t* c = color_.width() != 0 ? color_.read(count) : nullptr;
+      const std::uint8_t* g = grey_.width() != 0 ? grey_.read(count) : nullptr;
+      const std::size_t color_stride = c == nullptr ? 0 : width_ * static_cast<std::size_t>(color_.step());
+      const std::size_t grey_stride = g == nullptr ? 0 : width_ * static_cast<std::size_t>(grey_.step());
+      for (int i = 0; i < count; ++i)
+        interleave(out.row(y + i), width_, c == nullptr ? c : c + static_cast<std::size_t>(i) * color_stride,
+                   color_, g == nullptr ? g : g + static_cast<std::size_t>(i) * grey_stride, grey_);
+      act(y, count);
+    }
+  }
+
+  std::size_t clamped() const { return color_.clamped() + grey_.clamped(); }
+
+ private:
+  std::size_t width_;
+  PlaneRows color_, grey_;
+};
 
 // The cell's texels outside of the box, from the box: its edges, or what lies there when it is a whole
 // picture that wraps.
@@ -132,34 +144,55 @@ MaterialPair load_pair(const PackInput& m, std::vector<std::string>& remarks) {
   if (m.convert) return m.convert(remarks);
   MaterialPair out{Image8(m.width, m.height, 4), Image8(m.width, m.height, 4)};
   std::array<FileBytes, 2> files;
-  std::size_t clamped = 0;
   for (const Texture texture : both_textures) {
     Image8& picture = texture == Texture::diffuse_alpha ? out.diffuse_alpha : out.specular_gloss;
-    read_strips(m, texture, files, view(picture), clamped, [](int, int) {});
+    StripReader(m, texture, files).read(view(picture), [](int, int) {});
   }
   return out;
 }
 
+void PagePixels::prepare(Plane& plane, std::size_t bytes, bool covered) {
+  if (plane.memory.size() < bytes) {
+    plane.memory = PageMemory();
+    plane.memory = PageMemory(bytes);
+  } else if (plane.used && !covered) {
+    std::memset(plane.memory.data(), 0, bytes);
+  }
+  plane.used = true;
+}
+
+int PagePixels::rows(int level) const {
+  const int end = slab_.bottom == page_.height ? std::max(1, page_.height >> level) : slab_.bottom >> level;
+  return end - first_row(level);
+}
+
 void PagePixels::start(const Page& page, int levels) {
+  start(page, levels, {0, page.height, levels, false}, *this);
+}
+
+void PagePixels::start(const Page& page, int levels, const Slab& slab, PagePixels& upper) {
   page_ = page;
   levels_ = levels;
+  slab_ = slab;
+  upper_ = &upper == this ? nullptr : &upper;
   for (const Texture texture : both_textures) {
     auto& planes = planes_[index_of(texture)];
     planes.resize(static_cast<std::size_t>(levels));
     if (!page.has[index_of(texture)]) continue;
     for (int l = 0; l < levels; ++l) {
+      const std::size_t row = 4 * static_cast<std::size_t>(std::max(1, page.width >> l));
       Plane& plane = planes[static_cast<std::size_t>(l)];
-      const std::size_t bytes = 4 * static_cast<std::size_t>(std::max(1, page.width >> l)) *
-                                static_cast<std::size_t>(std::max(1, page.height >> l));
-      if (plane.memory.size() < bytes) {
-        plane.memory = PageMemory();
-        plane.memory = PageMemory(bytes);
-      } else if (plane.used) {
-        std::memset(plane.memory.data(), 0, bytes);
-      }
-      plane.used = true;
+      if (l < slab.cut_levels)
+        prepare(plane, row * static_cast<std::size_t>(rows(l)), slab.covered);
+      else if (slab.top == 0 && upper_ == nullptr)
+        prepare(plane, row * static_cast<std::size_t>(std::max(1, page.height >> l)), false);
     }
   }
+}
+
+void PagePixels::show_whole_levels() {
+  slab_.top = 0;
+  slab_.bottom = page_.height;
 }
 
 void PagePixels::release() {
@@ -167,31 +200,84 @@ void PagePixels::release() {
 }
 
 PixelsView8 PagePixels::view(Texture texture, int level) const {
-  const int width = std::max(1, page_.width >> level), height = std::max(1, page_.height >> level);
-  return {planes_[index_of(texture)][static_cast<std::size_t>(level)].memory.data(),
-          4 * static_cast<std::size_t>(width), width, height, 4};
+  const int width = std::max(1, page_.width >> level);
+  const std::size_t stride = 4 * static_cast<std::size_t>(width);
+  const bool whole = level >= slab_.cut_levels;
+  const PagePixels& holder = whole && upper_ != nullptr ? *upper_ : *this;
+  std::uint8_t* data = nullptr;  // the memory of a texture that this page does not have may be there still
+  if (page_.has[index_of(texture)])
+    data = holder.planes_[index_of(texture)][static_cast<std::size_t>(level)].memory.data();
+  if (data != nullptr && whole) data += stride * static_cast<std::size_t>(first_row(level));
+  return {data, stride, width, rows(level), 4};
 }
 
-void Composer::stream(const Task& task, const PixelsView8& page, Learned& learned,
-                      std::array<FileBytes, 2>& files) {
-  const Place& at = plan_.places[task.region];
-  const PackInput& m = materials_[regions_[task.region].material];
-  const PixelsView8 out = page.part({at.x, at.y, m.width, m.height});
+// ---- Composer
+
+struct Composer::Streamed {
+  std::array<FileBytes, 2> own_files;
+  std::optional<StripReader> reader;
   ContentHash hash;
-  const auto width = static_cast<std::size_t>(m.width);
-  read_strips(m, task.texture, files, out, learned.clamped[index_of(task.texture)],
-              [&](int first, int count) {
-                for (int y = first; y < first + count; ++y) {
-                  add_texels(learned.range, task.texture, out.row(y), width);
-                  hash.add(out.row(y), 4 * width);
-                }
-              });
-  learned.hash[index_of(task.texture)] = hash.value();
-  learned.seen[index_of(task.texture)] = true;
+};
+
+Composer::Composer(const std::vector<PackInput>& materials, const std::vector<Region>& regions,
+                   const Plan& plan, const ComposeOptions& options)
+    : materials_(materials), regions_(regions), plan_(plan), options_(options), files_(options.threads) {}
+
+Composer::~Composer() = default;
+
+Place Composer::place_in(const PagePixels& pixels, std::size_t region) const {
+  Place out = plan_.places[region];
+  out.y -= pixels.top();
+  out.cell.y -= pixels.top();
+  return out;
 }
 
-void Composer::place(const Task& task, const PixelsView8& page, const Image8& picture, Learned& learned) {
-  const Place& at = plan_.places[task.region];
+int Composer::clean_levels(int page) const {
+  int out = 1;
+  for (const Place& each : plan_.places)
+    if (each.page == page) out = std::max(out, each.clean_levels);
+  return out;
+}
+
+bool Composer::in_file_order(std::size_t region) const {
+  const PackInput& m = materials_[regions_[region].material];
+  return !m.convert && is_whole(regions_[region].box, m) && regions_[region].shrink == 0 &&
+         !plan_.places[region].rotated;
+}
+
+void Composer::stream(const Task& task, PagePixels& pixels, unsigned worker) {
+  const Place at = place_in(pixels, task.region);
+  const std::size_t owner = regions_[task.region].material, t = index_of(task.texture);
+  const PackInput& m = materials_[owner];
+  const PixelsView8 page = pixels.view(task.texture);
+  const int begin = std::max(0, at.y), end = std::min(page.height, at.y + m.height);
+  if (begin >= end) return;
+  std::unique_ptr<Streamed>& open = open_[task.region][t];
+  if (!open) {
+    // A region that is read in one go leaves the memory of its files to the next.
+    const bool at_once = begin == at.y && end == at.y + m.height;
+    open = std::make_unique<Streamed>();
+    open->reader.emplace(m, task.texture, at_once ? files_[worker] : open->own_files);
+  }
+  const PixelsView8 out = page.part({at.x, begin, m.width, end - begin});
+  Learned& learned = halves_[owner][t];
+  const auto width = static_cast<std::size_t>(m.width);
+  open->reader->read(out, [&](int first, int count) {
+    for (int y = first; y < first + count; ++y) {
+      add_texels(learned.range, task.texture, out.row(y), width);
+      open->hash.add(out.row(y), 4 * width);
+    }
+  });
+  if (end < at.y + m.height) return;
+  learned.clamped[t] += open->reader->clamped();
+  learned.hash[t] = open->hash.value();
+  learned.seen[t] = true;
+  open.reset();
+}
+
+void Composer::place(const Task& task, PagePixels& pixels, const Image8& picture, Learned& learned) {
+  const Place at = place_in(pixels, task.region);
+  const PixelsView8 page = pixels.view(task.texture);
   if (!materials_[regions_[task.region].material].facts.learned) {
     const ConstPixelsView8 all = etak::view(picture);
     ContentHash hash;
@@ -242,8 +328,35 @@ const MaterialPair& Composer::pair_of(std::size_t material) {
   return cached->pair;
 }
 
+void Composer::begin_page(int page) {
+  halves_.assign(materials_.size(), {});
+  open_.clear();
+  open_.resize(regions_.size());
+  clean_ = clean_levels(page);
+}
+
+void Composer::region_texels(std::size_t region, Texture texture, PagePixels& pixels, unsigned worker) {
+  if (in_file_order(region)) return stream({region, texture}, pixels, worker);
+  const std::size_t owner = regions_[region].material;
+  place({region, texture}, pixels, pair_of(owner).of(texture), halves_[owner][index_of(texture)]);
+}
+
+void Composer::learn(std::vector<Learned>& learned) const {
+  for (std::size_t i = 0; i < halves_.size(); ++i) {
+    for (std::size_t t = 0; t < 2; ++t) {
+      const Learned& half = halves_[i][t];
+      if (!half.seen[t]) continue;
+      learned[i].range.add(half.range);
+      learned[i].hash[t] = half.hash[t];
+      learned[i].seen[t] = true;
+      learned[i].clamped[t] = half.clamped[t];
+    }
+  }
+}
+
 void Composer::texels(int page, PagePixels& pixels, std::vector<Learned>& learned,
                       const std::function<void()>& region_done) {
+  begin_page(page);
   std::vector<Task> tasks;
   for (std::size_t i = 0; i < regions_.size(); ++i)
     for (const Texture texture : both_textures)
@@ -254,51 +367,90 @@ void Composer::texels(int page, PagePixels& pixels, std::vector<Learned>& learne
     const PixelBox &first = regions_[a.region].box, &second = regions_[b.region].box;
     return std::int64_t{first.width} * first.height > std::int64_t{second.width} * second.height;
   });
-  // The two textures of a material are read by different threads; each has its own half of what is learned.
-  std::vector<std::array<Learned, 2>> halves(materials_.size());
-  std::vector<std::array<FileBytes, 2>> files(options_.threads);
   parallel_chunks(tasks.size(), options_.threads, 1, [&](std::size_t begin, std::size_t, unsigned worker) {
-    const Task& task = tasks[begin];
-    const std::size_t owner = regions_[task.region].material;
-    const PackInput& m = materials_[owner];
-    const PixelsView8 out = pixels.view(task.texture);
-    const Region& region = regions_[task.region];
-    if (!m.convert && is_whole(region.box, m) && region.shrink == 0 && !plan_.places[task.region].rotated)
-      stream(task, out, halves[owner][index_of(task.texture)], files[worker]);
-    else
-      place(task, out, pair_of(owner).of(task.texture), halves[owner][index_of(task.texture)]);
+    region_texels(tasks[begin].region, tasks[begin].texture, pixels, worker);
     if (region_done) region_done();
   });
+  learn(learned);
   pairs_.clear();
-  for (std::size_t i = 0; i < halves.size(); ++i) {
-    for (std::size_t t = 0; t < 2; ++t) {
-      const Learned& half = halves[i][t];
-      if (!half.seen[t]) continue;
-      learned[i].range.add(half.range);
-      learned[i].hash[t] = half.hash[t];
-      learned[i].seen[t] = true;
-      learned[i].clamped[t] = half.clamped[t];
-    }
-  }
+  for (auto& files : files_) files = {};
+}
+
+void Composer::end_page(int page, PagePixels& pixels, std::vector<Learned>& learned) {
+  learn(learned);
+  pairs_.clear();
+  for (auto& files : files_) files = {};
+  pixels.show_whole_levels();
+  const Page& size = plan_.pages[static_cast<std::size_t>(page)];
+  if (pixels.levels() > clean_ && size.width > 0) page_mips(pixels, clean_);
 }
 
 void Composer::mips(int page, PagePixels& pixels) {
   const Page& size = plan_.pages[static_cast<std::size_t>(page)];
   std::vector<std::size_t> here;
-  int clean = 1;
   for (std::size_t i = 0; i < regions_.size(); ++i)
-    if (plan_.places[i].page == page) {
-      here.push_back(i);
-      clean = std::max(clean, plan_.places[i].clean_levels);
-    }
+    if (plan_.places[i].page == page) here.push_back(i);
+  clean_ = clean_levels(page);
   parallel_chunks(here.size(), options_.threads, 1,
                   [&](std::size_t begin, std::size_t, unsigned) { region_mips(here[begin], pixels); });
   pairs_.clear();
-  if (pixels.levels() > clean && size.width > 0) page_mips(pixels, clean);
+  if (pixels.levels() > clean_ && size.width > 0) page_mips(pixels, clean_);
+}
+
+namespace {
+
+// A region on a level of its page: its texels, and the cell around them.
+struct LevelBoxes {
+  PixelBox part, cell;
+};
+LevelBoxes boxes_at(const Place& at, int level, int width, int height, const PixelsView8& page) {
+  LevelBoxes out;
+  out.cell =
+      cut({at.cell.x >> level, at.cell.y >> level, at.cell.width >> level, at.cell.height >> level}, page);
+  out.part = cut({out.cell.x + (at.gutter >> level), out.cell.y + (at.gutter >> level), width, height}, page);
+  return out;
+}
+
+}  // namespace
+
+// Where nothing has to be turned, cut off or put in the place of a texture that is not there, levels are made
+// where they belong.
+bool Composer::mips_in_place(std::size_t region, const Place& at, std::array<Wrap, 2> wrap, int levels,
+                             PagePixels& pixels) const {
+  const PackInput& m = materials_[regions_[region].material];
+  const PixelBox& source = regions_[region].box;
+  if (at.rotated || regions_[region].shrink > 0 || m.normal.is_image() ||
+      options_.gloss != GlossForm::schueler)
+    return false;
+  if (levels > full_mip_levels(source.width, source.height)) return false;
+  std::array<std::vector<PixelsView8>, 2> to;
+  for (const Texture texture : both_textures)
+    for (int l = 0; l < levels; ++l) {
+      const PixelsView8 page = pixels.view(texture, l);
+      if (page.data == nullptr) return false;
+      const int width = std::max(1, source.width >> l), height = std::max(1, source.height >> l);
+      const PixelBox part =
+          l == 0 ? PixelBox{at.x, at.y, width, height} : boxes_at(at, l, width, height, page).part;
+      if (part.width != width || part.height != height) return false;
+      to[index_of(texture)].push_back(page.part(part));
+    }
+  MipOptions options;
+  options.levels = levels;
+  if (m.alpha_mode == AlphaMode::mask) options.alpha_cutoff = m.alpha_cutoff;
+  if (options_.bleed) bleed_under_alpha(to[0][0], to[1][0]);
+  mip_levels(to[0][0], to[1][0], options, 1, to[0], to[1]);
+  for (const Texture texture : both_textures)
+    for (int l = 1; l < levels; ++l) {
+      const PixelsView8 page = pixels.view(texture, l);
+      const PixelsView8& own = to[index_of(texture)][static_cast<std::size_t>(l)];
+      const LevelBoxes boxes = boxes_at(at, l, own.width, own.height, page);
+      fill_gutter(page, boxes.part, boxes.cell, wrap, false);
+    }
+  return true;
 }
 
 void Composer::region_mips(std::size_t region, PagePixels& pixels) {
-  const Place& at = plan_.places[region];
+  const Place at = place_in(pixels, region);
   const PackInput& m = materials_[regions_[region].material];
   const Page& page = plan_.pages[static_cast<std::size_t>(at.page)];
   const int shrink = regions_[region].shrink;
@@ -308,11 +460,8 @@ void Composer::region_mips(std::size_t region, PagePixels& pixels) {
                      at.rotated ? source.width : source.height};
   const bool both = page.has[0] && page.has[1];
   const std::array<Wrap, 2> wrap = is_whole(part_shown, m) ? m.wrap : std::array{Wrap::clamp, Wrap::clamp};
-  int clean = 1;
-  for (const Place& each : plan_.places)
-    if (each.page == at.page) clean = std::max(clean, each.clean_levels);
-  const int levels = std::min(pixels.levels(), clean);
-  if (levels > 1 || options_.bleed) {
+  const int levels = std::min(pixels.levels(), clean_);
+  if ((levels > 1 || options_.bleed) && !mips_in_place(region, at, wrap, levels, pixels)) {
     // The mips need both halves of a texel: a missing one counts as opaque, or as black of gloss 0.
     const auto half = [&](Texture texture) {
       if (page.has[index_of(texture)]) return copy_of(pixels.view(texture), box, at.rotated);
@@ -351,11 +500,8 @@ void Composer::region_mips(std::size_t region, PagePixels& pixels) {
       for (int l = 1; l < levels; ++l) {
         const PixelsView8 out = pixels.view(texture, l);
         const Image8& image = images[std::min(static_cast<std::size_t>(l), images.size() - 1)];
-        const PixelBox cell =
-            cut({at.cell.x >> l, at.cell.y >> l, at.cell.width >> l, at.cell.height >> l}, out);
-        PixelBox part{cell.x + (at.gutter >> l), cell.y + (at.gutter >> l),
-                      at.rotated ? image.height : image.width, at.rotated ? image.width : image.height};
-        part = cut(part, out);
+        const auto [part, cell] = boxes_at(at, l, at.rotated ? image.height : image.width,
+                                           at.rotated ? image.width : image.height, out);
         copy_texels(etak::view(image),
                     {0, 0, at.rotated ? part.height : part.width, at.rotated ? part.width : part.height}, out,
                     part.x, part.y, at.rotated);

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -14,23 +15,44 @@
 
 namespace etak {
 
-/// The pixels of one page: both textures with their mips, in memory that the next page uses again.
+/// Rows [top, bottom) of a page, which are made and written before those below them.
+struct Slab {
+  int top = 0, bottom = 0;
+  int cut_levels = 0;    // so many levels are held for these rows only; the others for the whole page
+  bool covered = false;  // regions overwrite all of its texels
+};
+
+/// The pixels of one page, or of a slab of it: both textures with their mips, in memory that the next one
+/// uses again.
 class PagePixels {
  public:
   /// Prepares for a page, all zero.
   void start(const Page& page, int levels);
+  /// Prepares for a slab, all zero unless it is covered. The slabs of a page come from the top.
+  ///   upper   holds the levels of the whole page; it may be this
+  void start(const Page& page, int levels, const Slab& slab, PagePixels& upper);
+  /// From here on view() shows all of the levels that are held whole.
+  void show_whole_levels();
   /// Gives the memory back.
   void release();
 
+  /// The slab's rows of a level.
   PixelsView8 view(Texture texture, int level = 0) const;
   int levels() const { return levels_; }
+  int top() const { return slab_.top; }
 
  private:
   struct Plane {
     PageMemory memory;
     bool used = false;  // holds texels of an earlier page
   };
+  void prepare(Plane& plane, std::size_t bytes, bool covered);
+  int first_row(int level) const { return slab_.top >> level; }
+  int rows(int level) const;
+
   Page page_;
+  Slab slab_;
+  const PagePixels* upper_ = nullptr;
   int levels_ = 1;
   std::array<std::vector<Plane>, 2> planes_;
 };
@@ -53,8 +75,8 @@ struct ComposeOptions {
 class Composer {
  public:
   Composer(const std::vector<PackInput>& materials, const std::vector<Region>& regions, const Plan& plan,
-           const ComposeOptions& options)
-      : materials_(materials), regions_(regions), plan_(plan), options_(options) {}
+           const ComposeOptions& options);
+  ~Composer();
 
   /// Level 0 of every region of a page. `learned` gets an entry per material that was streamed.
   void texels(int page, PagePixels& pixels, std::vector<Learned>& learned,
@@ -63,15 +85,37 @@ class Composer {
   /// Gutters of level 0, and the mips.
   void mips(int page, PagePixels& pixels);
 
+  // The same by parts, for slabs: begin_page(), any number of regions at once, end_page().
+
+  void begin_page(int page);
+  /// Those of a slab's rows that are the region's; a region that lies in several slabs is continued, one
+  /// thread at a time.
+  ///   worker   below options.threads: no other thread uses the same at that time
+  void region_texels(std::size_t region, Texture texture, PagePixels& pixels, unsigned worker);
+  /// Of a region whose texels are all there.
+  void region_mips(std::size_t region, PagePixels& pixels);
+  /// The levels that all regions share, which pixels holds whole.
+  void end_page(int page, PagePixels& pixels, std::vector<Learned>& learned);
+
+  /// Mips of a page that are free of neighbours; further ones are made of the whole page.
+  int clean_levels(int page) const;
+  /// The region's texels are as its files hold them, row by row.
+  bool in_file_order(std::size_t region) const;
+
  private:
   struct Task {
     std::size_t region;
     Texture texture;
   };
-  void stream(const Task& task, const PixelsView8& page, Learned& learned, std::array<FileBytes, 2>& files);
-  void place(const Task& task, const PixelsView8& page, const Image8& picture, Learned& learned);
-  void region_mips(std::size_t region, PagePixels& pixels);
+  struct Streamed;  // a region whose files are open
+  void stream(const Task& task, PagePixels& pixels, unsigned worker);
+  void place(const Task& task, PagePixels& pixels, const Image8& picture, Learned& learned);
+  bool mips_in_place(std::size_t region, const Place& at, std::array<Wrap, 2> wrap, int levels,
+                     PagePixels& pixels) const;
   void page_mips(PagePixels& pixels, int first) const;
+  void learn(std::vector<Learned>& learned) const;
+  /// Where a region lies in the slab that `pixels` holds.
+  Place place_in(const PagePixels& pixels, std::size_t region) const;
   const MaterialPair& pair_of(std::size_t material);
 
   const std::vector<PackInput>& materials_;
@@ -84,6 +128,11 @@ class Composer {
     MaterialPair pair;
   };
   std::map<std::size_t, Cached> pairs_;
+  // The two textures of a material are read by different threads; each has its own half of what is learned.
+  std::vector<std::array<Learned, 2>> halves_;
+  std::vector<std::array<FileBytes, 2>> files_;  // by worker
+  std::vector<std::array<std::unique_ptr<Streamed>, 2>> open_;
+  int clean_ = 1;
 };
 
 /// The column or row of a picture of `size` that a sampler reads at `at`.

@@ -17,6 +17,7 @@
 #include "core/atlas/defines.h"
 #include "core/atlas/floats.h"
 #include "core/atlas/gltf_pack.h"
+#include "core/atlas/page_stream.h"
 #include "core/atlas/resolution.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -340,6 +341,17 @@ class Packing {
     for (int p = 0; p < static_cast<int>(plan_.pages.size()); ++p) {
       const Page& page = plan_.pages[static_cast<std::size_t>(p)];
       check_memory(p);
+      if (const std::vector<int> cuts = cuts_of(composer, p); cuts.size() > 2) {
+        WriteOptions write = options_.write;
+        write.threads = options_.threads;
+        pixels.release();
+        timed("texels, mips and files", [&] {
+          stream_page(composer, regions_, plan_, p, page_levels(p), cuts, learned_,
+                      folder ? &*folder : nullptr, write, region_done);
+        });
+        if (learn()) return false;
+        continue;
+      }
       pixels.start(page, page_levels(p));
       timed("texels", [&] { composer.texels(p, pixels, learned_, region_done); });
       if (learn()) return false;
@@ -358,6 +370,12 @@ class Packing {
     timed("table", [&] { layout_ = make_layout(); });
     if (folder) timed("commit", [&] { commit(*folder); });
     return true;
+  }
+
+  // Where a page can be made slab by slab: what else is written of it needs it whole.
+  std::vector<int> cuts_of(const Composer& composer, int p) const {
+    if (scene_ || options_.write.formats != std::vector<std::string>{"png"}) return {};
+    return page_cuts(composer, regions_, plan_, p, page_levels(p), options_.bleed);
   }
 
   void check_memory(int p) const {

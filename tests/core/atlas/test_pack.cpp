@@ -216,6 +216,62 @@ TEST_CASE("the bytes do not depend on the manifest's order or on threads") {
   CHECK(rects == layout_of(folder.file("out")).rects);
 }
 
+TEST_CASE("pages made slab by slab are the pages made at once") {
+  const TempFolder folder;
+  std::string list;
+  const auto add = [&](const std::string& name, int width, int height, unsigned seed) {
+    add_material(folder, name, width, height, seed);
+    list += (list.empty() ? "" : ", ") + entry(name);
+  };
+  PackOptions options;
+  bool some_slabs = true;
+  SECTION("rows of regions, with their mips") {
+    for (unsigned i = 0; i < 8; ++i) add("m" + std::to_string(i), 1024, 512, 10 * i);
+    options.mips = GENERATE(1, 0, 3);
+    options.bleed = GENERATE(false, true);
+    options.page = 2048;
+  }
+  SECTION("a region in several slabs") {
+    add("large", 2600, 1700, 7);
+    options.mips = 1;
+    options.gutter = GENERATE(0, 2);
+  }
+  SECTION("regions side by side in several slabs, and waste below one") {
+    add("a", 2000, 1700, 1);
+    add("b", 2001, 1602, 2);
+    options.mips = 1;
+    options.gutter = 0;
+  }
+  SECTION("a page that is too small for slabs") {
+    add("small", 1024, 512, 7);
+    options.mips = 4;
+    some_slabs = false;
+  }
+  spit(folder.file("m.json"), "{\"gloss\": \"schueler\", \"materials\": [" + list + "]}");
+  // The DDS file needs the page whole.
+  PackOptions whole = options;
+  whole.write.formats = {"png", "dds"};
+  const auto stages = [](const PackReport& report) {
+    std::string out;
+    for (const PackStage& stage : report.stages) out += stage.name + ";";
+    return out;
+  };
+  pack(folder.file("m.json"), folder.file("whole"), whole, library());
+  for (const unsigned threads : {1u, 3u}) {
+    options.threads = threads;
+    const std::string out = folder.file("slabs" + std::to_string(threads));
+    const PackReport report = pack(folder.file("m.json"), out, options, library());
+    CHECK((stages(report).find("texels, mips and files;") != std::string::npos) == some_slabs);
+    REQUIRE(!report.files.empty());
+    for (const std::string& name : report.files)
+      if (name.ends_with(".png")) {
+        INFO(name);
+        const bool same = load(out + "/" + name) == load(folder.file("whole") + "/" + name);
+        CHECK(same);
+      }
+  }
+}
+
 TEST_CASE("a region's mips are those of the region alone") {
   const TempFolder folder;
   add_material(folder, "a", 64, 64, 1);

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/page_stream.h"
+
+#include <algorithm>
+
+#include "core/base/parallel.h"
+
+namespace etak {
+namespace {
+
+// Of one texture. Smaller slabs have more ends, at which threads wait for each other; larger ones leave the
+// cache.
+constexpr std::size_t least_slab = std::size_t{4} << 20, large_slab = std::size_t{24} << 20;
+// Levels that are held for a slab only; those above them are a sixteenth of the page.
+constexpr int most_cut_levels = 2;
+
+std::size_t row_bytes(const Page& page) {
+  return 4 * static_cast<std::size_t>(page.width);
+}
+
+// Rows at which no cell is cut through, at multiples of `step`.
+std::vector<int> cuts_between_cells(const Plan& plan, int page, int step) {
+  const Page& size = plan.pages[static_cast<std::size_t>(page)];
+  std::vector<bool> inside(static_cast<std::size_t>(size.height) + 1, false);
+  for (const Place& place : plan.places) {
+    if (place.page != page) continue;
+    const auto first = inside.begin() + place.cell.y + 1;
+    std::fill(first, first + std::max(0, place.cell.height - 1), true);
+  }
+  std::vector<int> out{0};
+  for (int y = step; y + step <= size.height; y += step) {
+    const auto bytes = row_bytes(size) * static_cast<std::size_t>(y - out.back());
+    if (!inside[static_cast<std::size_t>(y)] && bytes >= least_slab) out.push_back(y);
+  }
+  out.push_back(size.height);
+  return out;
+}
+
+// Rows anywhere.
+std::vector<int> cuts_anywhere(const Page& page) {
+  const int rows = static_cast<int>((least_slab + row_bytes(page) - 1) / row_bytes(page));
+  std::vector<int> out;
+  for (int y = 0; y < page.height; y += rows) out.push_back(y);
+  out.push_back(page.height);
+  return out;
+}
+
+bool none_cut_through(const Plan& plan, int page, const std::vector<int>& cuts) {
+  return std::none_of(plan.places.begin(), plan.places.end(), [&](const Place& place) {
+    const auto next = std::upper_bound(cuts.begin(), cuts.end(), place.cell.y);
+    return place.page == page && next != cuts.end() && *next < place.cell.y + place.cell.height;
+  });
+}
+
+std::size_t largest_slab(const std::vector<int>& cuts, const Page& page) {
+  int rows = 0;
+  for (std::size_t i = 1; i < cuts.size(); ++i) rows = std::max(rows, cuts[i] - cuts[i - 1]);
+  return row_bytes(page) * static_cast<std::size_t>(rows);
+}
+
+// One texture's level on its way to a file.
+class LevelFile {
+ public:
+  LevelFile(OutputFolder& folder, int page, Texture texture, int level, const PixelsView8& size, int height,
+            PngLevel png_level, const std::shared_ptr<PngBands::Scratch>& scratch)
+      : texture_(texture), level_(level), file_(folder.open(page_file(page, texture, "png", level))) {
+    PngOptions options;
+    options.level = png_level;
+    bands_ = std::make_unique<PngBands>(
+        PngInfo{size.width, height, 4, 8}, options, [this](std::string_view bytes) { file_->add(bytes); },
+        scratch);
+  }
+
+  std::size_t next(const PagePixels& pixels) {
+    const PixelsView8 rows = pixels.view(texture_, level_);
+    return bands_->next(rows.data, rows.stride, rows.height);
+  }
+  void make(std::size_t strip) { bands_->make(strip); }
+  void close() {
+    bands_->finish();
+    file_->close();
+  }
+
+ private:
+  Texture texture_;
+  int level_;
+  std::unique_ptr<OutputFolder::File> file_;
+  std::unique_ptr<PngBands> bands_;
+};
+
+struct Strip {
+  LevelFile* file;
+  std::size_t index;
+};
+
+}  // namespace
+
+std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& regions, const Plan& plan,
+                           int page, int levels, bool bleed) {
+  const Page& size = plan.pages[static_cast<std::size_t>(page)];
+  const int clean = composer.clean_levels(page);
+  // The page's own mips are made from the last clean level, which must be one that is held whole.
+  if (levels > clean && clean == 1) return {0, size.height};
+  const std::vector<int> between = cuts_between_cells(plan, page, 1 << (std::min(levels, clean) - 1));
+  bool anywhere = levels == 1 && !bleed;
+  for (std::size_t r = 0; r < regions.size() && anywhere; ++r) {
+    const Place& place = plan.places[r];
+    if (place.page != page) continue;
+    const PixelBox whole{place.x, place.y, regions[r].box.width, regions[r].box.height};
+    anywhere = composer.in_file_order(r) && place.cell == whole;
+  }
+  return anywhere && largest_slab(between, size) > large_slab ? cuts_anywhere(size) : between;
+}
+
+void stream_page(Composer& composer, const std::vector<Region>& regions, const Plan& plan, int page,
+                 int levels, const std::vector<int>& cuts, std::vector<Learned>& learned,
+                 OutputFolder* folder, const WriteOptions& options,
+                 const std::function<void()>& region_done) {
+  const Page& size = plan.pages[static_cast<std::size_t>(page)];
+  const int cut_levels =
+      std::min({levels, most_cut_levels,
+                levels > composer.clean_levels(page) ? composer.clean_levels(page) - 1 : levels});
+  // Two slabs: one is made, one is written. The first holds the levels that are not cut.
+  std::array<PagePixels, 2> pixels;
+  const auto scratch = PngBands::scratch();
+  std::vector<std::unique_ptr<LevelFile>> files;
+  const auto open_files = [&](int begin, int end) {
+    for (int l = begin; l < end && folder != nullptr; ++l)
+      for (const Texture texture : both_textures)
+        if (size.has[static_cast<std::size_t>(texture)])
+          files.push_back(std::make_unique<LevelFile>(*folder, page, texture, l, pixels[0].view(texture, l),
+                                                      std::max(1, size.height >> l), options.png_level,
+                                                      scratch));
+  };
+  const auto strips_of = [&](const PagePixels& from, std::vector<Strip>& out) {
+    out.clear();
+    for (const auto& file : files)
+      for (std::size_t count = file->next(from), i = 0; i < count; ++i) out.push_back({file.get(), i});
+  };
+  const auto close_files = [&] {
+    for (const auto& file : files) file->close();
+    files.clear();
+  };
+
+  const bool whole_regions = none_cut_through(plan, page, cuts);
+  composer.begin_page(page);
+  std::vector<std::size_t> here;
+  std::vector<Strip> strips;
+  for (std::size_t k = 0; k < cuts.size(); ++k) {
+    here.clear();
+    PagePixels& now = pixels[k % 2];
+    const bool makes = k + 1 < cuts.size();
+    if (makes) {
+      Slab slab{cuts[k], cuts[k + 1], cut_levels, false};
+      std::int64_t covered = 0;
+      bool aligned = true;
+      const int grid = 1 << std::max(0, cut_levels - 1);
+      for (std::size_t r = 0; r < regions.size(); ++r) {
+        const PixelBox& cell = plan.places[r].cell;
+        const int top = std::max(cell.y, slab.top), bottom = std::min(cell.y + cell.height, slab.bottom);
+        if (plan.places[r].page != page || top >= bottom) continue;
+        here.push_back(r);
+        covered += std::int64_t{cell.width} * (bottom - top);
+        aligned = aligned && (cell.x | cell.y | cell.width | cell.height) % grid == 0;
+      }
+      slab.covered = aligned && covered == std::int64_t{size.width} * (slab.bottom - slab.top);
+      now.start(size, levels, slab, pixels[0]);
+      if (k == 0) open_files(0, cut_levels);
+    }
+    // The regions of this slab first, then the strips of the one above it: the smaller pieces of work come
+    // last, so that no thread waits long.
+    const std::size_t per_region = whole_regions ? 1 : 2, parts = here.size() * per_region;
+    parallel_chunks(parts + strips.size(), options.threads, 1,
+                    [&](std::size_t i, std::size_t, unsigned worker) {
+                      if (i >= parts) return strips[i - parts].file->make(strips[i - parts].index);
+                      const std::size_t region = here[i / per_region];
+                      for (const Texture texture : both_textures) {
+                        const auto t = static_cast<std::size_t>(texture);
+                        if (!size.has[t] || (!whole_regions && i % 2 != t)) continue;
+                        composer.region_texels(region, texture, now, worker);
+                        const PixelBox& cell = plan.places[region].cell;
+                        if (region_done && cell.y + cell.height <= cuts[k + 1]) region_done();
+                      }
+                      if (whole_regions) composer.region_mips(region, now);
+                    });
+    if (makes) strips_of(now, strips);
+  }
+  close_files();
+  composer.end_page(page, pixels[0], learned);
+  open_files(cut_levels, levels);
+  strips_of(pixels[0], strips);
+  parallel_chunks(strips.size(), options.threads, 1,
+                  [&](std::size_t i, std::size_t, unsigned) { strips[i].file->make(strips[i].index); });
+  close_files();
+}
+
+}  // namespace etak
