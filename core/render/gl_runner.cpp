@@ -52,7 +52,8 @@ std::vector<EGLDisplay> displays() {
   return out;
 }
 
-// A GL 3.3 core context current on this thread; destroyed with the value.
+// A GL 3.3 core context, current on this thread when made and from make_current() on; destroyed with the
+// value.
 class Context {
  public:
   Context() {
@@ -62,8 +63,14 @@ class Context {
     throw Error::at("OpenGL", why, needed);
   }
   ~Context() {
-    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (eglGetCurrentContext() == context_)
+      eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
+  }
+  // Another runner may have come between.
+  void make_current() const {
+    if (eglGetCurrentContext() != context_)
+      eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
   }
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -295,6 +302,9 @@ struct GlRunner::State {
     glDisable(GL_DITHER);
     glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
   }
+  ~State() { context.make_current(); }  // the programs are of this context
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
 
   const Program& use(const GlslText& text) {
     auto& program = programs[text.fragment];
@@ -368,6 +378,7 @@ const GlRunner::Info& GlRunner::info() const {
 }
 
 std::optional<std::string> GlRunner::compile_error(const std::string& vertex, const std::string& fragment) {
+  state_->context.make_current();
   try {
     const Program program(vertex, fragment);
     return std::nullopt;
@@ -380,6 +391,7 @@ Image GlRunner::render(const Scene& scene, const Environment* environment, std::
   Scene linear = scene;
   linear.exposure = 1;
   linear.transfer = Transfer::linear;
+  state_->context.make_current();
   const Target target(GL_RGBA32F, scene.width, scene.height);
   const Prepared prepared(*state_, linear, environment);
   glClearColor(static_cast<float>(scene.background[0]), static_cast<float>(scene.background[1]),
@@ -412,6 +424,7 @@ std::vector<std::array<float, 3>> GlRunner::evaluate(const Model& model, const s
     }
   }
   const int w = static_cast<int>(width), h = static_cast<int>(height);
+  state_->context.make_current();
   const Target target(GL_RGBA32F, w, h);
   const Program& program = state_->use(glsl_evaluation_text(model, values));
   const FloatTexture to_light(0, w, h, light), to_viewer(1, w, h, viewer);
@@ -427,6 +440,7 @@ std::vector<std::array<float, 3>> GlRunner::evaluate(const Model& model, const s
 }
 
 float GlRunner::evaluate(std::string_view expression) {
+  state_->context.make_current();
   const Target target(GL_RGBA32F, 1, 1);
   state_->use(glsl_expression_text(expression));
   State::draw();
@@ -434,6 +448,7 @@ float GlRunner::evaluate(std::string_view expression) {
 }
 
 GlRunner::FrameTime GlRunner::frame_time(const Scene& scene, const Environment* environment, int frames) {
+  state_->context.make_current();
   const Target target(GL_RGBA8, scene.width, scene.height);
   FrameTime out;
   const auto start = Clock::now();

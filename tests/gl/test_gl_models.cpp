@@ -125,6 +125,22 @@ std::string printed(const std::vector<double>& values) {
 
 }  // namespace
 
+TEST_CASE("a second runner takes nothing from the first, while it lives and after") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  const std::string_view sum = "real(1.5) + real(2)";
+  CHECK(gl->evaluate(sum) == 3.5f);
+  {
+    std::string why;
+    auto other = GlRunner::open(why);
+    REQUIRE(other);
+    CHECK(other->evaluate(sum) == 3.5f);
+    CHECK(gl->evaluate(sum) == 3.5f);
+    CHECK(other->evaluate(sum) == 3.5f);
+  }
+  CHECK(gl->evaluate(sum) == 3.5f);
+}
+
 TEST_CASE("OpenGL agrees with double precision on 25,600 random inputs of every model") {
   GlRunner* gl = gl_here();
   if (gl == nullptr) return;
