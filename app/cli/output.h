@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/csv.h"
+
 namespace CLI {
 class App;
 }
@@ -46,9 +48,6 @@ std::string swatch(int r, int g, int b);
 
 /// `text` as a JSON string with its quotes.
 std::string json_string(std::string_view text);
-
-/// `text` as a CSV field by RFC 4180: quoted only where needed.
-std::string csv_field(std::string_view text);
 
 /// `text` padded with blanks to `width` characters (UTF-8 sequences count once).
 std::string padded(std::string_view text, std::size_t width);

@@ -91,12 +91,4 @@ std::vector<int> ordered(const Set& set, std::span<const int> members, Key key) 
   return out;
 }
 
-std::uint64_t Random::next() {
-  // splitmix64 (Steele, Lea, Flood 2014)
-  std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-
 }  // namespace etak::rects

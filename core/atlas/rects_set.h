@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/atlas/rects.h"
+#include "core/base/random.h"
 
 namespace etak::rects {
 
@@ -48,12 +49,12 @@ std::vector<int> ordered(const Set& set, std::span<const int> members, Key key);
 /// Small fixed generator, the same on every machine.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next();
+  explicit Random(std::uint64_t seed) : numbers_(seed) {}
+  std::uint64_t next() { return numbers_.next(); }
   int below(int limit) { return static_cast<int>((next() >> 32) * static_cast<std::uint64_t>(limit) >> 32); }
 
  private:
-  std::uint64_t state_;
+  SplitMix numbers_;
 };
 
 }  // namespace etak::rects

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "core/base/parallel.h"
+#include "core/base/random.h"
 #include "core/color/colorspace.h"
 #include "core/fresnel/fresnel.h"
 #include "core/render/camera.h"
@@ -57,16 +58,11 @@ class Random {
   // Both numbers are mixed first: streams that start a step apart would be one stream shifted, and show as
   // streaks.
   Random(std::uint64_t pixel, std::uint64_t sample)
-      : state_(mixed(mixed(pixel + 1) ^ (sample + 1) * 0xD1B54A32D192ED03u)) {}
-  double next() { return static_cast<double>(mixed(state_ += 0x9E3779B97F4A7C15u) >> 11) * 0x1p-53; }
+      : numbers_(SplitMix::mixed(SplitMix::mixed(pixel + 1) ^ (sample + 1) * 0xD1B54A32D192ED03u)) {}
+  double next() { return numbers_.uniform(); }
 
  private:
-  static std::uint64_t mixed(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-  }
-  std::uint64_t state_;
+  SplitMix numbers_;
 };
 
 // Tangent, bitangent and normal as rows.

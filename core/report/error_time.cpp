@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/report/error_time.h"
 
+#include "core/base/csv.h"
 #include "core/base/number.h"
 
 namespace etak {
 namespace {
-
-std::string csv(std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == text.npos) return std::string(text);
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out += '"';
-}
 
 constexpr int error_digits = 9, time_digits = 4;
 
@@ -46,10 +37,11 @@ std::string error_time_csv(const ReportHeader&, std::span<const ErrorTimeFamily>
       for (const ErrorTimeRow& row : table.rows)
         for (std::size_t m = 0; m < table.metrics.size(); ++m) {
           const ErrorMetric& metric = table.metrics[m];
-          out += csv(family.id) + ',' + csv(table.id) + ',' + csv(row.id) + ',' + csv(metric.id) + ',' +
-                 csv(metric.unit) + ',' + number(row.errors[m], error_digits) + ',';
+          out += csv_field(family.id) + ',' + csv_field(table.id) + ',' + csv_field(row.id) + ',' +
+                 csv_field(metric.id) + ',' + csv_field(metric.unit) + ',' +
+                 number(row.errors[m], error_digits) + ',';
           if (row.time)
-            out += csv(table.time_unit) + ',' + number(row.time->median_ns, time_digits) + ',' +
+            out += csv_field(table.time_unit) + ',' + number(row.time->median_ns, time_digits) + ',' +
                    number(row.time->first_quartile_ns, time_digits) + ',' +
                    number(row.time->third_quartile_ns, time_digits) + ',' +
                    number(row.time->ratio, time_digits) + (row.pareto ? ",1," : ",0,") +

@@ -202,22 +202,20 @@ constexpr StabilityCheck rows[] = {
      "1", "every facet counts once",
      [](string& found) {
        string printed;
-       function_gives("integral_D_beckmann_printed", {{"param", "0.3"}}, 1, 1e-9, printed);
-       const bool one = function_gives("integral_D_beckmann", {{"param", "0.3"}}, 1, 1e-9, found);
+       counts_every_facet_once("integral_D_beckmann_printed", printed);
+       const bool one = counts_every_facet_once("integral_D_beckmann", found);
        found += "; printed form " + printed.substr(0, 5);
        return one;
      }},
     {"rounding", "8 bit by rounding, not by truncation", "the code of its own decoded value, all 256",
      "none moved", "floor(255 v + 1/2)",
      [](string& found) {
-       int rounded = 0, truncated = 0;
-       for (int code = 0; code < 256; ++code) {
-         const double linear = srgb_decode(code / 255.0);
-         rounded += srgb_u8(linear) != code;
-         truncated += static_cast<int>(255 * srgb_encode(linear)) != code;
-       }
-       found = std::to_string(rounded) + " moved; " + std::to_string(truncated) + " when truncated";
-       return rounded == 0;
+       string truncated;
+       gives_every_code_back(
+           [](double linear) { return static_cast<std::uint8_t>(255 * srgb_encode(linear)); }, truncated);
+       const bool all = gives_every_code_back([](double linear) { return srgb_u8(linear); }, found);
+       found += "; " + truncated + " when truncated";
+       return all;
      }},
     {"codes_round_trip", "every 8-bit and 16-bit code there and back", "decode, encode, round", "all equal",
      "IEC 61966-2-1",
@@ -253,6 +251,17 @@ constexpr StabilityCheck rows[] = {
 };
 
 }  // namespace
+
+bool counts_every_facet_once(std::string_view integral, std::string& found) {
+  return function_gives(string(integral), {{"param", "0.3"}}, 1, 1e-9, found);
+}
+
+bool gives_every_code_back(std::uint8_t (*code_of)(double linear), std::string& found) {
+  int moved = 0;
+  for (int code = 0; code < 256; ++code) moved += code_of(srgb_decode(code / 255.0)) != code;
+  found = std::to_string(moved) + " moved";
+  return moved == 0;
+}
 
 std::span<const StabilityCheck> stability_checks() {
   return rows;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,5 +29,13 @@ struct StabilityCheck {
   bool (*run)(std::string& found);  // true: as expected
 };
 std::span<const StabilityCheck> stability_checks();
+
+// What two of the checks ask, of any formula: so that a test can put the wrong one in.
+
+/// Whether the integral of D nm is 1.
+///   integral   a function of `etak eval` that takes the slope m
+bool counts_every_facet_once(std::string_view integral, std::string& found);
+/// Whether each code comes out of the value it stands for.
+bool gives_every_code_back(std::uint8_t (*code_of)(double linear), std::string& found);
 
 }  // namespace etak

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/csv.h"
 #include "core/base/number.h"
 #include "core/validate/output_formats.h"
 
@@ -12,16 +13,7 @@ class Row {
   void add(std::string_view field) {
     if (!first_) out_ += ',';
     first_ = false;
-    if (field.find_first_of(",\"\r\n") == std::string_view::npos) {
-      out_ += field;
-      return;
-    }
-    out_ += '"';
-    for (const char c : field) {
-      if (c == '"') out_ += '"';
-      out_ += c;
-    }
-    out_ += '"';
+    out_ += csv_field(field);
   }
   void end() { out_ += "\r\n"; }
 

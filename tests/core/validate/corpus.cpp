@@ -9,17 +9,6 @@
 
 namespace etak::test {
 
-std::uint64_t Random::next() {
-  std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-  return z ^ z >> 31;
-}
-
-double Random::unit() {
-  return static_cast<double>(next() >> 11) * 0x1p-53;
-}
-
 int Random::below(int count) {
   return static_cast<int>(next() % static_cast<std::uint64_t>(count));
 }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/image/image.h"
 #include "core/validate/validate.h"
 
@@ -20,14 +21,14 @@ namespace etak::test {
 /// splitmix64: the same numbers on every machine.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next();
-  double unit();         // [0, 1)
-  int below(int count);  // 0 .. count - 1
+  explicit Random(std::uint64_t seed) : numbers_(seed) {}
+  std::uint64_t next() { return numbers_.next(); }
+  double unit() { return numbers_.uniform(); }  // [0, 1)
+  int below(int count);                         // 0 .. count - 1
   double between(double low, double high) { return low + (high - low) * unit(); }
 
  private:
-  std::uint64_t state_;
+  SplitMix numbers_;
 };
 
 inline std::uint8_t to_byte(double value) {
