@@ -313,6 +313,9 @@ void Viewport::Private::refresh_overlay() {
   Overlay::Content content;
   const ViewState shown = shown_state();
   content.left_name = QString::fromStdString(shown.a.label);
+  if (state.split && state.shape == ViewShape::wedge)
+    content.left_name =
+        tr("%1 above, %2 below").arg(content.left_name, QString::fromStdString(shown.b.label));
   if (state.split && state.shape != ViewShape::wedge) {
     content.separator = separator_x();
     content.right_name = QString::fromStdString(shown.b.label);

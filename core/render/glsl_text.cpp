@@ -226,7 +226,10 @@ class SceneText {
 
   // Textures as globals that main() fills for its pixel.
   void textures() {
-    if (!textured_) return glue_.leave_out("textures", "the surface is the same everywhere");
+    if (!textured_) {
+      if (scene_.view) glue_.leave_out("textures", "the surface is the same everywhere");
+      return;
+    }
     glue_.declare("sampler2D", "surface_body");
     glue_.declare("sampler2D", "surface_gloss");
     glue_.line("vec4 body_here;\nvec4 gloss_here;\n");
@@ -526,8 +529,9 @@ class SceneText {
   void marks() {
     const std::vector<float>& energy = scene_.mark_energy;
     const bool zone = scene_.mark_zone;
-    if (!zone) glue_.leave_out("zone stripes", "not asked for");
-    if (energy.empty()) glue_.leave_out("energy stripes", "not asked for");
+    // Of windows: no use telling everybody else.
+    if (!zone && scene_.view) glue_.leave_out("zone stripes", "not asked for");
+    if (energy.empty() && scene_.view) glue_.leave_out("energy stripes", "not asked for");
     if (!zone && energy.empty()) return;
     std::string in_zone = "false", in_energy = "false";
     if (zone) {

@@ -158,6 +158,34 @@ class ViewportGl : public QObject {
     check(state, "OpenColorIO sRGB", all);
   }
 
+  // Into the build folder, for eyes.
+  void pictures_to_look_at() {
+    const QDir folder(QStringLiteral(ETAK_BUILD_FOLDER "/screenshots"));
+    QVERIFY(folder.mkpath("."));
+    const auto save = [&](const ViewState& state, const char* name) {
+      QSignalSpy drawn(viewport.get(), &Viewport::frame_drawn);
+      viewport->set_state(state);
+      QVERIFY(drawn.wait(patience_ms));
+      QVERIFY(viewport->grab().save(folder.filePath(QStringLiteral("viewport-%1.png").arg(name))));
+    };
+    viewport->resize(640, 560);
+    ViewState state = gold_state();
+    state.split = true;
+    state.environment = std::make_shared<const Environment>(studio_environment(128), 1, "studio", 2);
+    QTest::keyPress(viewport.get(), Qt::Key_Shift);
+    save(state, "split-lights");
+    QTest::keyRelease(viewport.get(), Qt::Key_Shift);
+    state.shape = ViewShape::wedge;
+    save(state, "wedge");
+    state = state_with(*find_model("schueler-optimized-bounded"));
+    state.a.surface.f0 = {0.3, 0.3, 0.3};
+    state.zone_overlay = true;
+    state.shape = ViewShape::quad;
+    state.camera = {35, 20, 0, 0, 1};
+    save(state, "zone");
+    viewport->resize(360, 300);
+  }
+
   void grabbed_picture_is_the_windows() {
     viewport->set_state(gold_state());
     QCOMPARE(viewport->grab_picture().convertToFormat(QImage::Format_RGB888),
