@@ -181,7 +181,7 @@ void add_pack(CLI::App& app, Verb& chosen) {
   const auto arguments = std::make_shared<PackArguments>();
   CLI::App& verb = *app.add_subcommand("pack", "materials into one atlas: texture pair, layout and glTF");
   verb.add_option("input", arguments->input,
-                  "manifest (.json), glTF scene (.gltf, .glb), or folder of pictures")
+                  "manifest or project (.json), glTF scene (.gltf, .glb), or folder of pictures")
       ->type_name("INPUT");
   verb.add_option("-o,--out", arguments->out, "folder to write")->type_name("DIR");
   add_layout_options(verb, *arguments);

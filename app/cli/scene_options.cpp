@@ -35,10 +35,6 @@ Vec3 color_of(const std::string& place, std::string_view text) {
   return {out[0], out[1], out[2]};
 }
 
-double schlick82(double f0) {
-  return f64::f_schlick(f0, f82_cosine);
-}
-
 // A surface of numbers: f0, f82, n, k, diffuse, gloss, opacity.
 SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues surface) {
   bool has_f0 = false, has_f82 = false, has_index = false;
@@ -86,15 +82,14 @@ SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues sur
     }
     return surface;
   }
+  if (!has_f82) {
+    complete_from_f0(surface);
+    return surface;
+  }
   Vec3 hint{};
   for (std::size_t c = 0; c < 3; ++c) {
     const double root = std::sqrt(std::min(surface.f0[c], 0.9999));
-    const double clear_n = (1 + root) / (1 - root);
-    // A dielectric's edge by its own n; a metal's, where nothing is said, by Schlick.
-    if (!has_f82)
-      surface.f82[c] = surface.f0[c] < forbidden_zone_first ? f64::fresnel_exact(clear_n, 0, f82_cosine)
-                                                            : schlick82(surface.f0[c]);
-    hint[c] = surface.f0[c] < forbidden_zone_first ? std::log(clear_n) : -1;
+    hint[c] = surface.f0[c] < forbidden_zone_first ? std::log((1 + root) / (1 - root)) : -1;
   }
   solve_index(surface, hint);
   return surface;

@@ -43,8 +43,8 @@ bool exists(const std::string& path) {
 class Packing {
  public:
   Packing(const std::string& input, const std::string& output, const PackOptions& options,
-          const MaterialLibrary& library)
-      : input_(input), output_(output), options_(options), library_(library) {
+          const MaterialLibrary& library, const Project* project = nullptr)
+      : input_(input), output_(output), options_(options), library_(library), project_(project) {
     report_.input = input;
     report_.output = output;
     report_.dry_run = options.dry_run;
@@ -76,6 +76,7 @@ class Packing {
  private:
   template <class Act>
   void timed(const char* name, Act act) {
+    stop_if_cancelled();
     const auto begin = Clock::now();
     act();
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -89,9 +90,26 @@ class Packing {
 
   const ShadingVariants* variants() const { return options_.variants ? &*options_.variants : nullptr; }
 
+  void stop_if_cancelled() const {
+    if (options_.cancelled && options_.cancelled()) throw PackCancelled();
+  }
+
+  void take_project(const Project& project) {
+    std::vector<std::string> remarks;
+    inputs_ = resolve_manifest(with_methods(manifest_of(project, library_, remarks), variants()), library_,
+                               options_.gloss, options_.door, options_.open_space, options_.spaces);
+    inputs_.remarks.insert(inputs_.remarks.begin(), remarks.begin(), remarks.end());
+    // How the project is looked at changes no texel.
+    Project materials = project;
+    materials.view = {};
+    inputs_.settings += format_project(materials, "");
+  }
+
   void read_inputs() {
     std::error_code failure;
-    if (fs::is_directory(input_, failure)) {
+    if (project_ != nullptr) {
+      take_project(*project_);
+    } else if (fs::is_directory(input_, failure)) {
       inputs_ =
           resolve_manifest(with_methods(manifest_of_folder(input_, options_.pattern), variants()), library_,
                            options_.gloss, options_.door, options_.open_space, options_.spaces);
@@ -101,9 +119,13 @@ class Packing {
       inputs_ = scene_->inputs();
     } else {
       const std::string text = read_file(input_);
-      inputs_ = resolve_manifest(with_methods(parse_manifest(text, input_), variants()), library_,
-                                 options_.gloss, options_.door, options_.open_space, options_.spaces);
-      inputs_.settings += text;
+      if (is_project(text)) {
+        take_project(parse_project(text, input_));
+      } else {
+        inputs_ = resolve_manifest(with_methods(parse_manifest(text, input_), variants()), library_,
+                                   options_.gloss, options_.door, options_.open_space, options_.spaces);
+        inputs_.settings += text;
+      }
     }
     if (options_.variants)
       apply_variants(*options_.variants, options_.keep.contains("constant"), input_, inputs_);
@@ -334,6 +356,7 @@ class Packing {
     std::size_t done = 0;
     std::mutex lock;
     const auto region_done = [&] {
+      stop_if_cancelled();
       if (!options_.progress) return;
       const std::lock_guard guard(lock);
       options_.progress(++done, 2 * regions_.size());
@@ -360,8 +383,10 @@ class Packing {
       WriteOptions write = options_.write;
       write.threads = options_.threads;
       timed("write", [&] {
-        for (const Texture texture : both_textures)
+        for (const Texture texture : both_textures) {
+          stop_if_cancelled();
           if (page.has[static_cast<std::size_t>(texture)]) write_page(*folder, p, texture, pixels, write);
+        }
         if (scene_) scene_->write_page(*folder, p, pixels, write);
       });
       if (writes_floats()) timed("floats", [&] { write_floats(*folder, p, compose); });
@@ -622,6 +647,7 @@ class Packing {
   const std::string input_, output_;
   const PackOptions& options_;
   const MaterialLibrary& library_;
+  const Project* const project_;  // null: `input_` is what is packed
   PackReport report_;
   PackInputs inputs_;
   std::unique_ptr<ScenePack> scene_;
@@ -641,6 +667,11 @@ class Packing {
 PackReport pack(const std::string& input, const std::string& output, const PackOptions& options,
                 const MaterialLibrary& library) {
   return Packing(input, output, options, library).run();
+}
+
+PackReport pack(const Project& project, const std::string& label, const std::string& output,
+                const PackOptions& options, const MaterialLibrary& library) {
+  return Packing(label, output, options, library, &project).run();
 }
 
 }  // namespace etak

@@ -7,12 +7,14 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/atlas/leave_out.h"
 #include "core/atlas/outputs.h"
 #include "core/atlas/plan.h"
+#include "core/atlas/project.h"
 #include "core/atlas/sources.h"
 #include "core/atlas/variant.h"
 #include "core/material/library.h"
@@ -62,6 +64,13 @@ struct PackOptions {
   unsigned threads = 1;
   std::string version;  // of the program: part of the settings
   std::function<void(std::size_t done, std::size_t all)> progress;
+  std::function<bool()> cancelled;  // asked between regions, pages and stages, from any thread; true: stop
+};
+
+/// Thrown by pack() when PackOptions::cancelled said so: the folder is as it was.
+class PackCancelled : public std::runtime_error {
+ public:
+  PackCancelled() : std::runtime_error("packing was cancelled") {}
 };
 
 /// A region that was stored with fewer texels.
@@ -98,10 +107,16 @@ struct PackReport {
 };
 
 /// Packs one input into the folder `output`: all files of it appear at once, or none.
-///   input   manifest (.json), glTF scene (.gltf, .glb) or folder of pictures
-/// Throws Error.
+///   input   manifest (.json), project (.json, core/atlas/project.h), glTF scene (.gltf, .glb) or folder of
+///           pictures
+/// Throws Error, and PackCancelled.
 PackReport pack(const std::string& input, const std::string& output, const PackOptions& options,
                 const MaterialLibrary& library);
+
+/// The same of a project in memory.
+///   label   what the report calls it
+PackReport pack(const Project& project, const std::string& label, const std::string& output,
+                const PackOptions& options, const MaterialLibrary& library);
 
 std::string report_text(const PackReport& report, bool stages);
 std::string report_json(const PackReport& report, bool stages);

@@ -116,6 +116,10 @@ void validate(const ExportSurface& surface) {
       if (!std::isfinite(value)) throw Error::at(surface.id, "F82 " + number(value, 6), "a finite number");
 }
 
+double exponent_of_gloss(double gloss) {
+  return std::exp2(12 * gloss);
+}
+
 double alpha_of_gloss(double gloss) {
   return std::sqrt(2 / (std::exp2(12 * gloss) + 2));
 }

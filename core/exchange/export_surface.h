@@ -51,6 +51,8 @@ SurfaceKind authored_kind(const LinearRgb& diffuse, const LinearRgb& f0);
 /// gamut.
 void validate(const ExportSurface& surface);
 
+/// Exponent of Schueler's lobe: e = 2^(12 gloss), 1 to 4096.
+double exponent_of_gloss(double gloss);
 /// Width of the lobe of Schueler's gloss for GGX or Beckmann: alpha = sqrt(2 / (e + 2)), e = 2^(12 gloss).
 double alpha_of_gloss(double gloss);
 /// Perceptual roughness sqrt(alpha), 0.904 for gloss 0 to 0.149 for gloss 1: not 1 - gloss.

@@ -107,4 +107,10 @@ LightSetup default_lights() {
   return setup;
 }
 
+Vec3 normalised_direction(const Vec3& v) {
+  const double length = std::hypot(v[0], v[1], v[2]);
+  if (!(length > 1e-12) || !std::isfinite(length)) return {0, 0, -1};
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
 }  // namespace etak

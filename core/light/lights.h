@@ -53,12 +53,19 @@ struct LightSetup {
   friend bool operator==(const LightSetup&, const LightSetup&) = default;
 };
 
+/// `v` with length 1; straight away from the viewer where it has none.
+Vec3 normalised_direction(const Vec3& v);
+
 /// Throws Error (naming `what`) for negative, NaN or infinite numbers, zero-length directions, inner > outer
 /// cone.
 void validate(const LightSetup& setup, std::string_view what);
 
 /// Reads a light setup (resources/schema/lights.schema.json). Throws Error with file and JSON pointer.
 LightSetup parse_lights(std::string_view text, std::string_view file);
+
+/// A light setup as parse_lights() reads it, without line break at its end; numbers read back equal.
+///   indent   blanks before the closing brace
+std::string format_lights(const LightSetup& setup, int indent = 0);
 
 /// Three directional lights (key, fill, rim) and two hemispheres: what pictures are made with when nothing is
 /// said.

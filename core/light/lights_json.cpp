@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_node.inc"
+#include "core/base/json_text.h"
 #include "core/light/lights.h"
 
 namespace etak {
@@ -24,6 +25,8 @@ Vec3 unit_vector(const Node& node) {
   const Vec3 v = three(node);
   const double length = std::hypot(v[0], v[1], v[2]);
   if (!(length > 1e-12) || !std::isfinite(length)) node.fail("a direction of length zero");
+  // What was written with length 1 reads back to the bit.
+  if (std::abs(length - 1) < 1e-14) return v;
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
@@ -98,6 +101,43 @@ LightSetup parse_lights(std::string_view text, std::string_view file) {
   }
   validate(setup, file);
   return setup;
+}
+
+std::string format_lights(const LightSetup& setup, int indent) {
+  const auto three_json = [](const Vec3& v) {
+    return json_array(std::vector<std::string>{json(v[0]), json(v[1]), json(v[2])});
+  };
+  std::string lights = "[";
+  for (std::size_t i = 0; i < setup.lights.size(); ++i) {
+    const Light& light = setup.lights[i];
+    std::vector<JsonMember> members{{"kind", json(name(light.kind))}};
+    if (light.kind != LightKind::directional) members.push_back({"position", three_json(light.position)});
+    if (light.kind != LightKind::point) members.push_back({"direction", three_json(light.direction)});
+    members.push_back({"color", three_json(light.color)});
+    members.push_back({"intensity", json(light.intensity)});
+    if (light.kind == LightKind::spot) {
+      members.push_back({"inner_deg", json(light.inner_deg)});
+      members.push_back({"outer_deg", json(light.outer_deg)});
+    }
+    lights += (i == 0 ? "\n" : ",\n") + std::string(static_cast<std::size_t>(indent) + 4, ' ') +
+              json_object(members, -1);
+  }
+  lights += setup.lights.empty() ? "]" : "\n" + std::string(static_cast<std::size_t>(indent) + 2, ' ') + "]";
+  std::vector<JsonMember> out{{"schema", json(schema_name)}, {"lights", lights}};
+  if (setup.hemispheres)
+    out.push_back(
+        {"hemispheres", json_object(std::vector<JsonMember>{{"upper", three_json(setup.hemispheres->upper)},
+                                                            {"lower", three_json(setup.hemispheres->lower)},
+                                                            {"axis", three_json(setup.hemispheres->axis)},
+                                                            {"form", json(name(setup.hemispheres->form))}},
+                                    -1)});
+  if (!setup.environment.empty())
+    out.push_back(
+        {"environment", json_object(std::vector<JsonMember>{{"file", json(setup.environment)},
+                                                            {"scale", json(setup.environment_scale)}},
+                                    -1)});
+  out.push_back({"pi_scaled", json(setup.pi_scaled)});
+  return json_object(out, indent);
 }
 
 }  // namespace etak

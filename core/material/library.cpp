@@ -92,14 +92,18 @@ void MaterialLibrary::add_folder(const std::string& folder) {
     if (twin != seen.end())
       throw Error::at(file, "id \"" + material.id + "\" again", "an id not used by " + twin->second);
     seen.emplace_back(material.id, file);
-    Entry entry;
-    entry.id = material.id;
-    entry.name = material.name;
-    entry.aliases = material.aliases;
-    entry.keys = keys_of(material.id, material.name, material.aliases);
-    entry.material = std::move(material);
-    insert(std::move(entry));
+    add(std::move(material));
   }
+}
+
+void MaterialLibrary::add(Material material) {
+  Entry entry;
+  entry.id = material.id;
+  entry.name = material.name;
+  entry.aliases = material.aliases;
+  entry.keys = keys_of(material.id, material.name, material.aliases);
+  entry.material = std::move(material);
+  insert(std::move(entry));
 }
 
 const MaterialLibrary::Entry* MaterialLibrary::entry(std::string_view name) const {

@@ -23,6 +23,9 @@ class MaterialLibrary {
   /// folder.
   void add_folder(const std::string& folder);
 
+  /// Lays one material over what is there, as add_folder() does.
+  void add(Material material);
+
   /// Sorted by id.
   const std::vector<std::string>& ids() const { return ids_; }
 

@@ -35,6 +35,16 @@ struct SurfaceValues {
 /// semiconductors, `diffuse` for the rest. `surface` class materials give diffuse = F0, f0 = 0.04.
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse, double gloss);
 
+/// The same from a result that was computed under other options (another outside medium, illuminant or
+/// observer): its linear sRGB and F82 as they are. Throws Error for a refused one.
+///   f0   of `dataset`, with linear sRGB as output space
+SurfaceValues surface_of(const Material& material, const Dataset& dataset, const F0Result& f0,
+                         const Vec3& diffuse, double gloss);
+
+/// Completes a surface of which only f0 (and the plain numbers) is known: F82 and n, k of the dielectric with
+/// that F0 below the forbidden zone; above it Schlick's F82, and n, k of a metal.
+void complete_from_f0(SurfaceValues& surface);
+
 /// Sets n, k of `surface` to those that give its f0 and f82, and nk_residual to what is missed.
 ///   log_n_hints   where two n do, the one with the logarithm nearest to this is taken
 void solve_index(SurfaceValues& surface, const Vec3& log_n_hints);

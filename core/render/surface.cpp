@@ -60,8 +60,12 @@ void solve_index(SurfaceValues& surface, const Vec3& log_n_hints) {
 
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
                          double gloss) {
-  const F0Solver solver{F0Options{}};
-  const F0Result result = solver.solve(dataset.optics, dataset.flags);
+  static const F0Solver solver{F0Options{}};
+  return surface_of(material, dataset, solver.solve(dataset.optics, dataset.flags), diffuse, gloss);
+}
+
+SurfaceValues surface_of(const Material& material, const Dataset& dataset, const F0Result& result,
+                         const Vec3& diffuse, double gloss) {
   const std::string what = material.id + "/" + dataset.id;
   if (result.refused()) throw Error::at(what, "has no F0: " + result.refusal, "data over the visible range");
   const std::string_view kind = optical_kind(material.material_class);
@@ -90,6 +94,19 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
   }
   solve_index(out, hint);
   return out;
+}
+
+void complete_from_f0(SurfaceValues& surface) {
+  Vec3 hint{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double root = std::sqrt(std::clamp(surface.f0[c], 0.0, 0.9999));
+    const double clear_n = (1 + root) / (1 - root);
+    const bool dielectric = surface.f0[c] < forbidden_zone_first;
+    surface.f82[c] =
+        dielectric ? f64::fresnel_exact(clear_n, 0, f82_cosine) : f64::f_schlick(surface.f0[c], f82_cosine);
+    hint[c] = dielectric ? std::log(clear_n) : -1;
+  }
+  solve_index(surface, hint);
 }
 
 }  // namespace etak

@@ -93,6 +93,13 @@ if os.path.exists(os.path.join(os.path.dirname(etak), "etak-image")) and "etak_i
             text = run("render", *options, "--size", "16x16", "--format", "json", "-o", picture, "--force")
             check(render, json.loads(text), f"render {options}")
 
+with tempfile.TemporaryDirectory() as folder:
+    # A project as etak-editor saves it; that etak pack takes it is looked at below.
+    project = {"schema": "etak-project/1", "materials": [
+        {"name": "gold", "measured": {"material": "gold", "outside": "water"}, "gloss": 0.7},
+        {"name": "red", "diffuse": [0.5, 0.1, 0.1], "specular": [0.04, 0.04, 0.04], "model": "ggx-f82"}]}
+    check(schema("project"), project, "project")
+
 check(schema("stability"), json.loads(run("stability", "--format", "json")), "stability")
 
 # The rest runs in other programs, where the libraries for them were found when etak was built.
@@ -120,6 +127,10 @@ with tempfile.TemporaryDirectory() as folder:
             {"name": "red", "diffuse": [0.5, 0.1, 0.1], "specular": 0.04, "gloss": 0.5}]}, file)
     with open(manifest, encoding="utf-8") as file:
         check(schema("atlas-manifest"), json.load(file), "atlas manifest")
+    project_file = os.path.join(folder, "project.json")
+    with open(project_file, "w", encoding="utf-8") as file:
+        json.dump(project, file)
+    run_where_built("pack", project_file, "--out", os.path.join(folder, "project-atlas"), "--report", "json")
     text = run_where_built("pack", manifest, "--out", atlas, "--report", "json")
     if text is not None:
         check(schema("pack-report"), json.loads(text), "pack")

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/project.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+
+namespace etak {
+namespace {
+
+LinearRgb in_unit(const LinearRgb& color) {
+  return {std::clamp(color.r, 0.0, 1.0), std::clamp(color.g, 0.0, 1.0), std::clamp(color.b, 0.0, 1.0)};
+}
+
+TextureSource source_of(const ProjectMaterial& m, Channel channel, const LinearRgb& color,
+                        std::vector<std::string>& remarks) {
+  if (m.texture(channel)) return *m.texture(channel);
+  const LinearRgb inside = in_unit(color);
+  if (inside != color)
+    remarks.push_back(m.name + ": " + std::string(name(channel)) + " (" + number(color.r, 4) + ", " +
+                      number(color.g, 4) + ", " + number(color.b, 4) +
+                      " linear) is outside of what a texture holds; brought back to 0..1");
+  return ConstantSource{inside, {}};
+}
+
+OutsideMedium medium_of(const std::string& text, const MaterialLibrary& library) {
+  OutsideMedium out;
+  if (text.empty()) return out;
+  out.label = text;
+  if (double index = 0; parse_number(text, index)) {
+    if (!(index > 0)) throw Error::at("outside", text, "an index of refraction above 0, or a material");
+    out.index = index;
+    return out;
+  }
+  const auto material = library.find(text);
+  const auto* constants =
+      material ? std::get_if<OpticalConstants>(&material->preferred_dataset().optics) : nullptr;
+  if (constants == nullptr)
+    throw Error::at("outside", printable(text), "a transparent material of the library, or a number");
+  out.index = *constants;
+  return out;
+}
+
+}  // namespace
+
+std::string_view name(Channel channel) {
+  constexpr std::array<std::string_view, all_channels.size()> names{"diffuse", "specular", "gloss", "alpha"};
+  return names[static_cast<std::size_t>(channel)];
+}
+
+const ProjectMaterial* Project::find(std::string_view material) const {
+  const auto found = std::find_if(materials.begin(), materials.end(),
+                                  [&](const ProjectMaterial& each) { return each.name == material; });
+  return found == materials.end() ? nullptr : &*found;
+}
+
+Project single(const Project& project, const ProjectMaterial& material) {
+  Project out;
+  out.materials = {material};
+  out.view = project.view;
+  if (!material.measured) return out;
+  for (const Material& each : project.spectra)
+    if (each.id == material.measured->material || each.id == material.measured->outside)
+      out.spectra.push_back(each);
+  return out;
+}
+
+MaterialLibrary library_of(const Project& project, const MaterialLibrary& library) {
+  MaterialLibrary out = library;
+  for (const Material& each : project.spectra) out.add(each);
+  return out;
+}
+
+F0Options f0_options(const MeasuredF0& measured, const MaterialLibrary& library) {
+  F0Options options;
+  options.viewing = measured.viewing;
+  options.outside = medium_of(measured.outside, library);
+  return options;
+}
+
+FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library) {
+  auto material = library.find(measured.material);
+  if (!material) {
+    std::string nearest;
+    for (const std::string& id : library.nearest(measured.material))
+      nearest += (nearest.empty() ? "" : ", ") + id;
+    throw Error::at(printable(measured.material), "is no material of the library or the project",
+                    "one of the nearest: " + nearest);
+  }
+  FoundF0 out;
+  const Dataset* dataset =
+      measured.dataset.empty() ? &material->preferred_dataset() : material->dataset(measured.dataset);
+  if (dataset == nullptr)
+    throw Error::at(material->id, "has no dataset " + printable(measured.dataset), "one that it has");
+  out.dataset = static_cast<std::size_t>(dataset - material->datasets.data());
+  out.result = F0Solver(f0_options(measured, library)).solve(dataset->optics, dataset->flags);
+  if (out.result.refused())
+    throw Error::at(material->id + "/" + dataset->id, "has no F0: " + out.result.refusal,
+                    "data over the visible range");
+  out.material = std::move(*material);
+  return out;
+}
+
+void take_measured(ProjectMaterial& material, const FoundF0& found) {
+  const LinearRgb& color = found.result.srgb_linear;
+  // The reflectance of a rough everyday thing is the colour of its body.
+  (optical_kind(found.material.material_class) == "surface" ? material.diffuse : material.specular) = color;
+}
+
+std::vector<std::string> resolve(Project& project, const MaterialLibrary& library) {
+  std::vector<std::string> problems;
+  const bool any = std::any_of(project.materials.begin(), project.materials.end(),
+                               [](const ProjectMaterial& each) { return each.measured.has_value(); });
+  if (!any) return problems;
+  const MaterialLibrary all = library_of(project, library);
+  for (ProjectMaterial& each : project.materials) {
+    if (!each.measured) continue;
+    try {
+      take_measured(each, find_f0(*each.measured, all));
+    } catch (const Error& error) {
+      problems.push_back(each.name + ": " + error.what());
+      each.measured.reset();
+    }
+  }
+  return problems;
+}
+
+SurfaceValues surface_of(const ProjectMaterial& material, const MaterialLibrary& library) {
+  SurfaceValues out;
+  if (material.measured) {
+    const FoundF0 found = find_f0(*material.measured, library);
+    out = surface_of(found.material, found.chosen(), found.result, vec(material.diffuse), material.gloss);
+    // The index of the record is that against vacuum.
+    if (!material.measured->outside.empty()) out.optics.reset();
+    const bool rough = optical_kind(found.material.material_class) == "surface";
+    out.diffuse = vec(material.diffuse);
+    if (rough) {
+      out.f0 = vec(material.specular);
+      complete_from_f0(out);
+    }
+  } else {
+    out.f0 = vec(material.specular);
+    out.diffuse = vec(material.diffuse);
+    complete_from_f0(out);
+  }
+  out.gloss = material.gloss;
+  out.opacity = material.alpha;
+  return out;
+}
+
+ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibrary& library) {
+  ExportSurface out;
+  if (material.measured) {
+    const FoundF0 found = find_f0(*material.measured, library);
+    out = export_surface(found.material, found.chosen(), f0_options(*material.measured, library),
+                         found.result, material.diffuse, material.gloss);
+  } else {
+    out.f0 = material.specular;
+    out.kind = authored_kind(material.diffuse, material.specular);
+    out.source = "typed";
+  }
+  out.diffuse = material.diffuse;
+  out.gloss = material.gloss;
+  out.opacity = material.alpha;
+  out.name = material.name;
+  out.id = material.name;
+  return out;
+}
+
+AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library,
+                          std::vector<std::string>& remarks) {
+  Project with_colors = project;
+  for (std::string& problem : resolve(with_colors, library)) remarks.push_back(std::move(problem));
+  AtlasManifest out;
+  for (const ProjectMaterial& m : with_colors.materials) {
+    ManifestMaterial row;
+    row.name = m.name;
+    row.place = m.name;
+    row.diffuse = source_of(m, Channel::diffuse, m.diffuse, remarks);
+    row.specular = source_of(m, Channel::specular, m.specular, remarks);
+    row.gloss = source_of(m, Channel::gloss, {m.gloss, m.gloss, m.gloss}, remarks);
+    row.alpha = source_of(m, Channel::alpha, {m.alpha, m.alpha, m.alpha}, remarks);
+    row.alpha_mode = m.alpha_mode;
+    row.alpha_cutoff = m.alpha_cutoff;
+    out.materials.push_back(std::move(row));
+  }
+  std::sort(out.materials.begin(), out.materials.end(),
+            [](const ManifestMaterial& a, const ManifestMaterial& b) { return a.name < b.name; });
+  return out;
+}
+
+std::string free_name(const Project& project, const std::string& wanted) {
+  std::set<std::string_view> taken;
+  for (const ProjectMaterial& each : project.materials) taken.insert(each.name);
+  std::string out = wanted;
+  for (int i = 2; taken.contains(out); ++i) out = wanted + " " + std::to_string(i);
+  return out;
+}
+
+bool is_project(std::string_view text) {
+  return text.substr(0, std::size_t{4} << 10).find("\"etak-project/1\"") != text.npos;
+}
+
+}  // namespace etak

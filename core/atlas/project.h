@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/atlas/manifest.h"
+#include "core/exchange/export_surface.h"
+#include "core/light/lights.h"
+#include "core/material/f0.h"
+#include "core/material/library.h"
+#include "core/render/scene.h"
+
+namespace etak {
+
+// Materials under work, as an author saves them (resources/schema/project.schema.json). What is packed of
+// them is an AtlasManifest, so that `etak pack` takes a project where it takes a manifest.
+
+/// Where an F0 was measured.
+///   material   id of the library or of the project's own spectra
+///   dataset    empty: the preferred one
+///   outside    the medium in front: an index ("1.33") or a transparent material ("water"); empty: vacuum
+struct MeasuredF0 {
+  std::string material, dataset, outside;
+  Viewing viewing;
+  friend bool operator==(const MeasuredF0&, const MeasuredF0&) = default;
+};
+
+/// What a texture can stand for.
+enum class Channel { diffuse, specular, gloss, alpha };
+inline constexpr std::array all_channels{Channel::diffuse, Channel::specular, Channel::gloss, Channel::alpha};
+std::string_view name(Channel channel);  // "diffuse", ...
+
+/// One material of a project. A texture stands in the place of the number of its channel when the project is
+/// packed.
+///   specular    linear sRGB, not clipped: of `measured` where that is set, whatever the file holds
+///   parameters  of the models in use, by name, where they are not what the surface says: {"m", 0.3}
+struct ProjectMaterial {
+  std::string name;  // one of a kind in the project
+  LinearRgb diffuse{0, 0, 0}, specular{0.04, 0.04, 0.04};
+  double gloss = 0.75;  // Schueler's
+  double alpha = 1;
+  std::optional<MeasuredF0> measured;
+  std::array<std::optional<ImageSource>, all_channels.size()> textures;
+  AlphaMode alpha_mode = AlphaMode::blend;
+  double alpha_cutoff = 0.5;
+  std::string specular_model{default_specular}, diffuse_model{default_diffuse};  // empty: none
+  std::vector<std::pair<std::string, double>> parameters;
+  friend bool operator==(const ProjectMaterial&, const ProjectMaterial&) = default;
+
+  const std::optional<ImageSource>& texture(Channel channel) const {
+    return textures[static_cast<std::size_t>(channel)];
+  }
+  std::optional<ImageSource>& texture(Channel channel) { return textures[static_cast<std::size_t>(channel)]; }
+};
+
+/// How the materials are looked at.
+///   exposure   linear factor
+///   config, display, view   of OpenColorIO; all empty: the sRGB curve alone
+struct ProjectView {
+  Shape shape = Shape::sphere;
+  LightSetup lights = default_lights();
+  double environment_turn_deg = 0;
+  double exposure = 1;
+  std::string config, display, view;
+  friend bool operator==(const ProjectView&, const ProjectView&) = default;
+};
+
+struct Project {
+  std::vector<ProjectMaterial> materials;
+  std::vector<Material> spectra;  // imported: found before those of the library
+  ProjectView view;
+  friend bool operator==(const Project&, const Project&) = default;
+
+  const ProjectMaterial* find(std::string_view material) const;
+};
+
+/// Reads a project. Picture files come out relative to the working folder, as parse_manifest() has it;
+/// `specular` of measured materials is what it was when the file was written: resolve() brings it up to date.
+/// Throws Error with the JSON pointer.
+Project parse_project(std::string_view text, const std::string& file);
+
+/// The file's text: a material a line or few, numbers that read back equal.
+///   file   where it will be: pictures below its folder are named relative to it, others absolutely. Empty:
+///   all
+///          absolutely, for a copy that may be read from anywhere
+std::string format_project(const Project& project, const std::string& file);
+
+/// One material with the spectra it uses, as a project of its own; for files of single materials.
+Project single(const Project& project, const ProjectMaterial& material);
+
+/// The library with the project's own spectra laid over it.
+MaterialLibrary library_of(const Project& project, const MaterialLibrary& library);
+
+/// Options under which `measured` asks for its F0. Throws Error for an outside medium that is none.
+F0Options f0_options(const MeasuredF0& measured, const MaterialLibrary& library);
+
+/// A measured F0 with the record it comes from. Throws Error naming what is missing, and for a refused
+/// result.
+struct FoundF0 {
+  Material material;
+  std::size_t dataset = 0;  // index in material.datasets
+  F0Result result;
+
+  const Dataset& chosen() const { return material.datasets[dataset]; }
+};
+FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library);
+
+/// Sets the measured colours: F0, and for materials of class "surface" the diffuse colour. What cannot be
+/// found keeps its colour and loses `measured`; returned are the reasons, "NAME: ...".
+std::vector<std::string> resolve(Project& project, const MaterialLibrary& library);
+void take_measured(ProjectMaterial& material, const FoundF0& found);
+
+/// What a renderer needs of a material: its numbers, F82 and n, k of the spectrum where it is measured and of
+/// F0 where it is not. Textures play no part.
+SurfaceValues surface_of(const ProjectMaterial& material, const MaterialLibrary& library);
+
+/// The material for another program: its record's edge where F0 is measured, none where it is typed. Throws
+/// Error.
+ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibrary& library);
+
+/// What is packed. Colours outside of [0, 1] are brought there; `remarks` tells which.
+AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library,
+                          std::vector<std::string>& remarks);
+
+/// A name that no material of the project has: "gold", "gold 2", ...
+std::string free_name(const Project& project, const std::string& wanted);
+
+/// Whether a JSON text says it is a project.
+bool is_project(std::string_view text);
+
+}  // namespace etak
