@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QApplication>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <cstdio>
+
+#include "app/editor/options.h"
+#include "app/editor/screenshot.h"
+#include "app/editor/theme.h"
+#include "app/editor/window.h"
+
+namespace {
+
+// Before QApplication, as Qt asks for it: what QOpenGLWidget makes its contexts by.
+void choose_gl() {
+  QSurfaceFormat format;
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace etak::editor;
+  QStringList arguments;
+  for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
+  const Options options = parse_options(arguments);
+  // Answered without a display.
+  if (!options.error.isEmpty()) {
+    std::fprintf(stderr, "etak-editor: %s\n", qPrintable(options.error));
+    return 2;
+  }
+  if (options.help) return std::fputs(qPrintable(help_text()), stdout) < 0 ? 2 : 0;
+  if (options.version) return std::puts("etak-editor " ETAK_VERSION) < 0 ? 2 : 0;
+
+  choose_gl();
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("etak"));
+  QApplication::setApplicationName(QStringLiteral("etak-editor"));
+  QApplication::setApplicationVersion(QStringLiteral(ETAK_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("etak-editor"));
+  const bool picture = !options.screenshot.isEmpty();
+  const Theme remembered =
+      theme_named(picture ? QString() : QSettings().value(QStringLiteral("theme")).toString());
+  apply_theme(application, options.theme.value_or(remembered));
+
+  // A screenshot neither sees nor leaves anything of the user's.
+  QTemporaryDir own;
+  WindowOptions window_options;
+  window_options.cpu_viewport = options.cpu;
+  if (picture) {
+    window_options.data_folder = own.path();
+    window_options.cache_folder = own.path();
+    window_options.remember = false;
+  }
+  Window window(window_options);
+  if (picture) return take_screenshot(window, options);
+  window.show();
+  QTimer::singleShot(0, &window, [&] {
+    window.offer_recovery();
+    if (!options.subjects.isEmpty()) window.open(options.subjects.front());
+  });
+  return QApplication::exec();
+}

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFontDatabase>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QSettings>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QTabWidget>
+
+#include "app/editor/curves/curves_panel.h"
+#include "app/editor/files.h"
+#include "app/editor/findings_panel.h"
+#include "app/editor/inspector.h"
+#include "app/editor/library_panel.h"
+#include "app/editor/light_panel.h"
+#include "app/editor/press_id.h"
+#include "app/editor/project_panel.h"
+#include "app/editor/texture_section.h"
+#include "app/editor/texture_view.h"
+#include "app/editor/view_panel.h"
+#include "core/base/error.h"
+#include "core/validate/project_check.h"
+
+namespace etak::editor {
+namespace {
+
+std::shared_ptr<const MaterialLibrary> builtin_library() {
+  return std::make_shared<const MaterialLibrary>(MaterialLibrary::builtin());
+}
+
+QTabWidget* tab_widget(const QString& name, QWidget* parent) {
+  auto* out = new QTabWidget(parent);
+  out->setDocumentMode(true);
+  out->setAccessibleName(name);
+  out->tabBar()->setAccessibleName(name);
+  return out;
+}
+
+}  // namespace
+
+Window::Window(const WindowOptions& options, QWidget* parent)
+    : QMainWindow(parent),
+      options_(options),
+      document_(builtin_library()),
+      thumbnails_(std::make_unique<Thumbnails>(
+          (options.cache_folder.isEmpty() ? cache_folder() : options.cache_folder) +
+          QStringLiteral("/thumbnails"))),
+      validator_(new Validator(document_, this)),
+      autosave_(new Autosave(document_, options.data_folder.isEmpty() ? data_folder() : options.data_folder,
+                             this)) {
+  setObjectName(QStringLiteral("etak-editor"));
+  setAccessibleName(tr("etak editor"));
+  setAcceptDrops(true);
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  io_.setMaxThreadCount(1);  // files are read and written one after the other
+  heavy_.setMaxThreadCount(1);
+  make_panels();
+  make_menus();
+  connect_viewport();
+  resize(1280, 800);
+  restore();
+  const auto titled = [this] { update_title(); };
+  connect(&document_, &Document::saved_changed, this, titled);
+  connect(&document_, &Document::replaced, this, titled);
+  connect(&document_.undo_stack(), &QUndoStack::cleanChanged, this, titled);
+  update_title();
+  refresh();
+}
+
+Window::~Window() {
+  io_.waitForDone();
+  heavy_.clear();
+  heavy_.waitForDone();
+}
+
+void Window::make_panels() {
+  viewport_ =
+      new Viewport(this, options_.cpu_viewport ? Viewport::Backend::cpu : Viewport::Backend::automatic);
+  tabs_ = tab_widget(tr("Curves, shader, textures"), this);
+  shader_ = new QPlainTextEdit(tabs_);
+  shader_->setReadOnly(true);
+  shader_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  shader_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  shader_->setAccessibleName(tr("Shader text"));
+  shader_->setTabChangesFocus(true);
+  texture_view_ = new TextureView(document_, tabs_);
+  curves_ = new CurvesPanel(tabs_);
+  tabs_->addTab(curves_, tr("Curves"));
+  tabs_->addTab(shader_, tr("Shader"));
+  tabs_->addTab(texture_view_, tr("Textures"));
+  auto* middle = new QSplitter(Qt::Vertical, this);
+  middle->setAccessibleName(tr("Viewport and tabs"));
+  middle->setObjectName(QStringLiteral("middle"));
+  middle->addWidget(viewport_);
+  middle->addWidget(tabs_);
+  middle->setStretchFactor(0, 3);
+  middle->setStretchFactor(1, 1);
+  middle->setCollapsible(0, false);
+  middle->setSizes({480, 190});
+  setCentralWidget(middle);
+
+  const auto dock = [this](const QString& title, const char* id, QWidget* inside, Qt::DockWidgetArea area) {
+    auto* out = new QDockWidget(title, this);
+    out->setObjectName(QLatin1String(id));
+    out->setAccessibleName(title);
+    out->setWidget(inside);
+    addDockWidget(area, out);
+    return out;
+  };
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  library_panel_ = new LibraryPanel(*thumbnails_, this);
+  project_panel_ = new ProjectPanel(document_, *thumbnails_, this);
+  inspector_ = new Inspector(document_, this);
+  light_panel_ = new LightPanel(document_, this);
+  view_panel_ = new ViewPanel(document_, look_, this);
+  findings_ = new FindingsPanel(*validator_, this);
+  inspector_tabs_ = tab_widget(tr("Material, light, view"), this);
+  inspector_tabs_->addTab(inspector_, tr("Material"));
+  inspector_tabs_->addTab(light_panel_, tr("Light"));
+  inspector_tabs_->addTab(view_panel_, tr("View"));
+  QDockWidget* library = dock(tr("Library"), "library", library_panel_, Qt::LeftDockWidgetArea);
+  QDockWidget* project = dock(tr("Project"), "project", project_panel_, Qt::LeftDockWidgetArea);
+  QDockWidget* inspector = dock(tr("Inspector"), "inspector", inspector_tabs_, Qt::RightDockWidgetArea);
+  QDockWidget* findings = dock(tr("Findings"), "findings", findings_, Qt::BottomDockWidgetArea);
+  resizeDocks({library, inspector}, {300, 340}, Qt::Horizontal);
+  resizeDocks({library, project}, {480, 240}, Qt::Vertical);
+  resizeDocks({findings}, {130}, Qt::Vertical);
+
+  library_panel_->set_library(document_.library());
+  connect(&document_, &Document::spectra_changed, this,
+          [this] { library_panel_->set_library(document_.library()); });
+  connect(library_panel_, &LibraryPanel::looked_at, this, &Window::preview);
+  connect(library_panel_, &LibraryPanel::wanted, this, &Window::use_library_material);
+  connect(project_panel_, &ProjectPanel::new_asked, this, [this] {
+    ProjectMaterial made;
+    made.name = tr("Material").toStdString();
+    made.diffuse = {0.5, 0.5, 0.5};
+    document_.add({made}, {}, tr("new material"));
+  });
+  connect(project_panel_, &ProjectPanel::copy_asked, this, [this] {
+    if (document_.material() != nullptr) document_.add({*document_.material()}, {}, tr("duplicate"));
+  });
+  connect(project_panel_, &ProjectPanel::remove_asked, this,
+          [this] { document_.remove(document_.current()); });
+  connect(findings_, &FindingsPanel::go_to, this, &Window::go_to_finding);
+  connect(&inspector_->textures(), &TextureSection::look_asked, this, [this](Channel channel) {
+    tabs_->setCurrentWidget(texture_view_);
+    texture_view_->show_channel(channel);
+  });
+
+  backend_ = new QLabel(this);
+  backend_->setAccessibleName(tr("How the picture is drawn"));
+  patch_ = new QLabel(this);
+  patch_->setAccessibleName(tr("Under the cursor"));
+  statusBar()->setAccessibleName(tr("Status"));
+  statusBar()->addPermanentWidget(patch_);
+  statusBar()->addPermanentWidget(backend_);
+}
+
+bool Window::use_library_material(const QString& name) {
+  const auto record = document_.library()->find(name.toStdString());
+  if (!record) return false;
+  try {
+    document_.add({with_measured(material_of(*record), *document_.library())}, {},
+                  tr("add %1").arg(QString::fromStdString(record->name)));
+    return true;
+  } catch (const Error& error) {
+    tell(QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+void Window::go_to_finding(const QString& material, const QString& rule) {
+  const auto& list = document_.project().materials;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].name == material.toStdString()) document_.set_current(static_cast<int>(i));
+  inspector_tabs_->setCurrentWidget(inspector_);
+  inspector_->go_to(field_of(rule.toStdString()).value_or(Channel::specular));
+}
+
+void Window::keyPressEvent(QKeyEvent* event) {
+  const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Down ? 1
+                   : event->key() == Qt::Key_Left || event->key() == Qt::Key_Up  ? -1
+                                                                                 : 0;
+  const int count = static_cast<int>(document_.project().materials.size());
+  if (step == 0 || count == 0) return QMainWindow::keyPressEvent(event);
+  document_.set_current((document_.current() + step + count) % count);
+}
+
+void Window::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls() ||
+      event->mimeData()->hasFormat(QString::fromLatin1(Viewport::material_mime)))
+    event->acceptProposedAction();
+}
+
+void Window::dropEvent(QDropEvent* event) {
+  const QMimeData* dropped = event->mimeData();
+  if (dropped->hasFormat(QString::fromLatin1(Viewport::material_mime))) {
+    use_library_material(QString::fromUtf8(dropped->data(QString::fromLatin1(Viewport::material_mime))));
+    return event->acceptProposedAction();
+  }
+  QStringList spectra, pictures;
+  for (const QUrl& url : dropped->urls()) {
+    const QString file = url.toLocalFile();
+    const bool spectrum = file.endsWith(QLatin1String(".yml")) || file.endsWith(QLatin1String(".yaml")) ||
+                          file.endsWith(QLatin1String(".csv")) || file.endsWith(QLatin1String(".txt")) ||
+                          file.endsWith(QLatin1String(".json"));
+    (spectrum ? spectra : pictures) << file;
+  }
+  if (!spectra.isEmpty()) import(spectra);
+  if (!pictures.isEmpty()) inspector_->textures().take_files(pictures, Channel::diffuse);
+  event->acceptProposedAction();
+}
+
+void Window::restore() {
+  if (!options_.remember) return;
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("window/state")).toByteArray());
+  auto* middle = findChild<QSplitter*>(QStringLiteral("middle"));
+  middle->restoreState(settings.value(QStringLiteral("window/middle")).toByteArray());
+}
+
+void Window::remember() {
+  if (!options_.remember) return;
+  QSettings settings;
+  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("window/state"), saveState());
+  settings.setValue(QStringLiteral("window/middle"),
+                    findChild<QSplitter*>(QStringLiteral("middle"))->saveState());
+}
+
+void Window::closeEvent(QCloseEvent* event) {
+  if (!may_lose_changes()) return event->ignore();
+  remember();
+  event->accept();
+}
+
+void Window::update_title() {
+  setWindowTitle(tr("%1[*] - etak editor").arg(document_.title()));
+  setWindowModified(!document_.is_saved());
+}
+
+void Window::tell(const QString& message) {
+  constexpr int shown_ms = 8000;
+  statusBar()->showMessage(message.section(QLatin1Char('\n'), 0, 0), shown_ms);
+}
+
+}  // namespace etak::editor

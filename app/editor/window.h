@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QMainWindow>
+#include <QThreadPool>
+#include <QTimer>
+#include <functional>
+#include <memory>
+
+#include "app/editor/autosave.h"
+#include "app/editor/document.h"
+#include "app/editor/look.h"
+#include "app/editor/thumbnails.h"
+#include "app/editor/validator.h"
+#include "app/viewport/viewport.h"
+
+class QLabel;
+class QPlainTextEdit;
+class QTabWidget;
+
+namespace etak::editor {
+
+class CurvesPanel;
+class FindingsPanel;
+class Inspector;
+class LibraryPanel;
+class LightPanel;
+class PackDialog;
+class ProjectPanel;
+class TextureView;
+class ViewPanel;
+
+struct WindowOptions {
+  bool cpu_viewport = false;
+  QString data_folder, cache_folder;  // of autosaves and thumbnails; empty: the user's
+  bool remember = true;               // layout, theme and recent files from run to run
+};
+
+/// The editor: library and project on the left, viewport with tabs under it, inspector on the right, findings
+/// below. In four files: window.cpp puts it together, window_menus.cpp the actions, window_files.cpp what is
+/// read and written, window_picture.cpp what the viewport shows.
+class Window : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit Window(const WindowOptions& options, QWidget* parent = nullptr);
+  ~Window() override;
+
+  Document& document() { return document_; }
+  Viewport& viewport() { return *viewport_; }
+  LibraryPanel& library_panel() { return *library_panel_; }
+  ProjectPanel& project_panel() { return *project_panel_; }
+  Inspector& inspector() { return *inspector_; }
+  FindingsPanel& findings() { return *findings_; }
+  ViewPanel& view_panel() { return *view_panel_; }
+  TextureView& texture_view() { return *texture_view_; }
+  QTabWidget& tabs() { return *tabs_; }
+  QTabWidget& inspector_tabs() { return *inspector_tabs_; }
+  Validator& validator() { return *validator_; }
+  Thumbnails& thumbnails() { return *thumbnails_; }
+  Autosave& autosave() { return *autosave_; }
+  Look& look() { return look_; }
+  void look_changed();
+
+  /// Adds a material of the library to the project and takes it in hand; false where there is none of that
+  /// name.
+  bool use_library_material(const QString& name);
+
+  // Files. Reading and writing run on a worker; opened() and saved() tell their end.
+  void open(const QString& path);
+  void save_to(const QString& path);
+  void import(const QStringList& paths);
+  PackDialog* pack_to(const QString& folder);
+  /// Offers what a killed run left behind; `ask` says yes or no (a question to the user where it is empty).
+  void offer_recovery(const std::function<bool(const Recovery&)>& ask = {});
+  bool is_busy() const { return busy_ > 0; }
+
+ signals:
+  void opened(bool well);
+  void saved(bool well);
+  void first_frame();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void make_panels();
+  void make_menus();
+  void make_file_menu();
+  void make_edit_menu();
+  void make_view_menu();
+  void connect_viewport();
+  void restore();
+  void remember();
+
+  QAction* action(QMenu* menu, const QString& text, const QKeySequence& keys,
+                  const std::function<void()>& act);
+  void fill_copy_menu(QMenu* menu);
+  void export_to(const QString& kind);
+
+  bool may_lose_changes();
+  void recover(const Recovery& recovery);
+  void note_recent(const QString& path);
+  void fill_recent(QMenu* menu);
+  void tell(const QString& message);
+  void show_problems(const QString& title, const QStringList& problems);
+  void update_title();
+  void choose_and_open();
+  bool save();
+  void save_as();
+  void save_material_as();
+  void choose_and_import();
+  void choose_and_pack();
+  void save_picture();
+
+  void preview(const QString& id);
+  void refresh();
+  void load_environment();
+  void show_shader();
+  void show_curves();
+  void show_patch(const PatchUnderCursor& patch);
+  void go_to_finding(const QString& material, const QString& rule);
+
+  WindowOptions options_;
+  Document document_;
+  std::unique_ptr<Thumbnails> thumbnails_;
+  Validator* validator_;
+  Autosave* autosave_;
+  Look look_;
+  QThreadPool io_, heavy_;
+  int busy_ = 0;
+  bool seen_frame_ = false, close_after_save_ = false;
+
+  Viewport* viewport_ = nullptr;
+  LibraryPanel* library_panel_ = nullptr;
+  ProjectPanel* project_panel_ = nullptr;
+  Inspector* inspector_ = nullptr;
+  LightPanel* light_panel_ = nullptr;
+  ViewPanel* view_panel_ = nullptr;
+  FindingsPanel* findings_ = nullptr;
+  TextureView* texture_view_ = nullptr;
+  CurvesPanel* curves_ = nullptr;
+  QPlainTextEdit* shader_ = nullptr;
+  QTabWidget *tabs_ = nullptr, *inspector_tabs_ = nullptr, *left_tabs_ = nullptr;
+  QLabel *backend_ = nullptr, *patch_ = nullptr;
+  QTimer refresh_timer_;
+
+  // The environment that is shown, and the one that is wanted.
+  std::shared_ptr<const Environment> environment_;
+  std::string environment_key_;
+};
+
+}  // namespace etak::editor

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QTabWidget>
+
+#include "app/editor/library_panel.h"
+#include "app/editor/press_id.h"
+#include "app/editor/project_panel.h"
+#include "app/editor/shortcuts.h"
+#include "app/editor/theme.h"
+#include "app/editor/view_panel.h"
+#include "app/editor/window.h"
+#include "core/base/error.h"
+#include "core/exchange/engine_values.h"
+
+namespace etak::editor {
+namespace {
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+}  // namespace
+
+QAction* Window::action(QMenu* menu, const QString& title, const QKeySequence& keys,
+                        const std::function<void()>& act) {
+  auto* out = new QAction(title, this);
+  out->setShortcut(keys);
+  connect(out, &QAction::triggered, this, act);
+  menu->addAction(out);
+  return out;
+}
+
+void Window::make_menus() {
+  menuBar()->setAccessibleName(tr("Menus"));
+  make_file_menu();
+  make_edit_menu();
+  make_view_menu();
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  action(help, tr("&Keys and mouse"), QKeySequence(Qt::Key_F1), [this] {
+    auto* dialog = new ShortcutsDialog(*this, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+  });
+  action(help, tr("&About"), {}, [this] {
+    QMessageBox::about(
+        this, tr("About the editor"),
+        tr("etak editor %1: measured optics into materials a renderer can trust.\nApache-2.0. Drawn with "
+           "Qt (LGPL).")
+            .arg(QStringLiteral(ETAK_VERSION)));
+  });
+}
+
+void Window::make_file_menu() {
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  action(menu, tr("&New project"), QKeySequence::New, [this] {
+    if (may_lose_changes()) document_.replace({}, {}, true);
+  });
+  action(menu, tr("&Open\u2026"), QKeySequence::Open, [this] { choose_and_open(); });
+  QMenu* recent = menu->addMenu(tr("Open &recent"));
+  recent->setAccessibleName(tr("Recent files"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { fill_recent(recent); });
+  menu->addSeparator();
+  action(menu, tr("&Save"), QKeySequence::Save, [this] { save(); });
+  action(menu, tr("Save &as\u2026"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { save_as(); });
+  action(menu, tr("Save &material as\u2026"), {}, [this] { save_material_as(); });
+  action(menu, tr("Save pic&ture\u2026"), QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S),
+         [this] { save_picture(); });
+  menu->addSeparator();
+  action(menu, tr("&Import spectra\u2026"), QKeySequence(Qt::CTRL | Qt::Key_I),
+         [this] { choose_and_import(); });
+  action(menu, tr("&Pack the atlas\u2026"), QKeySequence(Qt::CTRL | Qt::Key_P),
+         [this] { choose_and_pack(); });
+  action(menu, tr("Check all a&gain"), QKeySequence(Qt::CTRL | Qt::Key_R),
+         [this] { validator_->check_all(); });
+  QMenu* exports = menu->addMenu(tr("&Export material"));
+  exports->setAccessibleName(tr("Export material"));
+  action(exports, tr("&MaterialX\u2026"), QKeySequence(Qt::CTRL | Qt::Key_E),
+         [this] { export_to(QStringLiteral("mtlx")); });
+  action(exports, tr("&glTF\u2026"), {}, [this] { export_to(QStringLiteral("gltf")); });
+  action(exports, tr("g&lTF, binary\u2026"), {}, [this] { export_to(QStringLiteral("glb")); });
+  menu->addSeparator();
+  action(menu, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+}
+
+void Window::make_edit_menu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = document_.undo_stack().createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  QAction* redo = document_.undo_stack().createRedoAction(this, tr("&Redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  menu->addAction(undo);
+  menu->addAction(redo);
+  menu->addSeparator();
+  action(menu, tr("&New material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+         [this] { emit project_panel_->new_asked(); });
+  action(menu, tr("&Duplicate material"), QKeySequence(Qt::CTRL | Qt::Key_D),
+         [this] { emit project_panel_->copy_asked(); });
+  // Del alone belongs to text fields wherever they have the focus.
+  auto* remove = action(menu, tr("Re&move material"), QKeySequence::Delete,
+                        [this] { emit project_panel_->remove_asked(); });
+  remove->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  project_panel_->addAction(remove);
+  menu->addSeparator();
+  QMenu* copy = menu->addMenu(tr("&Copy value as"));
+  copy->setAccessibleName(tr("Copy value as"));
+  fill_copy_menu(copy);
+  menu->addSeparator();
+  action(menu, tr("&Find in the library"), QKeySequence::Find, [this] {
+    library_panel_->search().setFocus();
+    library_panel_->search().selectAll();
+  });
+}
+
+void Window::fill_copy_menu(QMenu* menu) {
+  for (const EngineTarget& target : engine_targets())
+    action(menu, text(target.title),
+           target.id == "hex" ? QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C) : QKeySequence(),
+           [this, &target] {
+             const ProjectMaterial* m = look_.preview ? &*look_.preview : document_.material();
+             if (m == nullptr) return;
+             try {
+               const EngineValues values = engine_values(target, export_surface(*m, *document_.library()));
+               const QString copied = QString::fromStdString(copy_text(values));
+               QApplication::clipboard()->setText(copied);
+               QString told =
+                   tr("Copied for %1: %2").arg(text(target.title), copied.section(QLatin1Char('\n'), 0, 0));
+               for (const Change& change : values.changes)
+                 told += QStringLiteral("; ") + text(one_line(change));
+               tell(told);
+             } catch (const Error& error) {
+               tell(QString::fromUtf8(error.what()));
+             }
+           });
+}
+
+void Window::make_view_menu() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  action(menu, tr("&Frame the object"), {}, [this] { viewport_->frame_object(); });
+  action(menu, tr("&Reset the camera"), QKeySequence(Qt::CTRL | Qt::Key_0),
+         [this] { viewport_->reset_camera(); });
+  action(menu, tr("&Compare A and B"), QKeySequence(Qt::CTRL | Qt::Key_T), [this] {
+    look_.split = !look_.split;
+    look_changed();
+  });
+  action(menu, tr("&Pin as B"), QKeySequence(Qt::CTRL | Qt::Key_B),
+         [this] { emit view_panel_->pin_asked(); });
+  action(menu, tr("Forbidden &zone overlay"), QKeySequence(Qt::CTRL | Qt::Key_1), [this] {
+    look_.zone_overlay = !look_.zone_overlay;
+    look_changed();
+  });
+  action(menu, tr("&Energy overlay"), QKeySequence(Qt::CTRL | Qt::Key_2), [this] {
+    look_.energy_overlay = !look_.energy_overlay;
+    look_changed();
+  });
+  menu->addSeparator();
+  QMenu* panels = menu->addMenu(tr("P&anels"));
+  panels->setAccessibleName(tr("Panels"));
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
+  // The first layout, before anything remembered is put over it.
+  const QByteArray first = saveState();
+  action(menu, tr("Reset the &layout"), {}, [this, first] {
+    restoreState(first);
+    for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->show();
+  });
+  QMenu* themes = menu->addMenu(tr("&Theme"));
+  themes->setAccessibleName(tr("Theme"));
+  auto* group = new QActionGroup(this);
+  for (const Theme theme : {Theme::dark, Theme::light}) {
+    QAction* each = action(themes, theme == Theme::dark ? tr("&Dark") : tr("&Light"), {}, [this, theme] {
+      apply_theme(*qApp, theme);
+      if (options_.remember) QSettings().setValue(QStringLiteral("theme"), name(theme));
+    });
+    each->setCheckable(true);
+    each->setChecked(is_dark(palette()) == (theme == Theme::dark));
+    group->addAction(each);
+  }
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QTabWidget>
+
+#include "app/editor/background.h"
+#include "app/editor/curves/curves_panel.h"
+#include "app/editor/files.h"
+#include "app/editor/inspector.h"
+#include "app/editor/press_id.h"
+#include "app/editor/texture_section.h"
+#include "app/editor/texture_view.h"
+#include "app/editor/view_panel.h"
+#include "app/editor/window.h"
+#include "core/base/error.h"
+#include "core/image/image_io.h"
+
+namespace etak::editor {
+namespace {
+
+struct LoadedEnvironment {
+  std::shared_ptr<const Environment> environment;
+  QString error;
+};
+
+LoadedEnvironment load(const std::string& name, double scale) {
+  LoadedEnvironment out;
+  try {
+    const Image picture = name == "studio" ? studio_environment() : read_image(name);
+    out.environment = std::make_shared<const Environment>(picture, scale, name, 2);
+  } catch (const Error& error) {
+    out.error = QString::fromUtf8(error.what());
+  } catch (const std::bad_alloc&) {
+    out.error = QObject::tr("not enough memory for the environment");
+  }
+  return out;
+}
+
+}  // namespace
+
+void Window::connect_viewport() {
+  // However many changes come in one turn of the event loop, the picture is drawn once.
+  refresh_timer_.setSingleShot(true);
+  refresh_timer_.setInterval(0);
+  connect(&refresh_timer_, &QTimer::timeout, this, &Window::refresh);
+  const auto soon = [this] { refresh_timer_.start(); };
+  const auto in_hand = [this] {
+    look_.preview.reset();
+    refresh_timer_.start();
+  };
+  connect(&document_, &Document::material_changed, this, in_hand);
+  connect(&document_, &Document::current_changed, this, in_hand);
+  connect(&document_, &Document::replaced, this, in_hand);
+  connect(&document_, &Document::spectra_changed, this, soon);
+  connect(&document_, &Document::view_changed, this, soon);
+  connect(&document_, &Document::current_changed, view_panel_, &ViewPanel::show_look);
+  connect(texture_view_, &TextureView::textures_changed, this, soon);
+  connect(view_panel_, &ViewPanel::look_changed, this, soon);
+  connect(view_panel_, &ViewPanel::pin_asked, this, [this] {
+    if (document_.material() == nullptr) return;
+    look_.pinned = *document_.material();
+    look_.split = true;
+    look_changed();
+  });
+
+  connect(viewport_, &Viewport::state_edited, this, [this](const ViewState& state, int press_id) {
+    look_.camera = state.camera;
+    look_.separator = state.separator;
+    ProjectView view = document_.project().view;
+    const std::string environment = view.lights.environment;
+    const double scale = view.lights.environment_scale;
+    view.lights = state.lights;
+    view.lights.environment = environment;
+    view.lights.environment_scale = scale;
+    view.environment_turn_deg = state.environment_turn_deg;
+    document_.edit_view(view, tr("light in the viewport"), press_id);
+  });
+  connect(viewport_, &Viewport::frame_drawn, this, [this] {
+    if (!seen_frame_) {
+      seen_frame_ = true;
+      emit first_frame();
+    }
+    backend_->setText(viewport_->uses_gl() ? tr("OpenGL") : tr("CPU renderer"));
+    backend_->setToolTip(viewport_->uses_gl() ? viewport_->gl_name() : viewport_->fallback_reason());
+    show_shader();
+  });
+  connect(viewport_, &Viewport::hovered, this, &Window::show_patch);
+  connect(viewport_, &Viewport::hover_ended, this, [this] { patch_->clear(); });
+  connect(viewport_, &Viewport::environment_dropped, this, [this](const QString& path) {
+    ProjectView view = document_.project().view;
+    view.lights.environment = path.toStdString();
+    document_.edit_view(view, tr("environment"), next_press_id());
+  });
+  connect(viewport_, &Viewport::textures_dropped, this, [this](const QStringList& paths) {
+    QStringList pictures, spectra;
+    for (const QString& path : paths)
+      (path.endsWith(QLatin1String(".yml")) || path.endsWith(QLatin1String(".csv")) ||
+               path.endsWith(QLatin1String(".txt")) || path.endsWith(QLatin1String(".json"))
+           ? spectra
+           : pictures)
+          << path;
+    if (!spectra.isEmpty()) import(spectra);
+    if (!pictures.isEmpty()) inspector_->textures().take_files(pictures, Channel::diffuse);
+  });
+  connect(viewport_, &Viewport::material_dropped, this, &Window::use_library_material);
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] {
+    show_shader();
+    show_curves();
+  });
+}
+
+void Window::preview(const QString& id) {
+  const auto record = document_.library()->find(id.toStdString());
+  if (!record) return;
+  try {
+    look_.preview = with_measured(material_of(*record), *document_.library());
+    tell(tr("%1 of the library: Return adds it to the project").arg(QString::fromStdString(record->name)));
+  } catch (const Error& error) {
+    look_.preview.reset();
+    tell(QString::fromUtf8(error.what()));
+  }
+  refresh_timer_.start();
+}
+
+void Window::look_changed() {
+  view_panel_->show_look();
+  refresh_timer_.start();
+}
+
+void Window::refresh() {
+  load_environment();
+  viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures()));
+  show_curves();
+}
+
+void Window::load_environment() {
+  const LightSetup& lights = document_.project().view.lights;
+  const std::string key =
+      lights.environment.empty() ? "" : lights.environment + '|' + std::to_string(lights.environment_scale);
+  if (key == environment_key_) return;
+  environment_key_ = key;
+  if (key.empty()) {
+    environment_.reset();
+    return;
+  }
+  // The old one stays until the new one is there; of several asked for in a row the last one counts.
+  heavy_.clear();
+  in_background(
+      heavy_, this,
+      [name = lights.environment, scale = lights.environment_scale] { return load(name, scale); },
+      [this, key](const LoadedEnvironment& loaded) {
+        if (key != environment_key_) return;
+        environment_ = loaded.environment;
+        if (!loaded.error.isEmpty()) tell(loaded.error);
+        refresh_timer_.start();
+      });
+}
+
+void Window::show_curves() {
+  const ProjectMaterial* m = look_.preview ? &*look_.preview : document_.material();
+  if (tabs_->currentWidget() != curves_ || m == nullptr) return;
+  const Model* model = find_model(m->specular_model);
+  try {
+    SurfaceValues surface = document_.surface_of(*m);
+    const FittedModels fitted = fit_models(model, find_model(m->diffuse_model), m->parameters, surface);
+    if (!m->measured)
+      return curves_->set_surface(QString::fromStdString(m->name), m->gloss, model, fitted.specular_values);
+    const FoundF0 found = find_f0(*m->measured, *document_.library());
+    curves_->set_material(found.material, found.chosen(), f0_options(*m->measured, *document_.library()),
+                          m->gloss, model, fitted.specular_values);
+  } catch (const Error& error) {
+    tell(QString::fromUtf8(error.what()));
+  }
+}
+
+void Window::show_shader() {
+  if (tabs_->currentWidget() != shader_) return;
+  const QString text =
+      viewport_->shader_text().isEmpty()
+          ? tr("No shader: %1").arg(viewport_->fallback_reason())
+          : tr("// compiled in %1 ms\n").arg(viewport_->compile_ms(), 0, 'f', 1) + viewport_->shader_text();
+  if (shader_->toPlainText() != text) shader_->setPlainText(text);
+}
+
+void Window::show_patch(const PatchUnderCursor& patch) {
+  const auto codes = [](const std::array<int, 3>& c) {
+    return QStringLiteral("%1 %2 %3").arg(c[0]).arg(c[1]).arg(c[2]);
+  };
+  QString text = codes(patch.code_a);
+  if (look_.split)
+    text = tr("A %1   B %2   B - A %3   \u0394E %4")
+               .arg(codes(patch.code_a), codes(patch.code_b), codes(patch.difference))
+               .arg(patch.delta_e, 0, 'f', 2);
+  patch_->setText(text);
+  view_panel_->show_patch(text);
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <memory>
+
+#include "app/editor/theme.h"
+#include "app/editor/window.h"
+
+namespace etak::editor {
+
+/// A window that knows nothing of the user's settings and leaves nothing behind.
+struct TestWindow {
+  QTemporaryDir folder;
+  std::unique_ptr<Window> window;
+
+  explicit TestWindow(bool cpu = false) {
+    WindowOptions options;
+    options.cpu_viewport = cpu;
+    options.remember = false;
+    options.data_folder = folder.path();
+    options.cache_folder = folder.path();
+    window = std::make_unique<Window>(options);
+    window->autosave().set_delay(20);
+  }
+  Window* operator->() { return window.get(); }
+  Window& operator*() { return *window; }
+  QString file(const QString& name) const { return folder.filePath(name); }
+
+  /// Waits until files are read or written and everything is checked.
+  bool settle(int most_ms = 60000) {
+    return QTest::qWaitFor([this] { return !window->is_busy() && window->validator().is_idle(); }, most_ms);
+  }
+};
+
+/// A turn of the wheel over a widget's middle.
+inline void turn_wheel(QWidget& widget, int notches, Qt::KeyboardModifiers keys = Qt::NoModifier) {
+  const QPointF middle = QRectF(widget.rect()).center();
+  QWheelEvent event(middle, widget.mapToGlobal(middle), {}, {0, 120 * notches}, Qt::NoButton, keys,
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(&widget, &event);
+}
+
+/// A drag with the left button, in steps as a hand makes them.
+inline void drag(QWidget& widget, const QPoint& from, const QPoint& to,
+                 Qt::KeyboardModifiers keys = Qt::NoModifier) {
+  constexpr int steps = 8;
+  QTest::mousePress(&widget, Qt::LeftButton, keys, from);
+  for (int i = 1; i <= steps; ++i) {
+    const QPoint at = from + (to - from) * i / steps;
+    QMouseEvent move(QEvent::MouseMove, at, widget.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, keys);
+    QCoreApplication::sendEvent(&widget, &move);
+    QTest::qWait(5);
+  }
+  QTest::mouseRelease(&widget, Qt::LeftButton, keys, to);
+}
+
+}  // namespace etak::editor
