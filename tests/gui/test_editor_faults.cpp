@@ -57,6 +57,12 @@ Project many(int count) {
   return out;
 }
 
+// What the child of the test of killed runs sets in its n-th edit; before the first there is what many()
+// made.
+double gloss_of_round(int round) {
+  return round < 1 ? 0 : 0.001 * (1 + round % 900);
+}
+
 /// Watches the event loop from another thread: asks it to answer again and again, and keeps the most work
 /// that the UI thread did before one answer. Its own processor time is counted, which a busy machine does not
 /// stretch.
@@ -182,12 +188,21 @@ class EditorFaults : public QObject {
         ++asked;
         return each.path == project;
       });
-      QCOMPARE(asked, 1);
+      QVERIFY(asked <= 1);
       QVERIFY(QTest::qWaitFor([&] { return !window.is_busy(); }, 60000));
-      QVERIFY(!window.document().is_saved());
-      QCOMPARE(window.document().path(), project);
-      QCOMPARE(window.document().project().materials.size(), std::size_t{300});
-      QVERIFY(window.document().project().materials[0].gloss > 0);  // the child's own edit
+      // The last state is what is offered, or, where it had just been saved, the file.
+      const Project& last = asked == 1 ? window.document().project() : on_disk;
+      QCOMPARE(last.materials.size(), std::size_t{300});
+      if (asked == 1) {
+        QVERIFY(!window.document().is_saved());
+        QCOMPARE(window.document().path(), project);
+      }
+      // The edit before may be the last that anybody heard of: a kill can come in the middle of one.
+      const int round = std::stoi(read_file(folder.filePath(QStringLiteral("round")).toStdString()));
+      QVERIFY2(last.materials[0].gloss == gloss_of_round(round) ||
+                   last.materials[0].gloss == gloss_of_round(round - 1),
+               qPrintable(QStringLiteral("gloss %1 after edit %2").arg(last.materials[0].gloss).arg(round)));
+      QVERIFY(!QFile::exists(window.autosave().file()) || asked == 1);
     }
   }
 
@@ -260,16 +275,14 @@ int save_forever(int argc, char** argv) {
   options.data_folder = options.cache_folder = folder;
   Window window(options);
   const QString project = folder + QStringLiteral("/project.json");
-  QObject::connect(&window, &Window::opened, &window, [&] {
-    QFile(folder + QStringLiteral("/saving")).open(QIODevice::WriteOnly);
-    window.save_to(project);
-  });
   int round = 0;
   const auto again = [&] {
     ProjectMaterial m = window.document().project().materials[0];
-    m.gloss = 0.001 * (1 + ++round % 900);
+    m.gloss = gloss_of_round(++round);
+    write_file((folder + QStringLiteral("/round")).toStdString(), std::to_string(round), true);
     window.document().edit(0, m, QStringLiteral("gloss"), next_press_id());
     window.save_to(project);
+    if (round == 2) write_file((folder + QStringLiteral("/saving")).toStdString(), "", true);
   };
   QObject::connect(&window, &Window::saved, &window, again);
   QObject::connect(&window, &Window::opened, &window, again);
