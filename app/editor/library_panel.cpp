@@ -47,7 +47,6 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
   list_->setGridSize({side + 14, side + 6 + 2 * fontMetrics().height()});
   list_->setResizeMode(QListView::Adjust);
   list_->setMovement(QListView::Static);
-  list_->setUniformItemSizes(true);
   list_->setWordWrap(true);
   list_->setTextElideMode(Qt::ElideRight);
   list_->setDragEnabled(true);

@@ -24,7 +24,8 @@ ViewState view_state_of(const Document& document, const Look& look,
                         std::shared_ptr<const SurfaceTextures> textures) {
   ViewState out;
   const ProjectView& view = document.project().view;
-  const ProjectMaterial nothing;
+  ProjectMaterial nothing;
+  nothing.name = "no material";
   const ProjectMaterial& m = look.preview                     ? *look.preview
                              : document.material() != nullptr ? *document.material()
                                                               : nothing;

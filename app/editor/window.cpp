@@ -134,7 +134,7 @@ void Window::make_panels() {
   QDockWidget* findings = dock(tr("Findings"), "findings", findings_, Qt::BottomDockWidgetArea);
   resizeDocks({library, inspector}, {300, 340}, Qt::Horizontal);
   resizeDocks({library, project}, {480, 240}, Qt::Vertical);
-  resizeDocks({findings}, {130}, Qt::Vertical);
+  resizeDocks({findings}, {150}, Qt::Vertical);
 
   library_panel_->set_library(document_.library());
   connect(&document_, &Document::spectra_changed, this,
