@@ -208,6 +208,11 @@ void validate(const Scene& scene) {
     require(side >= 1 && side <= max_image_side, "size", side, "1 to 16384 pixels on a side");
   if (scene.specular == nullptr && scene.diffuse == nullptr)
     throw Error::at("scene", "has no model", "a specular or a diffuse model");
+  if (scene.specular != nullptr && scene.specular->kind == ModelKind::both && scene.diffuse != nullptr)
+    throw Error::at(
+        "scene",
+        "a diffuse model beside " + std::string(scene.specular->id) + ", which has a diffuse part of its own",
+        "one of them");
   const SurfaceValues& surface = scene.surface;
   require_color(surface.diffuse, "diffuse colour");
   require_color(surface.f0, "F0");

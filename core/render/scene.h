@@ -123,7 +123,7 @@ struct Scene {
   SurfaceValues surface;
   const Model* specular = nullptr;  // may be of kind both; null: no specular part
   std::vector<double> specular_values;
-  const Model* diffuse = nullptr;  // null: no diffuse part (or `specular` is of kind both)
+  const Model* diffuse = nullptr;  // null: no diffuse part; always where `specular` is of kind both
   std::vector<double> diffuse_values;
   std::shared_ptr<const SurfaceTextures>
       textures;                    // in place of the surface's diffuse, opacity, f0 and gloss

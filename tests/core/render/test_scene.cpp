@@ -122,6 +122,12 @@ TEST_CASE("scenes with numbers out of their domain are refused") {
   refused([&](Scene& s) { s.diffuse_values[0] = nan; });
   refused([](Scene& s) { s.field_of_view_deg = 180; });
   refused([](Scene& s) {
+    // A second diffuse part beside the formula's own.
+    for (const Model& model : models())
+      if (model.kind == ModelKind::both) s.specular = &model;
+    s.specular_values = model_values(*s.specular, s.surface, {});
+  });
+  refused([](Scene& s) {
     s.lights.lights.push_back({});
     s.lights.lights[0].intensity = -1;
   });
