@@ -266,7 +266,7 @@ TEST_CASE("pages made slab by slab are the pages made at once") {
     for (const std::string& name : report.files)
       if (name.ends_with(".png")) {
         INFO(name);
-        const bool same = load(out + "/" + name) == load(folder.file("whole") + "/" + name);
+        const bool same = slurp(out + "/" + name) == slurp(folder.file("whole") + "/" + name);
         CHECK(same);
       }
   }
