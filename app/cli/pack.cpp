@@ -159,7 +159,30 @@ void add_output_group(CLI::App& verb, PackArguments& a) {
       ->check(CLI::IsMember({"text", "json", "none"}))
       ->capture_default_str()
       ->group(group);
+  verb.add_option("--page-report", a.page_report,
+                  "HTML page to write: textures, layout, what was left out, findings")
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_option("--page-link", a.page_links, "a link in the head of that page; may be given again")
+      ->type_name("TEXT=TARGET")
+      ->allow_extra_args(false)
+      ->group(group);
   verb.add_flag("--stats", a.stats, "with the time of each stage")->group(group);
+}
+
+void add_finding_options(CLI::App& verb, PackArguments& a) {
+  const std::string group = "Findings";
+  verb.add_option(
+          "--fail-on", a.fail_on,
+          "least severity of the validator's findings that makes the exit status 1: error (default, or "
+          "what etak.toml says), warning, info or never; the atlas is written all the same")
+      ->check(CLI::IsMember({"error", "warning", "info", "never"}))
+      ->group(group);
+  verb.add_flag("--no-validate", a.no_validate, "do not check the pages")->group(group);
+  verb.add_option("--config", a.config, "configuration of the check (default: etak.toml of --out upwards)")
+      ->type_name("FILE")
+      ->group(group);
+  verb.add_flag("--no-config", a.no_config, "look for no etak.toml")->group(group);
 }
 
 void add_run_options(CLI::App& verb, PackArguments& a) {
@@ -188,12 +211,14 @@ void add_pack(CLI::App& app, Verb& chosen) {
   add_leave_out_options(verb, *arguments);
   add_content_options(verb, *arguments);
   add_output_group(verb, *arguments);
+  add_finding_options(verb, *arguments);
   add_run_options(verb, *arguments);
   add_library_options(verb, arguments->library);
   add_pack_rects_options(verb, arguments->rects);
   verb.footer(
       "Texture A holds diffuse and alpha, texture B F0 and gloss, colours sRGB-encoded. All files appear "
-      "together or not at all.\n"
+      "together or not at all. Last come the findings of etak validate for what was written.\n"
+      "Exit status: 0, or 1 when there are findings at or above --fail-on, 2 when something failed.\n"
       "Example:\n  etak pack materials.json --out atlas --page 4096");
   verb.callback([arguments, &chosen] {
     chosen = [arguments] {

@@ -21,12 +21,15 @@ struct PackArguments {
   std::string previous, choice, batch, memory, report = "text", gltf_form = "specular-ior";
   std::vector<std::string> keep, space_of;
   std::string ocio;
+  std::string fail_on, config, page_report;
+  std::vector<std::string> page_links;
   int page = 4096, effort = 100, zstd = 0, scene = -1;
   double max_seconds = 0, extra_area = 5, texel_density = 0;
   std::optional<double> max_error;
   int view_height = 0;
   bool rotate = false, islands = false, bleed = false, all_scenes = false, drop_variants = false;
   bool update = false, dry_run = false, watch = false, stats = false, force = false, quiet = false;
+  bool no_validate = false, no_config = false;
   unsigned threads = 0;
   Library library;
   PackRectsArguments rects;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/pack_jobs.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -65,7 +66,7 @@ int pack_batch(const PackArguments& line) {
     job.library = line.library;
     try {
       if (line.report == "text" && !line.quiet) write_output({}, job.out + ":\n");
-      pack_once(job);
+      status = std::max(status, pack_once(job));
     } catch (const Error& error) {
       complain(error.what());
       status = exit_failure;

@@ -11,7 +11,9 @@
 #include <memory>
 
 #include "app/cli/pack.h"
+#include "app/cli/pack_findings.h"
 #include "app/cli/pack_jobs.h"
+#include "app/cli/pack_page.h"
 #include "core/atlas/pack.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -84,15 +86,18 @@ std::vector<GltfForm> gltf_forms(const std::string& list) {
   return out;
 }
 
-void say(const PackArguments& a, const PackReport& report) {
+void say(const PackArguments& a, const PackReport& report, const PackFindings& findings) {
   OutputArguments remarks;
   remarks.quiet = a.quiet;
   if (a.report == "json")
     write_output({}, report_json(report, a.stats));
   else if (a.report == "text" && !a.quiet)
-    write_output({}, report_text(report, a.stats));
+    write_output({}, report_text(report, a.stats) + findings.text(use_color({})));
   if (a.report != "json")
     for (const std::string& each : report.remarks) remark(remarks, each);
+  // Why the exit status is not 0 is told even where nothing else is.
+  const bool told = a.report == "json" || (a.report == "text" && !a.quiet);
+  if ((findings.failed() || findings.incomplete()) && !told) complain(a.out + ": " + findings.verdict());
 }
 
 // Pictures of regions come and go by the megabyte. The allocator would give each back to the kernel and get
@@ -182,11 +187,15 @@ PackOptions pack_options(const PackArguments& a) {
   return out;
 }
 
-void pack_once(PackArguments& a) {
+int pack_once(PackArguments& a) {
   if (a.input.empty())
     throw Error::at("etak pack", "nothing to pack", "a manifest, a glTF scene or a folder");
   if (a.out.empty()) throw Error::at("etak pack", "no folder to write", "--out DIR");
   PackOptions options = pack_options(a);
+  PackFindings findings(a);
+  findings.attach(options);
+  PackPage page(a);
+  page.attach(options);
   OutputArguments shown;
   shown.quiet = a.quiet;
   std::unique_ptr<Progress> progress;
@@ -194,17 +203,20 @@ void pack_once(PackArguments& a) {
     if (done == 1) progress = std::make_unique<Progress>(shown, all);
     if (progress) progress->advance(1, 0);
   };
-  const PackReport report = pack(a.input, a.out, options, a.library.get());
+  PackReport report = pack(a.input, a.out, options, a.library.get());
   progress.reset();
-  say(a, report);
+  findings.finish(report);
+  page.write(report, findings.report());
+  say(a, report, findings);
+  if (findings.incomplete()) return exit_failure;
+  return findings.failed() ? exit_findings : exit_ok;
 }
 
 int pack_atlas(PackArguments& a) {
   keep_freed_memory();
   if (!a.batch.empty()) return pack_batch(a);
   if (a.watch) return pack_watch(a);
-  pack_once(a);
-  return exit_ok;
+  return pack_once(a);
 }
 
 }  // namespace etak::cli

@@ -9,6 +9,7 @@
 
 #include "app/cli/output.h"
 #include "app/cli/scene_options.h"
+#include "app/cli/shader_atlas.h"
 #include "app/cli/verbs.h"
 #include "core/atlas/variant.h"
 #include "core/base/error.h"
@@ -21,7 +22,7 @@ namespace {
 
 struct ShaderArguments {
   SceneArguments scene;
-  std::string hemispheres, choice, material;
+  std::string hemispheres, choice, layout, material, defines;
   bool es = false, vertex = false;
   OutputArguments output;
 };
@@ -130,9 +131,26 @@ std::string json_form(const GlslText& text, GlslVersion version) {
          ",\n  \"fragment\": " + json_string(text.fragment) + "\n}\n";
 }
 
+// What is fetched from an atlas, when one is named; its constants then stand in for the material.
+std::optional<TextureUse> textures_of(ShaderArguments& arguments) {
+  if (arguments.layout.empty()) {
+    if (!arguments.material.empty() && arguments.choice.empty())
+      throw Error::at("--material", "given alone", "--layout or --choice with it");
+    if (arguments.defines.empty()) return std::nullopt;
+    return defined_use(arguments.defines);
+  }
+  if (!arguments.scene.subject.empty() || !arguments.defines.empty() || !arguments.choice.empty())
+    throw Error::at("--layout", "given beside a material, --choice or --defines", "one of them");
+  AtlasShader atlas = atlas_shader(arguments.layout, arguments.material);
+  arguments.scene.subject = std::move(atlas.subject);
+  return atlas.use;
+}
+
 int run(ShaderArguments& arguments) {
   const GlslVersion version = arguments.es ? GlslVersion::es_300 : GlslVersion::core_330;
-  const GlslText text = glsl_text(shader_scene(arguments), version);
+  const std::optional<TextureUse> textures = textures_of(arguments);
+  const Scene scene = shader_scene(arguments);
+  const GlslText text = textures ? glsl_text(scene, *textures, version) : glsl_text(scene, version);
   write_output(arguments.output, arguments.output.format == "json" ? json_form(text, version)
                                                                    : text_form(text, arguments.vertex));
   return exit_ok;
@@ -158,7 +176,13 @@ void add_shader(CLI::App& app, Verb& chosen) {
   verb.add_option("--choice", arguments->choice,
                   "a material of what etak choose found: its Fresnel form, masking and numbers")
       ->type_name("FILE");
-  verb.add_option("--material", arguments->material, "which of the choice")->type_name("NAME");
+  verb.add_option("--material", arguments->material, "which of the choice or the layout")->type_name("NAME");
+  verb.add_option("--layout", arguments->layout,
+                  "layout.json of etak pack: values that vary come from its textures, the rest are uniforms")
+      ->type_name("FILE");
+  verb.add_option("--defines", arguments->defines,
+                  "what is fetched from the two textures, as etak pack lists it: a file with a define a line")
+      ->type_name("FILE");
   verb.add_flag("--es", arguments->es, "#version 300 es instead of 330 core");
   verb.add_flag("--vertex", arguments->vertex, "the vertex shader instead (JSON holds both)");
   add_output_options(verb, arguments->output, {"text", "json"});

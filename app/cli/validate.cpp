@@ -44,7 +44,7 @@ void add_rule_options(CLI::App& verb, ValidateArguments& a) {
 void add_verdict_options(CLI::App& verb, ValidateArguments& a) {
   const char* group = "Verdict";
   verb.add_option("--fail-on", a.fail_on,
-                  "least severity that fails the run: error (default), warning or info")
+                  "least severity that fails the run: error (default), warning, info or never")
       ->group(group);
   verb.add_option("--max-warnings", a.max_warnings, "more warnings than this fail the run")
       ->type_name("N")

@@ -11,6 +11,9 @@
 
 namespace etak::cli {
 
+/// --fail-on never: findings are told and do not change the exit status.
+inline constexpr const char* never_fails = "never";
+
 /// `etak validate` as typed.
 struct ValidateArguments {
   std::vector<std::string> paths;

@@ -20,6 +20,7 @@
 #include "core/validate/metal_rough.h"
 #include "core/validate/output_formats.h"
 #include "core/validate/rules.h"
+#include "core/validate/scene_use.h"
 #include "core/validate/validate.h"
 
 namespace etak::cli {
@@ -115,6 +116,8 @@ class PictureSource {
     if (index != material_) {
       try {
         files_ = convert_material(scene_->materials[static_cast<std::size_t>(index)], *textures_);
+        hide_unused(*files_, texels_in_use(*scene_, materials_of_one_look(*scene_, static_cast<int>(index)),
+                                           files_->a.width, files_->a.height));
       } catch (const Error&) {
         files_.reset();
       }

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
-#include <filesystem>
 
 #include "app/cli/options.h"
 #include "app/cli/validate.h"
 #include "app/cli/validate_cache.h"
 #include "app/cli/validate_pictures.h"
+#include "app/cli/validate_plan.h"
 #include "app/cli/validate_targets.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -20,87 +19,15 @@
 #include "core/validate/baseline.h"
 #include "core/validate/files.h"
 #include "core/validate/output_formats.h"
-#include "core/validate/rules.h"
 #include "core/validate/sha256.h"
 #include "core/validate/suppress.h"
 
 namespace etak::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* config_name = "etak.toml";
 constexpr std::size_t most_pages_with_pictures = 200;
-
-// What the run goes by: settings, roles, and the folder that labels are relative to.
-struct Plan {
-  ValidateConfig config;
-  std::string config_file;  // empty: none
-  std::string root;         // absolute
-};
-
-// etak.toml in the folder of the first path, or the nearest one above it.
-std::string find_config(const ValidateArguments& arguments) {
-  if (!arguments.config.empty()) return arguments.config;
-  if (arguments.no_config) return {};
-  std::error_code failure;
-  fs::path folder =
-      fs::absolute(arguments.paths.empty() ? "." : arguments.paths.front(), failure).lexically_normal();
-  if (!fs::is_directory(folder, failure)) folder = folder.parent_path();
-  for (;; folder = folder.parent_path()) {
-    const fs::path candidate = folder / config_name;
-    if (fs::is_regular_file(candidate, failure)) {
-      // Messages name it as the user would, where that is short.
-      const fs::path near = candidate.lexically_relative(fs::current_path(failure));
-      return near.empty() || *near.begin() == ".." ? candidate.string() : near.string();
-    }
-    if (folder == folder.parent_path()) return {};
-  }
-}
-
-Plan plan_of(const ValidateArguments& arguments) {
-  Plan plan;
-  plan.config_file = find_config(arguments);
-  std::error_code failure;
-  fs::path root = fs::current_path(failure);
-  if (!plan.config_file.empty()) {
-    const fs::path whole = fs::absolute(plan.config_file, failure).lexically_normal();
-    root = whole.parent_path();
-#ifdef ETAK_HAS_TOML
-    plan.config = parse_config(read_file(plan.config_file), plan.config_file);
-#else
-    throw Error::at(plan.config_file, "this etak was built without toml++",
-                    "one built with it, or --no-config");
-#endif
-  }
-  plan.root = root.string();
-  Settings& settings = plan.config.settings;
-  const auto given = [](const char* option, const std::string& text, auto named, auto& value,
-                        const char* expected) {
-    if (text.empty()) return;
-    const auto found = named(text);
-    if (!found) throw Error::at(option, printable(text), expected);
-    value = *found;
-  };
-  given("--profile", arguments.profile, profile_named, settings.profile, "default, strict, film or custom");
-  given("--transfer", arguments.transfer, texture_transfer_named, settings.transfer,
-        "srgb, gamma22 or linear");
-  settings.transfer_stated = settings.transfer_stated || !arguments.transfer.empty();
-  const auto failing = [](const std::string& text) -> std::optional<Severity> {
-    for (const Severity severity : {Severity::info, Severity::warning, Severity::error})
-      if (text == name(severity)) return severity;
-    return std::nullopt;
-  };
-  given("--fail-on", arguments.fail_on, failing, settings.fail_on, "error, warning or info");
-  const auto alpha = [](const std::string& text) -> std::optional<bool> {
-    if (text == "mask" || text == "transparency") return text == "transparency";
-    return std::nullopt;
-  };
-  given("--alpha", arguments.alpha, alpha, settings.alpha_is_transparency, "mask or transparency");
-  apply_choice(arguments.choice, settings);
-  return plan;
-}
 
 // Puts what was read from standard input back, for the program this one may become.
 void refill_stdin(const std::string& text) {
@@ -131,7 +58,7 @@ std::vector<std::string> listed_files(const std::string& list) {
   return out;
 }
 
-FoundTargets targets_of(const ValidateArguments& arguments, const Plan& plan) {
+FoundTargets targets_of(const ValidateArguments& arguments, const ValidatePlan& plan) {
   TargetRequest request;
   request.paths = arguments.paths;
   request.listed = listed_files(arguments.files_from);
@@ -193,45 +120,8 @@ std::vector<CheckedFile> checked(const FoundTargets& found, const ValidateArgume
   return out;
 }
 
-std::string today_of(const ValidateArguments& arguments) {
-  if (!arguments.today.empty()) return arguments.today;
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  ::localtime_r(&now, &parts);
-  std::array<char, 16> text{};
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts)};
-}
-
-void take_out(ValidationReport& report, const ValidateArguments& arguments, const Plan& plan) {
-  const Settings& settings = plan.config.settings;
-  if (!settings.allow.empty()) {
-    const std::string label = relative_label(plan.config_file, plan.root);
-    const Rule& unused = *find_rule("ETK903");
-    std::error_code failure;
-    const bool whole =
-        std::any_of(arguments.paths.begin(), arguments.paths.end(),
-                    [&](const std::string& path) { return fs::equivalent(path, plan.root, failure); });
-    const auto is_active = [&](std::string_view prefix) {
-      const auto meant = rules_with_prefix(prefix);
-      return std::any_of(meant.begin(), meant.end(),
-                         [&](const Rule* rule) { return severity_of(*rule, settings) != Severity::off; });
-    };
-    const std::string today = today_of(arguments);
-    apply_allowances(report, settings.allow, {today, label, severity_of(unused, settings), whole, is_active});
-  }
-  std::vector<KnownDefect> known;
-  if (!arguments.baseline.empty()) known = read_baseline(read_file(arguments.baseline), arguments.baseline);
-  if (!arguments.write_baseline.empty()) {
-    known = baseline_of(report);
-    write_file(arguments.write_baseline, baseline_json(known), true);
-    remark(arguments.output,
-           arguments.write_baseline + ": " + std::to_string(known.size()) + " findings recorded");
-  }
-  mark_known(report, known);
-}
-
-std::string form_of(const ValidationReport& report, const ValidateArguments& arguments, const Plan& plan,
-                    const std::vector<const CheckTarget*>& targets) {
+std::string form_of(const ValidationReport& report, const ValidateArguments& arguments,
+                    const ValidatePlan& plan, const std::vector<const CheckTarget*>& targets) {
   const Settings& settings = plan.config.settings;
   const OutputOptions options{settings.fail_on, ETAK_VERSION};
   const std::string& format = arguments.output.format;
@@ -296,7 +186,7 @@ int check_files(ValidateArguments& arguments) {
     throw Error::at("etak validate", "nothing to check", "files, folders or --files-from");
   if (!arguments.today.empty() && !is_date(arguments.today))
     throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
-  const Plan plan = plan_of(arguments);
+  const ValidatePlan plan = validate_plan(arguments);
   const Settings& settings = plan.config.settings;
   FoundTargets found = targets_of(arguments, plan);
   std::size_t from_cache = 0;
@@ -304,7 +194,7 @@ int check_files(ValidateArguments& arguments) {
   std::move(found.failed.begin(), found.failed.end(), std::back_inserter(files));
   if (files.empty()) remark(arguments.output, "no file of a kind that etak validate checks was found");
   ValidationReport report = report_of(std::move(files), settings);
-  take_out(report, arguments, plan);
+  take_out_known(report, arguments, plan);
   report = report_of(std::move(report.files), settings);
   report.settings_hash = settings_hash(settings);
   if (arguments.max_warnings && report.warnings > *arguments.max_warnings) report.passed = false;
@@ -317,7 +207,7 @@ int check_files(ValidateArguments& arguments) {
   if (arguments.stats)
     tell_stats(report, found, from_cache, std::chrono::duration<double>(Clock::now() - start).count());
   if (report.incomplete) return exit_failure;
-  return report.passed || arguments.exit_zero ? exit_ok : exit_findings;
+  return report.passed || arguments.exit_zero || arguments.fail_on == never_fails ? exit_ok : exit_findings;
 }
 
 }  // namespace etak::cli

@@ -54,6 +54,7 @@ struct Picture {
   std::string path, stem;  // stem: folder and the name before the role, in lower case
   FileRole role = FileRole::specular_gloss;
   bool guessed = false, companion = false;
+  Named named = Named::by_hand;
 };
 
 // What a pattern leaves of a file name: "crate" for "*_spec.*" and "crate_spec.png"; for other forms the
@@ -233,7 +234,12 @@ class Finder {
   // The role of a picture by its name; none when no pattern matches.
   std::optional<Picture> named_picture(const std::string& path) const {
     const std::string relative = label(path), name = relative.substr(folder_of(relative).size());
-    Picture out{path, lower(path.substr(0, folder_of(path).size())), FileRole::specular_gloss, false, false};
+    Picture out{path,
+                lower(path.substr(0, folder_of(path).size())),
+                FileRole::specular_gloss,
+                false,
+                false,
+                Named::as_companion};
     for (const RolePattern& pattern : request_.patterns)
       if (glob_matches(pattern.pattern, relative)) {
         out.role = pattern.role;
@@ -254,12 +260,13 @@ class Finder {
   void add_picture(const Candidate& candidate) {
     if (request_.role) {
       // Each stands for itself: --role names what it is, and its companion would have another role.
-      pictures_.push_back({candidate.path, candidate.path, *request_.role, false, false});
+      pictures_.push_back({candidate.path, candidate.path, *request_.role, false, false, candidate.named});
       return;
     }
     auto picture = named_picture(candidate.path);
     if (!picture)
       return skip(candidate, "its name tells no role; give --role, or a pattern in [roles] of etak.toml");
+    picture->named = candidate.named;
     pictures_.push_back(std::move(*picture));
   }
 
@@ -301,8 +308,24 @@ class Finder {
   }
 
   // Pictures of one stem: the first of each role form the pair or set, others stand alone.
-  void group(std::span<const Picture> same) {
+  void group(std::span<Picture> same) {
+    const auto has = [&](FileRole role) {
+      return std::ranges::any_of(same, [&](const Picture& picture) { return picture.role == role; });
+    };
+    // Beside metallic or roughness, and without F0, "diffuse" is another word for the base colour.
+    const bool parts = has(FileRole::metallic) || has(FileRole::roughness);
+    const bool metal_rough = parts || has(FileRole::metal_rough);
+    if (metal_rough && !has(FileRole::specular_gloss) && !has(FileRole::base_color))
+      for (Picture& picture : same)
+        if (picture.role == FileRole::diffuse_alpha) picture.role = FileRole::base_color;
     std::vector<char> used(same.size());
+    // They say nothing on their own.
+    if (parts && !has(FileRole::base_color))
+      for (std::size_t i = 0; i < same.size(); ++i)
+        if (same[i].role == FileRole::metallic || same[i].role == FileRole::roughness) {
+          used[i] = 1;
+          if (!same[i].companion) skip({same[i].path, same[i].named}, "there is no base colour beside it");
+        }
     const auto take = [&](std::initializer_list<FileRole> roles) {
       std::vector<const Picture*> members;
       bool wanted = false;
@@ -318,7 +341,8 @@ class Finder {
       return !members.empty();
     };
     while (take({FileRole::diffuse_alpha, FileRole::specular_gloss})) continue;
-    while (take({FileRole::base_color, FileRole::metal_rough})) continue;
+    while (take({FileRole::base_color, FileRole::metal_rough, FileRole::metallic, FileRole::roughness}))
+      continue;
     while (take({FileRole::f0_only})) continue;
   }
 

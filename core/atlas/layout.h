@@ -53,6 +53,8 @@ struct AtlasPage {
 
 struct AtlasLayout {
   GlossForm gloss = GlossForm::schueler;  // what texture B's fourth channel holds
+  // Whether the shader is to multiply diffuse by 1 - F, as glTF's does; Schueler's takes it as it is.
+  bool diffuse_reduced = false;
   int levels = 1;
   std::vector<AtlasPage> pages;
   std::vector<AtlasRect> rects;             // by name, then island

@@ -10,6 +10,7 @@ namespace {
 
 constexpr const char* schema = "etak-atlas-layout/1";
 constexpr int most_depth = 8;
+constexpr const char *reduced = "reduced_when_shading", *as_it_is = "as_it_is";
 
 std::string box_json(const PixelBox& box) {
   return "[" + std::to_string(box.x) + ", " + std::to_string(box.y) + ", " + std::to_string(box.width) +
@@ -161,6 +162,7 @@ std::string layout_json(const AtlasLayout& layout) {
       {"settings_hash", json(layout.settings_hash)},
       {"content_hash", json(layout.content_hash)},
       {"gloss", json(name(layout.gloss))},
+      {"diffuse", json(layout.diffuse_reduced ? reduced : as_it_is)},
       {"levels", std::to_string(layout.levels)},
       {"pages", rows_json(layout.pages, page_json)},
       {"rects", rows_json(layout.rects, rect_json)},
@@ -180,6 +182,12 @@ AtlasLayout parse_layout(std::string_view text, std::string_view file) {
   const auto form = gloss_form_named(root.at("gloss").text());
   if (!form) root.at("gloss").fail_type("schueler, one_minus_roughness or roughness");
   out.gloss = *form;
+  if (root.has("diffuse")) {
+    const std::string diffuse = root.at("diffuse").text();
+    if (diffuse != reduced && diffuse != as_it_is)
+      root.at("diffuse").fail_type("reduced_when_shading or as_it_is");
+    out.diffuse_reduced = diffuse == reduced;
+  }
   out.levels = root.at("levels").integer(1, 15);
   out.settings_hash = root.text_or_empty("settings_hash");
   out.content_hash = root.text_or_empty("content_hash");

@@ -32,6 +32,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* layout_name = "layout.json";
+// Stands for the hash of the settings where the pages' check failed: no settings have it.
+constexpr const char* not_good = "00000000000000000000000000000000";
 // What the texels teach once can teach more only where a material that another one had hidden comes to light.
 constexpr int most_passes = 4;
 
@@ -159,7 +161,7 @@ class Packing {
 
   std::string settings_hash() const {
     ContentHash hash;
-    std::string text = options_.version + '|' + inputs_.settings + '|';
+    std::string text = options_.version + '|' + inputs_.settings + '|' + options_.check_settings + '|';
     for (const std::string& each : options_.keep) text += each + ',';
     for (const std::string& each : options_.write.formats) text += each + ',';
     for (const GltfForm form : options_.forms) text += std::to_string(static_cast<int>(form)) + ',';
@@ -379,6 +381,7 @@ class Packing {
       timed("texels", [&] { composer.texels(p, pixels, learned_, region_done); });
       if (learn()) return false;
       timed("gutters and mips", [&] { composer.mips(p, pixels); });
+      check(p, pixels);
       if (!folder) continue;
       WriteOptions write = options_.write;
       write.threads = options_.threads;
@@ -391,16 +394,28 @@ class Packing {
       });
       if (writes_floats()) timed("floats", [&] { write_floats(*folder, p, compose); });
     }
+    check(static_cast<int>(plan_.pages.size()), pixels);
     pixels.release();
-    timed("table", [&] { layout_ = make_layout(); });
+    timed("table", [&] {
+      layout_ = make_layout();
+      layout_.settings_hash = good_ ? settings_hash() : not_good;
+      layout_.content_hash = content_hash_.empty() ? content_hash() : content_hash_;
+    });
     if (folder) timed("commit", [&] { commit(*folder); });
     return true;
   }
 
-  // Where a page can be made slab by slab: what else is written of it needs it whole.
+  // Where a page can be made slab by slab: what else is written of it, and the check, need
+  // it whole.
   std::vector<int> cuts_of(const Composer& composer, int p) const {
-    if (scene_ || options_.write.formats != std::vector<std::string>{"png"}) return {};
+    if (options_.check_page || scene_ || options_.write.formats != std::vector<std::string>{"png"}) return {};
     return page_cuts(composer, regions_, plan_, p, page_levels(p), options_.bleed);
+  }
+
+  void check(int page, const PagePixels& pixels) {
+    if (page == 0) good_ = true;
+    if (!options_.check_page) return;
+    timed("validate", [&] { good_ = options_.check_page(make_layout(), page, pixels) && good_; });
   }
 
   void check_memory(int p) const {
@@ -465,6 +480,7 @@ class Packing {
   AtlasLayout make_layout() {
     AtlasLayout out;
     out.gloss = inputs_.gloss;
+    out.diffuse_reduced = scene_ != nullptr;
     for (int p = 0; p < static_cast<int>(plan_.pages.size()); ++p) {
       const Page& page = plan_.pages[static_cast<std::size_t>(p)];
       AtlasPage row{page.width, page.height, {}};
@@ -488,8 +504,6 @@ class Packing {
       out.materials.push_back(std::move(row));
       if (fate.texels) add_rects(m, fate.owner, out);
     }
-    out.settings_hash = settings_hash();
-    out.content_hash = content_hash_.empty() ? content_hash() : content_hash_;
     return out;
   }
 
@@ -654,6 +668,7 @@ class Packing {
   std::optional<AtlasLayout> old_, previous_;
   std::vector<std::string> owned_;
   std::string content_hash_;
+  bool good_ = true;  // what options_.check_page says of all pages
   std::vector<Learned> learned_;
   LeaveOut left_out_;
   std::vector<Region> regions_;

@@ -24,6 +24,8 @@ namespace etak {
 // The street from a list of materials to an atlas on disk (target etak::pack, no part of etak::core: it reads
 // and writes picture files).
 
+using PageCheck = std::function<bool(const AtlasLayout&, int page, const PagePixels&)>;
+
 struct PackOptions {
   // input
   std::string pattern = "{name}_{role}.png";  // of a folder
@@ -65,6 +67,12 @@ struct PackOptions {
   std::string version;  // of the program: part of the settings
   std::function<void(std::size_t done, std::size_t all)> progress;
   std::function<bool()> cancelled;  // asked between regions, pages and stages, from any thread; true: stop
+  // Called with every page when its pixels are whole, before they are written; says whether they are good
+  // enough. Pages begin again at 0 when what later ones teach changes the layout, whose hashes are not known
+  // yet. Last comes the number of pages, for materials that are on none. An atlas with a page that is not
+  // good enough is written, but never up to date.
+  PageCheck check_page;
+  std::string check_settings;  // what the check goes by: part of the settings
 };
 
 /// Thrown by pack() when PackOptions::cancelled said so: the folder is as it was.
@@ -103,6 +111,7 @@ struct PackReport {
   std::vector<std::string> files, remarks;
   std::vector<PackStage> stages;
   std::vector<ReducedRegion> reduced;
+  std::string validation;  // JSON of the validator's report on the pages; empty: they were not checked
   GlossForm gloss = GlossForm::schueler;
 };
 

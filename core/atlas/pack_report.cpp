@@ -131,6 +131,7 @@ std::string report_json(const PackReport& r, bool stages) {
       {"files", list_json(r.files, quoted)},
       {"remarks", list_json(r.remarks, quoted)},
   };
+  if (!r.validation.empty()) members.push_back({"validation", r.validation});
   if (stages)
     members.push_back({"stages", list_json(r.stages, [](const PackStage& stage) {
                          return "{\"name\": " + json(stage.name) + ", \"seconds\": " + json(stage.seconds) +

@@ -256,6 +256,27 @@ class FloatTexture {
   GLuint id_ = 0;
 };
 
+// Codes of four channels, colours sRGB-encoded, texel by texel.
+class CodeTexture {
+ public:
+  CodeTexture(int unit, const Image8& rgba) {
+    glGenTextures(1, &id_);
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, rgba.width, rgba.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 rgba.values.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  }
+  ~CodeTexture() { glDeleteTextures(1, &id_); }
+  CodeTexture(const CodeTexture&) = delete;
+  CodeTexture& operator=(const CodeTexture&) = delete;
+
+ private:
+  GLuint id_ = 0;
+};
+
 // The GL's clock around what is drawn between start and stop.
 class GpuClock {
  public:
@@ -358,6 +379,15 @@ class Prepared {
   std::vector<std::unique_ptr<FloatTexture>> textures_;
 };
 
+// A picture of the rows that the GL gives from the bottom.
+Image rows_down(const Scene& scene, const std::vector<float>& rows_up) {
+  Image out(scene.width, scene.height, 4);
+  const std::ptrdiff_t row = scene.width * std::ptrdiff_t{4};
+  for (int y = 0; y < scene.height; ++y)
+    std::copy_n(rows_up.begin() + (scene.height - 1 - y) * row, row, out.values.begin() + y * row);
+  return out;
+}
+
 }  // namespace
 
 GlRunner::GlRunner() : state_(std::make_unique<State>()) {}
@@ -403,11 +433,26 @@ Image GlRunner::render(const Scene& scene, const Environment* environment, std::
   clock.stop();
   const std::vector<float> rows_up = State::read_rows_up(scene.width, scene.height);
   if (gpu_ms != nullptr) *gpu_ms = clock.milliseconds();
-  Image out(scene.width, scene.height, 4);
-  const std::ptrdiff_t row = scene.width * std::ptrdiff_t{4};
-  for (int y = 0; y < scene.height; ++y)
-    std::copy_n(rows_up.begin() + (scene.height - 1 - y) * row, row, out.values.begin() + y * row);
-  return out;
+  return rows_down(scene, rows_up);
+}
+
+Image GlRunner::render(const Scene& scene, const TextureUse& use, const Image8& diffuse_alpha,
+                       const Image8& specular_gloss) {
+  validate(scene);
+  Scene linear = scene;
+  linear.exposure = 1;
+  linear.transfer = Transfer::linear;
+  linear.lights.environment.clear();
+  const Target target(GL_RGBA32F, scene.width, scene.height);
+  glClearColor(static_cast<float>(scene.background[0]), static_cast<float>(scene.background[1]),
+               static_cast<float>(scene.background[2]), 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  const Program& program = state_->use(glsl_text(linear, use));
+  const CodeTexture a(0, diffuse_alpha), b(1, specular_gloss);
+  program.set_sampler("diffuse_alpha", 0);
+  program.set_sampler("specular_gloss", 1);
+  State::draw();
+  return rows_down(scene, State::read_rows_up(scene.width, scene.height));
 }
 
 std::vector<std::array<float, 3>> GlRunner::evaluate(const Model& model, const std::vector<double>& values,

@@ -46,6 +46,11 @@ class GlRunner {
   Image render(const Scene& scene, const Environment* environment = nullptr,
                std::optional<double>* gpu_ms = nullptr);
 
+  /// A scene whose material is in a texture pair, RGBA with sRGB-encoded colours, one texel at a time; whoever
+  /// looks through a mask sees the background. Linear as render().
+  Image render(const Scene& scene, const TextureUse& use, const Image8& diffuse_alpha,
+               const Image8& specular_gloss);
+
   /// f_r of the model, one row of three per pair of directions.
   std::vector<std::array<float, 3>> evaluate(const Model& model, const std::vector<double>& values,
                                              const std::vector<Directions>& directions);

@@ -10,8 +10,10 @@
 #include "core/base/number.h"
 #include "core/render/camera.h"
 #include "core/render/environment.h"
+#include "core/render/glsl_glue.h"
 #include "core/render/glsl_source.h"
 #include "core/render/surface_textures.h"
+#include "core/render/texture_fetch.h"
 
 namespace etak {
 namespace {
@@ -31,69 +33,6 @@ std::string decimal(double value) {
   const std::string text = number(value, 9);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
-
-std::string type_name(int width) {
-  return width == 1 ? "float" : "vec" + std::to_string(width);
-}
-
-// Grows the glue: the part of the text that is this scene's own.
-class Glue {
- public:
-  GlslText text;
-
-  void line(std::string_view code) { (body_ += code) += '\n'; }
-
-  void use(std::string name, std::string detail) {
-    text.features.push_back({std::move(name), true, std::move(detail)});
-  }
-  void leave_out(std::string name, std::string reason) {
-    text.features.push_back({std::move(name), false, std::move(reason)});
-  }
-
-  void uniform(const std::string& name, double value) {
-    add({name, 1, 1, false, {static_cast<float>(value)}});
-  }
-  void uniform(const std::string& name, const Vec3& value) { add({name, 3, 1, false, floats(value)}); }
-  void uniform(const std::string& name, double x, double y) {
-    add({name, 2, 1, false, {static_cast<float>(x), static_cast<float>(y)}});
-  }
-  // A uniform that the caller sets.
-  void declare(const std::string& type, const std::string& name) {
-    declarations_ += "uniform " + type + ' ' + name + ";\n";
-  }
-  // One of the vertex shader's own.
-  void vertex_uniform(GlslUniform uniform) { text.uniforms.push_back(std::move(uniform)); }
-  void uniforms(const std::string& name, int width, const std::vector<float>& values) {
-    add({name, width, static_cast<int>(values.size()) / width, true, values});
-  }
-
-  static std::vector<float> floats(const Vec3& v) {
-    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
-  }
-
-  GlslText finish(GlslVersion version) && {
-    const std::string glue = declarations_ + '\n' + body_;
-    const std::string head =
-        "#version " + std::string(name(version)) + '\n' +
-        (version == GlslVersion::es_300 ? "precision highp float;\nprecision highp int;\n"
-                                          "precision highp sampler2D;\n"
-                                        : "");
-    const std::string_view vertex =
-        glsl_file(text.corners > 3 ? "shaders/around_object.vert" : "shaders/full_screen.vert");
-    text.vertex = head + std::string(vertex.substr(vertex.find('\n') + 1));
-    text.fragment = head + "#define real float\n\n" + glsl_needed_by(glue) + "// ---- this scene\n" + glue;
-    return std::move(text);
-  }
-
- private:
-  void add(GlslUniform uniform) {
-    declarations_ += "uniform " + type_name(uniform.width) + ' ' + uniform.name +
-                     (uniform.array ? "[" + std::to_string(uniform.count) + "]" : "") + ";\n";
-    text.uniforms.push_back(std::move(uniform));
-  }
-
-  std::string declarations_, body_;
-};
 
 // What a parameter is at a texel; as TexturedValues has it.
 std::string from_texture(const Parameter& parameter) {
@@ -115,18 +54,58 @@ std::string from_texture(const Parameter& parameter) {
   }
 }
 
+// A parameter whose value a texture holds, as GLSL; "" for one that is a uniform.
+std::string fetched_value(const Model& model, const Parameter& parameter, const TextureUse& textures) {
+  switch (parameter.role) {
+    case Role::diffuse:
+      return textures.diffuse ? "texel_diffuse" : "";
+    case Role::f0:
+      return textures.specular ? "texel_f0" : "";
+    case Role::f82:
+    case Role::n:
+    case Role::k:
+      if (textures.specular)
+        throw Error::at(std::string(model.id),
+                        "needs " + std::string(parameter.name) + ", which no texture holds",
+                        "a model of F0 and gloss, such as schueler-optimized or ggx-schlick");
+      return "";
+    case Role::gloss:
+      return textures.gloss ? "texel_gloss" : "";
+    case Role::alpha:
+      return textures.gloss ? "exponent_alpha(gloss_exponent(texel_gloss))" : "";
+    case Role::exponent:
+      return textures.gloss ? "gloss_exponent(texel_gloss)" : "";
+    case Role::other:
+      break;
+  }
+  return "";
+}
+
 // Declares the model's parameters as uniforms, "specular_K", and gives the call that evaluates it. `opacity`
 // scales what is diffuse in it: every model is linear in its diffuse colour.
 //   textured   parameters that follow a texture are taken from body_here and gloss_here
-std::string model_call(Glue& glue, const std::string& part, const Model& model,
-                       const std::vector<double>& values, double opacity, bool textured = false) {
+std::string model_call(GlslGlue& glue, const std::string& part, const Model& model,
+                       const std::vector<double>& values, double opacity, bool textured = false,
+                       const TextureUse* textures = nullptr) {
   if (values.size() != model.value_count())
     throw Error::at(model.id, std::to_string(values.size()) + " values",
                     std::to_string(model.value_count()) + " for its parameters");
   std::string call = std::string(model.entry) + "(a";
   std::size_t at = 0;
   for (const Parameter& parameter : model.parameters) {
+    if (const std::string fetched = textures == nullptr ? "" : fetched_value(model, parameter, *textures);
+        !fetched.empty()) {
+      at += parameter.color ? 3 : 1;
+      call += ", " + fetched;
+      continue;
+    }
     const std::string uniform = part + '_' + std::string(parameter.name);
+    if (textures != nullptr && textures->scalar_f0 && parameter.color && parameter.role == Role::f0) {
+      glue.uniform(uniform, values[at]);
+      at += 3;
+      call += ", vec3(" + uniform + ")";
+      continue;
+    }
     const double scale = parameter.role == Role::diffuse ? opacity : 1;
     if (textured && follows_texture(model, parameter)) {
       at += parameter.color ? 3 : 1;
@@ -139,7 +118,12 @@ std::string model_call(Glue& glue, const std::string& part, const Model& model,
       glue.uniform(uniform, values[at] * scale);
     at += parameter.color ? 3 : 1;
     call += ", " + uniform;
+    if (parameter.role == Role::diffuse && textures != nullptr && textures->alpha == TextureUse::Alpha::blend)
+      call += " * texel_opacity";
   }
+  if (textures != nullptr && textures->gloss && model.derived_count() > 0)
+    throw Error::at(std::string(model.id), "has numbers that are computed from gloss beforehand",
+                    "a model that can take gloss from a texture, such as schueler-optimized or ggx-schlick");
   std::vector<double> derived(model.derived_count());
   model.derive(values.data(), derived.data());
   for (std::size_t i = 0; i < derived.size(); ++i) {
@@ -186,17 +170,19 @@ bool shines(const Light& light) {
 // The text of one scene, part by part.
 class SceneText {
  public:
-  SceneText(const Scene& scene, const GlslDisplay* display)
+  SceneText(const Scene& scene, const GlslDisplay* display, const TextureUse* textures)
       : scene_(scene),
         display_(display),
+        textures_(textures),
         camera_(scene),
         textured_(scene.textures != nullptr),
-        opacity_(scene.surface.opacity),
+        opacity_(textures != nullptr ? 1 : scene.surface.opacity),
         lit_(std::ranges::any_of(scene.lights.lights, shines)) {}
 
   GlslText finish(GlslVersion version) {
     if (display_ != nullptr) glue_.line(display_->text);
     textures();
+    if (textures_ != nullptr) fetches();
     brdf();
     lights();
     hemispheres();
@@ -242,7 +228,8 @@ class SceneText {
     if (specular == nullptr && diffuse == nullptr)
       throw Error::at("scene", "no model", "a specular or a diffuse one");
     const bool both = specular != nullptr && specular->kind == ModelKind::both;
-    const bool black = !textured_ && body_is_black(both);
+    const bool fetched = textures_ != nullptr && textures_->diffuse;
+    const bool black = !textured_ && !fetched && body_is_black(both);
     has_diffuse_ = !black && (both || diffuse != nullptr);
     if (!lit_) {
       // Hemispheres and environment have forms of their own.
@@ -251,7 +238,8 @@ class SceneText {
       return;
     }
     if (specular != nullptr) {
-      brdf_ = model_call(glue_, "specular", *specular, scene_.specular_values, opacity_, textured_);
+      brdf_ =
+          model_call(glue_, "specular", *specular, scene_.specular_values, opacity_, textured_, textures_);
       glue_.use("specular", std::string(specular->id));
     } else {
       glue_.leave_out("specular", "no specular model");
@@ -260,7 +248,7 @@ class SceneText {
       glue_.use("diffuse", "part of " + std::string(specular->id));
     } else if (has_diffuse_) {
       brdf_ += brdf_.empty() ? "" : " + ";
-      brdf_ += model_call(glue_, "diffuse", *diffuse, scene_.diffuse_values, opacity_, textured_);
+      brdf_ += model_call(glue_, "diffuse", *diffuse, scene_.diffuse_values, opacity_, textured_, textures_);
       glue_.use("diffuse", std::string(diffuse->id));
     } else {
       glue_.leave_out("diffuse", diffuse == nullptr ? "no diffuse model" : "K_d is 0");
@@ -393,22 +381,32 @@ class SceneText {
 
   std::string no_body() const { return is_black(scene_.surface.diffuse) ? "K_d is 0" : "no diffuse model"; }
 
-  std::string body_color() const { return textured_ ? "(body_here.xyz * body_here.w)" : "body_K"; }
-  std::string gloss_color() const { return textured_ ? "gloss_here.xyz, gloss_here.w" : "gloss_K, gloss"; }
+  std::string body_color() const { return textured_ ? "(body_here.xyz * body_here.w)" : body_; }
+  std::string gloss_color() const {
+    return textured_ ? "gloss_here.xyz, gloss_here.w" : mirror_f0_ + ", " + mirror_gloss_;
+  }
 
   void body_uniform() {
     if (textured_) return;
-    if (!std::exchange(body_declared_, true))
+    if (textures_ != nullptr && textures_->diffuse)
+      body_ = "texel_diffuse";
+    else if (textures_ != nullptr && textures_->alpha == TextureUse::Alpha::blend)
+      body_ = "(body_K * texel_opacity)";
+    if (body_ != "texel_diffuse" && !std::exchange(body_declared_, true))
       glue_.uniform("body_K", scaled(scene_.surface.diffuse, opacity_));
   }
 
   // What hemispheres and environment need of the mirror direction.
   void mirror() {
     if (std::exchange(mirror_declared_, true)) return;
-    if (!textured_) {
+    if (textures_ != nullptr && textures_->specular)
+      mirror_f0_ = "texel_f0";
+    else if (!textured_)
       glue_.uniform("gloss_K", scene_.surface.f0);
+    if (textures_ != nullptr && textures_->gloss)
+      mirror_gloss_ = "texel_gloss";
+    else if (!textured_)
       glue_.uniform("gloss", scene_.surface.gloss);
-    }
     light_code_ += "  float nv = dot(n, v);\n  vec3 mirrored = 2.0 * nv * n - v;\n";
   }
 
@@ -431,6 +429,7 @@ class SceneText {
       glue_.line("    body_here = texture(surface_body, texel_at);");
       glue_.line("    gloss_here = texture(surface_gloss, texel_at);");
     }
+    if (fetching_) glue_.line("    fetch(p.xy);");
     glue_.line("    vec3 object = shade(p, n, v);");
     transparency();
     marks();
@@ -508,6 +507,14 @@ class SceneText {
     }
   }
 
+  void fetches() {
+    TextureFetch fetch = texture_fetch(*textures_, scene_.surface.opacity);
+    fetching_ = fetch.any;
+    glue_.line(fetch.code);
+    for (GlslUniform& uniform : fetch.uniforms) glue_.add(std::move(uniform));
+    for (GlslFeature& feature : fetch.features) glue_.text.features.push_back(std::move(feature));
+  }
+
   // A polygon around the object: on a rasteriser without a GPU the pixels beside it cost as much as those on
   // it.
   void fan(bool sphere) {
@@ -572,6 +579,15 @@ class SceneText {
           "background;");
       return glue_.use("transparency", "of the texture");
     }
+    if (textures_ != nullptr && textures_->alpha == TextureUse::Alpha::blend) {
+      std::string f0 = "dot(texel_f0, vec3(0.2126, 0.7152, 0.0722))";
+      if (!textures_->specular) {
+        glue_.uniform("f0_luminance", luminance(scene_.surface.f0));
+        f0 = "f0_luminance";
+      }
+      glue_.line("    object += (1.0 - fresnel_opacity(texel_opacity, " + f0 + ", dot(n, v))) * background;");
+      return glue_.use("transparency", "alpha blends");
+    }
     if (opacity_ >= 1) return glue_.leave_out("transparency", "opacity is 1");
     const Vec3& f0 = scene_.surface.f0;
     glue_.uniform("opacity", opacity_);
@@ -617,12 +633,15 @@ class SceneText {
 
   const Scene& scene_;
   const GlslDisplay* display_;
+  const TextureUse* textures_;  // null: uniforms say everything
   const Camera camera_;
   const bool textured_;
   const double opacity_;
-  Glue glue_;
+  GlslGlue glue_;
   std::string brdf_, light_code_;
-  bool lit_;  // some discrete light meets some model
+  std::string body_ = "body_K", mirror_f0_ = "gloss_K", mirror_gloss_ = "gloss";  // names of the values
+  bool lit_;               // some discrete light meets some model
+  bool fetching_ = false;  // some texture is read
   bool has_diffuse_ = false, body_declared_ = false, mirror_declared_ = false;
 };
 
@@ -639,11 +658,15 @@ const GlslFeature* GlslText::feature(std::string_view feature_name) const {
 }
 
 GlslText glsl_text(const Scene& scene, GlslVersion version, const GlslDisplay* display) {
-  return SceneText(scene, display).finish(version);
+  return SceneText(scene, display, nullptr).finish(version);
+}
+
+GlslText glsl_text(const Scene& scene, const TextureUse& textures, GlslVersion version) {
+  return SceneText(scene, nullptr, &textures).finish(version);
 }
 
 GlslText glsl_evaluation_text(const Model& model, const std::vector<double>& values, GlslVersion version) {
-  Glue glue;
+  GlslGlue glue;
   const std::string call = model_call(glue, "model", model, values, 1);
   glue.line("uniform sampler2D to_light, to_viewer;\nout vec4 value;\n");
   glue.line("void main() {\n  ivec2 at = ivec2(gl_FragCoord.xy);");
@@ -656,7 +679,7 @@ GlslText glsl_expression_text(std::string_view expression, GlslVersion version) 
   // Numbers come times a uniform of 1: what has no unknowns is computed by the compiler, not by the GPU.
   std::string code(expression);
   for (std::size_t at = 0; (at = code.find("real(", at)) != code.npos; at += 6) code.replace(at, 4, "given");
-  Glue glue;
+  GlslGlue glue;
   glue.uniform("one", 1);
   glue.line("out vec4 value;\nfloat given(float x) {\n  return x * one;\n}");
   glue.line("void main() {\n  value = vec4(" + real_literals(code) + ");\n}");

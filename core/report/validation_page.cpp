@@ -8,6 +8,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "core/report/base64.h"
 #include "core/report/page_style.h"
 #include "core/report/validation_pictures.h"
 #include "core/validate/output_formats.h"
@@ -49,20 +50,6 @@ constexpr std::string_view validation_css = R"css(
 .clean { columns: 22rem; font-size: 0.87rem; padding-left: 1.1rem; overflow-wrap: anywhere; }
 article h3 { margin: 0; overflow-wrap: anywhere; }
 )css";
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += i + k <= bytes.size() ? letters[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return out;
-}
 
 // ---- histogram
 

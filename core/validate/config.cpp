@@ -33,7 +33,9 @@ const std::vector<RolePattern>& default_roles() {
     add(FileRole::diffuse_alpha, {"_diffuse_alpha", "_diffusealpha", "_diff", "_diffuse"});
     add(FileRole::specular_gloss, {"_specular_gloss", "_speculargloss", "_specgloss", "_spec", "_specular"});
     add(FileRole::f0_only, {"_f0"});
-    add(FileRole::base_color, {"_basecolor", "_base_color", "_basecoloralpha"});
+    add(FileRole::base_color, {"_basecolor", "_base_color", "_basecoloralpha", "_albedo"});
+    add(FileRole::metallic, {"_metallic", "_metalness", "_metal"});
+    add(FileRole::roughness, {"_roughness", "_rough"});
     add(FileRole::metal_rough, {"_metallicroughness", "_metalrough", "_occlusionroughnessmetallic",
                                 "_occlusionroughmetal", "_orm", "_arm"});
     return out;

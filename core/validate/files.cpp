@@ -13,17 +13,20 @@
 #include "core/base/parallel.h"
 #include "core/scene/gltf.h"
 #include "core/validate/engine.h"
+#include "core/validate/flat_rows.h"
 #include "core/validate/material_evidence.h"
 #include "core/validate/metal_rough.h"
 #include "core/validate/open_pictures.h"
 #include "core/validate/rules.h"
+#include "core/validate/scene_use.h"
 
 namespace etak {
 
 namespace {
 
-bool has_role(const CheckTarget& target, FileRole role) {
-  return std::ranges::any_of(target.files, [&](const TargetFile& file) { return file.role == role; });
+bool is_metal_rough(const CheckTarget& target) {
+  return std::ranges::any_of(target.files,
+                             [](const TargetFile& file) { return MetalRoughSet::is_part(file.role); });
 }
 
 const TargetFile* with_role(const CheckTarget& target, std::initializer_list<FileRole> roles) {
@@ -32,9 +35,10 @@ const TargetFile* with_role(const CheckTarget& target, std::initializer_list<Fil
   return nullptr;
 }
 
-std::unique_ptr<RowSource> open_role(const CheckTarget& target, std::initializer_list<FileRole> roles) {
+std::unique_ptr<RowSource> open_role(const CheckTarget& target, const PictureOpener& opener,
+                                     std::initializer_list<FileRole> roles) {
   const TargetFile* file = with_role(target, roles);
-  return file == nullptr ? nullptr : open_picture(file->path);
+  return file == nullptr ? nullptr : opener(*file);
 }
 
 PictureEvidence picture_evidence(const TargetFile& file, const TextureHeader& header) {
@@ -46,14 +50,14 @@ PictureEvidence picture_evidence(const TargetFile& file, const TextureHeader& he
 }
 
 // A pair, or F0 alone: read in strips.
-void check_pair(const CheckTarget& target, const Settings& settings, unsigned threads, Evidence& evidence,
-                CheckedFile& file) {
+void check_pair(const CheckTarget& target, const PictureOpener& opener, const Settings& settings,
+                unsigned threads, Evidence& evidence, CheckedFile& file) {
   const auto open = [&](Needs needs) {
     PictureRows rows;
     if (needs.has(Need::header) || needs.has(Need::bytes_a) || needs.has(Need::floats))
-      rows.a = open_role(target, {FileRole::diffuse_alpha});
+      rows.a = open_role(target, opener, {FileRole::diffuse_alpha});
     if (needs.has(Need::header) || needs.has(Need::bytes_b) || needs.has(Need::floats))
-      rows.b = open_role(target, {FileRole::specular_gloss, FileRole::f0_only});
+      rows.b = open_role(target, opener, {FileRole::specular_gloss, FileRole::f0_only});
     for (const auto& [source, roles] :
          {std::pair(rows.a.get(), std::vector{FileRole::diffuse_alpha}),
           std::pair(rows.b.get(), std::vector{FileRole::specular_gloss, FileRole::f0_only})})
@@ -74,6 +78,11 @@ void check_pair(const CheckTarget& target, const Settings& settings, unsigned th
       rows.b.reset();
       ++file.stats.pictures_left_out;
     }
+    // What an atlas has left out of its pages because it does not vary.
+    const TextureHeader* page = rows.a ? &rows.a->header() : rows.b ? &rows.b->header() : nullptr;
+    const int width = page == nullptr ? 0 : page->width, height = page == nullptr ? 0 : page->height;
+    if (needs.has(Need::bytes_a) && !rows.a) rows.a = flat_rows(target, 0, width, height);
+    if (needs.has(Need::bytes_b) && !rows.b) rows.b = flat_rows(target, 1, width, height);
     return rows;
   };
   look_at_pixels(target, open, settings, threads, evidence, file);
@@ -89,14 +98,13 @@ PictureRows rows_of_pictures(const LoadedPictures& pictures) {
 
 void check_metal_rough(const CheckTarget& target, const Settings& settings, unsigned threads,
                        Evidence& evidence, CheckedFile& file) {
-  const MetalRoughSet set = metal_rough_set(target);
-  ScenePictures pictures(set.images);
+  MetalRoughSet set(target);
   int image = 0;
   for (const TargetFile& part : target.files)
-    if (part.role == FileRole::base_color || part.role == FileRole::metal_rough)
-      evidence.headers.push_back(picture_evidence(part, pictures.header(image++)));
+    if (MetalRoughSet::is_part(part.role))
+      evidence.headers.push_back(picture_evidence(part, set.header(image++)));
   evidence.metal_rough = true;
-  const LoadedPictures converted = convert_material(set.material, pictures);
+  const LoadedPictures converted = set.convert();
   CheckTarget weighed = target;
   weighed.manifest.specular_weighs_diffuse = true;
   look_at_pixels(
@@ -116,20 +124,8 @@ std::string label_beside(const TargetFile& scene, const std::string& path) {
   return (std::filesystem::path(scene.label).parent_path() / relative).generic_string();
 }
 
-// Whether two materials give the same pictures: all but name, normals and sides.
-bool same_texels(const GltfMaterial& a, const GltfMaterial& b) {
-  const auto image = [](const std::optional<GltfTexture>& t) { return t ? t->image : -1; };
-  const auto key = [&](const GltfMaterial& m) {
-    return std::tuple(m.base_color, image(m.base_color_texture), m.metallic, m.roughness,
-                      image(m.metallic_roughness_texture), m.ior, m.specular, image(m.specular_texture),
-                      m.specular_color, image(m.specular_color_texture), m.specular_glossiness, m.diffuse,
-                      image(m.diffuse_texture), m.specular_f0, m.glossiness,
-                      image(m.specular_glossiness_texture), m.alpha_mode);
-  };
-  return key(a) == key(b);
-}
-
-// Every used material is judged on its own; a texture that two of them use has its header judged once.
+// Every used material is judged on its own, where triangles read its texels; a texture that two of them use
+// has its header judged once.
 void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, const Settings& settings,
                  unsigned threads, CheckedFile& file) {
   const GltfScene scene = read_gltf(file_of_scene.path, GltfOptions{});
@@ -146,11 +142,11 @@ void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, con
     const auto index = static_cast<std::size_t>(material.index);
     if (!scene.material_used[index] || done[index]) continue;
     // Materials of one look are judged once, under all their names.
-    std::string names = material.name;
-    for (std::size_t other = index + 1; other < scene.materials.size(); ++other) {
-      if (!scene.material_used[other] || !same_texels(material, scene.materials[other])) continue;
-      done[other] = true;
-      names += ", " + scene.materials[other].name;
+    const std::vector<int> users = materials_of_one_look(scene, material.index);
+    std::string names;
+    for (const int user : users) {
+      done[static_cast<std::size_t>(user)] = true;
+      names += (names.empty() ? "" : ", ") + scene.materials[static_cast<std::size_t>(user)].name;
     }
     CheckTarget part;
     part.label = file_of_scene.label;
@@ -170,9 +166,12 @@ void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, con
     Evidence evidence;
     evidence.metal_rough = !material.specular_glossiness;
     CheckedFile one;
-    const LoadedPictures converted = convert_material(material, pictures);
+    LoadedPictures converted = convert_material(material, pictures);
+    const std::size_t hidden =
+        hide_unused(converted, texels_in_use(scene, users, converted.a.width, converted.a.height));
     look_at_pixels(
         part, [&](Needs) { return rows_of_pictures(converted); }, settings, threads, evidence, one);
+    forget_unused(evidence, hidden);
     // An opaque material's alpha is not looked at by anybody.
     if (evidence.a) evidence.a->header.channels = material.alpha_mode == AlphaMode::opaque || !color ? 3 : 4;
     if (evidence.b && !second) evidence.b->header.channels = evidence.metal_rough ? 3 : 4;
@@ -243,6 +242,12 @@ std::string relabelled(std::string message, const CheckTarget& target) {
 }  // namespace
 
 CheckedFile check(const CheckTarget& target, const Settings& settings, unsigned threads) {
+  return check(
+      target, [](const TargetFile& file) { return open_picture(file.path); }, settings, threads);
+}
+
+CheckedFile check(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
+                  unsigned threads) {
   const Settings own = settings_for(target, settings);
   CheckedFile file = checked_file_of(target);
   Evidence evidence;
@@ -251,10 +256,10 @@ CheckedFile check(const CheckTarget& target, const Settings& settings, unsigned 
       check_scene(*scene, target, own, threads, file);
     else if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
       check_material(*material, evidence);
-    else if (has_role(target, FileRole::base_color) || has_role(target, FileRole::metal_rough))
+    else if (is_metal_rough(target))
       check_metal_rough(target, own, threads, evidence, file);
     else
-      check_pair(target, own, threads, evidence, file);
+      check_pair(target, open, own, threads, evidence, file);
   } catch (const Error& error) {
     evidence.unreadable.push_back(relabelled(error.what(), target));
     evidence.tiles.clear();
@@ -273,6 +278,8 @@ CheckedFile check(const CheckTarget& target, const Settings& settings, unsigned 
     file.unreadable = true;
   }
   judge(target, evidence, own, file);
+  if (target.files.empty())  // numbers of a layout, which have no place in a picture
+    for (Finding& finding : file.findings) forget_place(finding);
   sort_findings(file);
   return file;
 }
@@ -317,11 +324,7 @@ PicturesInMemory LoadedPictures::in_memory() const {
 }
 
 LoadedPictures load_pictures(const CheckTarget& target, const Settings&) {
-  if (has_role(target, FileRole::base_color) || has_role(target, FileRole::metal_rough)) {
-    const MetalRoughSet set = metal_rough_set(target);
-    ScenePictures pictures(set.images);
-    return convert_material(set.material, pictures);
-  }
+  if (is_metal_rough(target)) return MetalRoughSet(target).convert();
   LoadedPictures out;
   const auto load = [](const TargetFile* file, Image8& to) {
     if (file == nullptr) return;

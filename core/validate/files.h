@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +18,13 @@ namespace etak {
 /// a rule ETK901, and the file is marked `unreadable`.
 CheckedFile check(const CheckTarget& target, const Settings& settings, unsigned threads = 1);
 
+/// Where the rows of a target's picture come from; called once per pass over the pixels.
+using PictureOpener = std::function<std::unique_ptr<RowSource>(const TargetFile&)>;
+
+/// The same of a pair whose pictures are at hand already: nothing is read from the files.
+CheckedFile check(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
+                  unsigned threads = 1);
+
 /// Checks all targets, side by side on `threads` threads; the report is the same for any number of them.
 ValidationReport validate(const std::vector<CheckTarget>& targets, const Settings& settings,
                           unsigned threads);
@@ -24,9 +33,14 @@ ValidationReport validate(const std::vector<CheckTarget>& targets, const Setting
 /// checked. Pictures come back as specular_gloss: which role they have is for the caller's patterns to say.
 std::optional<FileRole> file_kind(const std::string& path);
 
-/// An atlas layout: one target per page, with tiles and gutter. Paths of pages are taken beside the file.
-/// Throws Error naming file and JSON pointer.
+/// An atlas layout: one target per page, with tiles and gutter, and last one for the materials that are on no
+/// page because numbers say everything. Paths of pages are taken beside the file. Throws Error naming file
+/// and JSON pointer.
 std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::string& label);
+
+/// The same of a layout that is at hand; `path` is where it is, or will be.
+std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const std::string& path,
+                                                const std::string& label);
 
 /// The pictures of a target as codes (a metal-rough set is converted first), for mask pictures and
 /// thumbnails. A and B as the rules see them; empty (0 x 0) where there is none. Throws Error.

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <filesystem>
 #include <map>
 #include <tuple>
 
+#include "core/atlas/channels.h"
 #include "core/base/file.h"
 #include "core/base/json_node.inc"
 #include "core/image/image.h"
 #include "core/validate/files.h"
+#include "core/validate/flat_rows.h"
 
 namespace etak {
 
@@ -34,10 +37,53 @@ Tile read_tile(const JsonNode& node, std::size_t pages, int levels) {
   return tile;
 }
 
+// What the layout says of a material beside its places.
+struct MaterialNode {
+  std::string name;
+  bool texels = true;
+  std::array<std::optional<std::array<std::uint8_t, 4>>, 2> flat;  // by texture
+};
+
+MaterialNode read_material(const JsonNode& node) {
+  node.expect_object();
+  MaterialNode out;
+  out.name = node.at("name").text();
+  if (node.has("texels")) out.texels = node.at("texels").boolean();
+  if (!node.has("constant")) return out;
+  const JsonNode constant = node.at("constant");
+  constant.expect_object();
+  for (std::size_t texture = 0; texture < 2; ++texture) {
+    std::array<std::uint8_t, 4> codes{};
+    bool all = true;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const std::string_view channel = channel_names[4 * texture + c];
+      if (constant.has(channel))
+        codes[c] = static_cast<std::uint8_t>(constant.at(channel).integer(0, 255));
+      else
+        all = false;
+    }
+    if (all) out.flat[texture] = codes;
+  }
+  return out;
+}
+
+std::vector<MaterialNode> read_materials(const JsonNode& root) {
+  std::vector<MaterialNode> out;
+  if (!root.has("materials")) return out;
+  const JsonNode materials = root.at("materials");
+  materials.expect_array();
+  for (std::size_t i = 0; i < materials.size(); ++i) out.push_back(read_material(materials.at(i)));
+  return out;
+}
+
 }  // namespace
 
 std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::string& label) {
-  const std::string text = read_file(path);
+  return targets_of_layout_text(read_file(path), path, label);
+}
+
+std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const std::string& path,
+                                                const std::string& label) {
   const Json document = parse_json_strictly(text, label, 16, "an atlas layout");
   const JsonNode root{document, label, {}};
   root.expect_object();
@@ -70,13 +116,36 @@ std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::s
       if (!target.manifest.transfer) root.at("transfer").fail_type("srgb, gamma22 or linear");
     }
   }
+  if (root.has("diffuse") && root.at("diffuse").text() == "reduced_when_shading")
+    for (CheckTarget& target : targets) target.manifest.specular_weighs_diffuse = true;
+  const std::vector<MaterialNode> materials = read_materials(root);
+  std::map<std::string_view, const MaterialNode*> by_name;
+  for (const MaterialNode& material : materials) by_name.try_emplace(material.name, &material);
   // Materials that share texels have a row each: the tile is one.
   std::map<std::tuple<int, int, int, int, int>, std::size_t> seen;
   for (std::size_t i = 0; i < rects.size(); ++i) {
     Tile tile = read_tile(rects.at(i), pages.size(), levels);
+    if (const auto material = by_name.find(rects.at(i).at("name").text()); material != by_name.end())
+      tile.flat = material->second->flat;
     const PixelBox& box = tile.box;
     if (!seen.try_emplace({tile.page, box.x, box.y, box.width, box.height}, i).second) continue;
     targets[static_cast<std::size_t>(tile.page)].manifest.tiles.push_back(std::move(tile));
+  }
+  CheckTarget numbers;
+  numbers.label = label;
+  for (const MaterialNode& material : materials) {
+    if (material.texels || !material.flat[0] || !material.flat[1]) continue;
+    Tile& tile = numbers.manifest.tiles.emplace_back();
+    tile.name = material.name;
+    tile.flat = material.flat;
+  }
+  place_flat_tiles(numbers.manifest);
+  if (!numbers.manifest.tiles.empty()) {
+    if (!targets.empty()) {
+      numbers.manifest.transfer = targets.front().manifest.transfer;
+      numbers.manifest.specular_weighs_diffuse = targets.front().manifest.specular_weighs_diffuse;
+    }
+    targets.push_back(std::move(numbers));
   }
   return targets;
 }

@@ -9,13 +9,27 @@
 
 namespace etak {
 
+namespace {
+
+// The texel of a picture of `source` texels on a side that lies under the centre of texel x of `width`.
+int under(int x, int width, int source) {
+  return static_cast<int>((2LL * x + 1) * source / (2LL * width));
+}
+
+}  // namespace
+
 ScenePictures::ScenePictures(const std::vector<GltfImage>& images)
-    : images_(images), codes_(images.size()), headers_(images.size()) {}
+    : images_(&images), codes_(images.size()), headers_(images.size()) {}
 
 void ScenePictures::load(int image) {
   const auto i = static_cast<std::size_t>(image);
   if (codes_[i].width != 0) return;
-  codes_[i] = load_codes(images_[i].path, images_[i].bytes, images_[i].label, headers_[i]);
+  const GltfImage& image_at = (*images_)[i];
+  codes_[i] = load_codes(image_at.path, image_at.bytes, image_at.label, headers_[i]);
+}
+
+void ScenePictures::set(int image, Image8 codes) {
+  codes_[static_cast<std::size_t>(image)] = std::move(codes);
 }
 
 const Image8& ScenePictures::codes(int image) {
@@ -46,37 +60,66 @@ LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pic
   for (int y = 0; y < out.metallic.height; ++y)
     for (int x = 0; x < out.metallic.width; ++x) {
       // The texel under the centre: a mask of metal is not smoothed.
-      const auto u =
-          static_cast<int>(static_cast<long long>(2 * x + 1) * source.width / (2 * out.metallic.width));
-      const auto v =
-          static_cast<int>(static_cast<long long>(2 * y + 1) * source.height / (2 * out.metallic.height));
+      const int u = under(x, out.metallic.width, source.width),
+                v = under(y, out.metallic.height, source.height);
       const double value = source.at(u, v)[channel] * material.metallic;
       out.metallic.at(x, y)[0] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
     }
   return out;
 }
 
-MetalRoughSet metal_rough_set(const CheckTarget& target) {
-  MetalRoughSet set;
-  GltfMaterial& material = set.material;
-  material.alpha_mode = AlphaMode::blend;  // the file's alpha is kept
-  bool metal_rough = false;
+bool MetalRoughSet::is_part(FileRole role) {
+  return role >= FileRole::base_color && role <= FileRole::roughness;
+}
+
+MetalRoughSet::MetalRoughSet(const CheckTarget& target) : pictures_(images_) {
+  material_.alpha_mode = AlphaMode::blend;  // the file's alpha is kept
+  const auto texture = [](int image) {
+    GltfTexture out;
+    out.image = image;
+    out.sampler.wrap_u = out.sampler.wrap_v = Wrap::clamp;
+    return out;
+  };
   for (const TargetFile& file : target.files) {
-    GltfTexture texture;
-    texture.image = static_cast<int>(set.images.size());
-    texture.sampler.wrap_u = texture.sampler.wrap_v = Wrap::clamp;
-    if (file.role == FileRole::base_color)
-      material.base_color_texture = texture;
-    else if (file.role == FileRole::metal_rough)
-      material.metallic_roughness_texture = texture;
-    else
-      continue;
-    metal_rough = metal_rough || file.role == FileRole::metal_rough;
-    set.images.push_back({file.path, "", file.label});
+    if (!is_part(file.role)) continue;
+    const auto image = static_cast<int>(images_.size());
+    images_.push_back({file.path, "", file.label});
+    if (file.role == FileRole::base_color) material_.base_color_texture = texture(image);
+    if (file.role == FileRole::metal_rough) material_.metallic_roughness_texture = texture(image);
+    if (file.role == FileRole::metallic) metallic_ = image;
+    if (file.role == FileRole::roughness) roughness_ = image;
   }
-  // A base colour on its own is taken for that of a dielectric.
-  if (!metal_rough) material.metallic = 0;
-  return set;
+  const bool whole = material_.metallic_roughness_texture.has_value();
+  if (!whole && (metallic_ >= 0 || roughness_ >= 0)) {
+    joined_ = static_cast<int>(images_.size());
+    images_.push_back({"", "", target.label});
+    material_.metallic_roughness_texture = texture(joined_);
+  }
+  // A base colour without anything on metal is taken for that of a dielectric.
+  if (!whole && metallic_ < 0) material_.metallic = 0;
+  pictures_ = ScenePictures(images_);
+}
+
+LoadedPictures MetalRoughSet::convert() {
+  if (joined_ >= 0) {
+    const Image8* metallic = metallic_ < 0 ? nullptr : &pictures_.codes(metallic_);
+    const Image8* roughness = roughness_ < 0 ? nullptr : &pictures_.codes(roughness_);
+    const Image8& larger = metallic == nullptr || (roughness != nullptr && roughness->width > metallic->width)
+                               ? *roughness
+                               : *metallic;
+    Image8 both(larger.width, larger.height, 3);
+    const auto fill = [&](const Image8* from, std::size_t channel) {
+      for (int y = 0; y < both.height; ++y)
+        for (int x = 0; x < both.width; ++x)
+          both.at(x, y)[channel] = from == nullptr ? std::uint8_t{255}
+                                                   : from->at(under(x, both.width, from->width),
+                                                              under(y, both.height, from->height))[0];
+    };
+    fill(roughness, 1);
+    fill(metallic, 2);
+    pictures_.set(joined_, std::move(both));
+  }
+  return convert_material(material_, pictures_);
 }
 
 }  // namespace etak

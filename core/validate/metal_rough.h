@@ -16,10 +16,12 @@ class ScenePictures {
   explicit ScenePictures(const std::vector<GltfImage>& images);
   const Image8& codes(int image);
   const TextureHeader& header(int image);
+  /// An image that is no file's: in place of what would be loaded.
+  void set(int image, Image8 codes);
 
  private:
   void load(int image);
-  const std::vector<GltfImage>& images_;
+  const std::vector<GltfImage>* images_;  // outlive this
   std::vector<Image8> codes_;
   std::vector<TextureHeader> headers_;
 };
@@ -29,11 +31,24 @@ class ScenePictures {
 /// is empty for the specular-glossiness model.
 LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pictures);
 
-/// A base colour and a metal-rough file as a material; either path may be empty.
-struct MetalRoughSet {
-  std::vector<GltfImage> images;
-  GltfMaterial material;
+/// A base colour and a metal-rough file as a material; either may be missing. Metallic and roughness in files
+/// of their own become one picture of the larger's size (the texel under the centre is taken).
+class MetalRoughSet {
+ public:
+  /// Opens nothing yet.
+  explicit MetalRoughSet(const CheckTarget& target);
+  /// Throws Error for a file that cannot be read.
+  LoadedPictures convert();
+  /// Of the n-th file of the set, in the target's order.
+  const TextureHeader& header(int file) { return pictures_.header(file); }
+
+  static bool is_part(FileRole role);
+
+ private:
+  std::vector<GltfImage> images_;
+  GltfMaterial material_;
+  int metallic_ = -1, roughness_ = -1, joined_ = -1;  // images
+  ScenePictures pictures_;
 };
-MetalRoughSet metal_rough_set(const CheckTarget& target);
 
 }  // namespace etak

@@ -24,7 +24,7 @@ std::string label_of(const CheckTarget& target, FileRole role) {
   else if (role == FileRole::specular_gloss || role == FileRole::f0_only)
     label = with({FileRole::specular_gloss, FileRole::f0_only, FileRole::base_color});
   else
-    label = with({role});
+    label = with({role, FileRole::metallic});
   if (label != nullptr) return *label;
   return !target.label.empty() ? target.label : target.files.empty() ? "" : target.files.front().label;
 }

@@ -10,32 +10,34 @@ namespace etak {
 
 namespace {
 
-constexpr std::array<std::pair<FileRole, std::string_view>, 9> roles{{{FileRole::diffuse_alpha, "diffuse"},
-                                                                      {FileRole::specular_gloss, "specular"},
-                                                                      {FileRole::f0_only, "f0"},
-                                                                      {FileRole::base_color, "base-color"},
-                                                                      {FileRole::metal_rough, "metal-rough"},
-                                                                      {FileRole::layout, "layout"},
-                                                                      {FileRole::scene, "scene"},
-                                                                      {FileRole::material, "material"},
-                                                                      {FileRole::spectrum, "spectrum"}}};
+constexpr std::array<std::pair<FileRole, std::string_view>, 11> roles{{{FileRole::diffuse_alpha, "diffuse"},
+                                                                       {FileRole::specular_gloss, "specular"},
+                                                                       {FileRole::f0_only, "f0"},
+                                                                       {FileRole::base_color, "base-color"},
+                                                                       {FileRole::metal_rough, "metal-rough"},
+                                                                       {FileRole::metallic, "metallic"},
+                                                                       {FileRole::roughness, "roughness"},
+                                                                       {FileRole::layout, "layout"},
+                                                                       {FileRole::scene, "scene"},
+                                                                       {FileRole::material, "material"},
+                                                                       {FileRole::spectrum, "spectrum"}}};
 
 class MemoryRows : public RowSource {
  public:
-  explicit MemoryRows(const Image8& image) : image_(image) {
-    header_.width = image.width;
-    header_.height = image.height;
-    header_.channels = image.channels;
-    header_.format = "memory";
+  MemoryRows(const ConstPixelsView8& pixels, TextureHeader header)
+      : pixels_(pixels), header_(std::move(header)) {
+    header_.width = pixels.width;
+    header_.height = pixels.height;
+    header_.channels = pixels.channels;
   }
 
   const TextureHeader& header() const override { return header_; }
 
   void read_rows(std::uint8_t* rgba, std::size_t stride, int count) override {
-    const auto channels = static_cast<std::size_t>(image_.channels);
+    const auto channels = static_cast<std::size_t>(pixels_.channels);
     for (int i = 0; i < count; ++i, ++next_, rgba += stride) {
-      const std::uint8_t* from = image_.at(0, next_).data();
-      const auto width = static_cast<std::size_t>(image_.width);
+      const std::uint8_t* from = pixels_.row(next_);
+      const auto width = static_cast<std::size_t>(pixels_.width);
       if (channels == 4) {
         std::memcpy(rgba, from, 4 * width);
         continue;
@@ -49,7 +51,7 @@ class MemoryRows : public RowSource {
   }
 
  private:
-  const Image8& image_;
+  const ConstPixelsView8 pixels_;
   TextureHeader header_;
   int next_ = 0;
 };
@@ -73,7 +75,13 @@ void RowSource::read_float_rows(float*, std::size_t, int) {
 }
 
 std::unique_ptr<RowSource> rows_of(const Image8& image) {
-  return std::make_unique<MemoryRows>(image);
+  TextureHeader header;
+  header.format = "memory";
+  return rows_of(view(image), std::move(header));
+}
+
+std::unique_ptr<RowSource> rows_of(const ConstPixelsView8& pixels, TextureHeader header) {
+  return std::make_unique<MemoryRows>(pixels, std::move(header));
 }
 
 }  // namespace etak

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -22,10 +23,12 @@ enum class FileRole {
   f0_only,         // F0 as RGB; a fourth channel, if any, is gloss
   base_color,      // metal-rough: base colour and alpha
   metal_rough,     // metal-rough: G roughness, B metallic
-  layout,          // JSON of a packed atlas
-  scene,           // glTF
-  material,        // material JSON
-  spectrum,        // page or table of n,k or reflectance
+  metallic,        // the same in files of their own: grey
+  roughness,
+  layout,    // JSON of a packed atlas
+  scene,     // glTF
+  material,  // material JSON
+  spectrum,  // page or table of n,k or reflectance
 };
 std::string_view name(
     FileRole role);  // "diffuse", "specular", "f0", "base-color", "metal-rough", "layout", ...
@@ -50,6 +53,9 @@ struct Tile {
   int page = 0;
   std::optional<double> typical_gloss;
   std::optional<int> gutter, mips;  // where they differ from the manifest's
+  // Of the diffuse and the specular texture: the codes of one that the pages do without, because they are
+  // the same all over the tile.
+  std::array<std::optional<std::array<std::uint8_t, 4>>, 2> flat;
   friend bool operator==(const Tile&, const Tile&) = default;
 };
 
@@ -116,5 +122,8 @@ struct PicturesInMemory {
 
 /// Rows of a picture in memory (1 to 4 channels), which must outlive the source.
 std::unique_ptr<RowSource> rows_of(const Image8& image);
+
+/// Rows of pixels that somebody else holds, under the head that their file will have.
+std::unique_ptr<RowSource> rows_of(const ConstPixelsView8& pixels, TextureHeader header);
 
 }  // namespace etak

@@ -121,9 +121,10 @@ Needs needs_of(const Settings& settings) {
 Needs needs_of(const CheckTarget& target, const Settings& settings) {
   bool metal_rough = false, pictures = false, materials = false;
   for (const TargetFile& file : target.files) {
-    metal_rough = metal_rough || file.role == FileRole::metal_rough || file.role == FileRole::scene;
+    metal_rough = metal_rough || file.role == FileRole::metal_rough || file.role == FileRole::metallic ||
+                  file.role == FileRole::scene;
     materials = materials || file.role == FileRole::material || file.role == FileRole::spectrum;
-    pictures = pictures || file.role <= FileRole::metal_rough || file.role == FileRole::scene;
+    pictures = pictures || file.role <= FileRole::roughness || file.role == FileRole::scene;
   }
   const bool atlas = !target.manifest.tiles.empty();
   const bool named = !target.manifest.material.empty() || !target.manifest.surface_class.empty() ||

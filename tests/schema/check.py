@@ -133,7 +133,10 @@ with tempfile.TemporaryDirectory() as folder:
     run_where_built("pack", project_file, "--out", os.path.join(folder, "project-atlas"), "--report", "json")
     text = run_where_built("pack", manifest, "--out", atlas, "--report", "json")
     if text is not None:
-        check(schema("pack-report"), json.loads(text), "pack")
+        report = json.loads(text)
+        check(schema("pack-report"), report, "pack")
+        if "validation" in report:
+            check(schema("validation"), report["validation"], "pack, validation")
         text = run_where_built("choose", manifest, "--format", "json")
         if text is not None:
             check(schema("choose"), json.loads(text), "choose of a scene")

@@ -9,7 +9,8 @@ void check(RuleCheck& check) {
   for (const PictureEvidence& picture : check.evidence.headers) {
     const TextureHeader& h = picture.header;
     const bool pair = picture.role == FileRole::diffuse_alpha || picture.role == FileRole::specular_gloss;
-    const int wanted = pair ? 4 : 3;
+    const bool grey = picture.role == FileRole::metallic || picture.role == FileRole::roughness;
+    const int wanted = pair ? 4 : grey ? 1 : 3;
     if (!h.palette && h.channels >= wanted) continue;
     Finding& finding = check.report(picture);
     finding.value = h.palette ? "palette" : std::to_string(h.channels) + " channels";

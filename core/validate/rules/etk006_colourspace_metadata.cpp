@@ -10,7 +10,7 @@ void check(RuleCheck& check) {
     const std::string& declared = picture.header.colour_space;
     if (declared.empty() || picture.header.floating) continue;
     // Roughness and metallic never have a curve; PNG's sRGB chunk on them is common and wrong.
-    const bool data = picture.role == FileRole::metal_rough;
+    const bool data = picture.role >= FileRole::metal_rough && picture.role <= FileRole::roughness;
     const std::string expected(data ? "linear" : name(check.settings.transfer));
     if (declared == expected || declared.starts_with("icc") || (declared == "gamma22" && expected == "srgb"))
       continue;

@@ -296,14 +296,17 @@ TEST_CASE("the real scenes show what is known of them, and no other error") {
   CHECK(found_errors == std::vector<std::string>{"MetalPartsMat ETK101", "frame_material ETK114"});
   const auto& racquet = report.files[2];
   REQUIRE(find(racquet, "ETK114") != nullptr);
-  CHECK(find(racquet, "ETK114")->area_share == 1);
+  // All of it that triangles read, but for the edges of what they read.
+  CHECK(find(racquet, "ETK114")->area_share > 0.9);
   CHECK(find(racquet, "ETK114")->luminance.value() == Approx(0.08).margin(0.001));
   const Finding* metal_parts = find(report.files[0], "ETK101");
   REQUIRE(metal_parts != nullptr);
   const auto zone = std::ranges::find_if(report.files[0].findings, [](const Finding& f) {
     return f.rule == "ETK101" && f.severity == Severity::error;
   });
-  CHECK(zone->area_share > 0.04);
+  // Of the whole texture 4.85 % lie in the zone two texels from its edges; of the texels that triangles read
+  // 3.2 % are plateau.
+  CHECK(zone->area_share > 0.03);
   CHECK(zone->area_share < 0.10);
   CHECK(zone->cause.empty());  // of metals the value does not tell
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/cli/validate.h"
+#include "core/validate/config.h"
+#include "core/validate/finding.h"
+
+namespace etak::cli {
+
+/// What a check goes by: settings, roles, and the folder that labels are relative to.
+struct ValidatePlan {
+  ValidateConfig config;
+  std::string config_file;  // empty: none
+  std::string root;         // absolute
+};
+
+/// From etak.toml (of --config, else of the first path's folder or the nearest one above it) and the command
+/// line, which wins. Throws Error.
+ValidatePlan validate_plan(const ValidateArguments& arguments);
+
+/// Marks what [[allow]] entries and the baseline know, and writes the baseline that is asked for.
+void take_out_known(ValidationReport& report, const ValidateArguments& arguments, const ValidatePlan& plan);
+
+}  // namespace etak::cli

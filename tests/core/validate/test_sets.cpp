@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// What belongs together and what of it counts: split metal-rough sets, the texels a scene reads, and numbers
+// that an atlas holds in place of texels.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "core/color/srgb.h"
+#include "core/image/png.h"
+#include "core/report/base64.h"
+#include "core/validate/files.h"
+#include "tests/core/validate/corpus.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+void save(const std::string& path, const Image8& image) {
+  spit(path, png_bytes({{image.width, image.height, image.channels, 8},
+                        image.values.data(),
+                        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels)},
+                       {}));
+}
+
+bool has(const CheckedFile& file, std::string_view rule) {
+  return std::ranges::find(file.findings, rule, &Finding::rule) != file.findings.end();
+}
+
+std::string said(const CheckedFile& file) {
+  std::string out;
+  for (const Finding& f : file.findings)
+    if (f.rule > "ETK100") out += f.rule + " " + f.tile + " " + f.message + "\n";
+  return out;
+}
+
+Image8 flat(int width, int height, const std::vector<std::uint8_t>& codes) {
+  Image8 out(width, height, static_cast<int>(codes.size()));
+  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = codes[i % codes.size()];
+  return out;
+}
+
+// A quad over the left half of its texture, whose base colour is a dielectric's, but for a square of metal
+// with F0 in the forbidden zone at column `x`.
+std::string half_used_scene(const TempFolder& folder, int x, const char* alpha_mode) {
+  Image8 color = flat(64, 64, {140, 120, 100, 255}), metal_rough = flat(64, 64, {0, 128, 0});
+  for (int row = 20; row < 44; ++row)
+    for (int column = x; column < x + 24; ++column) {
+      const auto texel = color.at(column, row);
+      std::fill(texel.begin(), texel.begin() + 3, std::uint8_t{150});  // F0 0.305
+      metal_rough.at(column, row)[2] = 255;
+    }
+  save(folder.file("color.png"), color);
+  save(folder.file("mr.png"), metal_rough);
+  const std::array<float, 20> numbers{0, 0, 0,     1, 0, 0, 0,     1, 0, 1, 1, 0,  // positions
+                                      0, 0, 0.48f, 0, 0, 1, 0.48f, 1};             // UVs
+  std::string buffer(sizeof numbers, '\0');
+  std::memcpy(buffer.data(), numbers.data(), buffer.size());
+  const std::array<std::uint16_t, 6> corners{0, 1, 2, 2, 1, 3};
+  std::string indices(sizeof corners, '\0');
+  std::memcpy(indices.data(), corners.data(), indices.size());
+  buffer += indices;
+  const std::string path = folder.file("scene.gltf");
+  spit(path, R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+    "materials": [{"name": "half", "alphaMode": ")" +
+                 std::string(alpha_mode) + R"(", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
+      "metallicRoughnessTexture": {"index": 1}}}],
+    "textures": [{"source": 0}, {"source": 1}], "images": [{"uri": "color.png"}, {"uri": "mr.png"}],
+    "buffers": [{"byteLength": )" +
+                 std::to_string(buffer.size()) + R"(, "uri": "data:application/octet-stream;base64,)" +
+                 base64(buffer) + R"("}],
+    "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 32},
+      {"buffer": 0, "byteOffset": 80, "byteLength": 12}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+      {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}]})");
+  return path;
+}
+
+CheckedFile check_file(FileRole role, const std::string& path) {
+  CheckTarget target;
+  target.files = {{role, path, "scene.gltf", false}};
+  return check(target, {});
+}
+
+}  // namespace
+
+TEST_CASE("metallic and roughness in files of their own are judged as one metal-rough file is") {
+  const TempFolder folder;
+  const int side = 96;
+  Image8 color = flat(side, side, {150, 150, 150, 255}), both = flat(side, side, {0, 100, 0});
+  Image8 metallic = flat(side, side, {0}), roughness = flat(side, side, {100});
+  Random random(3);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const std::uint8_t rough = static_cast<std::uint8_t>(80 + random.below(40));
+      both.at(x, y)[1] = roughness.at(x, y)[0] = rough;
+      if (x >= 20 && x < 60 && y >= 20 && y < 60) both.at(x, y)[2] = metallic.at(x, y)[0] = 255;
+    }
+  save(folder.file("color.png"), color);
+  save(folder.file("both.png"), both);
+  save(folder.file("metallic.png"), metallic);
+  save(folder.file("roughness.png"), roughness);
+  const auto target = [&](std::vector<std::pair<FileRole, std::string>> files) {
+    CheckTarget out;
+    out.files.push_back({FileRole::base_color, folder.file("color.png"), "color.png", false});
+    for (const auto& [role, name] : files) out.files.push_back({role, folder.file(name), name, false});
+    return out;
+  };
+  const CheckedFile one = check(target({{FileRole::metal_rough, "both.png"}}), {});
+  const CheckedFile split =
+      check(target({{FileRole::metallic, "metallic.png"}, {FileRole::roughness, "roughness.png"}}), {});
+  INFO(said(one) << "---\n" << said(split));
+  CHECK(has(one, "ETK101"));
+  CHECK(said(split) == said(one));
+  CHECK(split.counts == one.counts);
+  // Half the size says the same of the mask: the texel under the centre is taken.
+  Image8 small(side / 2, side / 2, 1);
+  for (int y = 0; y < side / 2; ++y)
+    for (int x = 0; x < side / 2; ++x) small.at(x, y)[0] = metallic.at(2 * x, 2 * y)[0];
+  save(folder.file("metallic.png"), small);
+  const CheckedFile mixed =
+      check(target({{FileRole::metallic, "metallic.png"}, {FileRole::roughness, "roughness.png"}}), {});
+  CHECK(said(mixed) == said(one));
+}
+
+TEST_CASE("texels that no triangle reads give no finding") {
+  for (const char* mode : {"OPAQUE", "MASK", "BLEND"}) {
+    const TempFolder folder;
+    const CheckedFile used = check_file(FileRole::scene, half_used_scene(folder, 4, mode));
+    INFO(mode << "\n" << said(used));
+    CHECK(has(used, "ETK101"));
+    const CheckedFile unused = check_file(FileRole::scene, half_used_scene(folder, 36, mode));
+    INFO(said(unused));
+    CHECK_FALSE(has(unused, "ETK101"));
+    CHECK_FALSE(has(unused, "ETK102"));
+    CHECK_FALSE(has(unused, "ETK502"));
+    CHECK_FALSE(unused.unreadable);
+  }
+}
+
+TEST_CASE("numbers that a layout holds in place of texels are judged like texels") {
+  const TempFolder folder;
+  Image8 page = flat(64, 64, {120, 110, 100, 255});
+  save(folder.file("page0.png"), page);
+  const auto layout = [](const char* specular_code) {
+    const std::string f0 = std::string("\"specular_r\": ") + specular_code +
+                           ", \"specular_g\": " + specular_code + ", \"specular_b\": " + specular_code +
+                           ", \"gloss\": 128";
+    return R"({"pages": [{"diffuse_alpha": "page0.png", "specular_gloss": null}],
+      "rects": [{"name": "wall", "x": 0, "y": 0, "w": 64, "h": 64, "page": 0, "gutter": 0, "mips": 1}],
+      "materials": [{"name": "wall", "texels": true, "constant": {)" +
+           f0 + R"(}},
+        {"name": "door", "texels": false, "constant": {"diffuse_r": 90, "diffuse_g": 80, "diffuse_b": 70, "alpha": 255, )" +
+           f0 + "}}]}";
+  };
+  const auto judged = [&](const char* code) {
+    std::vector<CheckedFile> out;
+    for (const CheckTarget& target :
+         targets_of_layout_text(layout(code), folder.file("layout.json"), "layout.json"))
+      out.push_back(check(target, {}));
+    return out;
+  };
+  const std::vector<CheckedFile> bad = judged("150"), good = judged("56");
+  REQUIRE(bad.size() == 2);
+  for (const CheckedFile& file : bad) {
+    INFO(said(file));
+    REQUIRE(has(file, "ETK101"));
+    const Finding& zone = *std::ranges::find(file.findings, "ETK101", &Finding::rule);
+    CHECK(zone.tile == (file.path == "layout.json" ? "door" : "wall"));
+    CHECK(zone.box.has_value() == (zone.tile == "wall"));
+  }
+  for (const CheckedFile& file : good)
+    for (const Finding& finding : file.findings) {
+      INFO(finding.rule << ' ' << finding.message);
+      CHECK(finding.severity < Severity::warning);
+    }
+}

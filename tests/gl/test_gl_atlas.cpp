@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "core/color/srgb.h"
+#include "core/render/gl_runner.h"
+#include "tests/gl/gl_here.h"
+#include "tests/gl/scenes.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+constexpr int side = 32;
+
+// A texture whose channels hold one code each where `codes` has one (-1: noise).
+Image8 texture(const std::array<int, 4>& codes, unsigned seed) {
+  std::mt19937 random(seed);
+  Image8 out(side, side, 4);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      for (std::size_t c = 0; c < 4; ++c)
+        out.at(x, y)[c] =
+            static_cast<std::uint8_t>(codes[c] < 0 ? random() % 256 : static_cast<unsigned>(codes[c]));
+  return out;
+}
+
+double linear(int code) {
+  return srgb_decode(code / 255.0);
+}
+
+Scene scene_with(const char* model, const std::array<int, 4>& a, const std::array<int, 4>& b) {
+  Scene scene = bare_scene(*find_model(model));
+  scene.width = scene.height = 96;
+  scene.diffuse = find_model("lambert");
+  SurfaceValues& surface = scene.surface;
+  for (std::size_t c = 0; c < 3; ++c) {
+    surface.diffuse[c] = a[c] < 0 ? 0.5 : linear(a[c]);
+    surface.f0[c] = b[c] < 0 ? 0.04 : linear(b[c]);
+  }
+  surface.gloss = b[3] < 0 ? 0.5 : b[3] / 255.0;
+  surface.opacity = a[3] < 0 ? 1 : a[3] / 255.0;
+  scene.specular_values = model_values(*scene.specular, surface, {});
+  scene.diffuse_values = model_values(*scene.diffuse, surface, {});
+  return scene;
+}
+
+// Largest difference of two pictures in 8-bit sRGB codes.
+int most_codes(const Image& p, const Image& q) {
+  int most = 0;
+  for (std::size_t i = 0; i < p.values.size(); ++i)
+    if (i % 4 != 3)
+      most = std::max(most, std::abs(int{srgb_u8(std::clamp(double{p.values[i]}, 0.0, 1.0))} -
+                                     int{srgb_u8(std::clamp(double{q.values[i]}, 0.0, 1.0))}));
+  return most;
+}
+
+struct Case {
+  const char* what;
+  std::array<int, 4> a, b;  // codes of the two textures, -1: noise
+  std::vector<std::string> defines;
+};
+
+}  // namespace
+
+TEST_CASE("a shader without what is constant draws the picture of the one that fetches everything") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  const std::vector<Case> cases{
+      {"only gloss varies", {180, 90, 60, 255}, {56, 56, 56, -1}, {"ETAK_SCALAR_F0", "ETAK_GLOSS_TEXTURE"}},
+      {"a metal of one colour",
+       {0, 0, 0, 255},
+       {255, 220, 150, -1},
+       {"ETAK_NO_DIFFUSE", "ETAK_GLOSS_TEXTURE"}},
+      {"nothing varies", {120, 120, 120, 255}, {60, 60, 60, 190}, {"ETAK_SCALAR_F0"}},
+      {"diffuse varies", {-1, -1, -1, 255}, {60, 60, 60, 100}, {"ETAK_DIFFUSE_TEXTURE", "ETAK_SCALAR_F0"}},
+      {"F0 varies", {10, 60, 90, 255}, {-1, -1, -1, 128}, {"ETAK_SPECULAR_TEXTURE"}}};
+  for (const char* model : {"schueler-optimized-bounded", "schueler-simplified", "ggx-schlick"})
+    for (const Case& each : cases) {
+      const Image8 a = texture(each.a, 1), b = texture(each.b, 2);
+      const Scene scene = scene_with(model, each.a, each.b);
+      const Image all = gl->render(scene, TextureUse{}, a, b);
+      const Image few = gl->render(scene, texture_use(each.defines), a, b);
+      INFO(model << ", " << each.what);
+      CHECK(most_codes(all, few) <= 1);
+      // And the picture is no constant by mistake.
+      CHECK(most_codes(all, Image(scene.width, scene.height, 4)) > 20);
+    }
+}
+
+TEST_CASE("an opaque mask needs no alpha test, and a mask cuts what it hides") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  TextureUse tested;
+  tested.fetch_alpha = true;
+  tested.alpha = TextureUse::Alpha::test;
+  const Image8 b = texture({60, 60, 60, 150}, 2);
+  const std::array<int, 4> opaque{-1, -1, -1, 255}, hidden{-1, -1, -1, 100};
+  const Scene scene = scene_with("schueler-optimized-bounded", opaque, {60, 60, 60, 150});
+  CHECK(most_codes(gl->render(scene, tested, texture(opaque, 1), b),
+                   gl->render(scene, TextureUse{}, texture(opaque, 1), b)) == 0);
+  const Image empty = gl->render(scene, tested, texture(hidden, 1), b);
+  const int background = srgb_u8(scene.background[0]);
+  for (int y = 30; y < 60; ++y) CHECK(int{srgb_u8(double{empty.at(48, y)[0]})} == background);
+}
+
+TEST_CASE("alpha that blends is the same from a texture and from a uniform") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  const std::array<int, 4> a{-1, -1, -1, 102}, b{60, 60, 60, 150};
+  const Scene scene = scene_with("schueler-optimized-bounded", a, b);
+  TextureUse all;
+  all.fetch_alpha = true;
+  all.alpha = TextureUse::Alpha::blend;
+  const std::vector<std::string> defines{"ETAK_DIFFUSE_TEXTURE", "ETAK_SCALAR_F0", "ETAK_ALPHA_BLEND"};
+  CHECK(most_codes(gl->render(scene, all, texture(a, 1), texture(b, 2)),
+                   gl->render(scene, texture_use(defines), texture(a, 1), texture(b, 2))) <= 1);
+}
