@@ -79,7 +79,7 @@ void PackPage::attach(PackOptions& options) {
 
 void PackPage::write(const PackReport& report, const ValidationReport* findings) {
   if (arguments_.page_report.empty() || report.up_to_date) return;
-  data_.title = "Atlas " + std::filesystem::path(report.output).lexically_normal().filename().string();
+  data_.title = "Atlas of " + std::filesystem::path(report.input).lexically_normal().filename().string();
   data_.left_out = report.left_out.lines;
   data_.before = report.left_out.before;
   data_.after = report.left_out.after;

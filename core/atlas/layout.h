@@ -26,8 +26,9 @@ struct AtlasRect {
   PixelBox crop;         // what of the picture it shows, in texels
   int source_width = 0, source_height = 0;  // of the whole picture
   int gutter = 0, mips = 1;                 // mips free of neighbours
-  double inset = 0;      // above 0: UVs must stay so many level-0 texels inside, for want of a gutter
-  bool repeats = false;  // the page is this one region, and wraps
+  double inset = 0;            // above 0: UVs must stay so many level-0 texels inside, for want of a gutter
+  bool repeats = false;        // the page is this one region, and wraps
+  bool source_gutter = false;  // the gutter holds what the picture has there, not the region's edge again
   friend bool operator==(const AtlasRect&, const AtlasRect&) = default;
 };
 

@@ -53,6 +53,7 @@ std::string rect_json(const AtlasRect& r) {
   if (r.island > 0) out += ", \"island\": " + std::to_string(r.island);
   if (r.inset > 0) out += ", \"inset\": " + json(r.inset);
   if (r.repeats) out += ", \"repeats\": true";
+  if (r.source_gutter) out += ", \"source_gutter\": true";
   return out + "}";
 }
 
@@ -130,6 +131,7 @@ AtlasRect read_rect(const JsonNode& node, std::size_t pages) {
   if (node.has("island")) out.island = node.at("island").integer(0);
   if (node.has("inset")) out.inset = node.at("inset").number();
   if (node.has("repeats")) out.repeats = node.at("repeats").boolean();
+  if (node.has("source_gutter")) out.source_gutter = node.at("source_gutter").boolean();
   return out;
 }
 

@@ -529,6 +529,8 @@ class Packing {
       rect.mips = at.clean_levels;
       rect.inset = plan_.inset ? 0.5 * (1 << (at.clean_levels - 1)) : 0;
       rect.repeats = inputs_.materials[owner].own_page;
+      const bool whole = box == PixelBox{0, 0, m.width, m.height};
+      rect.source_gutter = at.gutter > 0 && !(whole && m.wrap == std::array{Wrap::clamp, Wrap::clamp});
       out.rects.push_back(rect);
     }
   }

@@ -32,6 +32,8 @@ Tile read_tile(const JsonNode& node, std::size_t pages, int levels) {
   if (node.has("surface_class")) tile.surface_class = node.at("surface_class").text();
   if (node.has("gloss")) tile.typical_gloss = node.at("gloss").number();
   if (node.has("gutter")) tile.gutter = node.at("gutter").integer(0, max_image_side);
+  // What is no copy of the edge cannot be held against it.
+  if (node.has("source_gutter") && node.at("source_gutter").boolean()) tile.gutter = 0;
   // "mips" counts level 0, which nothing can bleed into.
   if (node.has("mips")) tile.mips = std::min(node.at("mips").integer(1, 16), levels) - 1;
   return tile;

@@ -19,6 +19,8 @@ void check(RuleCheck& check) {
   std::size_t large = 0;
   std::vector<std::size_t> constant;
   for (std::size_t i = 0; i < check.evidence.tiles.size(); ++i) {
+    // A number in place of texels is what this rule asks for.
+    if (check.evidence.tiles[i].tile.flat[1]) continue;
     const ByteCounts& counts = check.evidence.tiles[i].counts;
     if (static_cast<double>(counts.texels) <= check.parameter("min_texels") || counts.gloss_texels == 0)
       continue;
