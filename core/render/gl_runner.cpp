@@ -447,11 +447,12 @@ Image GlRunner::render(const Scene& scene, const TextureUse& use, const Image8& 
   glClearColor(static_cast<float>(scene.background[0]), static_cast<float>(scene.background[1]),
                static_cast<float>(scene.background[2]), 0);
   glClear(GL_COLOR_BUFFER_BIT);
-  const Program& program = state_->use(glsl_text(linear, use));
+  const GlslText text = glsl_text(linear, use);
+  const Program& program = state_->use(text);
   const CodeTexture a(0, diffuse_alpha), b(1, specular_gloss);
   program.set_sampler("diffuse_alpha", 0);
   program.set_sampler("specular_gloss", 1);
-  State::draw();
+  State::draw(text.corners);
   return rows_down(scene, State::read_rows_up(scene.width, scene.height));
 }
 
