@@ -8,6 +8,7 @@
 #include "app/cli/validate_plan.h"
 #include "app/cli/validate_targets.h"
 #include "core/validate/files.h"
+#include "core/validate/open_pictures.h"
 #include "core/validate/output_formats.h"
 
 namespace etak::cli {
@@ -56,7 +57,8 @@ struct PackFindings::Parts {
     return report_of(std::move(out.files), settings());
   }
 
-  bool check_page(const AtlasLayout& layout, int page, const PagePixels& pixels) {
+  bool check_page(const AtlasLayout& layout, int page,
+                  const std::function<std::unique_ptr<RowSource>(Texture)>& rows) {
     // Pages come from the first one on each time the layout has changed.
     if (page == 0) files.clear();
     const std::vector<CheckTarget> targets = targets_of_layout_text(layout_json(layout), path, label);
@@ -64,9 +66,7 @@ struct PackFindings::Parts {
     if (index >= targets.size()) return true;  // no material that is on no page
     const CheckTarget& target = targets[index];
     const auto open = [&](const TargetFile& file) {
-      const Texture texture =
-          file.role == FileRole::diffuse_alpha ? Texture::diffuse_alpha : Texture::specular_gloss;
-      return rows_of(pixels.view(texture), header_of_page());
+      return rows(file.role == FileRole::diffuse_alpha ? Texture::diffuse_alpha : Texture::specular_gloss);
     };
     const CheckedFile& file = files[target.label] = check(target, open, settings(), threads);
     return judged({file}).passed || arguments.fail_on == never_fails;
@@ -82,7 +82,12 @@ void PackFindings::attach(PackOptions& options) {
   if (!parts_) return;
   options.check_settings = settings_hash(parts_->settings()) + parts_->arguments.fail_on;
   options.check_page = [this](const AtlasLayout& layout, int page, const PagePixels& pixels) {
-    return parts_->check_page(layout, page, pixels);
+    return parts_->check_page(
+        layout, page, [&](Texture texture) { return rows_of(pixels.view(texture), header_of_page()); });
+  };
+  options.check_written_page = [this](const AtlasLayout& layout, int page,
+                                      const std::function<std::string(Texture)>& path) {
+    return parts_->check_page(layout, page, [&](Texture texture) { return open_picture(path(texture)); });
   };
 }
 

@@ -67,6 +67,7 @@ void PackPage::attach(PackOptions& options) {
   // Where the page is missing, -u has something to do.
   std::error_code failure;
   if (!std::filesystem::exists(arguments_.page_report, failure)) options.update = false;
+  options.check_written_page = {};  // the pictures want pages whole
   options.check_page = [this, check = std::move(options.check_page)](const AtlasLayout& layout, int page,
                                                                      const PagePixels& pixels) {
     if (page == 0) data_.pictures.clear();

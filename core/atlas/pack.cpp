@@ -375,6 +375,7 @@ class Packing {
                       folder ? &*folder : nullptr, write, region_done);
         });
         if (learn()) return false;
+        if (options_.check_page && folder) check_written(p, *folder);
         continue;
       }
       pixels.start(page, page_levels(p));
@@ -408,7 +409,8 @@ class Packing {
   // Where a page can be made slab by slab: what else is written of it, and the check, need
   // it whole.
   std::vector<int> cuts_of(const Composer& composer, int p) const {
-    if (options_.check_page || scene_ || options_.write.formats != std::vector<std::string>{"png"}) return {};
+    if (options_.check_page && (!options_.check_written_page || options_.dry_run)) return {};
+    if (scene_ || options_.write.formats != std::vector<std::string>{"png"}) return {};
     return page_cuts(composer, regions_, plan_, p, page_levels(p), options_.bleed);
   }
 
@@ -416,6 +418,14 @@ class Packing {
     if (page == 0) good_ = true;
     if (!options_.check_page) return;
     timed("validate", [&] { good_ = options_.check_page(make_layout(), page, pixels) && good_; });
+  }
+
+  void check_written(int page, const OutputFolder& folder) {
+    if (page == 0) good_ = true;
+    const auto path = [&](Texture texture) {
+      return folder.path_until_commit(page_file(page, texture, "png"));
+    };
+    timed("validate", [&] { good_ = options_.check_written_page(make_layout(), page, path) && good_; });
   }
 
   void check_memory(int p) const {

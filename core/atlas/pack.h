@@ -25,6 +25,9 @@ namespace etak {
 // and writes picture files).
 
 using PageCheck = std::function<bool(const AtlasLayout&, int page, const PagePixels&)>;
+/// The same of PNG files that are written but not yet in place.
+using WrittenPageCheck =
+    std::function<bool(const AtlasLayout&, int page, const std::function<std::string(Texture)>& path)>;
 
 struct PackOptions {
   // input
@@ -72,6 +75,8 @@ struct PackOptions {
   // yet. Last comes the number of pages, for materials that are on none. An atlas with a page that is not
   // good enough is written, but never up to date.
   PageCheck check_page;
+  // In place of it for pages that are never whole in memory; without this one, check_page makes them whole.
+  WrittenPageCheck check_written_page;
   std::string check_settings;  // what the check goes by: part of the settings
 };
 

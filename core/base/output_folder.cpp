@@ -324,6 +324,11 @@ void OutputFolder::File::close() {
   open_.reset();
 }
 
+std::string OutputFolder::path_until_commit(const std::string& name) const {
+  const State& s = *state_;
+  return (s.inside ? s.target_path() : s.parent_path) + "/" + s.made_name + "/" + name;
+}
+
 std::unique_ptr<OutputFolder::File> OutputFolder::open(const std::string& name) {
   State& s = *state_;
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)

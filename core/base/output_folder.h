@@ -57,6 +57,9 @@ class OutputFolder {
   };
   std::unique_ptr<File> open(const std::string& name);
 
+  /// Where a file that is written lies until commit(), to be read again.
+  std::string path_until_commit(const std::string& name) const;
+
   /// Names of files of an earlier set in the target that are not to live on. A name that is not there, or
   /// that this set has too, does nothing.
   void remove_old(const std::string& name);

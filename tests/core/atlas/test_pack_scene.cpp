@@ -291,16 +291,15 @@ TEST_CASE("a scene packed with everything kept keeps everything") {
 
 TEST_CASE("a real scene with fewer texels looks the same within the bound") {
   if (!asset("")) return;
-  for (const double bound : {10.0, 20.0}) {
-    const TempFolder folder;
-    PackOptions options;
-    options.max_error = bound;
-    const std::string scene = *asset("tennis_racquet/TennisRacquet.gltf");
-    const PackReport report = pack_scene(scene, folder.file("out"), false, options);
-    CHECK(report.reduced.size() >= 1);
-    for (const ReducedRegion& each : report.reduced) CHECK(each.seen_delta_e <= bound);
-    const double worst = worst_difference(scene, folder.file("out/scene.gltf"), most_delta_e, Filter::light);
-    CHECK(worst <= bound + 0.05);
-    CHECK(worst > 0.5);
-  }
+  const double bound = 20;
+  const TempFolder folder;
+  PackOptions options;
+  options.max_error = bound;
+  const std::string scene = *asset("tennis_racquet/TennisRacquet.gltf");
+  const PackReport report = pack_scene(scene, folder.file("out"), false, options);
+  CHECK(report.reduced.size() >= 1);
+  for (const ReducedRegion& each : report.reduced) CHECK(each.seen_delta_e <= bound);
+  const double worst = worst_difference(scene, folder.file("out/scene.gltf"), most_delta_e, Filter::light);
+  CHECK(worst <= bound + 0.05);
+  CHECK(worst > 0.5);
 }
