@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "core/base/bytes_le.h"
 #include "core/base/json_text.h"
-#include "core/image/bytes_le.h"
+#include "core/math/sphere_mesh.h"
 
 namespace etak::demo {
 namespace {
@@ -26,23 +25,11 @@ struct Mesh {
 };
 
 Mesh sphere(int slices, int stacks) {
+  SphereMesh mesh = sphere_mesh(slices, stacks);
   Mesh out;
-  for (int j = 0; j <= stacks; ++j)
-    for (int i = 0; i <= slices; ++i) {
-      const double u = static_cast<double>(i) / slices, v = static_cast<double>(j) / stacks;
-      const double phi = 2 * std::numbers::pi * u, theta = std::numbers::pi * v;
-      const std::array n{static_cast<float>(std::sin(theta) * std::cos(phi)),
-                         static_cast<float>(std::cos(theta)),
-                         static_cast<float>(-std::sin(theta) * std::sin(phi))};
-      out.vertices.push_back({n, n, {static_cast<float>(u), static_cast<float>(v)}});
-    }
-  const auto at = [&](int i, int j) { return static_cast<std::uint16_t>(j * (slices + 1) + i); };
-  for (int j = 0; j < stacks; ++j)
-    for (int i = 0; i < slices; ++i) {
-      if (j > 0) out.triangles.insert(out.triangles.end(), {at(i, j), at(i, j + 1), at(i + 1, j)});
-      if (j + 1 < stacks)
-        out.triangles.insert(out.triangles.end(), {at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
-    }
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    out.vertices.push_back({mesh.points[i], mesh.points[i], mesh.uvs[i]});
+  out.triangles = std::move(mesh.triangles);
   return out;
 }
 
@@ -54,10 +41,6 @@ Mesh quad(float u0, float v0, float u1, float v1) {
            {{-1, 0, 1}, up, {u0, v1}},
            {{1, 0, 1}, up, {u1, v1}}},
           {0, 2, 1, 1, 2, 3}};
-}
-
-void append_float(std::string& out, float value) {
-  bytes_le::append32(out, std::bit_cast<std::uint32_t>(value));
 }
 
 // Buffer, views and accessors as they grow; four accessors a mesh: indices, position, normal, uv.
@@ -88,7 +71,7 @@ struct Geometry {
       for (std::size_t c = 0; c < 3; ++c) {
         least[c] = std::min(least[c], v.position[c]);
         most[c] = std::max(most[c], v.position[c]);
-        append_float(buffer, v.position[c]);
+        bytes_le::append_float(buffer, v.position[c]);
       }
     view(from, vertices);
     const auto three = [](const std::array<float, 3>& v) {
@@ -97,12 +80,12 @@ struct Geometry {
     accessor(real, count, "VEC3", ", \"min\": " + three(least) + ", \"max\": " + three(most));
     from = buffer.size();
     for (const Vertex& v : mesh.vertices)
-      for (const float c : v.normal) append_float(buffer, c);
+      for (const float c : v.normal) bytes_le::append_float(buffer, c);
     view(from, vertices);
     accessor(real, count, "VEC3");
     from = buffer.size();
     for (const Vertex& v : mesh.vertices)
-      for (const float c : v.uv) append_float(buffer, c);
+      for (const float c : v.uv) bytes_le::append_float(buffer, c);
     view(from, vertices);
     accessor(real, count, "VEC2");
     return first;

@@ -81,15 +81,6 @@ void fill_gutter(const PixelsView8& page, const PixelBox& box, const PixelBox& c
     }
 }
 
-PixelBox cut(const PixelBox& box, const PixelsView8& page) {
-  PixelBox out = box;
-  out.x = std::min(out.x, page.width - 1);
-  out.y = std::min(out.y, page.height - 1);
-  out.width = std::clamp(out.width, 1, page.width - out.x);
-  out.height = std::clamp(out.height, 1, page.height - out.y);
-  return out;
-}
-
 Image8 copy_of(const PixelsView8& page, const PixelBox& box, bool rotated) {
   Image8 out(rotated ? box.height : box.width, rotated ? box.width : box.height, 4);
   for (int y = 0; y < box.height; ++y) {
@@ -405,9 +396,9 @@ struct LevelBoxes {
 };
 LevelBoxes boxes_at(const Place& at, int level, int width, int height, const PixelsView8& page) {
   LevelBoxes out;
-  out.cell =
-      cut({at.cell.x >> level, at.cell.y >> level, at.cell.width >> level, at.cell.height >> level}, page);
-  out.part = cut({out.cell.x + (at.gutter >> level), out.cell.y + (at.gutter >> level), width, height}, page);
+  out.cell = cut(at_level(at.cell, level), page.width, page.height);
+  out.part = cut({out.cell.x + (at.gutter >> level), out.cell.y + (at.gutter >> level), width, height},
+                 page.width, page.height);
   return out;
 }
 

@@ -136,6 +136,21 @@ class Composer {
 };
 
 /// The column or row of a picture of `size` that a sampler reads at `at`.
+/// A box of level 0 on a higher level.
+inline PixelBox at_level(const PixelBox& box, int level) {
+  return {box.x >> level, box.y >> level, box.width >> level, box.height >> level};
+}
+
+/// What of a box lies in a picture of these sides; at least one texel.
+inline PixelBox cut(const PixelBox& box, int width, int height) {
+  PixelBox out = box;
+  out.x = std::min(out.x, width - 1);
+  out.y = std::min(out.y, height - 1);
+  out.width = std::clamp(out.width, 1, width - out.x);
+  out.height = std::clamp(out.height, 1, height - out.y);
+  return out;
+}
+
 inline int wrapped_texel(int at, int size, Wrap wrap) {
   if (at >= 0 && at < size) return at;
   if (wrap == Wrap::clamp) return at < 0 ? 0 : size - 1;

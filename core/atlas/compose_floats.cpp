@@ -11,19 +11,6 @@
 namespace etak {
 namespace {
 
-PixelBox at_level(const PixelBox& box, int level) {
-  return {box.x >> level, box.y >> level, box.width >> level, box.height >> level};
-}
-
-PixelBox cut(const PixelBox& box, const Image& page) {
-  PixelBox out = box;
-  out.x = std::min(out.x, page.width - 1);
-  out.y = std::min(out.y, page.height - 1);
-  out.width = std::clamp(out.width, 1, page.width - out.x);
-  out.height = std::clamp(out.height, 1, page.height - out.y);
-  return out;
-}
-
 // Texels of a cell from a picture whose texel (x, y) belongs at column left + x, row top + y of the page
 // (rotated: column c becomes row c, rows run from right to left).
 //   high   rows of the picture
@@ -100,7 +87,7 @@ class FloatComposer {
       for (int l = 0; l < levels; ++l) {
         const Image& image = images[std::min(static_cast<std::size_t>(l), images.size() - 1)];
         Image& page = out_.levels[t][static_cast<std::size_t>(l)];
-        const PixelBox cell = cut(at_level(at.cell, l), page);
+        const PixelBox cell = cut(at_level(at.cell, l), page.width, page.height);
         const int gutter = at.gutter >> l;
         // At level 0 the picture's own texels lie around the box, as far as the gutter goes.
         const Image& picture = t == 0 ? pair_.diffuse_alpha : pair_.specular_gloss;

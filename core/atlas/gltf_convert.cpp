@@ -5,32 +5,17 @@
 #include <array>
 #include <cmath>
 
+#include "core/atlas/compose.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"
+#include "core/image/linear_tables.h"
 #include "core/scene/material_texels.h"
 
 namespace etak {
 namespace {
 
-const std::array<float, 256>& linear_of_codes() {
-  static const std::array<float, 256> table = [] {
-    std::array<float, 256> out{};
-    for (std::size_t i = 0; i < 256; ++i)
-      out[i] = static_cast<float>(srgb_decode(static_cast<double>(i) / 255));
-    return out;
-  }();
-  return table;
-}
-
 std::uint8_t code(double value) {
   return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0, 1.0) + 0.5);
-}
-
-int wrapped(int at, int size, Wrap wrap) {
-  if (wrap == Wrap::clamp) return std::clamp(at, 0, size - 1);
-  const int period = wrap == Wrap::mirrored ? 2 * size : size;
-  const int in = (at % period + period) % period;
-  return in < size ? in : period - 1 - in;
 }
 
 // A texture at the pair's size: four channels, where the picture has fewer as glTF fills them up.
@@ -69,17 +54,17 @@ class Lookup {
   // Bilinear, texel centres at halves, as a sampler magnifies.
   void scale(const Image8& image, const GltfSampler& sampler, int width, int height, bool color) {
     scaled_ = Image8(width, height, image.channels);
-    const auto& linear = linear_of_codes();
+    const auto& linear = linear_tables().srgb;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         const double u = (x + 0.5) * image.width / width - 0.5, v = (y + 0.5) * image.height / height - 0.5;
         const int left = static_cast<int>(std::floor(u)), top = static_cast<int>(std::floor(v));
         const double right_share = sampler.nearest ? std::round(u - left) : u - left;
         const double low_share = sampler.nearest ? std::round(v - top) : v - top;
-        const int xs[2] = {wrapped(left, image.width, sampler.wrap_u),
-                           wrapped(left + 1, image.width, sampler.wrap_u)};
-        const int ys[2] = {wrapped(top, image.height, sampler.wrap_v),
-                           wrapped(top + 1, image.height, sampler.wrap_v)};
+        const int xs[2] = {wrapped_texel(left, image.width, sampler.wrap_u),
+                           wrapped_texel(left + 1, image.width, sampler.wrap_u)};
+        const int ys[2] = {wrapped_texel(top, image.height, sampler.wrap_v),
+                           wrapped_texel(top + 1, image.height, sampler.wrap_v)};
         for (std::size_t c = 0; c < static_cast<std::size_t>(image.channels); ++c) {
           const bool curve = color && c < 3;
           const auto value = [&](int i, int j) {
@@ -164,7 +149,7 @@ class Converter {
     const Vec3 tint_factor{m_.specular_color[0], m_.specular_color[1], m_.specular_color[2]};
     const MetalRoughCodes codes(color, m_.metallic, dielectric_f0(m_.ior, m_.specular, tint_factor));
     const GlossTable gloss = gloss_table(m_.roughness, false);
-    const auto& linear = linear_of_codes();
+    const auto& linear = linear_tables().srgb;
     for (std::size_t i = 0; i < texels; ++i) {
       const Target to = at(i);
       const auto b = base ? base.at(i) : std::array<std::uint8_t, 4>{255, 255, 255, 255};
@@ -193,7 +178,7 @@ class Converter {
     const Lookup diffuse = lookup(m_.diffuse_texture, true),
                  f0 = lookup(m_.specular_glossiness_texture, true);
     std::array<std::array<std::uint8_t, 256>, 3> diffuse_codes, f0_codes;
-    const auto& linear = linear_of_codes();
+    const auto& linear = linear_tables().srgb;
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t i = 0; i < 256; ++i) {
         diffuse_codes[c][i] = srgb_u8(double{linear[i]} * m_.diffuse[c]);

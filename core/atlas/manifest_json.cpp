@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
 #include "core/atlas/manifest.h"
-#include "core/base/json_node.inc"
+#include "core/atlas/material_nodes.inc"
 #include "core/color/srgb.h"
 #include "core/image/image.h"
 
@@ -12,7 +11,6 @@ namespace etak {
 namespace {
 
 constexpr int most_depth = 8;
-constexpr std::size_t most_materials = 100000;
 constexpr const char* source_forms =
     "a file name, the name of a library material, a number, [r, g, b], \"#rrggbb\", or an object with "
     "\"image\" "
@@ -42,15 +40,8 @@ class ManifestReader {
     const JsonNode list = root_.at("materials");
     list.expect_array();
     if (list.size() == 0) list.fail("no material", "at least one");
-    if (list.size() > most_materials)
-      list.fail(std::to_string(list.size()) + " materials", "at most " + std::to_string(most_materials));
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      out.materials.push_back(material(list.at(i)));
-      if (!names.insert(out.materials.back().name).second)
-        list.at(i).fail("a second material \"" + printable(out.materials.back().name) + "\"",
-                        "each name once");
-    }
+    out.materials =
+        read_materials<ManifestMaterial>(list, [&](const JsonNode& node) { return material(node); });
     return out;
   }
 
@@ -60,8 +51,7 @@ class ManifestReader {
                         "normal", "alpha_mode", "alpha_cutoff", "width", "height"});
     ManifestMaterial out;
     out.place = std::string(node.file) + '#' + node.pointer;
-    out.name = node.at("name").text();
-    if (out.name.empty()) node.at("name").fail("an empty name", "a name");
+    out.name = read_name(node);
     out.diffuse = source(node, {"diffuse", true});
     out.specular = source(node, {"specular", true});
     out.base_color = source(node, {"basecolor", true});
@@ -72,14 +62,7 @@ class ManifestReader {
     out.normal = node.has("normal") ? path_of(node.at("normal")) : "";
     if (node.has("width")) out.width = node.at("width").integer(1, max_image_side);
     if (node.has("height")) out.height = node.at("height").integer(1, max_image_side);
-    if (node.has("alpha_mode")) {
-      const std::string mode = node.at("alpha_mode").text();
-      if (mode != "opaque" && mode != "mask" && mode != "blend")
-        node.at("alpha_mode").fail_type("opaque, mask or blend");
-      out.alpha_mode = mode == "opaque" ? AlphaMode::opaque
-                       : mode == "mask" ? AlphaMode::mask
-                                        : AlphaMode::blend;
-    }
+    if (node.has("alpha_mode")) out.alpha_mode = read_alpha_mode(node.at("alpha_mode"));
     if (node.has("alpha_cutoff")) out.alpha_cutoff = unit_number(node.at("alpha_cutoff"));
     check_roles(node, out);
     return out;
@@ -118,9 +101,8 @@ class ManifestReader {
                            node.text_or_empty("outside")};
     }
     node.expect_object({"image", "channels", "space"});
-    ImageSource image{path_of(node.at("image")), node.text_or_empty("channels"), node.text_or_empty("space")};
-    check_channels(node, image.channels, role);
-    return image;
+    return ImageSource{path_of(node.at("image")), read_channels(node, role.color),
+                       node.text_or_empty("space")};
   }
 
   TextureSource source_text(const JsonNode& node, const Role& role) {
@@ -141,25 +123,13 @@ class ManifestReader {
     return LibrarySource{text, "", ""};
   }
 
-  static void check_channels(const JsonNode& node, const std::string& channels, const Role& role) {
-    if (channels.empty()) return;
-    const bool known = channels.find_first_not_of("rgba") == channels.npos;
-    if (!known || channels.size() != (role.color ? 3u : 1u))
-      node.at("channels")
-          .fail_type(role.color ? "three of the letters r, g, b, a" : "one of the letters r, g, b, a");
-  }
-
   static double unit_number(const JsonNode& node) {
     const double v = node.number();
     if (v < 0 || v > 1) node.fail_type("a number from 0 to 1");
     return v;
   }
 
-  std::string path_of(const JsonNode& node) const {
-    const std::string text = node.text();
-    if (text.empty() || text.find('\0') != text.npos) node.fail_type("a file name");
-    return (folder_ / text).string();
-  }
+  std::string path_of(const JsonNode& node) const { return read_path(node, folder_); }
 
   JsonNode root_;
   std::filesystem::path folder_;

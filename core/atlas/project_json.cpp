@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <set>
 
+#include "core/atlas/material_nodes.inc"
 #include "core/atlas/project.h"
-#include "core/base/json_node.inc"
 #include "core/base/json_text.h"
 #include "core/image/image.h"
 #include "core/material/json.h"
@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view schema_name = "etak-project/1";
 constexpr int most_depth = 24;
-constexpr std::size_t most_materials = 100000;
 constexpr double largest_color = 1e4;
 
 // ---- reading
@@ -44,15 +43,8 @@ class Reader {
     }
     const JsonNode list = root_.at("materials");
     list.expect_array();
-    if (list.size() > most_materials)
-      list.fail(std::to_string(list.size()) + " materials", "at most " + std::to_string(most_materials));
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      out.materials.push_back(material(list.at(i)));
-      if (!names.insert(out.materials.back().name).second)
-        list.at(i).fail("a second material \"" + printable(out.materials.back().name) + "\"",
-                        "each name once");
-    }
+    out.materials =
+        read_materials<ProjectMaterial>(list, [&](const JsonNode& node) { return material(node); });
     return out;
   }
 
@@ -94,22 +86,14 @@ class Reader {
     node.expect_object({"name", "diffuse", "specular", "measured", "gloss", "alpha", "textures", "alpha_mode",
                         "alpha_cutoff", "model", "diffuse_model", "parameters"});
     ProjectMaterial out;
-    out.name = node.at("name").text();
-    if (out.name.empty()) node.at("name").fail("an empty name", "a name");
+    out.name = read_name(node);
     if (node.has("diffuse")) out.diffuse = color(node.at("diffuse"));
     if (node.has("measured")) out.measured = measured(node.at("measured"));
     if (node.has("specular")) out.specular = color(node.at("specular"));
     if (node.has("gloss")) out.gloss = ranged(node.at("gloss"), 0, 1);
     if (node.has("alpha")) out.alpha = ranged(node.at("alpha"), 0, 1);
     if (node.has("textures")) textures(node.at("textures"), out);
-    if (node.has("alpha_mode")) {
-      const std::string mode = node.at("alpha_mode").text();
-      if (mode != "opaque" && mode != "mask" && mode != "blend")
-        node.at("alpha_mode").fail_type("opaque, mask or blend");
-      out.alpha_mode = mode == "opaque" ? AlphaMode::opaque
-                       : mode == "mask" ? AlphaMode::mask
-                                        : AlphaMode::blend;
-    }
+    if (node.has("alpha_mode")) out.alpha_mode = read_alpha_mode(node.at("alpha_mode"));
     if (node.has("alpha_cutoff")) out.alpha_cutoff = ranged(node.at("alpha_cutoff"), 0, 1);
     models(node, out);
     return out;
@@ -153,16 +137,9 @@ class Reader {
       if (!node.has(name(channel))) continue;
       const JsonNode picture = node.at(name(channel));
       picture.expect_object({"image", "channels", "space"});
-      const std::string path = picture.at("image").text();
-      if (path.empty() || path.find('\0') != path.npos) picture.at("image").fail_type("a file name");
-      ImageSource source{(folder_ / path).string(), picture.text_or_empty("channels"),
-                         picture.text_or_empty("space")};
-      const std::size_t wanted = channel == Channel::diffuse || channel == Channel::specular ? 3 : 1;
-      if (!source.channels.empty() && (source.channels.size() != wanted ||
-                                       source.channels.find_first_not_of("rgba") != std::string::npos))
-        picture.at("channels")
-            .fail_type(wanted == 3 ? "three of the letters r, g, b, a" : "one of the letters r, g, b, a");
-      out.texture(channel) = std::move(source);
+      const bool color = channel == Channel::diffuse || channel == Channel::specular;
+      out.texture(channel) = ImageSource{read_path(picture.at("image"), folder_),
+                                         read_channels(picture, color), picture.text_or_empty("space")};
     }
   }
 

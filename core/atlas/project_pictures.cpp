@@ -7,21 +7,12 @@
 #include "core/atlas/compose.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"
+#include "core/image/linear_tables.h"
 
 namespace etak {
 namespace {
 
 constexpr int plain_side = 16;
-
-const std::array<float, 256>& linear_of_code() {
-  static const std::array<float, 256> table = [] {
-    std::array<float, 256> out{};
-    for (std::size_t i = 0; i < 256; ++i)
-      out[i] = static_cast<float>(srgb_decode(static_cast<double>(i) / 255));
-    return out;
-  }();
-  return table;
-}
 
 // Means over areas are taken of linear light. Rows are gathered one by one, so that no picture of floats of
 // the whole size is made.
@@ -30,7 +21,7 @@ Image linear_small(const Image8& codes, int most_side) {
   const int step = std::max(1, (longest + most_side - 1) / most_side);
   const int width = (codes.width + step - 1) / step, height = (codes.height + step - 1) / step;
   Image out(width, height, 4);
-  const auto& linear = linear_of_code();
+  const auto& linear = linear_tables().srgb;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       std::array<double, 4> sum{};

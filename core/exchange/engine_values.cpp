@@ -8,27 +8,12 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/color/srgb.h"
+#include "core/exchange/color_parts.h"
 #include "core/fresnel/fresnel.h"
 #include "core/fresnel/solve_index.h"
 
 namespace etak {
 namespace {
-
-std::vector<double> list(const LinearRgb& c) {
-  return {c.r, c.g, c.b};
-}
-
-LinearRgb grey(double value) {
-  return {value, value, value};
-}
-
-LinearRgb scaled(const LinearRgb& c, double factor) {
-  return {c.r * factor, c.g * factor, c.b * factor};
-}
-
-double largest(const LinearRgb& c) {
-  return std::max({c.r, c.g, c.b});
-}
 
 // ---- how numbers are typed
 

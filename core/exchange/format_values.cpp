@@ -3,32 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/exchange/color_parts.h"
 #include "core/exchange/engine_values.h"
 
 namespace etak {
-namespace {
-
-std::vector<double> list(const LinearRgb& c) {
-  return {c.r, c.g, c.b};
-}
-
-LinearRgb grey(double value) {
-  return {value, value, value};
-}
-
-LinearRgb scaled(const LinearRgb& c, double factor) {
-  return {c.r * factor, c.g * factor, c.b * factor};
-}
-
-double largest(const LinearRgb& c) {
-  return std::max({c.r, c.g, c.b});
-}
-
-double smallest(const LinearRgb& c) {
-  return std::min({c.r, c.g, c.b});
-}
-
-}  // namespace
 
 OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes) {
   OpenPbrValues out;

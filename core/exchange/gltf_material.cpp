@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 
+#include "core/base/base64.h"
+#include "core/base/bytes_le.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/base/text.h"
 #include "core/exchange/engine_values.h"
+#include "core/math/sphere_mesh.h"
 
 namespace etak {
 namespace {
@@ -21,41 +21,6 @@ namespace {
 constexpr int slices = 48, stacks = 24;
 constexpr double spacing = 2.4;
 
-struct Mesh {
-  std::vector<std::array<float, 3>> normals;  // positions too: a unit sphere
-  std::vector<std::array<float, 2>> uvs;      // u around, v from the north pole down
-  std::vector<std::uint16_t> triangles;       // counter-clockwise from outside
-};
-
-Mesh unit_sphere() {
-  Mesh out;
-  for (int j = 0; j <= stacks; ++j)
-    for (int i = 0; i <= slices; ++i) {
-      const double u = static_cast<double>(i) / slices, v = static_cast<double>(j) / stacks;
-      const double phi = 2 * std::numbers::pi * u, theta = std::numbers::pi * v;
-      out.normals.push_back({static_cast<float>(std::sin(theta) * std::cos(phi)),
-                             static_cast<float>(std::cos(theta)),
-                             static_cast<float>(-std::sin(theta) * std::sin(phi))});
-      out.uvs.push_back({static_cast<float>(u), static_cast<float>(v)});
-    }
-  const auto at = [](int i, int j) { return static_cast<std::uint16_t>(j * (slices + 1) + i); };
-  for (int j = 0; j < stacks; ++j)
-    for (int i = 0; i < slices; ++i) {
-      if (j > 0) out.triangles.insert(out.triangles.end(), {at(i, j), at(i, j + 1), at(i + 1, j)});
-      if (j + 1 < stacks)
-        out.triangles.insert(out.triangles.end(), {at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)});
-    }
-  return out;
-}
-
-void append_le(std::string& out, std::uint32_t value, int bytes) {
-  for (int i = 0; i < bytes; ++i) out.push_back(static_cast<char>(value >> (8 * i) & 0xff));
-}
-
-void append_le(std::string& out, float value) {
-  append_le(out, std::bit_cast<std::uint32_t>(value), 4);
-}
-
 // The buffer: indices, normals (as positions too), UVs; each begins at a multiple of four.
 struct Geometry {
   std::string buffer;
@@ -63,7 +28,7 @@ struct Geometry {
 };
 
 Geometry geometry() {
-  const Mesh mesh = unit_sphere();
+  const SphereMesh mesh = sphere_mesh(slices, stacks);
   Geometry out;
   std::size_t begin = 0;
   const auto end_view = [&](int target) {
@@ -75,24 +40,24 @@ Geometry geometry() {
     begin = out.buffer.size();
   };
   constexpr int vertices = 34962, indices = 34963;
-  for (const std::uint16_t index : mesh.triangles) append_le(out.buffer, index, 2);
+  for (const std::uint16_t index : mesh.triangles) bytes_le::append(out.buffer, index, 2);
   end_view(indices);
   std::array<float, 3> least{}, most{};
-  for (const auto& normal : mesh.normals)
+  for (const auto& point : mesh.points)
     for (std::size_t c = 0; c < 3; ++c) {
-      append_le(out.buffer, normal[c]);
-      least[c] = std::min(least[c], normal[c]);
-      most[c] = std::max(most[c], normal[c]);
+      bytes_le::append_float(out.buffer, point[c]);
+      least[c] = std::min(least[c], point[c]);
+      most[c] = std::max(most[c], point[c]);
     }
   end_view(vertices);
   for (const auto& uv : mesh.uvs)
-    for (const float c : uv) append_le(out.buffer, c);
+    for (const float c : uv) bytes_le::append_float(out.buffer, c);
   end_view(vertices);
   const auto three = [](const std::array<float, 3>& v) {
     const std::array<std::string, 3> items{json(double{v[0]}), json(double{v[1]}), json(double{v[2]})};
     return json_array(items);
   };
-  const std::string count = std::to_string(mesh.normals.size());
+  const std::string count = std::to_string(mesh.points.size());
   out.accessors = "\n    {\"bufferView\": 0, \"componentType\": 5123, \"count\": " +
                   std::to_string(mesh.triangles.size()) + ", \"type\": \"SCALAR\"},\n" +
                   "    {\"bufferView\": 1, \"componentType\": 5126, \"count\": " + count +
@@ -170,29 +135,15 @@ std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, 
 
 // ---- the file
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t b = 0; b < 3; ++b)
-      group = group << 8 | (i + b < bytes.size() ? static_cast<std::uint8_t>(bytes[i + b]) : 0u);
-    for (std::size_t b = 0; b < 4; ++b)
-      out += i + b <= bytes.size() ? letters[group >> (18 - 6 * b) & 63] : '=';
-  }
-  return out;
-}
-
 std::string glb(std::string json_chunk, std::string_view binary) {
   while (json_chunk.size() % 4 != 0) json_chunk.push_back(' ');
   std::string out = "glTF";
-  append_le(out, 2, 4);
-  append_le(out, static_cast<std::uint32_t>(12 + 8 + json_chunk.size() + 8 + binary.size()), 4);
-  append_le(out, static_cast<std::uint32_t>(json_chunk.size()), 4);
+  bytes_le::append32(out, 2);
+  bytes_le::append32(out, 12 + 8 + json_chunk.size() + 8 + binary.size());
+  bytes_le::append32(out, json_chunk.size());
   out += "JSON";
   out += json_chunk;
-  append_le(out, static_cast<std::uint32_t>(binary.size()), 4);
+  bytes_le::append32(out, binary.size());
   out.append("BIN\0", 4);
   return out.append(binary);
 }

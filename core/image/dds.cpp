@@ -4,8 +4,8 @@
 #include <array>
 #include <cstring>
 
+#include "core/base/bytes_le.h"
 #include "core/base/error.h"
-#include "core/image/bytes_le.h"
 #include "core/image/containers.h"
 #include "core/image/mips.h"
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <new>
 
+#include "core/base/bytes_le.h"
 #include "core/base/error.h"
-#include "core/image/bytes_le.h"
 #include "core/image/containers.h"
 #include "core/image/mips.h"
 #ifdef ETAK_HAS_ZSTD

@@ -5,7 +5,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text.h"
-#include "core/report/base64.h"
+#include "core/base/base64.h"
 #include "core/report/page_style.h"
 #include "core/validate/output_formats.h"
 

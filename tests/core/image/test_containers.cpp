@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "core/image/bytes_le.h"
+#include "core/base/bytes_le.h"
 #include "core/image/mips.h"
 #include "tests/core/image/mip_reference.h"
 #include "tests/support.h"

@@ -7,7 +7,7 @@
 
 #include "core/color/srgb.h"
 #include "core/image/png.h"
-#include "core/report/base64.h"
+#include "core/base/base64.h"
 #include "core/validate/files.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"

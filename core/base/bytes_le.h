@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Little-endian numbers in file headers; for ktx2.cpp and dds.cpp only.
+// Little-endian numbers in files.
 
+#include <bit>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,9 @@ inline void append32(std::string& out, std::uint64_t value) {
 }
 inline void append64(std::string& out, std::uint64_t value) {
   append(out, value, 8);
+}
+inline void append_float(std::string& out, float value) {
+  append32(out, std::bit_cast<std::uint32_t>(value));
 }
 
 /// The caller has looked whether the bytes are there.

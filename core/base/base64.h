@@ -6,7 +6,7 @@
 
 namespace etak {
 
-/// RFC 4648, for pictures inside of pages.
+/// RFC 4648, for pictures inside of pages and data: URIs.
 inline std::string base64(std::string_view bytes) {
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
