@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "core/atlas/sources.h"
+
+namespace etak {
+
+struct PackOptions;
+class ScenePack;
+
+// By what a result in place is known to be of the same input: two hashes that its layout holds.
+
+/// Of everything but the bytes of the files.
+std::string settings_hash(const PackOptions& options, const PackInputs& inputs);
+
+/// Of the bytes of all files that are read, whatever they are called.
+///   scene   null: no glTF
+std::string content_hash(const PackOptions& options, const PackInputs& inputs, const ScenePack* scene);
+
+}  // namespace etak
