@@ -100,7 +100,10 @@ void TileFrame::push_level(Level& level, int y, const RowPointers& row) {
         weight *= 1 + static_cast<std::uint64_t>((x == tile_.x ? std::max(0, tile_.x - x0) : 0) +
                                                  (x == right - 1 ? std::max(0, x1 - right) : 0));
       for (std::size_t c = 0; c < 8; ++c) {
-        const std::uint8_t code = (c < 4 ? row.a : row.b)[4 * x + static_cast<int>(c % 4)];
+        // Chosen, then indexed: of `(p ? a : b)[i]` GCC 12 makes `p ? a[i] : b[i]`, and when it sanitizes for
+        // undefined behaviour it works out c % 4 in the first branch only.
+        const std::uint8_t* texels = c < 4 ? row.a : row.b;
+        const std::uint8_t code = texels[4 * x + static_cast<int>(c % 4)];
         const std::uint64_t value = c % 4 == 3 ? code * (linear_one / 255) : linear[code];
         page[c] += value;
         alone[c] += weight * value;
