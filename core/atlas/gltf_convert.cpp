@@ -92,7 +92,7 @@ class Converter {
  public:
   Converter(const GltfMaterial& material, const SceneImages& images, GlossForm gloss, bool keep_alpha)
       : m_(material), images_(images), gloss_(gloss), keep_alpha_(keep_alpha) {
-    for (const GltfTexture* texture : pair_textures(m_)) {
+    for (const GltfTexture* texture : replaced_textures(m_)) {
       const Image8& image = images_(texture->image);
       width_ = std::max(width_, image.width);
       height_ = std::max(height_, image.height);
@@ -219,23 +219,6 @@ Image8 scaled_normals(const Image8& map, double scale, int width, int height) {
         out.at(x, y)[c] =
             static_cast<std::uint8_t>(std::clamp((v[c] / length + 1) * 127.5 + 0.5, 0.0, 255.0));
     }
-  return out;
-}
-
-std::vector<const GltfTexture*> pair_textures(const GltfMaterial& m) {
-  std::vector<const GltfTexture*> out;
-  const auto add = [&](const std::optional<GltfTexture>& texture) {
-    if (texture) out.push_back(&*texture);
-  };
-  if (m.specular_glossiness) {
-    add(m.diffuse_texture);
-    add(m.specular_glossiness_texture);
-  } else {
-    add(m.base_color_texture);
-    add(m.metallic_roughness_texture);
-    add(m.specular_texture);
-    add(m.specular_color_texture);
-  }
   return out;
 }
 

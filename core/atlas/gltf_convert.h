@@ -32,7 +32,4 @@ FloatPair scene_material_floats(const GltfMaterial& material, const SceneFloats&
 /// loses what lies between, a smaller one repeats.
 Image8 scaled_normals(const Image8& map, double scale, int width, int height);
 
-/// The textures that make up the pair; none are null.
-std::vector<const GltfTexture*> pair_textures(const GltfMaterial& material);
-
 }  // namespace etak

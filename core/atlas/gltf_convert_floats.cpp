@@ -75,7 +75,7 @@ Vec3 product(const Texel& texel, const double* factor) {
 FloatPair scene_material_floats(const GltfMaterial& m, const SceneFloats& images, GlossForm gloss,
                                 bool keep_alpha) {
   int width = 1, height = 1;
-  for (const GltfTexture* texture : pair_textures(m)) {
+  for (const GltfTexture* texture : replaced_textures(m)) {
     width = std::max(width, images(texture->image).width);
     height = std::max(height, images(texture->image).height);
   }

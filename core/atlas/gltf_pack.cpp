@@ -71,7 +71,7 @@ void look_at(const MaterialPair& pair, const TexelUse* use, bool opaque, Materia
 
 // What a material is where it has no texture: its own factors where it never had one, else our codes.
 void scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to) {
-  if (pair_textures(m).empty()) {
+  if (replaced_textures(m).empty()) {
     DiffuseSpecular ds;
     if (m.specular_glossiness)
       ds = {{m.diffuse[0], m.diffuse[1], m.diffuse[2]},

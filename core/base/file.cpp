@@ -9,27 +9,11 @@
 #include <cstring>
 #include <filesystem>
 
+#include "core/base/descriptor.h"
 #include "core/base/error.h"
 
 namespace etak {
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-  bool close() {
-    const int fd = fd_;
-    fd_ = -1;
-    return fd < 0 || ::close(fd) == 0;
-  }
-
- private:
-  int fd_;
-};
 
 std::string reason() {
   return std::strerror(errno);
@@ -50,15 +34,6 @@ std::size_t read_some(int fd, std::string& out, std::size_t wanted, const std::s
     out.resize(old + static_cast<std::size_t>(got));
     return static_cast<std::size_t>(got);
   }
-}
-
-bool write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t wrote = ::write(fd, bytes.data(), bytes.size());
-    if (wrote < 0 && errno != EINTR) return false;
-    if (wrote > 0) bytes.remove_prefix(static_cast<std::size_t>(wrote));
-  }
-  return true;
 }
 
 // Where a symbolic link leads, so that the link stays and its target is replaced.

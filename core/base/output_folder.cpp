@@ -23,32 +23,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/descriptor.h"
 #include "core/base/error.h"
 
 namespace etak {
 namespace {
-
-// An open folder or file, by which everything is named from here on: paths can change their meaning, it
-// cannot.
-class Descriptor {
- public:
-  explicit Descriptor(int fd = -1) : fd_(fd) {}
-  ~Descriptor() { (void)close(); }
-  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(fd_, other.fd_);
-    return *this;
-  }
-  int get() const { return fd_; }
-  explicit operator bool() const { return fd_ >= 0; }
-  bool close() {
-    const int fd = std::exchange(fd_, -1);
-    return fd < 0 || ::close(fd) == 0;
-  }
-
- private:
-  int fd_;
-};
 
 constexpr std::string_view mark = ".etak-";
 
@@ -89,15 +68,6 @@ void remove_folder(int parent, const std::string& name, int home) {
         ::syscall(SYS_renameat2, folder.get(), entry.c_str(), home, entry.c_str(), RENAME_NOREPLACE);
     }
   ::unlinkat(parent, name.c_str(), AT_REMOVEDIR);
-}
-
-bool write_all(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t wrote = ::write(fd, bytes.data(), bytes.size());
-    if (wrote < 0 && errno != EINTR) return false;
-    if (wrote > 0) bytes.remove_prefix(static_cast<std::size_t>(wrote));
-  }
-  return true;
 }
 
 // The layout names the textures, so it comes last.

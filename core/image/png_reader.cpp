@@ -116,6 +116,7 @@ struct PngReader::State {
   bool read_header();
   bool read_until_idat();
   void begin_idat(const Chunk& chunk);
+  void end_idat();
   void gather_input();
   void fill();
   void finish();
@@ -194,6 +195,16 @@ void PngReader::State::begin_idat(const Chunk& chunk) {
   idat_checksum = crc32_of(0, octets(chunk.type));
 }
 
+// Another chunk of image data is begun where one follows.
+void PngReader::State::end_idat() {
+  if (idat_checksum != idat.checksum) fail(idat, "has a wrong checksum");
+  const Chunk next = checked_chunk(idat.end());
+  if (next.type == "IDAT")
+    begin_idat(next);
+  else
+    idat_over = true;
+}
+
 // Image data of as many chunks as fit, one behind the other: files with an IDAT for every few bytes are
 // common.
 void PngReader::State::gather_input() {
@@ -205,12 +216,7 @@ void PngReader::State::gather_input() {
     size += take;
     idat_taken += take;
     if (idat_taken < idat.data.size()) break;
-    if (idat_checksum != idat.checksum) fail(idat, "has a wrong checksum");
-    const Chunk next = checked_chunk(idat.end());
-    if (next.type == "IDAT")
-      begin_idat(next);
-    else
-      idat_over = true;
+    end_idat();
   }
   inflater.feed(std::span(input).first(size));
 }
@@ -261,12 +267,7 @@ void PngReader::State::finish_chunks() {
   // What is left of the image data: empty chunks at most.
   while (!idat_over) {
     if (idat_taken < idat.data.size()) fail("image data goes on behind its end");
-    if (idat_checksum != idat.checksum) fail(idat, "has a wrong checksum");
-    const Chunk next = checked_chunk(idat.end());
-    if (next.type == "IDAT")
-      begin_idat(next);
-    else
-      idat_over = true;
+    end_idat();
   }
   for (std::size_t at = idat.end();;) {
     const Chunk chunk = checked_chunk(at);

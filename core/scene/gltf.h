@@ -75,8 +75,11 @@ struct GltfMaterial {
   bool double_sided = false;
 };
 
-/// The first texture an atlas replaces (colour, then metal-rough or specular-gloss, then the extensions'):
-/// whose UV set, transform and sampler stand for all of them. None for a material of factors alone.
+/// The textures an atlas replaces, none of them null: colour, then metal-rough or specular-gloss, then the
+/// extensions'. Empty for a material of factors alone.
+std::vector<const GltfTexture*> replaced_textures(const GltfMaterial& material);
+
+/// The first of them, whose UV set, transform and sampler stand for all of them; null where there is none.
 const GltfTexture* leading_texture(const GltfMaterial& material);
 
 /// Whether all textures an atlas replaces are looked up at the same place: one set, transform and wrap.

@@ -126,24 +126,6 @@ GltfMaterial material_of(const GltfDocument& document, int index) {
   return out;
 }
 
-/// The textures an atlas replaces, in the order of leading_texture().
-std::vector<const GltfTexture*> replaced_textures(const GltfMaterial& m) {
-  std::vector<const GltfTexture*> out;
-  const auto add = [&](const std::optional<GltfTexture>& texture) {
-    if (texture) out.push_back(&*texture);
-  };
-  if (m.specular_glossiness) {
-    add(m.diffuse_texture);
-    add(m.specular_glossiness_texture);
-    return out;
-  }
-  add(m.base_color_texture);
-  add(m.metallic_roughness_texture);
-  add(m.specular_color_texture);
-  add(m.specular_texture);
-  return out;
-}
-
 }  // namespace
 
 int image_of_texture(const GltfDocument& document, int texture) {
@@ -159,6 +141,23 @@ std::vector<GltfMaterial> materials_of(const GltfDocument& document) {
   std::vector<GltfMaterial> out;
   const int count = static_cast<int>(document.count("materials"));
   for (int i = 0; i < count; ++i) out.push_back(material_of(document, i));
+  return out;
+}
+
+std::vector<const GltfTexture*> replaced_textures(const GltfMaterial& m) {
+  std::vector<const GltfTexture*> out;
+  const auto add = [&](const std::optional<GltfTexture>& texture) {
+    if (texture) out.push_back(&*texture);
+  };
+  if (m.specular_glossiness) {
+    add(m.diffuse_texture);
+    add(m.specular_glossiness_texture);
+    return out;
+  }
+  add(m.base_color_texture);
+  add(m.metallic_roughness_texture);
+  add(m.specular_color_texture);
+  add(m.specular_texture);
   return out;
 }
 
