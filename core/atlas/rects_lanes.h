@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <cstring>
 
 namespace etak::rects {
@@ -17,5 +19,32 @@ inline constexpr int lane_count = 8;
 #else
 #define LANES_FUNCTION
 #endif
+
+/// One bit for each lane of a comparison that holds.
+[[gnu::always_inline]] inline unsigned lane_bits(const Lanes& holds) {
+  const Lanes bits = holds & Lanes{1, 2, 4, 8, 16, 32, 64, 128};
+  std::uint64_t parts[4];
+  std::memcpy(parts, &bits, sizeof parts);
+  const std::uint64_t all = (parts[0] | parts[1]) | (parts[2] | parts[3]);
+  return static_cast<unsigned>((all | all >> 32) & 255);
+}
+
+/// Puts the least number into every lane.
+[[gnu::always_inline]] inline void spread_least(Lanes& a) {
+  Lanes b = __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3);
+  a = a < b ? a : b;
+  b = __builtin_shufflevector(a, a, 2, 3, 0, 1, 6, 7, 4, 5);
+  a = a < b ? a : b;
+  b = __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6);
+  a = a < b ? a : b;
+}
+
+inline int lowest_lane(unsigned bits) {
+  return std::countr_zero(bits);
+}
+
+inline int highest_lane(unsigned bits) {
+  return std::bit_width(bits) - 1;
+}
 
 }  // namespace etak::rects

@@ -61,47 +61,127 @@ LANES_FUNCTION std::pair<int, int> least_key(const int* xs, const int* ys, const
     where = key < best ? here : where;
     best = key < best ? key : best;
   }
-  int key = INT_MAX, index = -1;
-  for (int k = 0; k < lane_count; ++k)
-    if (best[k] < key || (best[k] == key && key < INT_MAX && where[k] < index)) {
-      key = best[k];
-      index = where[k];
-    }
-  return {index, key};
+  Lanes key = best;
+  spread_least(key);
+  where = best == key ? where : INT_MAX;
+  spread_least(where);
+  return {where[0], key[0]};
 }
 
-// The first free rectangle from `from` on (a multiple of the lane count) whose block of lanes holds one that
-// the box cuts; count where none does.
-LANES_FUNCTION int next_cut(const int* xs, const int* ys, const int* rights, const int* tops, int from,
-                            int count, int x, int y, int right, int top) {
+// Those of the blocks from `from` on that are large enough: the block and its lanes; 0 where there is none.
+LANES_FUNCTION std::pair<int, unsigned> next_fitting(const int* xs, const int* ys, const int* rights,
+                                                     const int* tops, int from, int count, int width,
+                                                     int height) {
   for (int i = from; i < count; i += lane_count) {
-    Lanes fx, fy, fr, ft;
-    std::memcpy(&fx, xs + i, sizeof fx);
-    std::memcpy(&fy, ys + i, sizeof fy);
-    std::memcpy(&fr, rights + i, sizeof fr);
-    std::memcpy(&ft, tops + i, sizeof ft);
-    const Lanes cut = (fx < right) & (fr > x) & (fy < top) & (ft > y);
-    long long any[4];
-    std::memcpy(any, &cut, sizeof any);
-    if (any[0] | any[1] | any[2] | any[3]) return i;
+    Lanes x, y, right, top;
+    std::memcpy(&x, xs + i, sizeof x);
+    std::memcpy(&y, ys + i, sizeof y);
+    std::memcpy(&right, rights + i, sizeof right);
+    std::memcpy(&top, tops + i, sizeof top);
+    const unsigned fits = lane_bits((right - x >= width) & (top - y >= height));
+    if (fits != 0) return {i, fits};
+  }
+  return {count, 0};
+}
+
+// What is left of the cut rectangles on one side of the box, and the uncut ones that share that side's line:
+// only one of these can contain a piece, since it overlaps the box along the side and does not reach into it.
+// The common line is left out; `far` is the opposite end, turned so that the least reaches furthest.
+struct Side {
+  int *far, *low, *high;
+  int count;
+
+  void add(int f, int l, int h) {
+    far[count] = f;
+    low[count] = l;
+    high[count++] = h;
+  }
+  void pad() { std::fill_n(far + count, lane_count, INT_MAX); }
+};
+
+struct Space {
+  int *x, *y, *right, *top;
+  int count;
+};
+
+struct Cut {
+  int x, y, right, top, least_width, least_height;
+};
+
+// Takes the rectangles that the box cuts out of the space (the last one fills the gap) and gathers their
+// pieces and what touches the box, left, right, below and above of it.
+LANES_FUNCTION void cut(Space& space, const Cut& box, Side* pieces, Side* touching) {
+  const auto [x, y, right, top, least_width, least_height] = box;
+  for (int i = 0; i < space.count; i += lane_count) {
+    unsigned meets = 0;
+    for (;;) {
+      Lanes fx, fy, fr, ft;
+      std::memcpy(&fx, space.x + i, sizeof fx);
+      std::memcpy(&fy, space.y + i, sizeof fy);
+      std::memcpy(&fr, space.right + i, sizeof fr);
+      std::memcpy(&ft, space.top + i, sizeof ft);
+      meets = lane_bits((fx <= right) & (fr >= x) & (fy <= top) & (ft >= y));
+      if (meets == 0) break;
+      unsigned cuts = lane_bits((fx < right) & (fr > x) & (fy < top) & (ft > y));
+      if (cuts == 0) break;
+      while (cuts != 0) {
+        const int lane = highest_lane(cuts), k = i + lane, last = --space.count;
+        cuts ^= 1u << lane;
+        const int kx = space.x[k], ky = space.y[k], kr = space.right[k], kt = space.top[k];
+        space.x[k] = space.x[last];
+        space.y[k] = space.y[last];
+        space.right[k] = space.right[last];
+        space.top[k] = space.top[last];
+        space.x[last] = space.y[last] = INT_MAX / 2;
+        space.right[last] = space.top[last] = -1;
+        if (kt - ky >= least_height) {
+          if (x > kx && x - kx >= least_width) pieces[0].add(kx, ky, kt);
+          if (kr > right && kr - right >= least_width) pieces[1].add(-kr, ky, kt);
+        }
+        if (kr - kx >= least_width) {
+          if (y > ky && y - ky >= least_height) pieces[2].add(ky, kx, kr);
+          if (kt > top && kt - top >= least_height) pieces[3].add(-kt, kx, kr);
+        }
+      }
+    }
+    for (; meets != 0; meets &= meets - 1) {
+      const int k = i + lowest_lane(meets);
+      const int kx = space.x[k], ky = space.y[k], kr = space.right[k], kt = space.top[k];
+      if (ky < top && kt > y) {
+        if (kr == x) touching[0].add(kx, ky, kt);
+        if (kx == right) touching[1].add(-kr, ky, kt);
+      } else if (kx < right && kr > x) {
+        if (kt == y) touching[2].add(ky, kx, kr);
+        if (ky == top) touching[3].add(-kt, kx, kr);
+      }
+    }
+  }
+}
+
+// The pieces that lie in no touching rectangle and in no other piece; of equal ones the first.
+LANES_FUNCTION int outermost(const Side& pieces, const Side& touching, int* out) {
+  int count = 0;
+  for (int i = 0; i < pieces.count; ++i) {
+    const int far = pieces.far[i], low = pieces.low[i], high = pieces.high[i];
+    Lanes inside = {}, here = {0, 1, 2, 3, 4, 5, 6, 7};
+    for (int k = 0; k < touching.count; k += lane_count) {
+      Lanes f, l, h;
+      std::memcpy(&f, touching.far + k, sizeof f);
+      std::memcpy(&l, touching.low + k, sizeof l);
+      std::memcpy(&h, touching.high + k, sizeof h);
+      inside |= (f <= far) & (l <= low) & (h >= high);
+    }
+    for (int k = 0; k < pieces.count; k += lane_count, here += lane_count) {
+      Lanes f, l, h;
+      std::memcpy(&f, pieces.far + k, sizeof f);
+      std::memcpy(&l, pieces.low + k, sizeof l);
+      std::memcpy(&h, pieces.high + k, sizeof h);
+      const Lanes differs = (f != far) | (l != low) | (h != high);
+      inside |= (f <= far) & (l <= low) & (h >= high) & (differs | (here < i));
+    }
+    if (lane_bits(inside) == 0) out[count++] = i;
   }
   return count;
-}
-
-LANES_FUNCTION bool contained(const int* xs, const int* ys, const int* rights, const int* tops, int count,
-                              int x, int y, int right, int top) {
-  for (int i = 0; i < count; i += lane_count) {
-    Lanes fx, fy, fr, ft;
-    std::memcpy(&fx, xs + i, sizeof fx);
-    std::memcpy(&fy, ys + i, sizeof fy);
-    std::memcpy(&fr, rights + i, sizeof fr);
-    std::memcpy(&ft, tops + i, sizeof ft);
-    const Lanes in = (fx <= x) & (fy <= y) & (fr >= right) & (ft >= top);
-    long long any[4];
-    std::memcpy(any, &in, sizeof any);
-    if (any[0] | any[1] | any[2] | any[3]) return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -161,53 +241,46 @@ void MaxRects::keep(int x, int y, int right, int top) {
 
 void MaxRects::occupy(int x, int y, int width, int height) {
   const int right = x + width, top = y + height;
-  for (auto& side : fresh_) side.clear();
-  const auto offer = [&](std::size_t side, int fx, int fy, int fr, int ft) {
-    if (fr - fx >= least_width_ && ft - fy >= least_height_) fresh_[side].push_back({fx, fy, fr, ft});
+  // Each rectangle leaves at most one piece on each side.
+  const std::size_t room = x_.size() + lane_count;
+  if (scratch_.size() < 25 * room) scratch_.resize(25 * room);
+  Side pieces[4], touching[4];
+  int* next = scratch_.data();
+  const auto side = [&](Side& s) {
+    s = {next, next + room, next + 2 * room, 0};
+    next += 3 * room;
   };
-  int i = 0;
-  while ((i = next_cut(x_.data(), y_.data(), right_.data(), top_.data(), i, count_, x, y, right, top)) <
-         count_) {
-    for (int k = std::min(i + lane_count, count_) - 1; k >= i; --k) {
-      const Free f{x_[at(k)], y_[at(k)], right_[at(k)], top_[at(k)]};
-      if (f.x >= right || f.right <= x || f.y >= top || f.top <= y) continue;
-      const int last = --count_;
-      x_[at(k)] = x_[at(last)];
-      y_[at(k)] = y_[at(last)];
-      right_[at(k)] = right_[at(last)];
-      top_[at(k)] = top_[at(last)];
-      x_[at(last)] = y_[at(last)] = INT_MAX / 2;
-      right_[at(last)] = top_[at(last)] = -1;
-      if (f.x < x) offer(0, f.x, f.y, x, f.top);
-      if (f.right > right) offer(1, right, f.y, f.right, f.top);
-      if (f.y < y) offer(2, f.x, f.y, f.right, y);
-      if (f.top > top) offer(3, f.x, top, f.right, f.top);
-    }
-  }
-  add_new();
-}
+  for (Side& s : pieces) side(s);
+  for (Side& s : touching) side(s);
 
-// A part left of the box can lie only inside another part left of it (those above and below begin behind it),
-// and so on for the other sides.
-void MaxRects::add_new() {
+  Space space{x_.data(), y_.data(), right_.data(), top_.data(), count_};
+  cut(space, {x, y, right, top, least_width_, least_height_}, pieces, touching);
+  count_ = space.count;
   const int old = count_;
   work_ += 50 + 2 * (old / lane_count);
-  for (const std::vector<Free>& side : fresh_) {
-    const auto fresh = static_cast<std::int64_t>(side.size());
-    work_ += fresh * (4 + fresh + old / lane_count);
-    for (std::size_t i = 0; i < side.size(); ++i) {
-      const Free f = side[i];
-      bool inside = false;
-      for (std::size_t k = 0; k < side.size() && !inside; ++k) {
-        const Free& o = side[k];
-        if (o.x > f.x || o.y > f.y || o.right < f.right || o.top < f.top || k == i) continue;
-        const bool same = o.x == f.x && o.y == f.y && o.right == f.right && o.top == f.top;
-        inside = !same || k < i;  // of equal ones the first stays
+  for (int k = 0; k < 4; ++k) {
+    Side& s = pieces[k];
+    if (s.count == 0) continue;
+    work_ += std::int64_t{s.count} * (4 + s.count + old / lane_count);
+    s.pad();
+    touching[k].pad();
+    const int kept = outermost(s, touching[k], next);
+    for (int i = 0; i < kept; ++i) {
+      const int far = s.far[next[i]], low = s.low[next[i]], high = s.high[next[i]];
+      switch (k) {
+        case 0:
+          keep(far, low, x, high);
+          break;
+        case 1:
+          keep(right, low, -far, high);
+          break;
+        case 2:
+          keep(low, far, high, y);
+          break;
+        default:
+          keep(low, top, high, -far);
+          break;
       }
-      if (inside) continue;
-      if (contained(x_.data(), y_.data(), right_.data(), top_.data(), old, f.x, f.y, f.right, f.top))
-        continue;
-      keep(f.x, f.y, f.right, f.top);
     }
   }
 }
@@ -250,11 +323,15 @@ int MaxRects::contact(const Free& box) const {
 
 MaxRects::Found MaxRects::find_contact(int width, int height) const {
   Found best;
-  for (int i = 0; i < count_; ++i) {
-    const int x = x_[at(i)], y = y_[at(i)], right = x + width, top = y + height;
-    if (right > right_[at(i)] || top > top_[at(i)]) continue;
-    const int touch = contact({x, y, right, top});
-    if (best.free < 0 || -touch < best.key) best = {i, -touch};
+  for (int from = 0; from < count_; from += lane_count) {
+    auto [block, fits] =
+        next_fitting(x_.data(), y_.data(), right_.data(), top_.data(), from, count_, width, height);
+    from = block;
+    for (; fits != 0; fits &= fits - 1) {
+      const int i = block + lowest_lane(fits), x = x_[at(i)], y = y_[at(i)];
+      const int touch = contact({x, y, x + width, y + height});
+      if (best.free < 0 || -touch < best.key) best = {i, -touch};
+    }
   }
   return best;
 }

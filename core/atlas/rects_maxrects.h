@@ -16,7 +16,7 @@ const char* name_of(Fit fit);
 /// Based on
 ///   J. Jylanki, A thousand ways to pack the bin, 2010 (the list and the rules).
 /// A new maximal rectangle lies inside one that was just cut, so it can only be contained in one that was
-/// not cut or in another new one; those narrower or lower than anything still to come are left out.
+/// not cut and touches the same side of the box or in another new one on that side; those narrower or lower than anything still to come are left out.
 class MaxRects {
  public:
   MaxRects(const Set& set, bool rotate) : set_(set), rotate_(rotate) {}
@@ -43,7 +43,6 @@ class MaxRects {
   void remember(const Free& box);
   int contact(const Free& box) const;
   void keep(int x, int y, int right, int top);
-  void add_new();
 
   const Set& set_;
   bool rotate_;
@@ -52,7 +51,7 @@ class MaxRects {
   int least_width_ = 1, least_height_ = 1;
   int count_ = 0;
   std::vector<int> x_, y_, right_, top_;  // of the free ones, padded with what nothing fits
-  std::vector<Free> fresh_[4];            // cut off left, right, below and above of the last box
+  std::vector<int> scratch_;              // for what the last box cuts and touches
   mutable std::int64_t work_ = 0;
   // What lies, for the contact rule, with lists by the line its left, right, lower and upper side is on;
   // lines share slots.

@@ -31,13 +31,11 @@ LANES_FUNCTION int lowest_segment(const int* ys, int count) {
     best = lower ? y : best;
     where = lower ? here : where;
   }
-  int y = best[0], at = where[0];
-  for (int k = 1; k < lane_count; ++k)
-    if (best[k] < y || (best[k] == y && where[k] < at)) {
-      y = best[k];
-      at = where[k];
-    }
-  return at;
+  Lanes lowest = best;
+  spread_least(lowest);
+  where = best == lowest ? where : INT_MAX;
+  spread_least(where);
+  return where[0];
 }
 
 struct Gap {
@@ -69,8 +67,9 @@ LANES_FUNCTION int best_slot(const int* widths, const int* heights, int count, c
     best = score > best ? score : best;
     place -= lane_count;
   }
-  int key = -1;
-  for (int k = 0; k < lane_count; ++k) key = std::max(key, best[k]);
+  best = -best;
+  spread_least(best);
+  const int key = -best[0];
   return key < 0 ? -1 : 4095 - (key & 4095);
 }
 
