@@ -144,6 +144,8 @@ struct Search::Step {
   std::span<const int> order;
   int depth = 1;
   int target = 0;
+  std::uint64_t print = 0;  // of the try in the page of side `target`
+  const Outcome* known = nullptr;
   Outcome outcome;
   std::vector<Spot> spots;
 };
@@ -158,6 +160,14 @@ Search::Search(const Set& set, bool rotate, unsigned threads, Budget& budget)
   workers_.push_back(std::make_unique<Worker>(set_, turned_, rotate));
   all_.resize(set.items.size());
   std::iota(all_.begin(), all_.end(), 0);
+  first_equal_ = all_;
+  for (std::size_t i = 1; i < all_.size(); ++i)
+    if (set.items[i] == set.items[i - 1]) first_equal_[i] = first_equal_[i - 1];
+  if (!all_equal()) return;
+  for (Try& how : portfolio_) {  // the first in the window is as good as any
+    how.rule.window = 1;
+    how.rule.late = 0;
+  }
 }
 
 Search::~Search() = default;
@@ -176,6 +186,48 @@ Outcome Search::evaluate(const Try& how, std::span<const int> order, int width, 
                             : workers_[worker]->maxrects[side].pack(width, height, order, how.fit, partial);
   if (how.transposed) std::swap(out.width, out.height);
   return out;
+}
+
+namespace {
+
+void mix(std::uint64_t& print, std::uint64_t value) {
+  print = (print ^ value) * 0x9e3779b97f4a7c15u;
+  print ^= print >> 32;
+}
+
+}  // namespace
+
+std::uint64_t Search::print_of(const Try& how, std::span<const int> order) const {
+  std::uint64_t out = how.skyline ? 1 : 2;
+  const SkylineRule& r = how.rule;
+  for (const int part : {r.window, r.exact, r.flush, r.ceiling, r.sliver, r.late, r.left_over, r.side,
+                         static_cast<int>(how.fit), how.transposed ? 1 : 0})
+    mix(out, static_cast<std::uint64_t>(part));
+  for (const int i : order) mix(out, static_cast<std::uint64_t>(i));
+  return out;
+}
+
+std::uint64_t Search::print_in(std::uint64_t print, int width, int height) {
+  mix(print, static_cast<std::uint64_t>(width) << 32 | static_cast<std::uint32_t>(height));
+  return print;
+}
+
+const Outcome* Search::known(std::uint64_t print) const {
+  const auto found = failed_.find(print);
+  return found == failed_.end() ? nullptr : &found->second;
+}
+
+void Search::learn(std::uint64_t print, const Outcome& outcome) {
+  constexpr std::size_t most = 1 << 16;
+  if (outcome.all) return;
+  if (failed_.size() >= most) failed_.clear();
+  failed_.emplace(print, outcome);
+}
+
+// Equal rectangles in the order of their indices, so that orders of the same sizes are the same.
+void Search::make_canonical(std::vector<int>& order) const {
+  std::vector<int> next = first_equal_;
+  for (int& i : order) i = next[at(first_equal_[at(i)])]++;
 }
 
 void Search::spots_of(const Try& how, unsigned worker, std::vector<Spot>& out) const {
@@ -225,6 +277,7 @@ void Search::start(const Family& family, Best& best) {
 
 // Smaller and smaller pages with one try that has just succeeded: longer and longer steps, then halves.
 void Search::descend(const Family& family, Best& best, const Try& how, std::span<const int> order) {
+  const std::uint64_t print = print_of(how, order);
   int bad = family.least - 1, jump = std::max(1, (side_of(family, best) - family.least) / 8);
   bool growing = true;
   while (budget_.open()) {
@@ -233,8 +286,12 @@ void Search::descend(const Family& family, Best& best, const Try& how, std::span
     const int middle = (good + bad) / 2;
     const int target =
         std::clamp(family.full(growing ? std::max(good - jump, middle) : middle), bad + 1, next);
-    const Outcome outcome = evaluate(how, order, family.width_at(target), target, false, 0);
+    const std::uint64_t here = print_in(print, family.width_at(target), target);
+    const Outcome* const before = known(here);
+    const Outcome outcome =
+        before ? *before : evaluate(how, order, family.width_at(target), target, false, 0);
     budget_.charge(outcome.work);
+    if (!before) learn(here, outcome);
     if (outcome.all) {
       best.width = outcome.width;
       best.height = outcome.height;
@@ -277,11 +334,18 @@ void Search::go_through(std::size_t count, const Family& family, Best& best, Mak
       do {
         steps[k].target = target(family, best, steps[k].depth);
       } while (steps[k].target < family.least && --steps[k].depth > 0);
+      const int side = steps[k].target;
+      steps[k].print = print_in(print_of(steps[k].how, steps[k].order), family.width_at(side), side);
+      steps[k].known = known(steps[k].print);
     }
     parallel_chunks(made, threads_, 1, [&](std::size_t k, std::size_t, unsigned worker) {
       Step& step = steps[k];
       step.outcome = {};
       if (step.order.empty() || step.target < family.least) return;
+      if (step.known) {
+        step.outcome = *step.known;
+        return;
+      }
       step.outcome = evaluate(step.how, step.order, family.width_at(step.target), step.target, false, worker);
       if (step.outcome.all) spots_of(step.how, worker, step.spots);
     });
@@ -291,6 +355,7 @@ void Search::go_through(std::size_t count, const Family& family, Best& best, Mak
       if (step.outcome.work == 0) continue;
       if (!budget_.open()) return;
       budget_.charge(step.outcome.work);
+      learn(step.print, step.outcome);
       const bool better = settle(family, best, step);
       changed = done(i, step) || better;
       if (best.any && side_of(family, best) <= family.least) return;
@@ -352,7 +417,7 @@ void Search::run(const Family& family, Best& best) {
           step.depth = depth;
         },
         [](std::size_t, const Step&) { return false; });
-  if (finished()) return;
+  if (finished() || all_equal()) return;
   leaders.resize(std::min<std::size_t>(3, leaders.size()));
   for (Leader& leader : leaders) leader.order = order(leader.how);
   change_orders(family, best, leaders);
@@ -389,7 +454,10 @@ void Search::change_orders(const Family& family, Best& best, std::vector<Leader>
         step.how = leader.how;
         step.changed = leader.order;
         Random random(i);
-        if (leader.target == target(family, best, 1)) change(step.changed, random);
+        if (leader.target == target(family, best, 1)) {
+          change(step.changed, random);
+          make_canonical(step.changed);
+        }
         step.order = step.changed;
       },
       [&](std::size_t i, const Step& step) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <climits>
 #include <memory>
+#include <unordered_map>
 
 #include "core/atlas/rects_portfolio.h"
 
@@ -89,6 +90,12 @@ class Search {
                    unsigned worker);
   void spots_of(const Try& how, unsigned worker, std::vector<Spot>& out) const;
   const std::vector<int>& order(const Try& how);
+  static std::uint64_t print_in(std::uint64_t print, int width, int height);
+  std::uint64_t print_of(const Try& how, std::span<const int> order) const;
+  const Outcome* known(std::uint64_t print) const;
+  void learn(std::uint64_t print, const Outcome& outcome);
+  bool all_equal() const { return first_equal_.empty() || first_equal_.back() == 0; }
+  void make_canonical(std::vector<int>& order) const;
   int target(const Family& family, const Best& best, int depth) const;
   void start(const Family& family, Best& best);
   void descend(const Family& family, Best& best, const Try& how, std::span<const int> order);
@@ -105,6 +112,10 @@ class Search {
   std::vector<Try> portfolio_;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::vector<int> all_;
+  std::vector<int> first_equal_;  // of each rectangle: the first of its size
+  // What came of the tries that failed, by rule, order and page: the same is not done twice, though it counts
+  // as often as it is asked for.
+  std::unordered_map<std::uint64_t, Outcome> failed_;
   std::vector<int> orders_[2][key_count];
 };
 
