@@ -112,28 +112,30 @@ struct Cut {
 // pieces and what touches the box, left, right, below and above of it.
 LANES_FUNCTION void cut(Space& space, const Cut& box, Side* pieces, Side* touching) {
   const auto [x, y, right, top, least_width, least_height] = box;
-  for (int i = 0; i < space.count; i += lane_count) {
+  int *const xs = space.x, *const ys = space.y, *const rights = space.right, *const tops = space.top;
+  int count = space.count;
+  for (int i = 0; i < count; i += lane_count) {
     unsigned meets = 0;
     for (;;) {
       Lanes fx, fy, fr, ft;
-      std::memcpy(&fx, space.x + i, sizeof fx);
-      std::memcpy(&fy, space.y + i, sizeof fy);
-      std::memcpy(&fr, space.right + i, sizeof fr);
-      std::memcpy(&ft, space.top + i, sizeof ft);
+      std::memcpy(&fx, xs + i, sizeof fx);
+      std::memcpy(&fy, ys + i, sizeof fy);
+      std::memcpy(&fr, rights + i, sizeof fr);
+      std::memcpy(&ft, tops + i, sizeof ft);
       meets = lane_bits((fx <= right) & (fr >= x) & (fy <= top) & (ft >= y));
       if (meets == 0) break;
       unsigned cuts = lane_bits((fx < right) & (fr > x) & (fy < top) & (ft > y));
       if (cuts == 0) break;
       while (cuts != 0) {
-        const int lane = highest_lane(cuts), k = i + lane, last = --space.count;
+        const int lane = highest_lane(cuts), k = i + lane, last = --count;
         cuts ^= 1u << lane;
-        const int kx = space.x[k], ky = space.y[k], kr = space.right[k], kt = space.top[k];
-        space.x[k] = space.x[last];
-        space.y[k] = space.y[last];
-        space.right[k] = space.right[last];
-        space.top[k] = space.top[last];
-        space.x[last] = space.y[last] = INT_MAX / 2;
-        space.right[last] = space.top[last] = -1;
+        const int kx = xs[k], ky = ys[k], kr = rights[k], kt = tops[k];
+        xs[k] = xs[last];
+        ys[k] = ys[last];
+        rights[k] = rights[last];
+        tops[k] = tops[last];
+        xs[last] = ys[last] = INT_MAX / 2;
+        rights[last] = tops[last] = -1;
         if (kt - ky >= least_height) {
           if (x > kx && x - kx >= least_width) pieces[0].add(kx, ky, kt);
           if (kr > right && kr - right >= least_width) pieces[1].add(-kr, ky, kt);
@@ -146,7 +148,7 @@ LANES_FUNCTION void cut(Space& space, const Cut& box, Side* pieces, Side* touchi
     }
     for (; meets != 0; meets &= meets - 1) {
       const int k = i + lowest_lane(meets);
-      const int kx = space.x[k], ky = space.y[k], kr = space.right[k], kt = space.top[k];
+      const int kx = xs[k], ky = ys[k], kr = rights[k], kt = tops[k];
       if (ky < top && kt > y) {
         if (kr == x) touching[0].add(kx, ky, kt);
         if (kx == right) touching[1].add(-kr, ky, kt);
@@ -156,11 +158,16 @@ LANES_FUNCTION void cut(Space& space, const Cut& box, Side* pieces, Side* touchi
       }
     }
   }
+  space.count = count;
 }
 
 // The pieces that lie in no touching rectangle and in no other piece; of equal ones the first.
 LANES_FUNCTION int outermost(const Side& pieces, const Side& touching, int* out) {
   int count = 0;
+  if (pieces.count == 1 && touching.count == 0) {
+    out[0] = 0;
+    return 1;
+  }
   for (int i = 0; i < pieces.count; ++i) {
     const int far = pieces.far[i], low = pieces.low[i], high = pieces.high[i];
     Lanes inside = {}, here = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -221,7 +228,6 @@ void MaxRects::begin(int width, int height, int least_width, int least_height) {
   if (!placed_.empty() || first_on_line_[0].empty())
     for (auto& lines : first_on_line_) lines.assign(line_slots, -1);
   placed_.clear();
-  next_on_line_.clear();
   keep(0, 0, width, height);
 }
 
@@ -287,14 +293,13 @@ void MaxRects::occupy(int x, int y, int width, int height) {
 
 void MaxRects::remember(const Free& box) {
   const int lines[4] = {box.x, box.right, box.y, box.top};
-  std::array<int, 4> next;
+  Placed placed{box, {}};
   for (std::size_t k = 0; k < 4; ++k) {
     int& first = first_on_line_[k][at(lines[k]) % line_slots];
-    next[k] = first;
+    placed.next_on_line[k] = first;
     first = static_cast<int>(placed_.size());
   }
-  placed_.push_back(box);
-  next_on_line_.push_back(next);
+  placed_.push_back(placed);
 }
 
 // How much of the border of a box lies against the page and the boxes placed: those whose opposite side is on
@@ -307,8 +312,9 @@ int MaxRects::contact(const Free& box) const {
   if (box.top == page_height_) touch += box.right - box.x;
   int steps = 10;
   const auto follow = [&](std::size_t k, int line, int Free::*side, int Free::*from, int Free::*to) {
-    for (int i = first_on_line_[k][at(line) % line_slots]; i >= 0; i = next_on_line_[at(i)][k], ++steps) {
-      const Free& other = placed_[at(i)];
+    const Placed* const placed = placed_.data();
+    for (int i = first_on_line_[k][at(line) % line_slots]; i >= 0; i = placed[i].next_on_line[k], ++steps) {
+      const Free& other = placed[i].box;
       if (other.*side == line)
         touch += std::max(0, std::min(other.*to, box.*to) - std::max(other.*from, box.*from));
     }

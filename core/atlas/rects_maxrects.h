@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
 #include "core/atlas/rects_set.h"
 
 namespace etak::rects {
@@ -16,7 +14,8 @@ const char* name_of(Fit fit);
 /// Based on
 ///   J. Jylanki, A thousand ways to pack the bin, 2010 (the list and the rules).
 /// A new maximal rectangle lies inside one that was just cut, so it can only be contained in one that was
-/// not cut and touches the same side of the box or in another new one on that side; those narrower or lower than anything still to come are left out.
+/// not cut and touches the same side of the box or in another new one on that side; those narrower or lower
+/// than anything still to come are left out.
 class MaxRects {
  public:
   MaxRects(const Set& set, bool rotate) : set_(set), rotate_(rotate) {}
@@ -56,9 +55,12 @@ class MaxRects {
   // What lies, for the contact rule, with lists by the line its left, right, lower and upper side is on;
   // lines share slots.
   static constexpr std::size_t line_slots = 1024;
-  std::vector<Free> placed_;
+  struct Placed {
+    Free box;
+    int next_on_line[4];
+  };
+  std::vector<Placed> placed_;
   std::vector<int> first_on_line_[4];
-  std::vector<std::array<int, 4>> next_on_line_;
   std::vector<int> least_after_;
 };
 
