@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cstdlib>
 #include <cstring>
 
 namespace etak {
@@ -26,6 +27,7 @@ namespace {
 constexpr int ring = RegionAnalysis::rows_kept;
 constexpr int margin = 16;  // codes left and right of a row that repeat its ends
 constexpr int flat = 4;     // codes: the range of a plateau
+constexpr int hue = 24;     // codes: how far neighbours on the plateaus of any_f0 differ in a channel
 
 std::size_t slot_of(int y) {
   return static_cast<std::size_t>(y) % ring;
@@ -158,6 +160,25 @@ class Plane {
   std::array<CodeRow, ring> luminance_, median_;
 };
 
+/// Bits of `wanted` whose neighbours across and down have like colours: where two materials of one luminance
+/// meet, the plateaus of any_f0 must not run together. Loose, because these are texels, not medians.
+std::uint64_t like_coloured(int y, std::size_t word, std::uint64_t wanted, const PixelBox& tile,
+                            const std::function<RowPointers(int)>& rows) {
+  const std::uint8_t *above = rows(std::max(0, y - 1)).b, *here = rows(y).b,
+                     *below = rows(std::min(tile.height - 1, y + 1)).b;
+  std::uint64_t like = 0;
+  for (std::uint64_t rest = wanted; rest != 0; rest &= rest - 1) {
+    const int x = static_cast<int>(64 * word) + std::countr_zero(rest);
+    const std::uint8_t *left = here + 4 * std::max(0, x - 1),
+                       *right = here + 4 * std::min(tile.width - 1, x + 1);
+    int most = 0;
+    for (int c = 0; c < 3; ++c)
+      most = std::max({most, std::abs(left[c] - right[c]), std::abs(above[4 * x + c] - below[4 * x + c])});
+    if (most <= hue) like |= rest & -rest;
+  }
+  return like;
+}
+
 /// Rows of bits, the last few of them.
 struct BitRows {
   std::size_t words = 0;
@@ -244,6 +265,7 @@ struct RegionAnalysis::State {
     std::uint64_t any = 0;
     for (std::size_t w = 0; w < words; ++w) {
       plateau[w] = in[w] == 0 ? 0 : p.flat_texels(y, w, in[w], rows);
+      if (k.kind == RegionKind::any_f0) plateau[w] = like_coloured(y, w, plateau[w], tile, rows);
       if (plateau[w] != 0) p.codes(y, w, rows);
       any |= plateau[w];
     }

@@ -62,6 +62,35 @@ const std::vector<const KnownF0*>& plain_metals() {
 
 }  // namespace
 
+namespace {
+
+class FloatRows final : public RowSource {
+ public:
+  explicit FloatRows(const Pixels<float>& image) : image_(image) {
+    header_.width = image.width;
+    header_.height = image.height;
+    header_.channels = image.channels;
+    header_.bits = 32;
+    header_.floating = true;
+    header_.format = "openexr";
+  }
+  const TextureHeader& header() const override { return header_; }
+  void read_rows(std::uint8_t*, std::size_t, int) override {}
+  void read_float_rows(float* rgba, std::size_t stride, int count) override {
+    for (int i = 0; i < count; ++i, ++y_)
+      for (int x = 0; x < image_.width; ++x)
+        std::ranges::copy(image_.at(x, y_),
+                          rgba + static_cast<std::size_t>(i) * stride + 4 * static_cast<std::size_t>(x));
+  }
+
+ private:
+  const Pixels<float>& image_;
+  TextureHeader header_;
+  int y_ = 0;
+};
+
+}  // namespace
+
 CheckedFile check_set(const TextureSet& set, const Settings& settings, unsigned threads) {
   CheckTarget target;
   target.label = "set";
@@ -69,6 +98,17 @@ CheckedFile check_set(const TextureSet& set, const Settings& settings, unsigned 
   target.files = {
       {set.metallic.width != 0 ? FileRole::base_color : FileRole::diffuse_alpha, "", "a.png", false},
       {set.metallic.width != 0 ? FileRole::metal_rough : FileRole::specular_gloss, "", "b.png", false}};
+  if (set.b_floats.width != 0) {
+    target.files[1].label = "b.exr";
+    const auto open = [&](Needs) {
+      PictureRows rows;
+      rows.a = rows_of(set.a);
+      rows.b = std::make_unique<FloatRows>(set.b_floats);
+      if (set.metallic.width != 0) rows.metallic = rows_of(set.metallic);
+      return rows;
+    };
+    return check_rows(target, open, settings, threads);
+  }
   return check_pictures(target, {&set.a, &set.b, set.metallic.width != 0 ? &set.metallic : nullptr}, settings,
                         threads);
 }
@@ -85,7 +125,7 @@ std::size_t errors(const CheckedFile& file) {
 
 TextureSet flat_set(int size, std::array<int, 3> specular, std::array<int, 3> diffuse, std::uint64_t seed) {
   Random random(seed);
-  TextureSet set{Image8(size, size, 4), Image8(size, size, 4), {}, {}, {}};
+  TextureSet set{Image8(size, size, 4), Image8(size, size, 4), {}, {}};
   each_texel(set.a, [&](auto texel, int, int) { set_rgb(texel, diffuse); });
   each_texel(set.b, [&](auto texel, int, int) { set_rgb(texel, specular); });
   fill_alpha_and_gloss(set, random);
@@ -131,7 +171,7 @@ Pixels<float> blob_mask(int size, double sigma, std::uint64_t seed) {
 }
 
 TextureSet blended_set(const Pixels<float>& mask, double low, double high, Blend blend) {
-  TextureSet set{Image8(mask.width, mask.height, 4), Image8(mask.width, mask.height, 4), {}, {}, {}};
+  TextureSet set{Image8(mask.width, mask.height, 4), Image8(mask.width, mask.height, 4), {}, {}};
   for (int y = 0; y < mask.height; ++y)
     for (int x = 0; x < mask.width; ++x) {
       const double m = static_cast<double>(mask.at(x, y)[0]);
@@ -194,7 +234,7 @@ TextureSet natural_set(int size, std::uint64_t seed) {
     look.noise = random.between(1, 9);
     looks.push_back(look);
   }
-  TextureSet set{Image8(size, size, 4), Image8(size, size, 4), {}, {}, {}};
+  TextureSet set{Image8(size, size, 4), Image8(size, size, 4), {}, {}};
   std::vector<Pixels<float>> masks;
   for (int i = 1; i < count; ++i) masks.push_back(blob_mask(size, random.between(0, 1.2), random.next()));
   const Lattice shade(10, random);

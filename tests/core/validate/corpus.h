@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,7 +50,7 @@ void each_texel(Image8& image, Act act) {
 struct TextureSet {
   Image8 a, b, metallic;
   Manifest manifest;
-  std::vector<std::string> allowed;  // rules that may find something on the untouched set
+  Pixels<float> b_floats = {};  // in place of b: a float file's values, linear
 };
 
 /// Findings of the rules on a set.
@@ -84,15 +85,18 @@ struct Mutation {
   std::function<void(TextureSet&, Random&)> inject;
   int least_size = 0;  // of the set, where the rule asks for many texels
   std::function<bool(const TextureSet&)> applies =
-      nullptr;  // whether the set can have the defect; null: all can
+      nullptr;                         // whether the set can have the defect; null: all can
+  std::optional<Severity> least = {};  // of the finding; none: a warning, a hint where the rule is one
 };
-const std::vector<Mutation>& mutations();
+const std::vector<Mutation>& mutations();       // of texels alone
+const std::vector<Mutation>& mutations_told();  // of texels against what a layout, or the file, says of them
 
 /// How often the defect that each pixel rule is to find was found, and what came up without one.
 struct RuleScore {
   std::string rule;
   std::size_t injected = 0, found = 0;
   std::size_t false_sets = 0;  // untouched sets with a finding of the rule at warning or above
+  std::size_t hints = 0;       // untouched sets with a hint of the rule
 };
 struct Scores {
   std::vector<RuleScore> rules;
@@ -100,8 +104,8 @@ struct Scores {
   std::vector<std::string> missed;  // "ETK101 in set 17"
 };
 
-/// Draws every defect into every set. A rule that finds something in the untouched set already is left out
-/// there.
+/// Draws every defect into every set. A rule that is off by default is on for its defect; one that finds the
+/// like in the untouched set already is left out there.
 ///   larger   the set again with more texels, for defects that need them; none: the defect is left out
 Scores score_mutations(const std::vector<TextureSet>& sets,
                        const std::function<TextureSet(std::size_t, int)>& larger);

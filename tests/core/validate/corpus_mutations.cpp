@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/color/srgb.h"
+#include "core/validate/rules.h"
 #include "tests/core/validate/corpus.h"
 
 namespace etak::test {
@@ -223,7 +224,8 @@ const std::vector<Mutation>& mutations() {
          });
        }},
       {"ETK503", "alpha 0 everywhere",
-       [](TextureSet& s, Random&) { each_texel(s.a, [](auto a, int, int) { a[3] = 0; }); }},
+       [](TextureSet& s, Random&) { each_texel(s.a, [](auto a, int, int) { a[3] = 0; }); }, 0, nullptr,
+       Severity::error},
       {"ETK504", "tiles without gutter",
        [](TextureSet& s, Random&) {
          const int middle = s.a.width / 2 + 1, size = s.a.width;
@@ -265,30 +267,44 @@ const std::vector<Mutation>& mutations() {
 Scores score_mutations(const std::vector<TextureSet>& sets,
                        const std::function<TextureSet(std::size_t, int)>& larger) {
   Scores scores;
+  std::vector<Mutation> all = mutations();
+  all.insert(all.end(), mutations_told().begin(), mutations_told().end());
   std::map<std::string, RuleScore, std::less<>> by_rule;
-  for (const Mutation& mutation : mutations()) by_rule[std::string(mutation.rule)].rule = mutation.rule;
+  for (const Mutation& mutation : all) by_rule[std::string(mutation.rule)].rule = mutation.rule;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const TextureSet& clean = sets[i];
     const CheckedFile untouched = check_set(clean);
     ++scores.untouched;
     scores.untouched_errors += errors(untouched);
+    std::set<std::string> hinted;
     for (const Finding& finding : untouched.findings) {
-      if (finding.severity < Severity::warning) continue;
-      scores.untouched_warnings += finding.severity == Severity::warning;
       RuleScore& score = by_rule[finding.rule];
-      ++score.false_sets;
       score.rule = finding.rule;
+      scores.untouched_warnings += finding.severity == Severity::warning;
+      if (finding.severity >= Severity::warning)
+        ++score.false_sets;
+      else
+        score.hints += hinted.insert(finding.rule).second;
     }
-    for (const Mutation& mutation : mutations()) {
+    for (std::size_t number = 0; number < all.size(); ++number) {
+      const Mutation& mutation = all[number];
+      const Rule& rule = *find_rule(mutation.rule);
+      Settings settings;
+      if (rule.severity == Severity::off)
+        settings.rules[std::string(rule.id)].severity = rule.strict_severity;
+      const Severity least =
+          mutation.least.value_or(std::clamp(rule.severity, Severity::info, Severity::warning));
+      const auto found_in = [&](const CheckedFile& file) { return found(file, mutation.rule, least); };
       const bool small = clean.b.width < mutation.least_size;
-      if ((small && !larger) || found(untouched, mutation.rule, Severity::warning)) continue;
-      if (mutation.applies && !mutation.applies(clean)) continue;
+      if ((small && !larger) || (mutation.applies && !mutation.applies(clean)) ||
+          found_in(settings.rules.empty() ? untouched : check_set(clean, settings)))
+        continue;
       TextureSet broken = small ? larger(i, mutation.least_size) : clean;
-      Random random((i + 1) * 1000003 + static_cast<std::uint64_t>(&mutation - mutations().data()));
+      Random random((i + 1) * 1000003 + number);
       mutation.inject(broken, random);
       RuleScore& score = by_rule[std::string(mutation.rule)];
       ++score.injected;
-      if (found(check_set(broken), mutation.rule))
+      if (found_in(check_set(broken, settings)))
         ++score.found;
       else
         scores.missed.push_back(std::string(mutation.rule) + " in set " + std::to_string(i + 1));

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/color/srgb.h"
+#include "core/validate/rules.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
@@ -135,6 +136,13 @@ TEST_CASE(
 TEST_CASE("made-up sets without a defect give no error, and each defect is found in 95 of 100") {
   const Scores scores = score_natural_sets(24, 128);  // the benchmark does 200
   CHECK(scores.untouched_errors == 0);
+  for (const Rule* rule : rules()) {
+    const auto has_defect = [&](const RuleScore& score) {
+      return score.rule == rule->id && score.injected > 0;
+    };
+    INFO(rule->id << " looks at pixels");
+    CHECK((!rule->needs.pixels() || std::ranges::any_of(scores.rules, has_defect)));
+  }
   for (const std::string& missed : scores.missed) UNSCOPED_INFO(missed);
   for (const RuleScore& score : scores.rules) {
     if (score.injected == 0) continue;
