@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/number.h"
 #include "core/render/glsl_source.h"
 #include "core/render/glsl_text.h"
 
@@ -13,6 +14,16 @@ namespace etak {
 
 inline std::string glsl_type_name(int width) {
   return width == 1 ? "float" : "vec" + std::to_string(width);
+}
+
+inline void append_floats(std::vector<float>& out, const Vec3& v) {
+  for (const double x : v) out.push_back(static_cast<float>(x));
+}
+
+/// As a real number in GLSL.
+inline std::string glsl_decimal(double value) {
+  const std::string text = number(value, 9);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
 /// Grows the glue: the part of the text that is this scene's own.

@@ -2,170 +2,20 @@
 #include "core/render/glsl_text.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/number.h"
 #include "core/render/camera.h"
 #include "core/render/environment.h"
+#include "core/render/glsl_camera.h"
 #include "core/render/glsl_glue.h"
+#include "core/render/glsl_lights.h"
+#include "core/render/glsl_model.h"
 #include "core/render/glsl_source.h"
-#include "core/render/surface_textures.h"
 #include "core/render/texture_fetch.h"
 
 namespace etak {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-bool is_black(const Vec3& color) {
-  return color[0] == 0 && color[1] == 0 && color[2] == 0;
-}
-
-Vec3 scaled(const Vec3& color, double by) {
-  return {color[0] * by, color[1] * by, color[2] * by};
-}
-
-// As a real number in GLSL.
-std::string decimal(double value) {
-  const std::string text = number(value, 9);
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
-// What a parameter is at a texel; as TexturedValues has it.
-std::string from_texture(const Parameter& parameter) {
-  const auto held = [&](const std::string& value) {
-    return "clamp(" + value + ", " + decimal(parameter.min) + ", " + decimal(parameter.max) + ")";
-  };
-  const std::string channels = parameter.color ? ".xyz" : ".x";
-  switch (parameter.role) {
-    case Role::diffuse:
-      return "(body_here" + channels + " * body_here.w)";
-    case Role::f0:
-      return "gloss_here" + channels;
-    case Role::gloss:
-      return held("gloss_here.w");
-    case Role::alpha:
-      return held("sqrt(2.0 / (exp2(12.0 * gloss_here.w) + 2.0))");
-    default:
-      return held("exp2(12.0 * gloss_here.w)");
-  }
-}
-
-// A parameter whose value a texture holds, as GLSL; "" for one that is a uniform.
-std::string fetched_value(const Model& model, const Parameter& parameter, const TextureUse& textures) {
-  switch (parameter.role) {
-    case Role::diffuse:
-      return textures.diffuse ? "texel_diffuse" : "";
-    case Role::f0:
-      return textures.specular ? "texel_f0" : "";
-    case Role::f82:
-    case Role::n:
-    case Role::k:
-      if (textures.specular)
-        throw Error::at(std::string(model.id),
-                        "needs " + std::string(parameter.name) + ", which no texture holds",
-                        "a model of F0 and gloss, such as schueler-optimized or ggx-schlick");
-      return "";
-    case Role::gloss:
-      return textures.gloss ? "texel_gloss" : "";
-    case Role::alpha:
-      return textures.gloss ? "exponent_alpha(gloss_exponent(texel_gloss))" : "";
-    case Role::exponent:
-      return textures.gloss ? "gloss_exponent(texel_gloss)" : "";
-    case Role::other:
-      break;
-  }
-  return "";
-}
-
-// Declares the model's parameters as uniforms, "specular_K", and gives the call that evaluates it. `opacity`
-// scales what is diffuse in it: every model is linear in its diffuse colour.
-//   textured   parameters that follow a texture are taken from body_here and gloss_here
-std::string model_call(GlslGlue& glue, const std::string& part, const Model& model,
-                       const std::vector<double>& values, double opacity, bool textured = false,
-                       const TextureUse* textures = nullptr) {
-  if (values.size() != model.value_count())
-    throw Error::at(model.id, std::to_string(values.size()) + " values",
-                    std::to_string(model.value_count()) + " for its parameters");
-  std::string call = std::string(model.entry) + "(a";
-  std::size_t at = 0;
-  for (const Parameter& parameter : model.parameters) {
-    if (const std::string fetched = textures == nullptr ? "" : fetched_value(model, parameter, *textures);
-        !fetched.empty()) {
-      at += parameter.color ? 3 : 1;
-      call += ", " + fetched;
-      continue;
-    }
-    const std::string uniform = part + '_' + std::string(parameter.name);
-    if (textures != nullptr && textures->scalar_f0 && parameter.color && parameter.role == Role::f0) {
-      glue.uniform(uniform, values[at]);
-      at += 3;
-      call += ", vec3(" + uniform + ")";
-      continue;
-    }
-    const double scale = parameter.role == Role::diffuse ? opacity : 1;
-    if (textured && follows_texture(model, parameter)) {
-      at += parameter.color ? 3 : 1;
-      call += ", " + from_texture(parameter);
-      continue;
-    }
-    if (parameter.color)
-      glue.uniform(uniform, Vec3{values[at] * scale, values[at + 1] * scale, values[at + 2] * scale});
-    else
-      glue.uniform(uniform, values[at] * scale);
-    at += parameter.color ? 3 : 1;
-    call += ", " + uniform;
-    if (parameter.role == Role::diffuse && textures != nullptr && textures->alpha == TextureUse::Alpha::blend)
-      call += " * texel_opacity";
-  }
-  if (textures != nullptr && textures->gloss && model.derived_count() > 0)
-    throw Error::at(std::string(model.id), "has numbers that are computed from gloss beforehand",
-                    "a model that can take gloss from a texture, such as schueler-optimized or ggx-schlick");
-  std::vector<double> derived(model.derived_count());
-  model.derive(values.data(), derived.data());
-  for (std::size_t i = 0; i < derived.size(); ++i) {
-    const std::string uniform = part + '_' + std::string(model.derived[i].name);
-    glue.uniform(uniform, derived[i]);
-    call += ", " + uniform;
-  }
-  if (!model.text.empty()) glue.line(real_literals(model.text));
-  return call + ')';
-}
-
-// Whether all values of the diffuse parameters are 0; false for a model without any.
-bool diffuse_is_black(const Model& model, const std::vector<double>& values) {
-  bool any = false;
-  std::size_t at = 0;
-  for (const Parameter& parameter : model.parameters) {
-    const std::size_t count = parameter.color ? 3 : 1;
-    if (parameter.role == Role::diffuse) {
-      any = true;
-      for (std::size_t i = at; i < std::min(at + count, values.size()); ++i)
-        if (values[i] != 0) return false;
-    }
-    at += count;
-  }
-  return any;
-}
-
-std::string loop(std::size_t count) {
-  return "  for (int i = 0; i < " + std::to_string(count) + "; ++i) {";
-}
-
-std::string counted(std::size_t count) {
-  return std::to_string(count);
-}
-
-void append(std::vector<float>& out, const Vec3& v) {
-  for (const double x : v) out.push_back(static_cast<float>(x));
-}
-
-bool shines(const Light& light) {
-  return light.intensity != 0 && !is_black(light.color);
-}
 
 // The text of one scene, part by part.
 class SceneText {
@@ -184,7 +34,7 @@ class SceneText {
     textures();
     if (textures_ != nullptr) fetches();
     brdf();
-    lights();
+    light_code_ += light_loops(glue_, scene_, lit_);
     hemispheres();
     environment();
     glue_.line("out vec4 pixel_color;\n");
@@ -206,8 +56,8 @@ class SceneText {
  private:
   bool body_is_black(bool both) const {
     return is_black(scene_.surface.diffuse) ||
-           (both ? diffuse_is_black(*scene_.specular, scene_.specular_values)
-                 : scene_.diffuse != nullptr && diffuse_is_black(*scene_.diffuse, scene_.diffuse_values));
+           (both ? etak::body_is_black(*scene_.specular, scene_.specular_values)
+                 : scene_.diffuse != nullptr && etak::body_is_black(*scene_.diffuse, scene_.diffuse_values));
   }
 
   // Textures as globals that main() fills for its pixel.
@@ -254,73 +104,6 @@ class SceneText {
       glue_.leave_out("diffuse", diffuse == nullptr ? "no diffuse model" : "K_d is 0");
     }
     lit_ = !brdf_.empty();
-  }
-
-  void lights() {
-    std::vector<const Light*> kinds[3];
-    for (const Light& light : scene_.lights.lights)
-      if (lit_ && shines(light)) kinds[static_cast<std::size_t>(light.kind)].push_back(&light);
-    const double scale = scene_.lights.pi_scaled ? std::numbers::pi : 1;
-    const auto uniforms = [&](const char* name, int width, const std::vector<const Light*>& of, auto value) {
-      std::vector<float> values;
-      for (const Light* light : of) value(values, *light);
-      glue_.uniforms(name, width, values);
-    };
-    const auto strength = [scale](std::vector<float>& out, const Light& light) {
-      append(out, scaled(light.color, light.intensity * scale));
-    };
-    const auto position = [](std::vector<float>& out, const Light& light) { append(out, light.position); };
-    const auto towards = [](std::vector<float>& out, const Light& light) {
-      append(out, scaled(light.direction, -1));
-    };
-
-    if (const auto& of = kinds[static_cast<std::size_t>(LightKind::directional)]; !of.empty()) {
-      uniforms("directional_to_light", 3, of, towards);
-      uniforms("directional_irradiance", 3, of, strength);
-      light_code_ += loop(of.size()) +
-                     "\n    vec3 l = in_frame(directional_to_light[i], t, b, n);"
-                     "\n    sum += lit(l, local_v) * directional_irradiance[i];\n  }\n";
-    }
-    if (const auto& of = kinds[static_cast<std::size_t>(LightKind::point)]; !of.empty()) {
-      uniforms("point_position", 3, of, position);
-      uniforms("point_intensity", 3, of, strength);
-      light_code_ += loop(of.size()) + arriving("point") +
-                     "\n    sum += lit(l, local_v) * point_irradiance(point_intensity[i], r);\n  }\n";
-    }
-    if (const auto& of = kinds[static_cast<std::size_t>(LightKind::spot)]; !of.empty()) {
-      uniforms("spot_position", 3, of, position);
-      uniforms("spot_intensity", 3, of, strength);
-      uniforms("spot_back", 3, of, towards);
-      uniforms("spot_cosines", 2, of, [](std::vector<float>& out, const Light& light) {
-        out.push_back(static_cast<float>(std::cos(light.inner_deg * degree)));
-        out.push_back(static_cast<float>(std::cos(light.outer_deg * degree)));
-      });
-      light_code_ +=
-          loop(of.size()) + arriving("spot") +
-          "\n    float share = spot_share(dot(to, spot_back[i]) / r, spot_cosines[i].x, spot_cosines[i].y);"
-          "\n    sum += lit(l, local_v) * point_irradiance(spot_intensity[i], r) * share;\n  }\n";
-    }
-    constexpr std::pair<LightKind, const char*> rows[] = {{LightKind::directional, "directional lights"},
-                                                          {LightKind::point, "point lights"},
-                                                          {LightKind::spot, "spot lights"}};
-    for (const auto& [kind, name] : rows) {
-      const std::size_t count = kinds[static_cast<std::size_t>(kind)].size();
-      if (count > 0)
-        glue_.use(name, counted(count));
-      else
-        glue_.leave_out(name, in_setup(kind) ? "nothing for them to light" : "none in the setup");
-    }
-  }
-
-  bool in_setup(LightKind kind) const {
-    return std::ranges::any_of(scene_.lights.lights,
-                               [&](const Light& light) { return light.kind == kind && shines(light); });
-  }
-
-  // Distance and direction of a light that has a place.
-  static std::string arriving(const std::string& kind) {
-    return "\n    vec3 to = " + kind + "_position[i] - p;\n    float r = max(length(to), " +
-           std::to_string(point_light_min_r) + ");\n    vec3 l = in_frame(to / r, t, b, n);";
   }
 
   void hemispheres() {
@@ -420,10 +203,7 @@ class SceneText {
     const bool sphere = scene_.shape == Shape::sphere;
     glue_.use("shape", sphere ? "sphere" : "quad");
     glue_.use("camera", scene_.perspective ? "perspective" : "orthographic");
-    if (scene_.view)
-      from_anywhere(sphere);
-    else
-      from_the_front(sphere);
+    camera_text(glue_, scene_, camera_);
     if (textured_) {
       glue_.line(sphere ? "    vec2 texel_at = sphere_texel(p);" : "    vec2 texel_at = square_texel(p);");
       glue_.line("    body_here = texture(surface_body, texel_at);");
@@ -438,99 +218,12 @@ class SceneText {
     glue_.line("  pixel_color = vec4(color, coverage);\n}");
   }
 
-  // Up to position, normal and viewer of the pixel.
-  void from_the_front(bool sphere) {
-    glue_.line("void main() {");
-    glue_.line("  float pixel = 2.2 / picture_size.y;");
-    glue_.line("  vec2 at = (gl_FragCoord.xy - picture_size * 0.5) * pixel;");
-    if (!sphere)
-      glue_.line(scene_.perspective ? "  float side = 1.0 / (camera_spread * camera_distance);"
-                                    : "  float side = 1.0;");
-    glue_.line(sphere ? "  float coverage = disc_coverage(at, pixel);"
-                      : "  float coverage = square_coverage(at, side, pixel);");
-    glue_.line("  vec3 color = background;\n  if (coverage > 0.0) {");
-    if (sphere) {
-      glue_.line(scene_.perspective ? "    vec3 p = sphere_perspective(at, camera_distance, camera_spread);"
-                                    : "    vec3 p = sphere_orthographic(at);");
-      glue_.line("    vec3 n = p;");
-    } else {
-      glue_.line(scene_.perspective ? "    vec3 p = vec3(clamp(at / side, -1.0, 1.0), 0.0);"
-                                    : "    vec3 p = vec3(clamp(at, -1.0, 1.0), 0.0);");
-      glue_.line("    vec3 n = vec3(0.0, 0.0, 1.0);");
-    }
-    if (!scene_.perspective)
-      glue_.line("    vec3 v = vec3(0.0, 0.0, 1.0);");
-    else
-      glue_.line(sphere ? "    vec3 v = viewer_perspective(drawn_in(at), camera_spread);"
-                        : "    vec3 v = viewer_perspective(clamp(at, -side, side), camera_spread);");
-  }
-
-  // The same for a camera that moves.
-  void from_anywhere(bool sphere) {
-    glue_.declare("vec2", "picture_origin");
-    glue_.uniform("picture_pixel", camera_.pixel());
-    // Rows of the target count from below.
-    glue_.uniform("picture_centre", camera_.centre_column(), scene_.height - camera_.centre_row());
-    std::vector<float> axes, plane;
-    for (const Vec3& axis : camera_.axes()) append(axes, axis);
-    for (const Vec3& row : camera_.plane()) append(plane, row);
-    glue_.uniforms("camera_axes", 3, axes);
-    fan(sphere);
-    if (!sphere) glue_.uniforms("square_rows", 3, plane);
-    const std::string out_of = "out_of_camera(", by = ", camera_axes[0], camera_axes[1], camera_axes[2])";
-    glue_.line("void main() {");
-    glue_.line("  float pixel = picture_pixel;");
-    glue_.line("  vec2 at = (gl_FragCoord.xy - picture_origin - picture_centre) * pixel;");
-    if (sphere) {
-      glue_.line("  float coverage = disc_coverage(at, pixel);");
-    } else {
-      glue_.line("  vec3 place = plane_place(at, square_rows[0], square_rows[1], square_rows[2]);");
-      glue_.line(
-          "  float coverage = plane_coverage(place, camera_axes[2].z, square_rows[0], square_rows[1], "
-          "square_rows[2], pixel);");
-    }
-    glue_.line("  vec3 color = background;\n  if (coverage > 0.0) {");
-    if (sphere) {
-      glue_.line("    vec3 p = " + out_of +
-                 (scene_.perspective ? "sphere_perspective(at, camera_distance, camera_spread)"
-                                     : "sphere_orthographic(at)") +
-                 by + ";");
-      glue_.line("    vec3 n = p;");
-      glue_.line(scene_.perspective
-                     ? "    vec3 v = " + out_of + "viewer_perspective(drawn_in(at), camera_spread)" + by + ";"
-                     : "    vec3 v = camera_axes[2];");
-    } else {
-      glue_.line("    vec3 p = vec3(clamp(place.xy / max(place.z, 1e-6), -1.0, 1.0), 0.0);");
-      glue_.line("    vec3 n = vec3(0.0, 0.0, camera_axes[2].z < 0.0 ? -1.0 : 1.0);");
-      glue_.line(scene_.perspective ? "    vec3 v = normalize(camera_axes[2] * camera_distance - p);"
-                                    : "    vec3 v = camera_axes[2];");
-    }
-  }
-
   void fetches() {
     TextureFetch fetch = texture_fetch(*textures_, scene_.surface.opacity);
     fetching_ = fetch.any;
     glue_.line(fetch.code);
     for (GlslUniform& uniform : fetch.uniforms) glue_.add(std::move(uniform));
     for (GlslFeature& feature : fetch.features) glue_.text.features.push_back(std::move(feature));
-  }
-
-  // A polygon around the object: on a rasteriser without a GPU the pixels beside it cost as much as those on
-  // it.
-  void fan(bool sphere) {
-    if (!sphere && scene_.perspective) return;  // a near camera may see the square anywhere
-    const int corners = sphere || camera_.turned() ? 32 : 4;
-    const double reach = (sphere ? 1 : std::sqrt(2.0)) + 2 * camera_.pixel();
-    const double radius = reach / (corners == 4 ? 1 : std::cos(std::numbers::pi / corners)) / camera_.pixel();
-    const auto two = [](double x, double y) {
-      return std::vector<float>{static_cast<float>(x), static_cast<float>(y)};
-    };
-    const double w = scene_.width / 2.0, h = scene_.height / 2.0;
-    glue_.text.corners = corners;
-    glue_.vertex_uniform(
-        {"fan_centre", 2, 1, false, two(camera_.centre_column() / w - 1, 1 - camera_.centre_row() / h)});
-    glue_.vertex_uniform({"fan_radius", 2, 1, false, two(radius / w, radius / h)});
-    glue_.vertex_uniform({"fan_corners", 1, 1, false, {static_cast<float>(corners)}});
   }
 
   void marks() {
@@ -549,7 +242,8 @@ class SceneText {
       in_energy = "sends_too_much(gloss_here.xyz, " + body_color() + ")";
       glue_.use("energy stripes", "diffuse colour and F0");
     } else if (!energy.empty()) {
-      const std::string last = std::to_string(energy.size() - 1), size = decimal(double(energy.size() - 1));
+      const std::string last = std::to_string(energy.size() - 1),
+                        size = glsl_decimal(double(energy.size() - 1));
       glue_.uniforms("mark_energy", 1, energy);
       glue_.line("    float step = clamp(dot(n, v), 0.0, 1.0) * " + size + ";");
       glue_.line("    int lower = min(int(step), " + last + " - 1);");

@@ -141,7 +141,7 @@ bool body_is_black(const Model& model, const std::vector<double>& values) {
     for (std::size_t c = 0; c < (parameter.color ? 3u : 1u); ++c, ++at)
       if (parameter.role == Role::diffuse) {
         any = true;
-        if (values[at] != 0) return false;
+        if (at < values.size() && values[at] != 0) return false;
       }
   return any;
 }

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times for the cost table: every Fresnel form, visibility term and quadrature here and now.
+// Times for the cost table: every Fresnel form, visibility term, quadrature, filter and PNG level here and
+// now. Other programs on the machine may make a row three times as slow for a while, and never faster: each
+// row is timed in many short repeats, mixed among those of all others over the whole run, and the least
+// counts.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -16,6 +19,9 @@ namespace etak {
 namespace {
 
 constexpr std::size_t count = 4096;
+constexpr std::size_t rounds = 200;
+constexpr double seconds_a_case =
+    0.4;  // 2 ms a repeat: a burst of others lasts longer, so some repeats miss it
 
 // One set of directions for all models: light over the whole hemisphere, viewer too.
 struct Batch {
@@ -44,18 +50,21 @@ struct Batch {
   }
 };
 
-// A texture pair with something in every texel.
-TexelChain some_texture(Image8& picture) {
+// Something in every texel.
+std::shared_ptr<const Image8> some_texture(int width, int height) {
+  const auto picture = std::make_shared<Image8>(width, height, 4);
   Random random(5);
-  for (std::uint8_t& code : picture.values) code = static_cast<std::uint8_t>(random.uniform(40, 200));
-  const PixelBox whole{0, 0, picture.width, picture.height};
-  return {view(picture), view(picture), whole, GlossForm::schueler};
+  for (std::uint8_t& code : picture->values) code = static_cast<std::uint8_t>(random.uniform(40, 200));
+  return picture;
 }
 
 void add_textures(std::vector<TimedCase>& cases) {
-  constexpr int side = 256;
-  const auto picture = std::make_shared<Image8>(side, side, 4);
-  const auto chain = std::make_shared<const TexelChain>(some_texture(*picture));
+  // Small enough for the caches of one core: of a shared one neighbours leave more or less. And for a short
+  // repeat.
+  constexpr int side = 64;
+  const auto texture = some_texture(side, side);
+  const auto chain = std::make_shared<const TexelChain>(view(*texture), view(*texture),
+                                                        PixelBox{0, 0, side, side}, GlossForm::schueler);
   const auto places = random_floats(2 * count, 0, side);
   for (const TextureFilter filter : all_filters)
     cases.push_back({"filter/" + std::string(name(filter)), count, [chain, places, filter] {
@@ -66,6 +75,8 @@ void add_textures(std::vector<TimedCase>& cases) {
                          keep(&texel);
                        }
                      }});
+  // A file has a fixed part, which a texture's size hides.
+  const auto picture = some_texture(256, 64);
   for (const auto& [level, id] :
        {std::pair{PngLevel::fast, "png/fast"}, std::pair{PngLevel::small, "png/small"},
         std::pair{PngLevel::smallest, "png/smallest"}})
@@ -85,12 +96,12 @@ void add_textures(std::vector<TimedCase>& cases) {
 
 CostTable measure_costs(std::string_view header) {
   CostTable costs;
-  costs.header = header;
+  costs.header = std::string(header) + "; least of " + std::to_string(rounds) + " interleaved repeats";
   const auto library = MaterialLibrary::builtin();
   const Material gold = *library.find("gold");
   const auto& optics = std::get<OpticalConstants>(gold.preferred_dataset().optics);
   const FresnelTruth truth = fresnel_truth(optics, gold.id);
-  TimingOptions timing;
+  constexpr TimingOptions timing{rounds, seconds_a_case};
 
   std::vector<TimedCase> cases;
   const auto cosines = random_floats(count, 0, 1);
@@ -124,12 +135,15 @@ CostTable measure_costs(std::string_view header) {
   }
   add_textures(cases);
   const auto times = time_cases(cases, timing);
-  for (std::size_t i = 0; i < cases.size(); ++i) costs.ns[cases[i].id] = times[i].median_ns;
+  for (std::size_t i = 0; i < cases.size(); ++i) costs.ns[cases[i].id] = times[i].least_ns;
   // One formula, three ways to find n and k: what differs between their times is noise.
   const double exact = std::min(
       {costs.ns["fresnel/index"], costs.ns["fresnel/mean_index"], costs.ns["fresnel/three_wavelengths"]});
   for (const char* id : {"fresnel/index", "fresnel/mean_index", "fresnel/three_wavelengths"})
     costs.ns[id] = exact;
+  // One of two forms and the choice between them: where that seems to take less, it is noise as well.
+  costs.ns["fresnel/by_f0"] =
+      std::max({costs.ns["fresnel/by_f0"], costs.ns["fresnel/from_f0"], costs.ns["fresnel/schlick"]});
   return costs;
 }
 

@@ -23,7 +23,8 @@ struct ErrorMetric {
 /// Time of one evaluation: median and quartiles over interleaved repeats.
 struct RunTime {
   double median_ns = 0, first_quartile_ns = 0, third_quartile_ns = 0;
-  double ratio = 1;  // of medians to the table's base row, repeat by repeat
+  double ratio = 1;     // of medians to the table's base row, repeat by repeat
+  double least_ns = 0;  // of all repeats: the time without disturbance
 };
 
 /// One way of computing the same thing.

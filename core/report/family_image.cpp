@@ -230,7 +230,7 @@ std::vector<RunTime> frame_times(const Gallery& gallery, const ReportOptions& op
   auto times = time_cases(cases, options.timing);
   for (RunTime& time : times)
     for (double RunTime::*part :
-         {&RunTime::median_ns, &RunTime::first_quartile_ns, &RunTime::third_quartile_ns})
+         {&RunTime::median_ns, &RunTime::first_quartile_ns, &RunTime::third_quartile_ns, &RunTime::least_ns})
       time.*part *= 1e-6;
   return times;
 }

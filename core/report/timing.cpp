@@ -79,7 +79,7 @@ std::vector<RunTime> time_cases(std::span<const TimedCase> cases, const TimingOp
     const auto& seconds = collector.seconds.at(std::to_string(i));
     const double to_ns = 1e9 / static_cast<double>(cases[i].evaluations);
     RunTime time{quantile(seconds, 0.5) * to_ns, quantile(seconds, 0.25) * to_ns,
-                 quantile(seconds, 0.75) * to_ns, 1};
+                 quantile(seconds, 0.75) * to_ns, 1, quantile(seconds, 0) * to_ns};
     std::vector<double> ratios;
     for (std::size_t r = 0; r < std::min(seconds.size(), base.size()); ++r)
       ratios.push_back(seconds[r] / static_cast<double>(cases[i].evaluations) /
