@@ -442,6 +442,7 @@ std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const Atla
     scene_constants(s.inputs.materials[i].facts, m, s.gloss, to);
     if (fate.texels) {
       int page = -1;
+      bool own_page = false;
       const PackInput& in = s.inputs.materials[i];
       for (std::size_t r = 0; r < regions.size(); ++r) {
         if (regions[r].material != fate.owner) continue;
@@ -456,6 +457,7 @@ std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const Atla
           throw Error::at(in.name, "its islands lie on several pages, which one material cannot read",
                           "a larger --page, or no --islands");
         page = at.page;
+        own_page = regions[r].own_page;
         to.islands.push_back({array_of(box), region});
       }
       if (to.islands.size() == 1) {
@@ -487,7 +489,7 @@ std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const Atla
         to.base_color_image = image(extra_file(page, "base_color"));
         to.metallic_roughness_image = image(extra_file(page, "metal_rough"));
       }
-      if (entry.tiles)
+      if (own_page)
         if (const GltfTexture* lead = leading_texture(m)) to.sampler = lead->sampler;
     }
     out.materials.push_back(std::move(to));

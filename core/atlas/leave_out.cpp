@@ -100,37 +100,84 @@ class Steps {
     return true;
   }
 
-  void equal() {
-    if (!options_.leaves("equal")) return;
-    // Materials that need alpha first: the opaque ones can use theirs.
-    using Key = std::tuple<int, int, std::array<std::uint64_t, 2>, std::array<std::uint64_t, 2>>;
-    std::map<Key, std::vector<std::size_t>> owners;
-    std::map<std::string, std::size_t> by_source;
-    std::size_t touched = 0;
-    std::string names;
-    for (const bool opaque : {false, true})
-      for (std::size_t i = 0; i < materials_.size(); ++i) {
-        const MaterialFacts& m = materials_[i];
-        if (m.opaque != opaque || !out_.fates[i].texels) continue;
-        const std::size_t owner =
-            m.learned ? equal_pixels(i, owners) : by_source.try_emplace(m.source, i).first->second;
-        if (owner == i) continue;
-        out_.fates[i].owner = owner;
-        if (touched < 3) names += (touched == 0 ? "" : ", ") + m.name + " = " + materials_[owner].name;
-        ++touched;
-      }
-    if (touched > 3) names += ", ...";
-    record("equal", touched, names);
+  // What of a material's texels matters: colour, alpha, and F0 with gloss.
+  enum Part { color_part, alpha_part, specular_part, part_count };
+  using Parts = std::array<bool, part_count>;
+
+  bool varies(const MaterialFacts& m, std::size_t first, std::size_t count) const {
+    if (!options_.leaves("constant")) return true;
+    for (std::size_t c = first; c < first + count; ++c)
+      if (!m.range.constant(c)) return true;
+    return false;
   }
 
-  template <class Owners>
-  std::size_t equal_pixels(std::size_t i, Owners& owners) {
-    const MaterialFacts& m = materials_[i];
-    auto& list = owners[{m.width, m.height, m.color_hash, m.specular_hash}];
-    for (const std::size_t owner : list)
-      if (m.opaque || materials_[owner].alpha_hash == m.alpha_hash) return owner;
-    list.push_back(i);
-    return i;
+  // A part that is one number over the texels in use is not read from them.
+  Parts parts_read(const MaterialFacts& m) const {
+    if (!m.learned) return {true, !m.opaque, true};
+    const bool alpha = !m.opaque && varies(m, alpha_channel, 1);
+    const bool alpha_in_color = m.alpha_hash == std::array<std::uint64_t, 2>{};
+    return {varies(m, 0, 3) || (alpha && alpha_in_color), alpha, varies(m, specular_channel, 4)};
+  }
+
+  // Whether a material finds what it reads in the texels of another.
+  bool finds_all(std::size_t user, std::size_t with) const {
+    const MaterialFacts &m = materials_[user], &owner = materials_[with];
+    const Parts& reads = reads_[user];
+    return m.width == owner.width && m.height == owner.height &&
+           (!reads[color_part] || m.color_hash == owner.color_hash) &&
+           (!reads[alpha_part] || m.alpha_hash == owner.alpha_hash) &&
+           (!reads[specular_part] || m.specular_hash == owner.specular_hash);
+  }
+
+  // One that reads another texture than its owner must not make more of that be kept than it saves.
+  bool is_worth_it(std::size_t user, std::size_t with) const {
+    Parts both{};
+    for (std::size_t p = 0; p < part_count; ++p) both[p] = reads_[user][p] || reads_[with][p];
+    const auto textures = [](const Parts& reads) {
+      return std::uint64_t{reads[color_part] || reads[alpha_part]} + std::uint64_t{reads[specular_part]};
+    };
+    const auto of_user = textures(reads_[user]), of_owner = textures(reads_[with]);
+    if (of_user == textures(both) && of_owner == textures(both)) return true;
+    const auto box = [&](std::size_t i) {
+      return options_.leaves("crop") ? materials_[i].crop : whole(materials_[i]);
+    };
+    return area(around(box(user), box(with))) * textures(both) <=
+           area(box(user)) * of_user + area(box(with)) * of_owner;
+  }
+
+  void equal() {
+    if (!options_.leaves("equal")) return;
+    std::vector<std::size_t> order, owners;
+    for (const MaterialFacts& m : materials_) reads_.push_back(parts_read(m));
+    for (std::size_t i = 0; i < materials_.size(); ++i)
+      if (out_.fates[i].texels) order.push_back(i);
+    // Those that read most first: the others can use theirs.
+    const auto parts = [&](std::size_t i) { return std::count(reads_[i].begin(), reads_[i].end(), true); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return parts(a) > parts(b); });
+    std::map<std::string, std::size_t> by_source;
+    std::vector<std::size_t> shared;
+    for (const std::size_t i : order) {
+      const MaterialFacts& m = materials_[i];
+      if (!m.learned) {
+        out_.fates[i].owner = by_source.try_emplace(m.source, i).first->second;
+      } else if (parts(i) > 0) {  // else it has no texels anyway
+        const auto owner = std::find_if(owners.begin(), owners.end(),
+                                        [&](std::size_t o) { return finds_all(i, o) && is_worth_it(i, o); });
+        if (owner == owners.end())
+          owners.push_back(i);
+        else
+          out_.fates[i].owner = *owner;
+      }
+      if (out_.fates[i].owner != i) shared.push_back(i);
+    }
+    std::sort(shared.begin(), shared.end());
+    std::string names;
+    for (std::size_t k = 0; k < std::min<std::size_t>(3, shared.size()); ++k)
+      names += (k == 0 ? "" : ", ") + materials_[shared[k]].name + " = " +
+               materials_[out_.fates[shared[k]].owner].name;
+    if (shared.size() > 3) names += ", ...";
+    record("equal", shared.size(), names);
   }
 
   // Those that use texels of `i`, itself among them.
@@ -247,6 +294,7 @@ class Steps {
   const std::vector<MaterialFacts>& materials_;
   const LeaveOutOptions& options_;
   std::vector<std::array<bool, channel_count>> channels_;  // of owners: what their region holds
+  std::vector<Parts> reads_;
   LeaveOut out_;
 };
 

@@ -20,7 +20,7 @@ namespace etak {
 
 /// The kinds of things that are left out, in the order in which they are looked for; names of --keep.
 ///   unreached   materials that the scene does not reach
-///   equal       materials whose texels another one has
+///   equal       materials that find every texel they read in another one's: what is constant they do not read
 ///   alpha       alpha of opaque materials
 ///   constant    channels that hold one code over the texels in use, and materials that have no others
 ///   grey        two of F0's three channels where they are equal in every texel in use
@@ -101,8 +101,8 @@ struct LeaveOut {
   TexelAccount before, after;
 };
 
-/// Materials that share texels get the owner of the lowest index among those that need alpha, else the
-/// lowest.
+/// Materials that share texels get the owner of the lowest index among those that read most of them: colour,
+/// alpha, and F0 with gloss.
 LeaveOut leave_out(const std::vector<MaterialFacts>& materials, const LeaveOutOptions& options);
 
 /// Throws Error at --keep for a name that is none ("all" stands for every one).

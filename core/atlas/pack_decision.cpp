@@ -40,14 +40,20 @@ std::vector<Region> PackDecision::regions_needed() const {
     if (!fate.texels || fate.owner != i) continue;
     std::array<bool, 2> in{false, false};
     int levels = 1;
+    bool own_page = false;
     users(i, [&](const PackInput& m, const MaterialFate& user) {
+      own_page = own_page || m.own_page;
       for (std::size_t t = 0; t < 2; ++t) in[t] = in[t] || user.varies[t];
       levels = levels == 0 || m.facts.levels == 0 ? 0 : std::max(levels, m.facts.levels);
     });
     if (options_.keep.contains("textures")) in = {true, true};
     if (options_.keep.contains("mips")) levels = 0;
-    for (const PixelBox& box : fate.boxes)
-      out.push_back({i, box, in, inputs_.materials[i].own_page, levels, 0});
+    for (const PixelBox& box : fate.boxes) out.push_back({i, box, in, own_page, levels, 0});
+  }
+  // The only picture of a scene keeps its sampler, and so its other side beyond each edge.
+  if (scene_ != nullptr && out.size() == 1) {
+    const PackInput& m = inputs_.materials[out[0].material];
+    if (out[0].box == PixelBox{0, 0, m.width, m.height} && reads_around(out[0])) out[0].own_page = true;
   }
   return out;
 }
@@ -88,6 +94,14 @@ int PackDecision::levels() const {
   return container ? 0 : 1;
 }
 
+// Whether bilinear filtering in the box reads what lies beyond the picture's edge, on its other side.
+bool PackDecision::reads_around(const Region& region) const {
+  const PackInput& m = inputs_.materials[region.material];
+  const PixelBox& box = region.box;
+  return (m.wrap[0] != Wrap::clamp && (box.x == 0 || box.x + box.width == m.width)) ||
+         (m.wrap[1] != Wrap::clamp && (box.y == 0 || box.y + box.height == m.height));
+}
+
 PlanOptions PackDecision::plan_options() const {
   PlanOptions out;
   out.rects.form = options_.form.value_or(PageForm::mixed);
@@ -105,6 +119,7 @@ PlanOptions PackDecision::plan_options() const {
     // Viewers make the mips that samplers ask for by themselves, and UVs cannot be inset without shrinking
     // the picture.
     out.may_inset = false;
+    out.bare_alone = regions_.size() != 1 || !reads_around(regions_[0]);
     out.free_first = !options_.form;
     out.least_gutter = 1;
     out.levels = scene_->sampled_levels(out.levels);

@@ -50,6 +50,7 @@ class PackDecision {
   template <class Act>
   void users(std::size_t owner, Act act) const;
   std::vector<Region> regions_needed() const;
+  bool reads_around(const Region& region) const;
   int levels() const;
   PlanOptions plan_options() const;
 

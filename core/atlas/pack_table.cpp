@@ -13,8 +13,7 @@
 namespace etak {
 namespace {
 
-void add_rects(const PackInput& m, bool repeats, std::size_t owner, const PackDecision& decision,
-               AtlasLayout& out) {
+void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decision, AtlasLayout& out) {
   const Plan& plan = decision.plan();
   const std::vector<Region>& regions = decision.regions();
   int island = 0;
@@ -37,7 +36,7 @@ void add_rects(const PackInput& m, bool repeats, std::size_t owner, const PackDe
     rect.gutter = at.gutter;
     rect.mips = at.clean_levels;
     rect.inset = plan.inset ? 0.5 * (1 << (at.clean_levels - 1)) : 0;
-    rect.repeats = repeats;
+    rect.repeats = regions[r].own_page;
     const bool whole = box == PixelBox{0, 0, m.width, m.height};
     rect.source_gutter = at.gutter > 0 && !(whole && m.wrap == std::array{Wrap::clamp, Wrap::clamp});
     out.rects.push_back(rect);
@@ -120,7 +119,7 @@ AtlasLayout layout_table(const PackOptions& options, const PackInputs& inputs, c
     if (const MaterialVariant* variant = options.variants ? options.variants->find(m.name) : nullptr)
       row.defines.insert(row.defines.end(), variant->defines.begin(), variant->defines.end());
     out.materials.push_back(std::move(row));
-    if (fate.texels) add_rects(m, inputs.materials[fate.owner].own_page, fate.owner, decision, out);
+    if (fate.texels) add_rects(m, fate.owner, decision, out);
   }
   return out;
 }

@@ -115,7 +115,8 @@ class Planner {
   Plan least() {
     if (regions_.empty()) return {};
     // A region by itself needs no gutter when the page is of just its size.
-    if (regions_.size() == 1 && !options_.may_inset && !options_.gutter && !regions_[0].own_page) {
+    if (regions_.size() == 1 && !options_.may_inset && options_.bare_alone && !options_.gutter &&
+        !regions_[0].own_page) {
       Plan plan = empty_plan();
       add_own_page(plan, 0);
       return plan;

@@ -39,6 +39,7 @@ struct PlanOptions {
   std::optional<int> gutter;      // texels on every side; none: from the mips of each region
   int least_gutter = 0;           // of those from the mips
   bool may_inset = true;          // no gutters where they would cost more than a quarter of the area
+  bool bare_alone = true;         // without inset: the only region takes a page of just its size
   bool split_textures = true;     // regions that one texture can do without may go to pages of their own
   double most_extra_area = 0.05;  // of what the least layout takes: so much more may staying in place cost
 };

@@ -49,7 +49,7 @@ void append_pages(std::string& out, const AtlasPageData& data) {
       append_figure(out, data.pictures[p].gloss, "Texture B: gloss, its fourth channel");
     }
     append(out, "<figure>", layout_svg(data.layout, static_cast<int>(p)),
-           "<figcaption>Layout: regions with their gutters (paler); point at one for its size"
+           "<figcaption>Layout: regions with their gutters (darker); point at one for its size"
            "</figcaption></figure>\n</div></section>\n");
   }
 }

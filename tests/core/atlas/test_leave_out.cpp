@@ -98,6 +98,42 @@ TEST_CASE("an opaque material uses the texels of one that needs alpha, not the o
   CHECK(out.fates[1].boxes == std::vector<PixelBox>{{0, 0, 12, 12}});
 }
 
+TEST_CASE("materials are equal when they are so in all that varies, and keep their own numbers") {
+  const auto f0 = [](int code) {
+    return std::vector<std::pair<std::size_t, int>>{{4, code}, {5, code}, {6, code}, {7, 36}};
+  };
+  std::vector<MaterialFacts> m{facts("stone", 16, f0(56)), facts("stone again", 16, f0(44)),
+                               facts("wet stone", 16), facts("wet stone again", 16), facts("other", 16)};
+  for (MaterialFacts& each : m) each.opaque = true, each.color_hash = {7, 7};
+  m[2].specular_hash = m[3].specular_hash = {8, 8};
+  m[4].color_hash = {9, 9};
+  const LeaveOut out = leave_out(m, {});
+  // Those that vary in both textures hold what the others read.
+  for (const std::size_t i : {0u, 1u, 2u, 3u}) CHECK(out.fates[i].owner == 2);
+  CHECK(out.fates[4].owner == 4);
+  CHECK(line(out, "equal")->materials == 3);
+  CHECK(line(out, "equal")->texels == 3 * 2 * 256);
+  CHECK(out.fates[0].constant[4] == 56);
+  CHECK(out.fates[1].constant[4] == 44);
+  CHECK_FALSE(out.fates[2].constant[4]);
+  CHECK_FALSE(out.fates[1].varies[1]);
+  LeaveOutOptions keep;
+  keep.keep = {"constant"};
+  const LeaveOut kept = leave_out(m, keep);  // then F0 must be in the texels, and is another one
+  CHECK(kept.fates[0].owner == 0);
+  CHECK(kept.fates[1].owner == 1);
+  CHECK(kept.fates[3].owner == 2);
+}
+
+TEST_CASE("a material of one texture does not make a small region of two textures larger than both") {
+  std::vector<MaterialFacts> m{facts("part", 16), facts("all", 16, {{4, 56}, {5, 56}, {6, 56}, {7, 36}})};
+  for (MaterialFacts& each : m) each.opaque = true, each.color_hash = {7, 7};
+  m[0].crop = {0, 0, 4, 4};
+  CHECK(leave_out(m, {}).fates[1].owner == 1);
+  m[0].crop = {0, 0, 16, 12};
+  CHECK(leave_out(m, {}).fates[1].owner == 0);
+}
+
 TEST_CASE("islands are taken only where they are fewer texels than the box around them") {
   std::vector<MaterialFacts> m{facts("a", 100)};
   m[0].crop = {0, 0, 100, 100};

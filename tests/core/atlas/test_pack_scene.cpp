@@ -11,6 +11,7 @@
 #include "core/color/srgb.h"
 #include "core/image/load.h"
 #include "core/scene/gltf.h"
+#include "tests/core/atlas/pack_support.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -277,6 +278,80 @@ TEST_CASE("every planted fact of the synthetic scene is found") {
   CHECK(std::abs(rect("m13").crop.height - 64) <= 2);
   CHECK(report.left_out.after.texels < report.left_out.before.texels);
   CHECK(worst_difference(*asset("synthetic_a/scene.gltf"), folder.file("out/scene.gltf")) <= 1);
+}
+
+TEST_CASE("equal textures of different files, workflows, F0 and tiling are stored once, and look the same") {
+  const TempFolder folder;
+  const Image8 picture = noise(64, 64, 3, 5);
+  save_png(folder.file("a.png"), picture);
+  PngOptions small;
+  small.level = PngLevel::smallest;
+  const std::string other = png_bytes({{64, 64, 3, 8}, picture.values.data(), 192}, small);
+  spit(folder.file("b.png"), other);
+  spit(folder.file("c.png"), other + "tail that no decoder reads");
+  // One quad per UV extent: a quarter of the picture and three periods of it.
+  std::string buffer;
+  for (const float most : {0.5f, 3.0f})
+    for (const float v : {0.f, 0.f, most, 0.f, 0.f, most})
+      buffer.append(reinterpret_cast<const char*>(&v), 4);
+  buffer.append(36, '\0');
+  spit(folder.file("scene.bin"), buffer);
+  const auto material = [](const std::string& name, const std::string& rest) {
+    return R"({"name": ")" + name + R"(", )" + rest + "}";
+  };
+  const std::string rough = R"("metallicFactor": 0, "roughnessFactor": 0.85)";
+  const std::string materials =
+      material("one", R"("pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, )" + rough + "}") + ", " +
+      material("ior", R"("extensions": {"KHR_materials_ior": {"ior": 1.4}}, )"
+                      R"("pbrMetallicRoughness": {"baseColorTexture": {"index": 1}, )" +
+                          rough + "}") +
+      ", " +
+      material("specular", R"("extensions": {"KHR_materials_pbrSpecularGlossiness": {"diffuseTexture": )"
+                           R"({"index": 2}, "specularFactor": [0.1, 0.2, 0.3], "glossinessFactor": 0.5}})");
+  std::string meshes, nodes, roots;
+  for (int i = 0; i < 4; ++i) {
+    const std::string comma = i == 0 ? "" : ", ", uv = i == 3 ? "2" : "1", m = std::to_string(i % 3);
+    meshes += comma + R"({"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": )" + uv +
+              R"(}, "material": )" + m + "}]}";
+    nodes += comma + R"({"mesh": )" + std::to_string(i) + "}";
+    roots += comma + std::to_string(i);
+  }
+  spit(folder.file("scene.gltf"),
+       R"({"asset": {"version": "2.0"}, "scene": 0, "extensionsUsed": ["KHR_materials_ior",
+        "KHR_materials_pbrSpecularGlossiness"], "scenes": [{"nodes": [)" +
+           roots + R"(]}], "nodes": [)" + nodes + R"(], "meshes": [)" + meshes + R"(], "materials": [)" +
+           materials +
+           R"(], "images": [{"uri": "a.png"}, {"uri": "b.png"}, {"uri": "c.png"}],
+        "textures": [{"source": 0}, {"source": 1}, {"source": 2}],
+        "buffers": [{"uri": "scene.bin", "byteLength": 84}],
+        "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 36}],
+        "accessors": [
+          {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [0, 0, 0]},
+          {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC2"},
+          {"bufferView": 0, "byteOffset": 24, "componentType": 5126, "count": 3, "type": "VEC2"}]})");
+  for (const bool tiles : {false, true}) {
+    if (!tiles) {  // without the one whose UVs tile
+      std::string text = slurp(folder.file("scene.gltf"));
+      text.replace(text.find("[0, 1, 2, 3]"), 12, "[0, 1, 2]");
+      spit(folder.file("three.gltf"), text);
+    }
+    INFO((tiles ? "tiling" : "one period"));
+    const std::string scene = folder.file(tiles ? "scene.gltf" : "three.gltf"),
+                      out = folder.file(tiles ? "tiled" : "out");
+    const PackReport report = pack_scene(scene, out, false);
+    const AtlasLayout layout = parse_layout(slurp(out + "/layout.json"), "layout.json");
+    CHECK(report.regions == 1);
+    REQUIRE(layout.rects.size() == 3);
+    for (const AtlasRect& rect : layout.rects) {
+      CHECK(rect.x == layout.rects[0].x);
+      CHECK(rect.width == (tiles ? 64 : 33));
+      CHECK(rect.repeats == tiles);
+    }
+    CHECK(layout.pages[0].files[1].empty());  // F0 and gloss are numbers, each material's own
+    CHECK(layout.materials[0].constant[4] == 56);
+    CHECK(layout.materials[1].constant[4] != 56);
+    CHECK(worst_difference(scene, out + "/scene.gltf") <= 1);
+  }
 }
 
 TEST_CASE("a scene packed with everything kept keeps everything") {
