@@ -7,6 +7,7 @@
 #include "core/atlas/floats.h"
 #include "core/atlas/outputs.h"
 #include "core/atlas/resolution.h"
+#include "core/image/dilate.h"
 
 namespace etak {
 namespace {
@@ -53,7 +54,8 @@ class FloatComposer {
   MipPairFloat chain_of(std::size_t r, int levels) const {
     const Region& region = regions_[r];
     const PackInput& m = materials_[region.material];
-    const Image a = part_of(pair_.diffuse_alpha, region.box), b = part_of(pair_.specular_gloss, region.box);
+    Image a = part_of(pair_.diffuse_alpha, region.box), b = part_of(pair_.specular_gloss, region.box);
+    if (options_.bleed) bleed_under_alpha(a, b);
     MipOptions options;
     options.levels = region.shrink + levels;
     if (m.alpha_mode == AlphaMode::mask) options.alpha_cutoff = m.alpha_cutoff;
@@ -94,10 +96,10 @@ class FloatComposer {
         const auto around = [&](int column, int row) {
           column = std::clamp(column, -gutter, box.width - 1 + gutter);
           row = std::clamp(row, -gutter, box.height - 1 + gutter);
-          return picture
-              .at(wrapped_texel(box.x + column, m.width, m.wrap[0]),
-                  wrapped_texel(box.y + row, m.height, m.wrap[1]))
-              .data();
+          const int x = wrapped_texel(box.x + column, m.width, m.wrap[0]),
+                    y = wrapped_texel(box.y + row, m.height, m.wrap[1]);
+          const bool inside = x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height;
+          return inside ? image.at(x - box.x, y - box.y).data() : picture.at(x, y).data();
         };
         const auto alone = [&](int column, int row) {
           return image

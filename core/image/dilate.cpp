@@ -2,6 +2,7 @@
 #include "core/image/dilate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -17,6 +18,8 @@ void repeat(const std::uint8_t* texel, std::uint8_t* out, int count, int channel
     std::memmove(out + static_cast<std::size_t>(i) * static_cast<std::size_t>(channels), texel,
                  static_cast<std::size_t>(channels));
 }
+
+constexpr float gloss_octaves = 12;  // e = 2^(12 g)
 
 // Four lanes: linear R, G, B and a fourth value.
 using Float4 = float __attribute__((vector_size(16)));
@@ -49,25 +52,17 @@ BlockLevel level_above(int width, int height) {
   return out;
 }
 
-BlockLevel pulled(const PixelsView8& a, const PixelsView8& b) {
-  const LinearTables& tables = linear_tables();
-  const auto linear = [&](const std::uint8_t* c, float last) {
-    return Float4{tables.srgb[c[0]], tables.srgb[c[1]], tables.srgb[c[2]], last};
-  };
-  BlockLevel out = level_above(a.width, a.height);
+// The first level over texels.
+//   texel   gives a column's and row's Block, all zero where hidden
+template <class Texel>
+BlockLevel pulled(int width, int height, const Texel& texel) {
+  BlockLevel out = level_above(width, height);
   for (int y = 0; y < out.height; ++y) {
     Block* const blocks = out.row(y);
     for (int x = 0; x < out.width; ++x) {
       Block sum;
-      for (int v = 2 * y; v < std::min(2 * y + 2, a.height); ++v)
-        for (int u = 2 * x; u < std::min(2 * x + 2, a.width); ++u) {
-          const std::uint8_t* code = a.at(u, v);
-          if (code[3] == 0) continue;
-          sum.a += linear(code, 1);
-          if (b.data == nullptr) continue;
-          code = b.at(u, v);
-          sum.b += linear(code, tables.inverse[code[3]]);
-        }
+      for (int v = 2 * y; v < std::min(2 * y + 2, height); ++v)
+        for (int u = 2 * x; u < std::min(2 * x + 2, width); ++u) sum.add(texel(u, v));
       sum.divide();
       blocks[x] = sum;
     }
@@ -81,6 +76,23 @@ BlockLevel pulled(BlockLevel& below) {
     for (int x = 0; x < below.width; ++x) out.row(y / 2)[x / 2].add(below.row(y)[x]);
   for (Block& block : out.blocks) block.divide();
   return out;
+}
+
+// Blocks of `base` without anything visible get the value of the smallest block above them that has it.
+void push(BlockLevel& base) {
+  std::vector<BlockLevel> levels;
+  levels.push_back(std::move(base));
+  // Levels are needed up to the one where all blocks have something visible in them.
+  const auto has_hole = [](const BlockLevel& level) {
+    return std::any_of(level.blocks.begin(), level.blocks.end(),
+                       [](const Block& block) { return block.a[3] == 0; });
+  };
+  while (has_hole(levels.back())) levels.push_back(pulled(levels.back()));
+  for (std::size_t l = levels.size() - 1; l-- > 0;)
+    for (int y = 0; y < levels[l].height; ++y)
+      for (int x = 0; x < levels[l].width; ++x)
+        if (Block& block = levels[l].row(y)[x]; block.a[3] == 0) block = levels[l + 1].row(y / 2)[x / 2];
+  base = std::move(levels[0]);
 }
 
 }  // namespace
@@ -131,20 +143,22 @@ std::size_t bleed_under_alpha(const PixelsView8& a, const PixelsView8& b) {
   if (hidden == 0 || hidden == static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height))
     return 0;
 
-  std::vector<BlockLevel> levels;
-  levels.push_back(pulled(a, b));
-  // Levels are needed up to the one where all blocks have something visible in them.
-  const auto has_hole = [](const BlockLevel& level) {
-    return std::any_of(level.blocks.begin(), level.blocks.end(),
-                       [](const Block& block) { return block.a[3] == 0; });
-  };
-  while (has_hole(levels.back())) levels.push_back(pulled(levels.back()));
-  for (std::size_t l = levels.size() - 1; l-- > 0;)
-    for (int y = 0; y < levels[l].height; ++y)
-      for (int x = 0; x < levels[l].width; ++x)
-        if (Block& block = levels[l].row(y)[x]; block.a[3] == 0) block = levels[l + 1].row(y / 2)[x / 2];
-
   const LinearTables& tables = linear_tables();
+  const auto linear = [&](const std::uint8_t* c, float last) {
+    return Float4{tables.srgb[c[0]], tables.srgb[c[1]], tables.srgb[c[2]], last};
+  };
+  BlockLevel blocks = pulled(a.width, a.height, [&](int x, int y) {
+    Block out;
+    const std::uint8_t* code = a.at(x, y);
+    if (code[3] == 0) return out;
+    out.a = linear(code, 1);
+    if (b.data == nullptr) return out;
+    code = b.at(x, y);
+    out.b = linear(code, tables.inverse[code[3]]);
+    return out;
+  });
+  push(blocks);
+
   for (int y = 0; y < a.height; ++y) {
     std::uint8_t *row_a = a.row(y), *row_b = b.data == nullptr ? nullptr : b.row(y);
     int filled_column = -1;  // of blocks; its codes are in these two
@@ -153,7 +167,7 @@ std::size_t bleed_under_alpha(const PixelsView8& a, const PixelsView8& b) {
       if (row_a[4 * x + 3] != 0) continue;
       if (x / 2 != filled_column) {
         filled_column = x / 2;
-        const Block& block = levels[0].row(y / 2)[x / 2];
+        const Block& block = blocks.row(y / 2)[x / 2];
         for (int c = 0; c < 3; ++c) {
           code_a[c] = tables.srgb_code(block.a[c]);
           code_b[c] = tables.srgb_code(block.b[c]);
@@ -169,6 +183,31 @@ std::size_t bleed_under_alpha(const PixelsView8& a, const PixelsView8& b) {
 
 std::size_t bleed_under_alpha(Image8& a, Image8& b) {
   return bleed_under_alpha(view(a), view(b));
+}
+
+std::size_t bleed_under_alpha(Image& a, Image& b) {
+  assert(a.channels == 4 && b.channels == 4 && a.width == b.width && a.height == b.height);
+  std::size_t hidden = 0;
+  for (std::size_t i = 3; i < a.values.size(); i += 4) hidden += a.values[i] == 0 ? 1 : 0;
+  if (hidden == 0 || hidden == a.pixel_count()) return 0;
+  BlockLevel blocks = pulled(a.width, a.height, [&](int x, int y) {
+    Block out;
+    const auto from = a.at(x, y), other = b.at(x, y);
+    if (from[3] == 0) return out;
+    out.a = Float4{from[0], from[1], from[2], 1};
+    out.b = Float4{other[0], other[1], other[2], std::exp2(-gloss_octaves * other[3])};
+    return out;
+  });
+  push(blocks);
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      const auto to = a.at(x, y), other = b.at(x, y);
+      if (to[3] != 0) continue;
+      const Block& block = blocks.row(y / 2)[x / 2];
+      for (std::size_t c = 0; c < 3; ++c) to[c] = block.a[c], other[c] = block.b[c];
+      other[3] = -std::log2(block.b[3]) / gloss_octaves;
+    }
+  return hidden;
 }
 
 }  // namespace etak

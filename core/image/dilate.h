@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "core/image/image.h"
 #include "core/image/pixels_view.h"
 
 namespace etak {
@@ -37,5 +38,9 @@ void fill_from_nearest(const PixelsView8& page, const PixelBox& cell, const Cons
 ///   a, b      4 channels, of one size; b.data may be null
 ///   returns   how many texels were filled
 std::size_t bleed_under_alpha(const PixelsView8& a, const PixelsView8& b);
+
+/// The same of floats: colours in linear light, which may lie outside of 0..1, nothing rounded.
+///   a, b   4 channels, of one size
+std::size_t bleed_under_alpha(Image& a, Image& b);
 
 }  // namespace etak

@@ -8,6 +8,7 @@
 #include "core/atlas/pack.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"
+#include "core/image/dilate.h"
 #include "core/image/image_io.h"
 #include "core/image/mips.h"
 #include "core/material/f0.h"
@@ -180,6 +181,61 @@ TEST_CASE("mips of floats are files of their own, named in the layout, and those
   const Image page = read_image(folder.file("out/page0_diffuse_alpha.exr"));
   if (rect.gutter > 0 && rect.x > 0)
     CHECK(page.at(rect.x - 1, rect.y + 5)[0] == page.at(rect.x, rect.y + 5)[0]);
+}
+
+TEST_CASE("--bleed reaches floats: hidden texels, mips and gutters in every channel of both textures") {
+  const TempFolder folder;
+  write_exr(folder.file("d.exr"), halves(64, 64, 3, 1), false, false);
+  write_exr(folder.file("s.exr"), halves(64, 64, 3, 2), false, false);
+  save_png(folder.file("g.png"), noise(64, 64, 1, 4));
+  save_png(folder.file("e.png"), noise(64, 64, 3, 5));
+  Image8 alpha(64, 64, 1, 255);  // its border of 8 texels is hidden
+  const auto hidden = [](int x, int y) { return std::min({x, y, 63 - x, 63 - y}) < 8; };
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      if (hidden(x, y)) alpha.at(x, y)[0] = 0;
+  save_png(folder.file("a.png"), alpha);
+  PackOptions options = with_floats({"exr"});
+  options.mips = 2;
+  options.gutter = 2;
+  const auto packed = [&](bool bleed) {
+    options.bleed = bleed;
+    (void)pack_text(
+        folder,
+        R"({"materials": [{"name": "a", "diffuse": "d.exr", "specular": "s.exr", "gloss": "g.png", "alpha": "a.png"},
+    {"name": "b", "diffuse": "e.png", "specular": "s.exr", "gloss": "g.png"}]})",
+        options);
+    return std::array{read_image(folder.file("out/page0_diffuse_alpha.exr")),
+                      read_image(folder.file("out/page0_specular_gloss.exr")),
+                      read_image(folder.file("out/page0_diffuse_alpha.mip1.exr")),
+                      read_image(folder.file("out/page0_specular_gloss.mip1.exr"))};
+  };
+  const auto plain = packed(false), bled = packed(true);
+  const AtlasLayout layout = packed_layout(folder);
+  const AtlasRect& rect = rect_named(layout, "a");
+  REQUIRE(rect.gutter > 0);
+  REQUIRE_FALSE(rect.rotated);
+  const auto region = [&](const Image& page, int level) {
+    Image out(64 >> level, 64 >> level, 4);
+    paste(page, -(rect.x >> level), -(rect.y >> level), out);
+    return out;
+  };
+  Image a = region(plain[0], 0), b = region(plain[1], 0);
+  CHECK(bleed_under_alpha(a, b) == 64 * 64 - 48 * 48);
+  CHECK(region(bled[0], 0) == a);
+  CHECK(region(bled[1], 0) == b);
+  CHECK_FALSE(region(plain[1], 0) == b);
+  MipOptions mips;
+  mips.levels = 2;
+  const MipPairFloat alone = mip_pair(a, b, mips);
+  CHECK(region(bled[2], 1) == alone.diffuse_alpha[1]);
+  CHECK(region(bled[3], 1) == alone.specular_gloss[1]);
+  for (const std::size_t t : {0u, 1u})
+    for (int y = -rect.gutter; y < 64 + rect.gutter; ++y)
+      for (int x = -rect.gutter; x < 64 + rect.gutter; ++x) {
+        const float* inner = texel(bled[t], rect, std::clamp(x, 0, 63), std::clamp(y, 0, 63));
+        REQUIRE(std::equal(inner, inner + 4, texel(bled[t], rect, x, y)));
+      }
 }
 
 TEST_CASE("metal-rough pictures of 16 bits come out of the formula unrounded") {

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/color/srgb.h"
 #include "core/image/mips.h"
 #include "tests/core/image/mip_reference.h"
 
@@ -115,6 +116,38 @@ TEST_CASE("nothing visible or nothing hidden: nothing changes; texture B may be 
   bleed_under_alpha(a, b);
   bleed_under_alpha(view(same), {});
   CHECK(a == same);
+}
+
+TEST_CASE("floats bleed as codes do, unrounded and beyond 0..1") {
+  Image8 a = noise_picture(61, 40, 1), b = noise_picture(61, 40, 2);
+  for (std::size_t i = 3; i < a.values.size(); i += 4)
+    if (a.values[i] < 220) a.values[i] = 0;
+  const auto floats = [](const Image8& codes) {
+    Image out(codes.width, codes.height, 4);
+    for (std::size_t i = 0; i < out.values.size(); ++i) {
+      const double v = codes.values[i] / 255.0;
+      out.values[i] = static_cast<float>(i % 4 == 3 ? v : srgb_decode(v));
+    }
+    return out;
+  };
+  Image wide_a = floats(a), wide_b = floats(b);
+  const Image before = wide_a;
+  CHECK(bleed_under_alpha(wide_a, wide_b) == bleed_under_alpha(a, b));
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    const auto code = [&](const Image& wide) {
+      const double v = double{wide.values[i]};
+      return 255 * (i % 4 == 3 ? v : srgb_encode(v));
+    };
+    REQUIRE(code(wide_a) == Approx(a.values[i]).margin(0.51));
+    REQUIRE(code(wide_b) == Approx(b.values[i]).margin(0.51));
+    if (before.values[i - i % 4 + 3] > 0) REQUIRE(wide_a.values[i] == before.values[i]);
+  }
+  Image bright(2, 1, 4, 3.5f), other(2, 1, 4, -0.25f);
+  bright.at(1, 0)[0] = 0, bright.at(1, 0)[3] = 0, other.at(1, 0)[2] = 7;
+  CHECK(bleed_under_alpha(bright, other) == 1);
+  CHECK(double{bright.at(1, 0)[0]} == 3.5);
+  CHECK(double{other.at(1, 0)[2]} == -0.25);
+  CHECK(double{other.at(1, 0)[3]} == Approx(-0.25));
 }
 
 TEST_CASE("bleeding works inside a box of a page") {
