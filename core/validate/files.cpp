@@ -104,11 +104,16 @@ void check_metal_rough(const CheckTarget& target, const Settings& settings, unsi
     if (MetalRoughSet::is_part(part.role))
       evidence.headers.push_back(picture_evidence(part, set.header(image++)));
   evidence.metal_rough = true;
-  const LoadedPictures converted = set.convert();
   CheckTarget weighed = target;
   weighed.manifest.specular_weighs_diffuse = true;
-  look_at_pixels(
-      weighed, [&](Needs) { return rows_of_pictures(converted); }, settings, threads, evidence, file);
+  std::optional<LoadedPictures> whole;
+  const auto open = [&](Needs) {
+    if (!whole)
+      if (PictureRows rows = set.rows(); rows.b) return rows;
+    if (!whole) whole = set.convert();
+    return rows_of_pictures(*whole);
+  };
+  look_at_pixels(weighed, open, settings, threads, evidence, file);
   // Alpha is that of the base colour's file.
   if (const TargetFile* base = with_role(target, {FileRole::base_color}); base != nullptr && evidence.a)
     for (const PictureEvidence& header : evidence.headers)

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <memory>
+#include <mutex>
 
 #include "core/atlas/gltf_convert.h"
 #include "core/validate/open_pictures.h"
@@ -100,10 +103,19 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target) : pictures_(images_) {
   pictures_ = ScenePictures(images_);
 }
 
+TextureHeader MetalRoughSet::header(int file) {
+  const auto rows = open_rows(images_[static_cast<std::size_t>(file)].path);
+  return rows ? rows->header() : pictures_.header(file);
+}
+
 LoadedPictures MetalRoughSet::convert() {
+  return convert(pictures_);
+}
+
+LoadedPictures MetalRoughSet::convert(ScenePictures& pictures) const {
   if (joined_ >= 0) {
-    const Image8* metallic = metallic_ < 0 ? nullptr : &pictures_.codes(metallic_);
-    const Image8* roughness = roughness_ < 0 ? nullptr : &pictures_.codes(roughness_);
+    const Image8* metallic = metallic_ < 0 ? nullptr : &pictures.codes(metallic_);
+    const Image8* roughness = roughness_ < 0 ? nullptr : &pictures.codes(roughness_);
     const Image8& larger = metallic == nullptr || (roughness != nullptr && roughness->width > metallic->width)
                                ? *roughness
                                : *metallic;
@@ -117,9 +129,99 @@ LoadedPictures MetalRoughSet::convert() {
     };
     fill(roughness, 1);
     fill(metallic, 2);
-    pictures_.set(joined_, std::move(both));
+    pictures.set(joined_, std::move(both));
   }
-  return convert_material(material_, pictures_);
+  return convert_material(material_, pictures);
+}
+
+/// The strip of a set that is being read, decoded and converted by the first of the three that asks.
+class MetalRoughStrips {
+ public:
+  MetalRoughStrips(const MetalRoughSet& set, std::vector<std::unique_ptr<RowSource>> files)
+      : set_(set), files_(std::move(files)), pictures_(set.images_) {}
+
+  void copy_rows(Image8 LoadedPictures::*picture, int first, int count, std::uint8_t* rgba,
+                 std::size_t stride) {
+    const std::lock_guard guard(lock_);
+    if (first == end_) decode(count);
+    rows_of(strip_.*picture)->read_rows(rgba, stride, count);
+  }
+
+ private:
+  void decode(int count) {
+    // Whoever asks after a failure hears of the same one.
+    if (failure_) std::rethrow_exception(failure_);
+    try {
+      for (std::size_t i = 0; i < files_.size(); ++i) {
+        Image8 codes(files_[i]->header().width, count, 4);
+        files_[i]->read_rows(codes.values.data(), 4 * static_cast<std::size_t>(codes.width), count);
+        pictures_.set(static_cast<int>(i), std::move(codes));
+      }
+      strip_ = set_.convert(pictures_);
+      end_ += count;
+    } catch (...) {
+      failure_ = std::current_exception();
+      throw;
+    }
+  }
+
+  const MetalRoughSet& set_;
+  const std::vector<std::unique_ptr<RowSource>> files_;
+  std::mutex lock_;
+  ScenePictures pictures_;
+  LoadedPictures strip_;
+  int end_ = 0;
+  std::exception_ptr failure_;
+};
+
+namespace {
+
+class ConvertedRows final : public RowSource {
+ public:
+  ConvertedRows(std::shared_ptr<MetalRoughStrips> strips, Image8 LoadedPictures::*picture,
+                TextureHeader header)
+      : strips_(std::move(strips)), picture_(picture), header_(std::move(header)) {}
+
+  const TextureHeader& header() const override { return header_; }
+
+  void read_rows(std::uint8_t* rgba, std::size_t stride, int count) override {
+    strips_->copy_rows(picture_, next_, count, rgba, stride);
+    next_ += count;
+  }
+
+ private:
+  std::shared_ptr<MetalRoughStrips> strips_;
+  Image8 LoadedPictures::*picture_;
+  TextureHeader header_;
+  int next_ = 0;
+};
+
+}  // namespace
+
+PictureRows MetalRoughSet::rows() const {
+  std::vector<std::unique_ptr<RowSource>> files;
+  for (const GltfImage& image : images_) {
+    if (image.path.empty()) continue;  // the joined one, which is last
+    auto file = open_rows(image.path);
+    if (!file || file->header().floating ||
+        (!files.empty() && (file->header().width != files[0]->header().width ||
+                            file->header().height != files[0]->header().height)))
+      return {};
+    files.push_back(std::move(file));
+  }
+  if (files.empty()) return {};
+  TextureHeader header;
+  header.width = files[0]->header().width;
+  header.height = files[0]->header().height;
+  header.channels = 4;
+  header.format = "memory";
+  const auto strips = std::make_shared<MetalRoughStrips>(*this, std::move(files));
+  PictureRows rows;
+  rows.a = std::make_unique<ConvertedRows>(strips, &LoadedPictures::a, header);
+  rows.b = std::make_unique<ConvertedRows>(strips, &LoadedPictures::b, header);
+  header.channels = 1;
+  rows.metallic = std::make_unique<ConvertedRows>(strips, &LoadedPictures::metallic, header);
+  return rows;
 }
 
 }  // namespace etak

@@ -39,12 +39,18 @@ class MetalRoughSet {
   explicit MetalRoughSet(const CheckTarget& target);
   /// Throws Error for a file that cannot be read.
   LoadedPictures convert();
+  /// The same in strips of rows, from the top whenever it is called; the three must be read in step, on any
+  /// threads. No rows where a file must be loaded whole or the files differ in size.
+  PictureRows rows() const;
   /// Of the n-th file of the set, in the target's order.
-  const TextureHeader& header(int file) { return pictures_.header(file); }
+  TextureHeader header(int file);
 
   static bool is_part(FileRole role);
 
  private:
+  friend class MetalRoughStrips;
+  LoadedPictures convert(ScenePictures& pictures) const;
+
   std::vector<GltfImage> images_;
   GltfMaterial material_;
   int metallic_ = -1, roughness_ = -1, joined_ = -1;  // images

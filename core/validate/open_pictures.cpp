@@ -179,14 +179,24 @@ TextureHeader header_of(const PngInfo& info, std::string_view bytes) {
   return header;
 }
 
+// Takes the file over where it is PNG.
+std::unique_ptr<RowSource> rows_of_png(std::unique_ptr<MappedFile>& file, const std::string& path) {
+  auto reader = PngReader::open(file->bytes(), path);
+  if (!reader) return nullptr;
+  TextureHeader header = header_of(reader->info(), file->bytes());
+  return std::make_unique<PngRowSource>(std::move(file), std::move(*reader), std::move(header));
+}
+
 }  // namespace
+
+std::unique_ptr<RowSource> open_rows(const std::string& path) {
+  auto file = std::make_unique<MappedFile>(path);
+  return rows_of_png(file, path);
+}
 
 std::unique_ptr<RowSource> open_picture(const std::string& path) {
   auto file = std::make_unique<MappedFile>(path);
-  if (auto reader = PngReader::open(file->bytes(), path)) {
-    TextureHeader header = header_of(reader->info(), file->bytes());
-    return std::make_unique<PngRowSource>(std::move(file), std::move(*reader), std::move(header));
-  }
+  if (auto rows = rows_of_png(file, path)) return rows;
   LoadedImage image = load_picture(file->bytes(), path);
   TextureHeader header = header_of(image);
   read_png_chunks(file->bytes(), header);

@@ -12,6 +12,9 @@ namespace etak {
 /// A picture file, opened: PNG is read row by row, all else at once. Throws Error that names the path.
 std::unique_ptr<RowSource> open_picture(const std::string& path);
 
+/// The same of a file that can be read row by row; null for others.
+std::unique_ptr<RowSource> open_rows(const std::string& path);
+
 /// The head alone, where the format lets it be read alone (PNG); else the whole is decoded.
 TextureHeader read_texture_header(const std::string& path);
 

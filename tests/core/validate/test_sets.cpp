@@ -5,10 +5,11 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 
+#include "core/base/base64.h"
 #include "core/color/srgb.h"
 #include "core/image/png.h"
-#include "core/base/base64.h"
 #include "core/validate/files.h"
+#include "core/validate/metal_rough.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
@@ -124,6 +125,49 @@ TEST_CASE("metallic and roughness in files of their own are judged as one metal-
   const CheckedFile mixed =
       check(target({{FileRole::metallic, "metallic.png"}, {FileRole::roughness, "roughness.png"}}), {});
   CHECK(said(mixed) == said(one));
+}
+
+TEST_CASE("a metal-rough set read in strips says what the whole says, for any number of threads") {
+  const TempFolder folder;
+  const int width = 2048, height = 150;  // three strips, the last one shorter
+  Image8 color = flat(width, height, {0, 0, 0}), metallic = flat(width, height, {0}),
+         roughness = flat(width, height, {0});
+  Random random(11);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const bool zone = x >= 1200 && x < 1300 && y >= 50 && y < 140;
+      set_rgb(color.at(x, y), zone ? std::array{150, 150, 150} : std::array{120 + random.below(9), 100, 90});
+      metallic.at(x, y)[0] = zone ? 255 : 0;
+      roughness.at(x, y)[0] = static_cast<std::uint8_t>(90 + random.below(30));
+    }
+  save(folder.file("color.png"), color);
+  save(folder.file("metallic.png"), metallic);
+  save(folder.file("roughness.png"), roughness);
+  CheckTarget target;
+  target.files = {{FileRole::base_color, folder.file("color.png"), "color.png", false},
+                  {FileRole::metallic, folder.file("metallic.png"), "metallic.png", false},
+                  {FileRole::roughness, folder.file("roughness.png"), "roughness.png", false}};
+  CHECK(MetalRoughSet(target).rows().b != nullptr);
+  const LoadedPictures loaded = load_pictures(target, {});
+  CheckTarget weighed = target;
+  weighed.manifest.specular_weighs_diffuse = true;
+  const CheckedFile whole = check_pictures(weighed, loaded.in_memory(), {});
+  CHECK(has(whole, "ETK101"));
+  for (const unsigned threads : {1u, 3u}) {
+    const CheckedFile strips = check(target, {}, threads);
+    CHECK(strips.counts == whole.counts);
+    CHECK(strips.plateau_px == whole.plateau_px);
+    for (const std::string_view rule : {"ETK101", "ETK102", "ETK302", "ETK406"})
+      CHECK(has(strips, rule) == has(whole, rule));
+  }
+  // What ends too early is unreadable, whichever of the three asks first.
+  const std::string bytes = slurp(folder.file("metallic.png"));
+  spit(folder.file("metallic.png"), bytes.substr(0, bytes.size() / 2));
+  for (const unsigned threads : {1u, 3u}) {
+    const CheckedFile broken = check(target, {}, threads);
+    CHECK(broken.unreadable);
+    CHECK(has(broken, "ETK001"));
+  }
 }
 
 TEST_CASE("texels that no triangle reads give no finding") {
