@@ -53,9 +53,8 @@ Autosave::Autosave(Document& document, const QString& folder, QObject* parent)
 }
 
 Autosave::~Autosave() {
-  timer_.stop();
-  pool_.waitForDone();
   remove();
+  pool_.waitForDone();
 }
 
 std::vector<Recovery> Autosave::left_behind() {
@@ -88,6 +87,9 @@ void Autosave::begin() {
 void Autosave::write_now() {
   timer_.stop();
   begin();
+}
+
+void Autosave::wait() {
   pool_.waitForDone();
 }
 
@@ -97,7 +99,6 @@ void Autosave::remove() {
   pool_.start([file = file_] {
     for (const char* ending : {"", ".path"}) QFile::remove(file + QLatin1String(ending));
   });
-  pool_.waitForDone();
 }
 
 }  // namespace etak::editor

@@ -32,9 +32,10 @@ class Autosave : public QObject {
   /// Removes a copy that was taken up or declined.
   static void discard(const Recovery& recovery);
 
-  /// Writes the copy now and waits for it; before a save, so that the last state survives whatever happens in
-  /// it.
+  /// Begins to write the copy now: before a save, so that the last state survives whatever happens in it.
   void write_now();
+  /// Until what was begun is on the disk: for the thread that saves, not for that of windows.
+  void wait();
   void set_delay(int milliseconds) { timer_.setInterval(milliseconds); }
   QString file() const { return file_; }
 

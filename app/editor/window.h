@@ -73,7 +73,8 @@ class Window : public QMainWindow {
   PackDialog* pack_to(const QString& folder);
   /// Offers what a killed run left behind; `ask` says yes or no (a question to the user where it is empty).
   void offer_recovery(const std::function<bool(const Recovery&)>& ask = {});
-  bool is_busy() const { return busy_ > 0; }
+  /// Files are read or written, or a picture is being drawn.
+  bool is_busy() const { return busy_ > 0 || viewport_->is_drawing(); }
 
  signals:
   void opened(bool well);

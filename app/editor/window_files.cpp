@@ -136,7 +136,11 @@ void Window::save_to(const QString& path) {
   autosave_->write_now();
   ++busy_;
   in_background(
-      io_, this, [path, project = document_.project()] { return save_project(project, path); },
+      io_, this,
+      [path, project = document_.project(), autosave = autosave_] {
+        autosave->wait();
+        return save_project(project, path);
+      },
       [this, path, revision = document_.revision()](const QString& error) {
         --busy_;
         if (!error.isEmpty()) {
@@ -270,8 +274,8 @@ void Window::recover(const Recovery& recovery) {
       io_, this,
       [file = recovery.file, library = document_.library()] { return open_project(file, *library); },
       [this, recovery](Opened recovered) {
-        --busy_;
         if (!recovered.error.isEmpty()) {
+          --busy_;
           // The copy is kept, so that somebody can look at it.
           show_problems(tr("The last state could not be read"), {recovered.error});
           emit opened(false);
@@ -279,8 +283,17 @@ void Window::recover(const Recovery& recovery) {
         }
         document_.replace(std::move(recovered.project), recovery.path, false);
         autosave_->write_now();
-        Autosave::discard(recovery);
-        emit opened(true);
+        in_background(
+            io_, this,
+            [recovery, autosave = autosave_] {
+              autosave->wait();
+              Autosave::discard(recovery);
+              return true;
+            },
+            [this](bool) {
+              --busy_;
+              emit opened(true);
+            });
       });
 }
 

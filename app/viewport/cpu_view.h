@@ -21,6 +21,7 @@ class CpuView : public QWidget {
   void show_state(const ViewState& state, const ViewDisplay& display, bool hurry);
   QSize picture_size() const { return size() * devicePixelRatioF(); }
   double whole_frame_ms() const { return whole_ms_; }
+  bool is_drawing() const { return running_; }
 
  signals:
   void drawn(double frame_ms);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/gl_painter.h"
 
-#include <QColor>
 #include <QElapsedTimer>
-#include <QOpenGLContext>
-#include <QOpenGLVersionFunctionsFactory>
 #include <algorithm>
 #include <deque>
 #include <map>
@@ -23,55 +20,12 @@ double ms_of(const QElapsedTimer& timer) {
   return static_cast<double>(timer.nsecsElapsed()) * 1e-6;
 }
 
-// A picture of 8-bit codes to draw into.
-class Target {
- public:
-  Target(Gl& gl, const QSize& size) : gl_(gl), size_(size) {
-    gl_.glGenRenderbuffers(1, &buffer_);
-    gl_.glBindRenderbuffer(GL_RENDERBUFFER, buffer_);
-    gl_.glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size.width(), size.height());
-    gl_.glGenFramebuffers(1, &frame_);
-    gl_.glBindFramebuffer(GL_FRAMEBUFFER, frame_);
-    gl_.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffer_);
-    if (gl_.glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
-    remove();
-    throw Error::at("OpenGL", "cannot draw a picture of " + std::to_string(size.width()) + " x " +
-                                  std::to_string(size.height()) + " pixels");
-  }
-  ~Target() { remove(); }
-  Target(const Target&) = delete;
-  Target& operator=(const Target&) = delete;
-
-  GLuint frame() const { return frame_; }
-  const QSize& size() const { return size_; }
-
- private:
-  void remove() {
-    gl_.glDeleteFramebuffers(1, &frame_);
-    gl_.glDeleteRenderbuffers(1, &buffer_);
-  }
-
-  Gl& gl_;
-  QSize size_;
-  GLuint frame_ = 0, buffer_ = 0;
-};
-
-Gl* functions() {
-  QOpenGLContext* context = QOpenGLContext::currentContext();
-  Gl* gl = context == nullptr ? nullptr : QOpenGLVersionFunctionsFactory::get<Gl>(context);
-  if (gl == nullptr || !gl->initializeOpenGLFunctions())
-    throw Error::at("OpenGL", "the driver has no OpenGL 3.3 core", "one that has");
-  return gl;
-}
-
 }  // namespace
 
 struct GlPainter::State {
-  Gl& gl = *functions();
+  Gl& gl = current_gl();
   GLuint no_vertices = 0;
   std::map<std::string, std::unique_ptr<GlProgram>> programs;  // by fragment text
-  double compile_ms = 0;
-  std::unique_ptr<Target> small;
 
   std::shared_ptr<const Environment> environment;
   std::unique_ptr<GlTexture> irradiance;
@@ -139,8 +93,11 @@ struct GlPainter::State {
     for (std::size_t i = 0; i < tables.size(); ++i) bind(*tables[i], display->tables[i].sampler);
   }
 
-  // Milliseconds of compiling.
-  double draw_tile(const ViewTile& tile, int height) {
+  // Milliseconds that were compiling now, and those of its program whenever it was compiled.
+  struct Compiled {
+    double now_ms = 0, ms = 0;
+  };
+  Compiled draw_tile(const ViewTile& tile, int height) {
     GlslDisplay shown;
     if (display) shown = {display->text, display->function, "OpenColorIO"};
     const GlslText text = glsl_text(tile.scene, GlslVersion::core_330, display ? &shown : nullptr);
@@ -150,9 +107,11 @@ struct GlPainter::State {
     if (programs.size() > 200 && !programs.contains(text.fragment)) programs.clear();
     std::unique_ptr<GlProgram>& program = programs[text.fragment];
     if (!program) program = std::make_unique<GlProgram>(gl, text);
-    return draw_with(*program, text, tile, height, timer);
+    const double now_ms = draw_with(*program, text, tile, height, timer);
+    return {now_ms, program->compile_ms};
   }
 
+  // Milliseconds of compiling.
   double draw_with(GlProgram& program, const GlslText& text, const ViewTile& tile, int height,
                    const QElapsedTimer& timer) {
     const int bottom = height - tile.y - tile.scene.height;
@@ -172,21 +131,20 @@ struct GlPainter::State {
   }
 
   // The background as the display shows it, by core like the rest.
-  void clear_to_background(const Scene& scene, const ViewDisplay& shows) {
+  QColor background(const Scene& scene, const ViewDisplay& shows) {
     Image pixel(1, 1, 4);
     for (std::size_t c = 0; c < 3; ++c)
       pixel.values[c] = static_cast<float>(scene.background[c] * scene.exposure);
-    const QColor color = shown(pixel, shows, 1).pixelColor(0, 0);
-    gl.glClearColor(static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
-                    static_cast<float>(color.blueF()), 1);
-    gl.glClear(GL_COLOR_BUFFER_BIT);
+    return shown(pixel, shows, 1).pixelColor(0, 0);
   }
 
-  Drawn draw(const std::vector<ViewTile>& tiles, const ViewDisplay& shows, const QSize& size, GLuint target) {
+  Drawn draw(const std::vector<ViewTile>& tiles, const ViewDisplay& shows, const GlTarget& target) {
     Drawn out;
+    double compile_ms = 0;
+    const QSize& size = target.size();
     QElapsedTimer timer;
     timer.start();
-    gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, target.frame());
     gl.glBindVertexArray(no_vertices);
     gl.glDisable(GL_DITHER);
     gl.glDisable(GL_BLEND);
@@ -195,21 +153,16 @@ struct GlPainter::State {
     gl.glDisable(GL_SCISSOR_TEST);
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.glViewport(0, 0, size.width(), size.height());
-    if (tiles.empty()) {
-      gl.glClearColor(0.2F, 0.2F, 0.2F, 1);
-      gl.glClear(GL_COLOR_BUFFER_BIT);
-    } else {
-      clear_to_background(tiles.front().scene, shows);
-    }
+    out.background = tiles.empty() ? QColor(51, 51, 51) : background(tiles.front().scene, shows);
+    gl.glClearColor(out.background.redF(), out.background.greenF(), out.background.blueF(), 1);
+    gl.glClear(GL_COLOR_BUFFER_BIT);
     // The fourth channel is the object's coverage: nothing for a window that would look through it.
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     gl.glEnable(GL_SCISSOR_TEST);
-    bool first = true;
     for (const ViewTile& tile : tiles) {
-      const double ms = draw_tile(tile, size.height());
-      out.compile_ms += ms;
-      if (first && ms > 0) compile_ms = ms;
-      first = false;
+      const Compiled compiled = draw_tile(tile, size.height());
+      compile_ms += compiled.now_ms;
+      if (&tile == &tiles.front()) out.compile_ms = compiled.ms;
     }
     gl.glDisable(GL_SCISSOR_TEST);
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -217,7 +170,7 @@ struct GlPainter::State {
     gl.glFinish();
     for (GLenum error = gl.glGetError(); error != GL_NO_ERROR && !out.context_lost; error = gl.glGetError())
       out.context_lost = error == context_lost_error;
-    out.frame_ms = ms_of(timer) - out.compile_ms;
+    out.frame_ms = ms_of(timer) - compile_ms;
     return out;
   }
 };
@@ -225,51 +178,37 @@ struct GlPainter::State {
 GlPainter::GlPainter() : state_(std::make_unique<State>()) {}
 GlPainter::~GlPainter() = default;
 
-std::string GlPainter::name() const {
-  const auto text = [&](GLenum which) {
-    const GLubyte* found = state_->gl.glGetString(which);
-    return found == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(found));
-  };
-  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+std::unique_ptr<GlTarget> GlPainter::target(const QSize& size) {
+  return std::make_unique<GlTarget>(state_->gl, size);
 }
 
 GlPainter::Drawn GlPainter::draw(const std::vector<ViewTile>& tiles,
                                  const std::shared_ptr<const Environment>& environment,
-                                 const ViewDisplay& display, const QSize& size, unsigned target) {
+                                 const ViewDisplay& display, const GlTarget& target) {
   state_->take(environment);
   state_->take(display.gpu);
-  return state_->draw(tiles, display, size, target);
+  return state_->draw(tiles, display, target);
 }
 
-GlPainter::Drawn GlPainter::draw_small(const std::vector<ViewTile>& tiles,
-                                       const std::shared_ptr<const Environment>& environment,
-                                       const ViewDisplay& display, const QSize& small, const QSize& size,
-                                       unsigned target) {
+void GlPainter::enlarge(const GlTarget& small, const GlTarget& target) {
   Gl& gl = state_->gl;
-  if (!state_->small || state_->small->size() != small) state_->small = std::make_unique<Target>(gl, small);
-  Drawn out = draw(tiles, environment, display, small, state_->small->frame());
-  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, state_->small->frame());
-  gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
-  gl.glBlitFramebuffer(0, 0, small.width(), small.height(), 0, 0, size.width(), size.height(),
-                       GL_COLOR_BUFFER_BIT, GL_LINEAR);
-  gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
-  return out;
+  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, small.frame());
+  gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.frame());
+  gl.glBlitFramebuffer(0, 0, small.size().width(), small.size().height(), 0, 0, target.size().width(),
+                       target.size().height(), GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  gl.glFinish();
 }
 
 QImage GlPainter::picture(const std::vector<ViewTile>& tiles,
                           const std::shared_ptr<const Environment>& environment, const ViewDisplay& display,
                           const QSize& size) {
   Gl& gl = state_->gl;
-  const Target target(gl, size);
-  draw(tiles, environment, display, size, target.frame());
+  const GlTarget target(gl, size);
+  draw(tiles, environment, display, target);
   QImage out(size, QImage::Format_RGBX8888);
   gl.glPixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.glReadPixels(0, 0, size.width(), size.height(), GL_RGBA, GL_UNSIGNED_BYTE, out.bits());
   return out.mirrored();
-}
-
-double GlPainter::compile_ms() const {
-  return state_->compile_ms;
 }
 
 }  // namespace etak

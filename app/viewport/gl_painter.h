@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QColor>
 #include <QImage>
 #include <QSize>
 #include <memory>
@@ -11,6 +12,7 @@
 
 namespace etak {
 
+class GlTarget;
 struct ViewDisplay;
 
 /// Draws the scenes of a view with the OpenGL context that is current; made, used and destroyed with it.
@@ -22,28 +24,25 @@ class GlPainter {
   GlPainter(const GlPainter&) = delete;
   GlPainter& operator=(const GlPainter&) = delete;
 
-  std::string name() const;  // the driver's renderer and version
+  std::unique_ptr<GlTarget> target(const QSize& size);
 
-  /// Into framebuffer `target`; waits until it is drawn. Programs are kept by their text, so that only what
-  /// switches parts on or off compiles. Throws Error with the driver's message.
+  /// Waits until it is drawn. Programs are kept by their text, so that only what switches parts on or off
+  /// compiles. Throws Error with the driver's message.
   ///   environment, display   kept while they are the same
   struct Drawn {
-    double frame_ms = 0, compile_ms = 0;  // the second: of programs that this frame was the first to need
+    double frame_ms = 0;    // without compiling
+    double compile_ms = 0;  // of the first tile's program and its first drawing, whenever that was
+    QColor background;
     bool context_lost = false;
   };
   Drawn draw(const std::vector<ViewTile>& tiles, const std::shared_ptr<const Environment>& environment,
-             const ViewDisplay& display, const QSize& size, unsigned target);
+             const ViewDisplay& display, const GlTarget& target);
 
-  /// The same at a share of the size, enlarged into `target`.
-  Drawn draw_small(const std::vector<ViewTile>& tiles, const std::shared_ptr<const Environment>& environment,
-                   const ViewDisplay& display, const QSize& small, const QSize& size, unsigned target);
+  void enlarge(const GlTarget& small, const GlTarget& target);
 
   /// The same as a picture.
   QImage picture(const std::vector<ViewTile>& tiles, const std::shared_ptr<const Environment>& environment,
                  const ViewDisplay& display, const QSize& size);
-
-  /// Milliseconds that compiling the last frame's first program took, when it was compiled.
-  double compile_ms() const;
 
  private:
   struct State;

@@ -1,11 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/gl_program.h"
 
+#include <QOpenGLContext>
+#include <QOpenGLVersionFunctionsFactory>
 #include <algorithm>
 
 #include "core/base/error.h"
 
 namespace etak {
+
+Gl& current_gl() {
+  QOpenGLContext* context = QOpenGLContext::currentContext();
+  Gl* gl = context == nullptr ? nullptr : QOpenGLVersionFunctionsFactory::get<Gl>(context);
+  if (gl == nullptr || !gl->initializeOpenGLFunctions())
+    throw Error::at("OpenGL", "the driver has no OpenGL 3.3 core", "one that has");
+  return *gl;
+}
+
+std::string renderer_name(Gl& gl) {
+  const auto text = [&](GLenum which) {
+    const GLubyte* found = gl.glGetString(which);
+    return found == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(found));
+  };
+  return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+}
 
 GlProgram::GlProgram(Gl& gl, const GlslText& text) : gl_(gl), id_(gl.glCreateProgram()) {
   try {

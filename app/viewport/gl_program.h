@@ -11,6 +11,10 @@ namespace etak {
 
 using Gl = QOpenGLFunctions_3_3_Core;
 
+/// Of the context that is current. Throws Error where that is older than OpenGL 3.3.
+Gl& current_gl();
+std::string renderer_name(Gl& gl);  // the driver's, and its version
+
 /// A linked pair of shaders.
 class GlProgram {
  public:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/gl_textures.h"
 
+#include "core/base/error.h"
+
 namespace etak {
 
 GlTexture::GlTexture(Gl& gl, const Image& map, bool round) : gl_(gl), kind_(GL_TEXTURE_2D) {
@@ -55,6 +57,30 @@ void GlTexture::filter(GLint how) {
 
 void GlTexture::clamp(GLenum axis) {
   gl_.glTexParameteri(kind_, axis, GL_CLAMP_TO_EDGE);
+}
+
+GlTarget::GlTarget(Gl& gl, const QSize& size) : gl_(gl), size_(size) {
+  gl_.glGenTextures(1, &texture_);
+  gl_.glBindTexture(GL_TEXTURE_2D, texture_);
+  gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width(), size.height(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                   nullptr);
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  gl_.glGenFramebuffers(1, &frame_);
+  gl_.glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+  gl_.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+  if (gl_.glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+  remove();
+  throw Error::at("OpenGL", "cannot draw a picture of " + std::to_string(size.width()) + " x " +
+                                std::to_string(size.height()) + " pixels");
+}
+
+GlTarget::~GlTarget() {
+  remove();
+}
+
+void GlTarget::remove() {
+  gl_.glDeleteFramebuffers(1, &frame_);
+  gl_.glDeleteTextures(1, &texture_);
 }
 
 }  // namespace etak

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QSize>
+
 #include "app/viewport/gl_program.h"
 #include "core/color/ocio.h"
 #include "core/image/image.h"
@@ -25,6 +27,28 @@ class GlTexture {
   Gl& gl_;
   GLenum kind_;
   GLuint id_ = 0;
+};
+
+/// A picture of 8-bit codes to draw into. Its texture is seen by the contexts that share; its frame buffer is
+/// not.
+class GlTarget {
+ public:
+  /// Throws Error where the driver cannot draw one of this size.
+  GlTarget(Gl& gl, const QSize& size);
+  ~GlTarget();
+  GlTarget(const GlTarget&) = delete;
+  GlTarget& operator=(const GlTarget&) = delete;
+
+  GLuint frame() const { return frame_; }
+  GLuint texture() const { return texture_; }
+  const QSize& size() const { return size_; }
+
+ private:
+  void remove();
+
+  Gl& gl_;
+  QSize size_;
+  GLuint frame_ = 0, texture_ = 0;
 };
 
 }  // namespace etak

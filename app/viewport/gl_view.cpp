@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/gl_view.h"
 
+#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QOpenGLContext>
-#include <QOpenGLFunctions>
-#include <array>
+#include <QScopeGuard>
 
+#include "app/viewport/gl_program.h"
+#include "app/viewport/gl_thread.h"
 #include "core/base/error.h"
 
 namespace etak {
@@ -40,85 +42,132 @@ QString why_no_gl() {
   return {};
 }
 
-GlView::GlView(QWidget* parent) : QOpenGLWidget(parent) {
+GlView::GlView(QWidget* parent, bool threaded) : QOpenGLWidget(parent), threaded_(threaded) {
   setFormat(wanted_format());
   setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
 }
 
 GlView::~GlView() {
-  drop_painter();
+  drop();
 }
 
-void GlView::drop_painter() {
-  if (!painter_) return;
+void GlView::drop() {
+  if (!thread_ && !frames_) return;
   makeCurrent();
-  painter_.reset();
+  thread_.reset();
+  frames_.reset();
+  current_gl().glDeleteFramebuffers(1, &reader_);
   doneCurrent();
+  frame_ = {};
+  drawing_ = fresh_ = false;
+  wanted_ = true;
 }
 
 void GlView::show_state(const ViewState& state, const ViewDisplay& display, bool hurry) {
   state_ = state;
   display_ = display;
   hurry_ = hurry;
-  update();
+  wanted_ = true;
+  begin();
 }
 
 void GlView::initializeGL() {
   try {
-    painter_ = std::make_unique<GlPainter>();
-    gl_name_ = QString::fromStdString(painter_->name());
+    Gl& gl = current_gl();
+    gl_name_ = QString::fromStdString(renderer_name(gl));
+    gl.glGenFramebuffers(1, &reader_);
+    if (threaded_) thread_ = GlThread::beside(*context());
+    if (!thread_) frames_ = std::make_unique<GlFrames>();
     // Qt makes another context where the window changes; what belongs to this one goes with it.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlView::drop_painter,
-            Qt::UniqueConnection);
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlView::drop, Qt::UniqueConnection);
   } catch (const Error& error) {
-    painter_.reset();
     emit failed(QString::fromUtf8(error.what()));
   }
+  begin();
+}
+
+GlJob GlView::next_job() {
+  wanted_ = false;
+  whole_ = picture_size();
+  return {state_, display_, whole_, hurry_ && whole_ms_ > fluid_ms};
+}
+
+void GlView::begin() {
+  if (frames_) update();  // drawn when it is painted
+  if (!thread_ || !wanted_ || drawing_ || picture_size().isEmpty()) return;
+  drawing_ = true;
+  thread_->draw(next_job(), [this](const GlFrame& frame) {
+    drawing_ = false;
+    take(frame);
+    update();
+    begin();
+  });
+}
+
+void GlView::take(const GlFrame& frame) {
+  if (frame.context_lost) return tell_loss();
+  if (!frame.failed.isEmpty()) emit failed(frame.failed);
+  if (!frame.refused.isEmpty()) emit refused(frame.refused);
+  if (frame.texture == 0) return;
+  frame_ = frame;
+  fresh_ = frame.refused.isEmpty();
+}
+
+void GlView::tell_loss() {
+  if (!lost_) emit lost();
+  lost_ = true;
 }
 
 void GlView::paintGL() {
-  if (!painter_) return;
-  const QSize whole = picture_size();
-  const bool half = hurry_ && whole_ms_ > fluid_ms;
-  const QSize size = half ? QSize((whole.width() + 1) / 2, (whole.height() + 1) / 2) : whole;
-  std::vector<ViewTile> tiles;
-  try {
-    tiles = view_tiles(state_, size.width(), size.height());
-  } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
-  }
-  try {
-    const GlPainter::Drawn drawn_frame =
-        half ? painter_->draw_small(tiles, state_.environment, display_, size, whole,
-                                    defaultFramebufferObject())
-             : painter_->draw(tiles, state_.environment, display_, whole, defaultFramebufferObject());
-    if (drawn_frame.context_lost || !context()->isValid()) {
-      emit lost();
-      return;
-    }
-    compile_ms_ = painter_->compile_ms();
-    // A small frame tells what a whole one would take now: four times as much at most.
-    whole_ms_ = half ? 4 * drawn_frame.frame_ms : drawn_frame.frame_ms;
-    if (!tiles.empty()) emit drawn(drawn_frame.frame_ms);
-  } catch (const Error& error) {
-    emit failed(QString::fromUtf8(error.what()));
-  }
+  if (!thread_ && !frames_) return;
+  if (whole_ != picture_size()) wanted_ = true;
+  if (frames_ && wanted_) take(frames_->draw(next_job()));
+  begin();
+  if (!context()->isValid()) return tell_loss();
+  QElapsedTimer timer;
+  timer.start();
+  show_frame();
+  if (!fresh_) return;
+  fresh_ = false;
+  const double ms = frame_.frame_ms + static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  // A small frame tells what a whole one would take now: four times as much at most.
+  whole_ms_ = frame_.half ? 4 * ms : ms;
+  emit drawn(ms);
 }
 
-QImage GlView::picture(const QSize& size) {
-  if (!painter_) (void)grabFramebuffer();  // a view that was never shown has no context yet
-  if (!painter_) throw Error::at("OpenGL", "gives no picture");
-  const std::vector<ViewTile> tiles = view_tiles(state_, size.width(), size.height());
-  makeCurrent();
-  try {
-    QImage out = painter_->picture(tiles, state_.environment, display_, size);
-    compile_ms_ = painter_->compile_ms();
-    doneCurrent();
-    return out;
-  } catch (...) {
-    doneCurrent();
-    throw;
+// The last frame: in the middle, as it is, where the view has another size by now.
+void GlView::show_frame() {
+  Gl& gl = current_gl();
+  const GLuint target = defaultFramebufferObject();
+  const QSize view = picture_size();
+  gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
+  if (frame_.size != view || frame_.texture == 0) {
+    gl.glDisable(GL_SCISSOR_TEST);
+    gl.glClearColor(frame_.background.redF(), frame_.background.greenF(), frame_.background.blueF(), 1);
+    gl.glClear(GL_COLOR_BUFFER_BIT);
   }
+  if (frame_.texture == 0) return;
+  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, reader_);
+  gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, frame_.texture, 0);
+  const QRect from(QPoint(), frame_.size);
+  const QRect shown = from.intersected(QRect(
+      (from.width() - view.width()) / 2, (from.height() - view.height()) / 2, view.width(), view.height()));
+  const int x = (view.width() - shown.width()) / 2, y = (view.height() - shown.height()) / 2;
+  gl.glBlitFramebuffer(shown.x(), shown.y(), shown.x() + shown.width(), shown.y() + shown.height(), x, y,
+                       x + shown.width(), y + shown.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
+  // The thread draws into this texture again: not before it was read.
+  gl.glFinish();
+}
+
+QImage GlView::picture(const ViewState& state, const ViewDisplay& display, const QSize& size) {
+  if (!thread_ && !frames_) (void)grabFramebuffer();  // a view that was never shown has no context yet
+  const GlJob job{state, display, size, false};
+  if (thread_) return thread_->picture(job);
+  if (!frames_) throw Error::at("OpenGL", "gives no picture");
+  makeCurrent();
+  const auto done = qScopeGuard([this] { doneCurrent(); });
+  return frames_->picture(job);
 }
 
 }  // namespace etak

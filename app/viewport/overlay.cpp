@@ -31,6 +31,7 @@ Overlay::Overlay(QWidget* parent) : QWidget(parent) {
 }
 
 void Overlay::show_content(Content content) {
+  if (content == content_) return;  // painting it paints the picture below again
   content_ = std::move(content);
   update();
 }

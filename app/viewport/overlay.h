@@ -15,12 +15,14 @@ class Overlay : public QWidget {
     QPointF at;
     QString name;
     bool held = false;
+    bool operator==(const Mark&) const = default;
   };
   struct Content {
     std::optional<double> separator;  // in widget pixels from the left
     QString left_name, right_name;
     std::vector<Mark> marks;
     QString readout, message;
+    bool operator==(const Content&) const = default;
   };
   explicit Overlay(QWidget* parent);
   void show_content(Content content);

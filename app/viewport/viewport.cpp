@@ -25,6 +25,7 @@ Viewport::Viewport(QWidget* parent, Backend backend) : QWidget(parent), d_(std::
   d_->hover_timer.setInterval(30);
   connect(&d_->hover_timer, &QTimer::timeout, this, [this] { d_->hover(); });
   const QString why = backend == Backend::cpu ? tr("The CPU was asked for.") : why_no_gl();
+  d_->gl_threaded = backend == Backend::automatic;
   if (why.isEmpty())
     d_->use_gl();
   else
@@ -39,7 +40,7 @@ Viewport::~Viewport() {
 
 void Viewport::Private::use_gl() {
   delete gl;
-  gl = new GlView(&q);
+  gl = new GlView(&q, gl_threaded);
   gl->setAttribute(Qt::WA_TransparentForMouseEvents);
   gl->setFocusPolicy(Qt::NoFocus);
   gl->setGeometry(q.rect());
@@ -175,10 +176,7 @@ QImage Viewport::grab_picture() {
       d_->openers.waitForDone();
       d_->display = etak::open_display(s.ocio_config, s.ocio_display, s.ocio_view);
     }
-    if (d_->gl != nullptr) {
-      d_->gl->show_state(d_->shown_state(), d_->display, false);
-      return d_->gl->picture(size);
-    }
+    if (d_->gl != nullptr) return d_->gl->picture(d_->shown_state(), d_->display, size);
     return cpu_picture(d_->shown_state(), d_->display, size,
                        std::max(1u, std::thread::hardware_concurrency()));
   } catch (const Error& error) {
@@ -190,6 +188,10 @@ QImage Viewport::grab_picture() {
   return out;
 }
 
+bool Viewport::is_drawing() const {
+  return d_->opening || (d_->gl != nullptr && d_->gl->is_drawing()) ||
+         (d_->cpu != nullptr && d_->cpu->is_drawing());
+}
 bool Viewport::uses_gl() const {
   return d_->gl != nullptr;
 }

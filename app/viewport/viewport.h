@@ -34,7 +34,8 @@ class Viewport : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Backend { automatic, cpu };
+  /// gl_one_thread: as OpenGL is used where contexts cannot share, with the window's thread drawing.
+  enum class Backend { automatic, gl_one_thread, cpu };
   explicit Viewport(QWidget* parent = nullptr, Backend backend = Backend::automatic);
   ~Viewport() override;
 
@@ -45,6 +46,8 @@ class Viewport : public QWidget {
   /// The picture in device pixels as core's rules say, without marks and texts; waits for it. Grey where the
   /// state cannot be drawn.
   QImage grab_picture();
+
+  bool is_drawing() const;  // a picture of the last state, or of one before, is still to come
 
   bool uses_gl() const;
   QString gl_name() const;          // the driver's; empty without GL

@@ -27,7 +27,7 @@ class Viewport::Private {
   QString last_message;
   double frame_ms = 0;
   int contexts_lost = 0;
-  bool flipped = false, opening = false;
+  bool gl_threaded = true, flipped = false, opening = false;
 
   enum class Drag { none, orbit, pan, zoom, environment, light, separator };
   Drag drag = Drag::none;

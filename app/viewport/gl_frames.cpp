@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/gl_frames.h"
+
+#include "app/viewport/gl_textures.h"
+
+#include "core/base/error.h"
+
+namespace etak {
+
+GlFrames::GlFrames() = default;
+GlFrames::~GlFrames() = default;
+
+GlTarget& GlFrames::of_size(std::unique_ptr<GlTarget>& kept, const QSize& size) {
+  if (!kept || kept->size() != size) kept = painter_.target(size);
+  return *kept;
+}
+
+GlFrame GlFrames::draw(const GlJob& job) {
+  GlFrame out;
+  out.size = job.size;
+  out.half = job.half;
+  const QSize drawn_size =
+      job.half ? QSize((job.size.width() + 1) / 2, (job.size.height() + 1) / 2) : job.size;
+  std::vector<ViewTile> tiles;
+  try {
+    tiles = view_tiles(job.state, drawn_size.width(), drawn_size.height());
+  } catch (const Error& error) {
+    out.refused = QString::fromUtf8(error.what());
+  }
+  try {
+    const GlTarget& whole = of_size(targets_[next_], job.size);
+    const GlTarget& target = job.half ? of_size(small_, drawn_size) : whole;
+    const GlPainter::Drawn drawn = painter_.draw(tiles, job.state.environment, job.display, target);
+    if (job.half) painter_.enlarge(target, whole);
+    next_ = 1 - next_;
+    out.texture = whole.texture();
+    out.background = drawn.background;
+    out.frame_ms = drawn.frame_ms;
+    out.compile_ms = drawn.compile_ms;
+    out.context_lost = drawn.context_lost;
+  } catch (const Error& error) {
+    out.failed = QString::fromUtf8(error.what());
+  }
+  return out;
+}
+
+QImage GlFrames::picture(const GlJob& job) {
+  return painter_.picture(view_tiles(job.state, job.size.width(), job.size.height()), job.state.environment,
+                          job.display, job.size);
+}
+
+}  // namespace etak
