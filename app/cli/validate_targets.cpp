@@ -174,7 +174,7 @@ class Finder {
                       for (std::size_t i = begin; i < end; ++i) {
                         std::error_code ignored;
                         missing[i] = !fs::exists(candidates_[i].path, ignored);
-                        if (!missing[i]) kinds[i] = etak::file_kind(candidates_[i].path);
+                        kinds[i] = etak::file_kind(candidates_[i].path);
                         if (kinds[i] == FileRole::spectrum && candidates_[i].named != Named::by_hand &&
                             !looks_like_spectrum(candidates_[i].path))
                           kinds[i].reset();
@@ -183,8 +183,11 @@ class Finder {
     std::vector<const Candidate*> pictures;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const Candidate& candidate = candidates_[i];
-      if (missing[i])
-        fail(candidate.path, "there is no such file");
+      const bool link = missing[i] && fs::is_symlink(candidate.path);
+      if (link && !kinds[i] && candidate.named != Named::by_hand && !candidate.path.ends_with(".json"))
+        ++out_.skipped;
+      else if (missing[i])
+        fail(candidate.path, link ? "a link that leads to no file" : "there is no such file");
       else if (!kinds[i])
         skip(candidate, "a kind of file that etak validate does not check");
       else if (is_picture(*kinds[i]))

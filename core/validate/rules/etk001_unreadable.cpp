@@ -9,6 +9,12 @@ void check(RuleCheck& check) {
   for (const std::string& message : check.evidence.unreadable) {
     Finding& finding = check.report();
     finding.message = message;
+    // Readers begin with the file they speak of, which the finding names itself.
+    for (const TargetFile& file : check.target.files)
+      if (message.starts_with(file.label + ": ")) {
+        finding.file = file.label;
+        finding.message = message.substr(file.label.size() + 2);
+      }
     finding.value = "unreadable";
   }
 }
