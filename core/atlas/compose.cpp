@@ -500,9 +500,10 @@ void Composer::region_mips(std::size_t region, PagePixels& pixels) {
       }
     }
   }
-  // Level 0 may have its gutter from the picture already; then only the rounding of the cell is left.
+  // Level 0 may have its gutter from the picture already; then only the rounding of the cell is left, unless
+  // the picture's own edge was bled since.
   PixelBox filled = box;
-  if ((m.convert || at.rotated) && shrink == 0)
+  if ((m.convert || at.rotated) && shrink == 0 && !(options_.bleed && is_whole(part_shown, m)))
     filled = {box.x - at.gutter, box.y - at.gutter, box.width + 2 * at.gutter, box.height + 2 * at.gutter};
   for (const Texture texture : both_textures)
     if (page.has[index_of(texture)])

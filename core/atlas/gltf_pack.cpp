@@ -123,6 +123,7 @@ struct ScenePack::State {
   PackInputs inputs;
   std::vector<std::string> remarks;
   std::map<int, Image8> pictures;
+  std::map<int, int> pictures_awaited;  // by image: lookups in learn() that are still to come
   std::mutex pictures_lock;
   std::set<std::string> written;
 
@@ -177,6 +178,18 @@ struct ScenePack::State {
     }
   }
 
+  void await_pictures(const GltfMaterial& m) {
+    for (const GltfTexture* texture : replaced_textures(m)) ++pictures_awaited[texture->image];
+  }
+
+  // A picture that no other material asks for is given back: all of a scene's at once would be most of the
+  // memory.
+  void give_back_pictures(const GltfMaterial& m) {
+    const std::lock_guard lock(pictures_lock);
+    for (const GltfTexture* texture : replaced_textures(m))
+      if (--pictures_awaited[texture->image] == 0) pictures.erase(texture->image);
+  }
+
   std::string name_of(const GltfMaterial& m, std::set<std::string>& names) const {
     std::string name = m.name.empty() ? "material" + std::to_string(m.index) : m.name;
     if (!names.insert(name).second) name += "#" + std::to_string(m.index);
@@ -201,6 +214,7 @@ struct ScenePack::State {
     in.facts.reached = used;
     in.facts.opaque = m.alpha_mode == AlphaMode::opaque && !options.keep.contains("alpha");
     in.facts.source = std::to_string(m.index);
+    await_pictures(m);
     inputs.materials.push_back(std::move(in));
     entries.push_back({m.index, {}, {}, false});
   }
@@ -214,6 +228,7 @@ struct ScenePack::State {
     std::size_t clamped = 0;
     auto pair = std::make_shared<MaterialPair>(
         scene_material_pair(m, images, gloss, options.keep.contains("alpha"), clamped));
+    give_back_pictures(m);
     in.width = in.facts.width = pair->diffuse_alpha.width;
     in.height = in.facts.height = pair->diffuse_alpha.height;
     in.facts.crop = {0, 0, in.width, in.height};

@@ -92,9 +92,10 @@ std::string report_text(const PackReport& r, bool stages) {
              right(count(line.bytes), 10) + right(number(line.error, 3), 7) + "  " + line.detail + "\n";
   }
   const TexelAccount &before = r.left_out.before, &after = r.left_out.after;
-  out += "left of two full-size textures: " + fixed(percent(after.texels, before.texels), 1) +
-         " % of the texels, " + fixed(percent(after.channel_texels, before.channel_texels), 1) +
-         " % of the channels' texels\n";
+  // Two counts of level 0: a byte for each channel that varies, and the four of each RGBA texel.
+  out += "left of two full-size textures, gutters and page waste apart: " +
+         fixed(percent(after.channel_texels, before.channel_texels), 1) + " % by channel, " +
+         fixed(percent(after.texels, before.texels), 1) + " % as RGBA texels\n";
   for (const ReducedRegion& each : r.reduced)
     out += each.material + ": " + std::to_string(each.width) + "x" + std::to_string(each.height) +
            " stored as " + std::to_string(each.stored_width) + "x" + std::to_string(each.stored_height) +

@@ -3,9 +3,9 @@
 
 #include <string_view>
 
+#include "core/base/base64.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
-#include "core/base/base64.h"
 #include "core/report/page_style.h"
 #include "core/validate/output_formats.h"
 
@@ -56,9 +56,9 @@ void append_pages(std::string& out, const AtlasPageData& data) {
 
 void append_left_out(std::string& out, const AtlasPageData& data) {
   out += "<section><h2>What was left out</h2>\n";
-  append(out, "<p>Left of two full-size textures: <b>", percent(data.after.texels, data.before.texels),
-         "</b> of the texels, <b>", percent(data.after.channel_texels, data.before.channel_texels),
-         "</b> of the channels' texels.</p>\n");
+  append(out, "<p>Left of two full-size textures, gutters and page waste apart: <b>",
+         percent(data.after.channel_texels, data.before.channel_texels), "</b> by channel, <b>",
+         percent(data.after.texels, data.before.texels), "</b> as RGBA texels.</p>\n");
   if (!data.left_out.empty()) {
     out +=
         "<div class=\"scroll\"><table class=\"data summary\"><thead><tr><th>what</th><th>texels</th>"

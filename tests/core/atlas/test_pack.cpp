@@ -533,3 +533,33 @@ TEST_CASE("a rough normal map lowers the gloss of the mips, in every form") {
   CHECK(std::abs(level_1(map, "roughness") - 255 * rougher(200 / 255.0)) <= 2);
   CHECK(std::abs(level_1(map, "one_minus_roughness") - 255 * (1 - rougher(1 - 200 / 255.0))) <= 2);
 }
+
+TEST_CASE("the gutter repeats what was bled, of converted pictures too") {
+  const TempFolder folder;
+  Image8 alpha(48, 48, 1, 255);  // its border of 6 texels is hidden
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 48; ++x)
+      if (std::min({x, y, 47 - x, 47 - y}) < 6) alpha.at(x, y)[0] = 0;
+  save(folder.file("a.png"), alpha);
+  save(folder.file("base.png"), noise(48, 48, 3, 1));
+  save(folder.file("metal.png"), noise(48, 48, 1, 2));
+  save(folder.file("gloss.png"), noise(48, 48, 1, 3));
+  PackOptions options;
+  options.bleed = true;
+  options.gutter = 4;
+  const std::string colours = GENERATE(R"("basecolor": "base.png", "metallic": "metal.png")",
+                                       R"("diffuse": "base.png", "specular": "base.png")");
+  (void)run(folder,
+            R"({"materials": [{"name": "a", )" + colours + R"(, "gloss": "gloss.png", "alpha": "a.png"}]})",
+            options);
+  const AtlasRect rect = layout_of(folder.file("out")).rects.at(0);
+  REQUIRE(rect.gutter == 4);
+  for (const char* file : {"out/page0_diffuse_alpha.png", "out/page0_specular_gloss.png"}) {
+    const Image8 page = load(folder.file(file));
+    for (int y = -4; y < 52; ++y)
+      for (int x = -4; x < 52; ++x) {
+        const auto inner = page.at(rect.x + std::clamp(x, 0, 47), rect.y + std::clamp(y, 0, 47));
+        REQUIRE(std::equal(inner.begin(), inner.end(), page.at(rect.x + x, rect.y + y).begin()));
+      }
+  }
+}
