@@ -38,7 +38,7 @@ Budget::Budget(int effort, int n, double max_seconds)
 }
 
 void Budget::allow(int effort) {
-  tries_left_ = effort;
+  allowed_ = tries_left_ = effort;
   work_left_ = effort * ordinary_work(n_);
 }
 
@@ -53,6 +53,11 @@ void Budget::charge(std::int64_t work) {
   ++tries_;
   --tries_left_;
   work_left_ -= work;
+}
+
+bool Budget::would_end(int effort) const {
+  const std::int64_t less = allowed_ - effort;
+  return tries_left_ <= less || work_left_ <= less * ordinary_work(n_);
 }
 
 int Family::full(int side) const {
@@ -267,8 +272,10 @@ void Search::start(const Family& family, Best& best) {
   const Outcome open = tried(family.width_at(side), open_height);
   if (!best.any && family.width == 0 && open.all)
     side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(side) * open.height)));
-  // Without a layout there is nothing to hand back: this goes on past the end of the budget, in longer steps.
-  for (int last = 0; !best.any && last < family.most; side += std::max(1, side / (budget_.open() ? 50 : 8))) {
+  // Without a layout there is nothing to hand back: this goes on past the end of the budget. The steps do not
+  // depend on what is left, so that a larger budget finds all that a smaller one does.
+  int steps = 0;
+  for (int last = 0; !best.any && last < family.most; side += std::max(1, side / (++steps < 12 ? 50 : 8))) {
     last = std::min(family.full(std::clamp(side, family.least, family.most)), family.most);
     tried(family.width_at(last), last);
   }
@@ -293,6 +300,7 @@ void Search::descend(const Family& family, Best& best, const Try& how, std::span
     budget_.charge(outcome.work);
     if (!before) learn(here, outcome);
     if (outcome.all) {
+      note(best);
       best.width = outcome.width;
       best.height = outcome.height;
       spots_of(how, 0, best.spots);
@@ -307,6 +315,7 @@ void Search::descend(const Family& family, Best& best, const Try& how, std::span
 // Takes over a step that succeeded.
 bool Search::settle(const Family& family, Best& best, Step& step) {
   if (!step.outcome.all) return false;
+  note(best);
   best.any = true;
   best.width = step.outcome.width;
   best.height = step.outcome.height;
@@ -382,7 +391,23 @@ void Search::look(const Family& family, Best& best) {
   }
 }
 
-void Search::run(const Family& family, Best& best) {
+// Before the best changes: was it what a smaller budget would have ended with? A search for a first layout
+// does not end without.
+void Search::note(const Best& best) {
+  if (!noted_ || (!best.any && must_find_)) return;
+  while (noted_->size() < marks_.size() && budget_.would_end(marks_[noted_->size()])) noted_->push_back(best);
+}
+
+void Search::run(const Family& family, Best& best, std::span<const int> marks, std::vector<Best>& noted) {
+  marks_ = marks;
+  noted_ = &noted;
+  must_find_ = !best.any && family.below == INT_MAX;
+  go(family, best);
+  noted.resize(marks.size(), best);
+  noted_ = nullptr;
+}
+
+void Search::go(const Family& family, Best& best) {
   if (family.most < family.least) return;
   if (!best.any && family.below == INT_MAX) start(family, best);
   const auto finished = [&] { return target(family, best, 1) < family.least || !budget_.open(); };

@@ -20,11 +20,13 @@ class Budget {
   void allow(int effort);  // starts again with this much; the clock and the counts go on
   bool open();             // is there anything left?
   void charge(std::int64_t work);
+  bool would_end(int effort) const;  // had it been allowed this much
   int tries() const { return tries_; }
   bool cut() const { return cut_; }
 
  private:
   int n_, tries_left_ = 0, tries_ = 0;
+  int allowed_ = 0;
   std::int64_t work_left_ = 0;
   bool timed_, cut_ = false;
   std::chrono::steady_clock::time_point end_;
@@ -71,7 +73,14 @@ class Search {
 
   /// Improves `best` (a layout of the family, or none) until the least side or the end of the budget: the
   /// portfolio, the most promising on still smaller pages, then changed orders.
-  void run(const Family& family, Best& best);
+  void run(const Family& family, Best& best) {
+    std::vector<Best> none;
+    run(family, best, {}, none);
+  }
+
+  /// The same; `noted` becomes what it would have come to with each of the efforts `marks` (rising, none
+  /// above the budget's).
+  void run(const Family& family, Best& best, std::span<const int> marks, std::vector<Best>& noted);
 
   /// The heights that a few rules which build from below reach in a page of the family's width that is open
   /// at the top.
@@ -100,6 +109,8 @@ class Search {
   void start(const Family& family, Best& best);
   void descend(const Family& family, Best& best, const Try& how, std::span<const int> order);
   bool settle(const Family& family, Best& best, Step& step);
+  void go(const Family& family, Best& best);
+  void note(const Best& best);
   template <class Make, class Done>
   void go_through(std::size_t count, const Family& family, Best& best, Make make, Done done);
   void change_orders(const Family& family, Best& best, std::vector<Leader>& leaders);
@@ -112,6 +123,9 @@ class Search {
   std::vector<Try> portfolio_;
   std::vector<std::unique_ptr<Worker>> workers_;
   std::vector<int> all_;
+  std::span<const int> marks_;
+  std::vector<Best>* noted_ = nullptr;
+  bool must_find_ = false;
   std::vector<int> first_equal_;  // of each rectangle: the first of its size
   // What came of the tries that failed, by rule, order and page: the same is not done twice, though it counts
   // as often as it is asked for.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 #include "core/atlas/rects_pack.h"
 
@@ -37,9 +38,10 @@ void take(const std::vector<Spot>& spots, int page, Packed& out, std::vector<int
 }
 
 // One page after the other, all by entry `which` of the portfolio, or each by the entry that fills it best.
-// Gives up when more than `most` pages would be needed.
+// Gives up when more than `most` pages would be needed and, unless it `must` end, with the budget: half of
+// what more effort would have done is not taken.
 Packed fill_all(Filler& filler, Budget& budget, const std::vector<Page>& pages, std::size_t most, int which,
-                Filled& filled) {
+                bool must, Filled& filled) {
   Packed out;
   out.spots.assign(filler.set.items.size(), {-1, 0, false});
   out.page_of.assign(filler.set.items.size(), -1);
@@ -51,7 +53,7 @@ Packed fill_all(Filler& filler, Budget& budget, const std::vector<Page>& pages, 
     const Page page = pages[std::min(out.pages.size(), pages.size() - 1)];
     std::int64_t best = -1;
     for (std::size_t t = 0; t < tries; ++t) {
-      if (t > 0 && !budget.open()) break;
+      if (!must && !budget.open()) return out;
       const std::size_t entry = which < 0 ? t : at(which);
       const Outcome outcome = filler.search.fill(page.width, page.height, filled.left, entry, spots);
       if (outcome.placed <= best) continue;
@@ -69,6 +71,15 @@ Packed fill_all(Filler& filler, Budget& budget, const std::vector<Page>& pages, 
   return out;
 }
 
+// The order in which entries fill all pages: the fullest for each page (-1), then single ones; where there
+// must be a layout, the first entry before all.
+std::vector<int> ways(std::size_t entries, bool must) {
+  std::vector<int> out = {-1};
+  for (std::size_t which = 0; which < entries; ++which) out.push_back(static_cast<int>(which));
+  if (must) std::swap(out[0], out[1]);
+  return out;
+}
+
 // Drops pages nothing lies in.
 void drop_empty(Packed& packed) {
   std::vector<int> number(packed.pages.size(), -1);
@@ -83,35 +94,68 @@ void drop_empty(Packed& packed) {
   packed.pages.swap(kept);
 }
 
-}  // namespace
+std::int64_t texels_of(const Packed& packed, const Frame& frame) {
+  std::int64_t out = 0;
+  for (std::size_t p = 0; p < packed.pages.size(); ++p) {
+    out += std::int64_t{power_of_two_texels(frame, packed.pages[p].width)} *
+           power_of_two_texels(frame, packed.pages[p].height);
+  }
+  return out;
+}
 
-Packed pack_pages(const Set& set, const Frame& frame, int width, int height, Budget& budget) {
+// The extents of what lies in each page instead of the page.
+void shrink(const Set& set, Packed& packed) {
+  for (Page& page : packed.pages) page = {};
+  for (std::size_t i = 0; i < packed.spots.size(); ++i) {
+    Page& page = packed.pages[at(packed.page_of[i])];
+    const Spot& spot = packed.spots[i];
+    const RectSize& size = set.items[i];
+    page.width = std::max(page.width, spot.x + (spot.rotated ? size.height : size.width));
+    page.height = std::max(page.height, spot.y + (spot.rotated ? size.width : size.height));
+  }
+}
+
+// What a layout of several pages is judged by: how many they are, or their texels when each is cut down to
+// powers of two.
+enum class Cost { pages, texels };
+
+Packed fill_pages(const Set& set, const Frame& frame, int width, int height, Cost cost, Budget& budget) {
   const std::int64_t page = std::int64_t{width} * height;
-  const auto least = static_cast<std::size_t>(std::max<std::int64_t>(1, (set.area + page - 1) / page));
+  const auto unit_area = std::int64_t{frame.unit} * frame.unit;
+  const std::int64_t least =
+      cost == Cost::texels ? set.area * unit_area : std::max<std::int64_t>(1, (set.area + page - 1) / page);
   Packed best;
-  std::int64_t best_last = 0;
-  for (int pass = 0; pass < (frame.rotate ? 2 : 1); ++pass) {
-    const bool rotate = pass == 1;
-    if (!rotate && (set.widest > width || set.tallest > height)) continue;
-    budget.allow(frame.effort);
+  std::int64_t best_cost = 0, best_last = 0;
+  for (const bool rotate : {false, true}) {
+    if (rotate ? !frame.rotate : set.widest > width || set.tallest > height) continue;
+    budget.allow(frame.effort + frame.effort / 4);  // a part of it ends in the middle of a page and is lost
     Filler filler(set, rotate, frame, budget);
-    for (int which = -1; which < static_cast<int>(filler.search.entries()); ++which) {
-      if (!best.pages.empty() && (!budget.open() || best.pages.size() <= least)) break;
+    for (const int which : ways(filler.search.entries(), best.pages.empty())) {
+      const bool must = best.pages.empty();
+      if (!must && (!budget.open() || best_cost <= least)) break;
       Filled filled;
-      const std::size_t most = best.pages.empty() ? set.items.size() : best.pages.size();
-      Packed packed = fill_all(filler, budget, {{width, height}}, most, which, filled);
+      const std::size_t most = must || cost == Cost::texels ? set.items.size() : best.pages.size();
+      Packed packed = fill_all(filler, budget, {{width, height}}, most, which, must, filled);
       if (!filled.left.empty()) continue;
-      // Of as many pages the one with the emptiest last page: the next rectangle goes there.
-      const bool better = best.pages.empty() || packed.pages.size() < best.pages.size() ||
-                          (packed.pages.size() == best.pages.size() && filled.last_area < best_last);
-      if (!better) continue;
+      if (cost == Cost::texels) shrink(set, packed);
+      const std::int64_t found =
+          cost == Cost::texels ? texels_of(packed, frame) : static_cast<std::int64_t>(packed.pages.size());
+      // Of as much cost the one with the emptiest last page: the next rectangle goes there.
+      if (!must && std::tie(found, filled.last_area) >= std::tie(best_cost, best_last)) continue;
       packed.method = which < 0 ? "the fullest of 8 rules for each page"
                                 : portfolio(set.size(), rotate)[at(which)].name();
       best = std::move(packed);
+      best_cost = found;
       best_last = filled.last_area;
     }
   }
   return best;
+}
+
+}  // namespace
+
+Packed pack_pages(const Set& set, const Frame& frame, int width, int height, Budget& budget) {
+  return fill_pages(set, frame, width, height, Cost::pages, budget);
 }
 
 namespace {
@@ -143,34 +187,12 @@ std::vector<Page> pages_of(std::int64_t total, int side, std::int64_t grain, boo
   return out;
 }
 
-std::int64_t texels_of(const Packed& packed, const Frame& frame) {
-  std::int64_t out = 0;
-  for (std::size_t p = 0; p < packed.pages.size(); ++p) {
-    out += std::int64_t{power_of_two_texels(frame, packed.pages[p].width)} *
-           power_of_two_texels(frame, packed.pages[p].height);
-  }
-  return out;
-}
-
-// The extents of what lies in each page instead of the page.
-void shrink(const Set& set, Packed& packed) {
-  for (Page& page : packed.pages) page = {};
-  for (std::size_t i = 0; i < packed.spots.size(); ++i) {
-    Page& page = packed.pages[at(packed.page_of[i])];
-    const Spot& spot = packed.spots[i];
-    const RectSize& size = set.items[i];
-    page.width = std::max(page.width, spot.x + (spot.rotated ? size.height : size.width));
-    page.height = std::max(page.height, spot.y + (spot.rotated ? size.width : size.height));
-  }
-}
-
 }  // namespace
 
 Packed pack_mixed(const Set& set, const Frame& frame, Budget& budget) {
   const int side_texels = power_below(frame.side_in_texels);
   const int side = side_texels / frame.unit;
-  Packed best = pack_pages(set, frame, side, side, budget);
-  shrink(set, best);
+  Packed best = fill_pages(set, frame, side, side, Cost::texels, budget);
   best.method = "pages of one size, " + best.method;
   std::int64_t best_texels = texels_of(best, frame);
 
@@ -181,7 +203,7 @@ Packed pack_mixed(const Set& set, const Frame& frame, Budget& budget) {
   while (grain * 512 < set.area * unit_area) grain *= 2;
   for (int pass = 0; pass < (frame.rotate ? 2 : 1); ++pass) {
     const bool rotate = pass == 1;
-    budget.allow(frame.effort);
+    budget.allow(frame.effort + frame.effort / 4);  // a part of it ends in the middle of a page and is lost
     Filler filler(set, rotate, frame, budget);
     const auto holds = [&](std::int64_t total) {
       const std::size_t rules = std::min<std::size_t>(4, filler.search.entries());
@@ -189,10 +211,10 @@ Packed pack_mixed(const Set& set, const Frame& frame, Budget& budget) {
         std::vector<Page> pages = pages_of(total, side_texels, grain, lying);
         if (pages.empty()) continue;
         for (Page& page : pages) page = {page.width / frame.unit, page.height / frame.unit};
-        for (int which = -1; which < static_cast<int>(rules); ++which) {
+        for (const int which : ways(rules, false)) {
           if (!budget.open()) return false;
           Filled filled;
-          Packed packed = fill_all(filler, budget, pages, pages.size(), which, filled);
+          Packed packed = fill_all(filler, budget, pages, pages.size(), which, false, filled);
           if (!filled.left.empty()) continue;
           drop_empty(packed);
           shrink(set, packed);

@@ -217,6 +217,25 @@ TEST_CASE("rotation never makes a layout larger") {
   }
 }
 
+TEST_CASE("more effort never makes a layout larger") {
+  std::mt19937 random(29);
+  for (int round = 0; round < 40; ++round) {
+    const Sizes sizes = random_sizes(random, 1 + below(random, round % 8 == 0 ? 150 : 60));
+    for (const PageForm form : forms)
+      for (const bool rotate : {false, true}) {
+        std::size_t before = SIZE_MAX;
+        for (const int effort : {1, 3, 10, 14, 30, 100, 130, 300}) {
+          if (effort > 30 && round % 4 != 0) break;
+          const RectLayout layout = pack_rects(sizes, options_for(form, 256, rotate, effort));
+          INFO("round " << round << ", form " << static_cast<int>(form) << ", rotate " << rotate << ", effort "
+                        << effort << ", " << layout.method);
+          REQUIRE(layout.page_texels() <= before);
+          before = layout.page_texels();
+        }
+      }
+  }
+}
+
 TEST_CASE("with the previous layout removing a rectangle never enlarges, and what stays stays where it was") {
   std::mt19937 random(5);
   for (int round = 0; round < 30; ++round) {
