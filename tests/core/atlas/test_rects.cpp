@@ -227,8 +227,8 @@ TEST_CASE("more effort never makes a layout larger") {
         for (const int effort : {1, 3, 10, 14, 30, 100, 130, 300}) {
           if (effort > 30 && round % 4 != 0) break;
           const RectLayout layout = pack_rects(sizes, options_for(form, 256, rotate, effort));
-          INFO("round " << round << ", form " << static_cast<int>(form) << ", rotate " << rotate << ", effort "
-                        << effort << ", " << layout.method);
+          INFO("round " << round << ", form " << static_cast<int>(form) << ", rotate " << rotate
+                        << ", effort " << effort << ", " << layout.method);
           REQUIRE(layout.page_texels() <= before);
           before = layout.page_texels();
         }
