@@ -276,7 +276,7 @@ TEST_CASE("a region's mips are those of the region alone") {
   const TempFolder folder;
   add_material(folder, "a", 64, 64, 1);
   add_material(folder, "b", 64, 128, 2);
-  add_material(folder, "c", 96, 48, 3);
+  add_material(folder, "c", 96, 64, 3);
   PackOptions options;
   options.mips = 3;
   (void)run(folder, manifest({entry("a"), entry("b"), entry("c")}), options);
