@@ -144,7 +144,7 @@ void add_table_options(CLI::App& verb, TableArguments& arguments) {
                   "columns of a table without header, such as wavelength,n,k or wavelength,R; _ skips one")
       ->group(group);
   verb.add_option("--duplicates", arguments.duplicates,
-                  "equal wavelengths in tables: refuse (default), first or mean")
+                  "equal wavelengths with other values in tables: refuse (default), first or mean")
       ->group(group);
 }
 

@@ -260,12 +260,12 @@ class TableReader {
     std::vector<Row> same(from, from + static_cast<std::ptrdiff_t>(end - begin));
     std::sort(same.begin(), same.end(), [](const Row& a, const Row& b) { return a.line < b.line; });
     Row row = same[0];
-    if (options_.duplicates == Duplicates::refuse)
+    const bool identical =
+        std::all_of(same.begin(), same.end(), [&](const Row& other) { return other.value == row.value; });
+    if (!identical && options_.duplicates == Duplicates::refuse)
       fail(same[1].line, "wavelength " + number(row.axis, 9) + " " + std::string(name(block.unit)) + " again",
            "one row for it (the other is in line " + std::to_string(row.line) +
                "), or --duplicates first|mean");
-    const bool identical =
-        std::all_of(same.begin(), same.end(), [&](const Row& other) { return other.value == row.value; });
     flags_.set(identical ? Flag::duplicate_dropped : Flag::duplicate_wavelength);
     if (identical || options_.duplicates == Duplicates::first) return row;
     for (std::size_t c = 0; c < row.value.size(); ++c) {

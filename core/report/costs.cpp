@@ -50,11 +50,15 @@ struct Batch {
   }
 };
 
-// Something in every texel.
+// Something in every texel: slopes and grain, as photographs of surfaces have them.
 std::shared_ptr<const Image8> some_texture(int width, int height) {
   const auto picture = std::make_shared<Image8>(width, height, 4);
   Random random(5);
-  for (std::uint8_t& code : picture->values) code = static_cast<std::uint8_t>(random.uniform(40, 200));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (std::size_t c = 0; c < 4; ++c)
+        picture->at(x, y)[c] = static_cast<std::uint8_t>(120 + 50 * std::sin(x / 9.0) * std::cos(y / 7.0) +
+                                                         random.uniform(-8, 8));
   return picture;
 }
 

@@ -12,8 +12,11 @@ namespace etak {
 namespace {
 
 constexpr double width = 640, height = 400;
-constexpr double left = 66, right = 626, top = 22, bottom = 350;
+constexpr double left = 66, right = 612, top = 26, bottom = 350;
 constexpr double letter_width = 6.3, line_height = 13, label_gap = 8;
+// With more points than this only those that nothing beats have a name at any distance, the others beside
+// them: a web of thin lines would say less than the table below.
+constexpr std::size_t most_named = 14;
 constexpr double nothing_shown = 1e-15;  // errors below it are drawn on the axis: rounding, not error
 
 // A logarithmic axis over whole or half decades.
@@ -81,21 +84,44 @@ void append_grid(std::string& out, const LogAxis& x, const LogAxis& y) {
   append(out, "V", coordinate(bottom), "H", coordinate(right), "\"/>");
 }
 
-// Beside its point where no other label or point is: right, left, above, below, then further off with a thin
-// line.
+// The line through the points that nothing beats, as small boxes.
+void take_front(const std::vector<Point>& points, std::vector<Box>& taken) {
+  const Point* before = nullptr;
+  for (const Point& p : points) {
+    if (!p.row->pareto) continue;
+    if (before != nullptr) {
+      const int steps = 1 + static_cast<int>(std::hypot(p.x - before->x, p.y - before->y) / 4);
+      for (int i = 0; i <= steps; ++i) {
+        const double x = std::lerp(before->x, p.x, double(i) / steps),
+                     y = std::lerp(before->y, p.y, double(i) / steps);
+        taken.push_back({x - 1, y - 1, x + 1, y + 1});
+      }
+    }
+    before = &p;
+  }
+}
+
+// Beside its point where no other label, point or line is: right, left, above, below, then further off with a
+// thin line. What nothing beats chooses first.
 void append_labels(std::string& out, const std::vector<Point>& points) {
   std::vector<Box> taken;
   for (const Point& p : points) taken.push_back({p.x - 5, p.y - 5, p.x + 5, p.y + 5});
   for (const Point& p : points) taken.push_back({p.first - 2, p.y - 2, p.last + 2, p.y + 2});
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  take_front(points, taken);
+  std::vector<std::size_t> order;
+  for (const bool best : {true, false})
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].row->pareto == best) order.push_back(i);
+  for (const std::size_t i : order) {
     const Point& p = points[i];
+    const int furthest = p.row->pareto || points.size() <= most_named ? 14 : 2;
     const double w = letter_width * static_cast<double>(display_width(p.row->title));
     const auto box = [&](double dx, double dy, int side) {
       const double x0 = side > 0 ? p.x + dx : side < 0 ? p.x - dx - w : p.x - w / 2;
       return Box{x0, p.y + dy - line_height / 2, x0 + w, p.y + dy + line_height / 2};
     };
     std::vector<Box> places;
-    for (int step = 0; step < 14; ++step) {
+    for (int step = 0; step < furthest; ++step) {
       const double off = line_height * step * 0.9;
       for (const double dy : {-off, off}) {
         places.push_back(box(label_gap, dy, 1));
@@ -104,10 +130,8 @@ void append_labels(std::string& out, const std::vector<Point>& points) {
       }
     }
     const auto free = [&](const Box& b) {
-      if (b.x0 < left + 2 || b.x1 > right + 10 || b.y0 < top - 12 || b.y1 > bottom - 2) return false;
-      for (std::size_t k = 0; k < taken.size(); ++k)
-        if (k != i && taken[k].meets(b)) return false;
-      return true;
+      if (b.x0 < left + 2 || b.x1 > width - 2 || b.y0 < top - 6 || b.y1 > bottom - 2) return false;
+      return std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return other.meets(b); });
     };
     const auto found = std::find_if(places.begin(), places.end(), free);
     if (found == places.end()) continue;  // its name is in the table below the plot

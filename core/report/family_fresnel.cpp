@@ -102,11 +102,26 @@ ErrorTimeFamily fresnel_family(const ReportOptions& options) {
   family.reference = "F at every nanometre and angle, seen under D65, linear sRGB";
   family.grid =
       "0 to 90 degrees in steps of 0.25; preferred datasets of the library; means weighted by 2 cos";
-  family.advice =
-      "Dielectrics: exact from F0 costs little and has no error. Metals: F82. Semiconductors and chromium: "
-      "exact with n "
-      "and k from F0 and F82. Never n and k at three wavelengths on coloured metals.";
   for (const Group& group : groups()) family.tables.push_back(table_of(library, group, options));
+  enum { metals, semiconductors, dielectrics };
+  const auto error = [&](std::size_t table, std::string_view id, std::size_t metric) {
+    const auto& rows = family.tables[table].rows;
+    return number(
+        std::find_if(rows.begin(), rows.end(), [&](const ErrorTimeRow& row) { return row.id == id; })
+            ->errors[metric],
+        2);
+  };
+  constexpr std::size_t worst = 2, mean = 3;
+  family.advice =
+      "Draw dielectrics with the exact form from F0, which nothing can tell from the truth (Schlick misses "
+      "by up "
+      "to ΔE2000 " +
+      error(dielectrics, "schlick", worst) + "), metals with F82 (ΔE2000 " + error(metals, "f82", mean) +
+      " on the mean, Schlick " + error(metals, "schlick", mean) +
+      ") and semiconductors and chromium with n and k from F0 and F82 (at most " +
+      error(semiconductors, "index", worst) + ", F82 " + error(semiconductors, "f82", worst) +
+      "), and never take n and k at three wavelengths on coloured metals (" +
+      error(metals, "three_wavelengths", worst) + ").";
   family.notes = {
       "The datasets are the library's own choice (tungsten and zinc, for one, not from electron-loss "
       "spectra); with "

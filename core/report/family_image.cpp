@@ -197,8 +197,8 @@ ErrorTimeTable empty_table(const char* id, std::string title) {
   table.title = std::move(title);
   table.metrics = {{"rms_codes", "root mean square error of sRGB", "codes"},
                    {"psnr", "PSNR of sRGB codes", "dB"},
-                   {"mean_de", "mean \u0394E", "dE2000"},
-                   {"max_de", "largest \u0394E", "dE2000"},
+                   {"mean_de", "mean \u0394E", "\u0394E2000"},
+                   {"max_de", "largest \u0394E", "\u0394E2000"},
                    {"mean_flip", "mean FLIP", ""}};
   table.time_unit = "ms per frame of 1024 x 1024";
   table.base = base_model;

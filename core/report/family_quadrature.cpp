@@ -38,10 +38,23 @@ struct Way {
   F0Options options;
 };
 
+// As people say it.
+std::string title_of(Method method) {
+  std::string text(name(method));
+  if (text.starts_with("point-")) {
+    text = "3 samples, " + text.substr(6) + " nm";
+    std::replace(text.begin(), text.end(), '-', '/');
+  } else if (text.starts_with("e308-")) {
+    text = "E308, " + text.substr(5);
+  }
+  if (const auto at = text.find("nm"); at != text.npos && text[at - 1] != ' ') text.insert(at, " ");
+  return text;
+}
+
 std::vector<Way> ways() {
   std::vector<Way> out;
   for (const Method method : all_methods) {
-    Way way{std::string(name(method)), std::string(name(method)), {}};
+    Way way{std::string(name(method)), title_of(method), {}};
     way.options.method = method;
     out.push_back(way);
   }

@@ -219,10 +219,12 @@ ErrorTimeFamily quantisation_family(const ReportOptions& options) {
       std::to_string(colours.size()) + " colours of the library, kept to [0, 1]; 100,001 glosses from 0 to 1";
   family.tables = {f0_table(colours, options), gloss_table(options)};
   const auto& f0 = family.tables[0].rows;
-  family.advice = "Keep F0 as sRGB in 8 bit (at most ΔE2000 " + number(f0[0].errors[0], 2) +
-                  " over the library, where linear 8 bit gives " + number(f0[3].errors[0], 2) +
-                  ") and gloss as it is: its " + number(family.tables[1].rows[0].errors[2], 2) +
-                  " % of e is the same everywhere, while alpha in 8 bit fails on polished surfaces.";
+  family.advice =
+      "Keep F0 as sRGB in 8 bit (at most ΔE2000 " + number(f0[0].errors[0], 2) +
+      " over the library, where linear 8 bit gives " + number(f0[3].errors[0], 2) +
+      "; 16 bit linear has nothing to see and is quicker, for twice the bytes) and gloss as it is: its " +
+      number(family.tables[1].rows[0].errors[2], 2) +
+      " % of e is the same everywhere, while alpha in 8 bit fails on polished surfaces.";
   family.notes = {"One code of gloss multiplies the exponent by " + number(std::exp2(12 / 255.0), 5) +
                       "; g = 0 and g = 1 are codes.",
                   "Half a step is the most that rounding moves a value, as a share of it. Times are of a "

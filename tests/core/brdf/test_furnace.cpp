@@ -61,11 +61,13 @@ struct Printed {
   const char* id;
   std::vector<double> values;
   double width;
-  double albedo[7];  // at `views`, three decimals
+  double albedo[7];  // at `views`, three decimals; one above 10
 };
 
 }  // namespace
 
+// Two places at 89.9 degrees are printed otherwise: .667 is the limit at 90 degrees, and 25.7 is coarse: over
+// half vectors, with more points where l h ends, the integral is 25.793.
 TEST_CASE("directional albedo comes out as printed") {
   const std::vector<Printed> table = {
       {"microfacet:schueler,schlick,cook-torrance",
@@ -88,6 +90,7 @@ TEST_CASE("directional albedo comes out as printed") {
        {1, 1, 1, 4096},
        width_of(4096),
        {.999, .999, .999, .996, .964, .814, .908}},
+      {"schueler-optimized", {1, 1, 1, .5}, width_of(64), {.968, 1.338, 1.791, 2.820, 5.430, 12.3, 25.8}},
       {"schueler-optimized",
        {.04, .04, .04, 1},
        width_of(4096),
@@ -112,7 +115,9 @@ TEST_CASE("directional albedo comes out as printed") {
   for (const Printed& row : table)
     for (std::size_t i = 0; i < std::size(views); ++i) {
       INFO(row.id << " at " << views[i]);
-      CHECK(std::abs(albedo(*find_model(row.id), row.values, views[i], row.width) - row.albedo[i]) < 6e-4);
+      const double digits = row.albedo[i] > 10 ? 0.06 : 6e-4;
+      CHECK(albedo(*find_model(row.id), row.values, views[i], row.width) ==
+            Approx(row.albedo[i]).epsilon(0).margin(digits));
     }
 }
 
