@@ -141,6 +141,7 @@ void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, con
     if (scene.images[image].path.empty()) return file_of_scene.label + "#/images/" + std::to_string(image);
     return label_beside(file_of_scene, scene.images[image].path);
   };
+  const bool wants_pixels = needs_of(target, settings).pixels();
   std::map<int, FileRole> roles;  // by image
   std::vector<bool> done(scene.materials.size());
   for (const GltfMaterial& material : scene.materials) {
@@ -167,6 +168,7 @@ void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, con
     part.files = {{first_role, "", label_of(color), false}, {second_role, "", label_of(second), false}};
     if (color) roles.emplace(color->image, first_role);
     if (second) roles.emplace(second->image, second_role);
+    if (!wants_pixels) continue;
 
     Evidence evidence;
     evidence.metal_rough = !material.specular_glossiness;
@@ -218,8 +220,9 @@ void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, con
     file.companions.push_back(texture.label);
     file.roles.emplace_back(texture.label, name(role));
   }
-  file.stats.pictures_decoded += roles.size();
-  file.stats.pictures_left_out += scene.images.size() - roles.size();
+  const std::size_t decoded = wants_pixels ? roles.size() : 0;
+  file.stats.pictures_decoded += decoded;
+  file.stats.pictures_left_out += scene.images.size() - decoded;
   judge(textures, headers, settings, file);
 }
 

@@ -41,8 +41,11 @@ const Image8& ScenePictures::codes(int image) {
 }
 
 const TextureHeader& ScenePictures::header(int image) {
-  load(image);
-  return headers_[static_cast<std::size_t>(image)];
+  const auto i = static_cast<std::size_t>(image);
+  const GltfImage& image_at = (*images_)[i];
+  if (headers_[i].width == 0)
+    headers_[i] = read_texture_header(image_at.path, image_at.bytes, image_at.label);
+  return headers_[i];
 }
 
 LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pictures) {
@@ -101,11 +104,6 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target) : pictures_(images_) {
   // A base colour without anything on metal is taken for that of a dielectric.
   if (!whole && metallic_ < 0) material_.metallic = 0;
   pictures_ = ScenePictures(images_);
-}
-
-TextureHeader MetalRoughSet::header(int file) {
-  const auto rows = open_rows(images_[static_cast<std::size_t>(file)].path);
-  return rows ? rows->header() : pictures_.header(file);
 }
 
 LoadedPictures MetalRoughSet::convert() {

@@ -10,7 +10,7 @@
 
 namespace etak {
 
-/// Pictures of a document, loaded when first asked for.
+/// Pictures of a document, loaded when first asked for; of PNG the head alone where that is enough.
 class ScenePictures {
  public:
   explicit ScenePictures(const std::vector<GltfImage>& images);
@@ -43,7 +43,7 @@ class MetalRoughSet {
   /// threads. No rows where a file must be loaded whole or the files differ in size.
   PictureRows rows() const;
   /// Of the n-th file of the set, in the target's order.
-  TextureHeader header(int file);
+  const TextureHeader& header(int file) { return pictures_.header(file); }
 
   static bool is_part(FileRole role);
 

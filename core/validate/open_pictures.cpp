@@ -203,12 +203,16 @@ std::unique_ptr<RowSource> open_picture(const std::string& path) {
   return std::make_unique<LoadedRowSource>(std::move(image), std::move(header));
 }
 
-TextureHeader read_texture_header(const std::string& path) {
-  const MappedFile file(path);
-  if (const auto reader = PngReader::open(file.bytes(), path)) return header_of(reader->info(), file.bytes());
-  const LoadedImage image = load_picture(file.bytes(), path);
+TextureHeader read_texture_header(const std::string& path, std::string_view bytes, const std::string& label) {
+  std::unique_ptr<MappedFile> file;
+  if (bytes.empty()) {
+    file = std::make_unique<MappedFile>(path);
+    bytes = file->bytes();
+  }
+  if (const auto reader = PngReader::open(bytes, label)) return header_of(reader->info(), bytes);
+  const LoadedImage image = load_picture(bytes, label);
   TextureHeader header = header_of(image);
-  read_png_chunks(file.bytes(), header);
+  read_png_chunks(bytes, header);
   return header;
 }
 

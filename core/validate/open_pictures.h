@@ -16,7 +16,8 @@ std::unique_ptr<RowSource> open_picture(const std::string& path);
 std::unique_ptr<RowSource> open_rows(const std::string& path);
 
 /// The head alone, where the format lets it be read alone (PNG); else the whole is decoded.
-TextureHeader read_texture_header(const std::string& path);
+///   bytes   of the file, when it is in memory; else empty
+TextureHeader read_texture_header(const std::string& path, std::string_view bytes, const std::string& label);
 
 /// All of a picture as codes, 16 bits rounded to 8; floats clamped to 0..1 and, but for the fourth channel,
 /// encoded to sRGB. Channels as stored.
