@@ -18,6 +18,15 @@ std::uint8_t code(double value) {
   return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0, 1.0) + 0.5);
 }
 
+// None for a transform that leaves no area.
+std::optional<UvMatrix> inverse(const UvMatrix& m) {
+  const double area = m[0] * m[4] - m[1] * m[3];
+  if (std::abs(area) < 1e-12) return std::nullopt;
+  const UvMatrix turn{m[4] / area, -m[1] / area, 0, -m[3] / area, m[0] / area, 0};
+  const Uv origin = turn * Uv{m[2], m[5]};
+  return UvMatrix{turn[0], turn[1], -origin[0], turn[3], turn[4], -origin[1]};
+}
+
 // A texture at the pair's size: four channels, where the picture has fewer as glTF fills them up.
 class Lookup {
  public:
@@ -205,19 +214,55 @@ class Converter {
 
 }  // namespace
 
-Image8 scaled_normals(const Image8& map, double scale, int width, int height) {
+std::optional<TextureOnTexture> normals_on_pair(const GltfTexture& map, const GltfTexture& lead,
+                                                const TexelUse& use) {
+  const std::array wrap{map.sampler.wrap_u, map.sampler.wrap_v};
+  if (map.uv_set != lead.uv_set) return std::nullopt;
+  if (map.transform == lead.transform && wrap == std::array{lead.sampler.wrap_u, lead.sampler.wrap_v})
+    return TextureOnTexture{{1, 0, 0, 0, 1, 0}, wrap};
+  const auto back = inverse(uv_matrix(lead.transform)), unfold = inverse(uv_matrix(use.fold));
+  if (!back || !unfold) return std::nullopt;
+  const UvMatrix to_map = uv_matrix(map.transform) * (*back * *unfold);
+  const auto whole = [](double v) { return std::abs(v - std::round(v)) < 1e-9; };
+  const auto repeats = [](const GltfSampler& s) {
+    return s.wrap_u == Wrap::repeat && s.wrap_v == Wrap::repeat;
+  };
+  const bool periodic = repeats(lead.sampler) && repeats(map.sampler) && whole(to_map[0]) &&
+                        whole(to_map[1]) && whole(to_map[3]) && whole(to_map[4]);
+  if (use.tiles && !periodic) return std::nullopt;
+  return TextureOnTexture{to_map, wrap};
+}
+
+Image8 scaled_normals(const Image8& map, double scale, int width, int height, const TextureOnTexture& place) {
+  constexpr int most_places = 8;
+  const UvMatrix& m = place.to_map;
+  // Steps on the map, in its texels, of one texel to the right and one down.
+  const double right[] = {m[0] * map.width / width, m[3] * map.height / width},
+               down[] = {m[1] * map.width / height, m[4] * map.height / height};
+  const double longest =
+      std::max(std::abs(right[0]) + std::abs(down[0]), std::abs(right[1]) + std::abs(down[1]));
+  const int places = std::clamp(static_cast<int>(std::ceil(longest - 1e-9)), 1, most_places);
+  const auto texel = [](double at, int size, Wrap wrap) {
+    return wrapped_texel(static_cast<int>(std::clamp(std::floor(at), -1e9, 1e9)), size, wrap);
+  };
   Image8 out(width, height, 3);
   const bool grey = map.channels < 3;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const auto from = map.at(static_cast<int>(std::int64_t{x} * map.width / width),
-                               static_cast<int>(std::int64_t{y} * map.height / height));
-      Vec3 v;
-      for (std::size_t c = 0; c < 3; ++c) v[c] = (from[grey ? 0 : c] / 127.5 - 1) * (c < 2 ? scale : 1);
-      const double length = scale == 1 ? 1 : std::max(1e-6, std::hypot(v[0], v[1], v[2]));
+      Vec3 sum{0, 0, 0};
+      for (int k = 0; k < places * places; ++k) {
+        const double column = x + (k % places + 0.5) / places, row = y + (k / places + 0.5) / places;
+        const auto from =
+            map.at(texel(m[2] * map.width + column * right[0] + row * down[0], map.width, place.wrap[0]),
+                   texel(m[5] * map.height + column * right[1] + row * down[1], map.height, place.wrap[1]));
+        Vec3 v;
+        for (std::size_t c = 0; c < 3; ++c) v[c] = (from[grey ? 0 : c] / 127.5 - 1) * (c < 2 ? scale : 1);
+        const double length = scale == 1 ? 1 : std::max(1e-6, std::hypot(v[0], v[1], v[2]));
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += v[c] / length;
+      }
       for (std::size_t c = 0; c < 3; ++c)
         out.at(x, y)[c] =
-            static_cast<std::uint8_t>(std::clamp((v[c] / length + 1) * 127.5 + 0.5, 0.0, 255.0));
+            static_cast<std::uint8_t>(std::clamp((sum[c] / (places * places) + 1) * 127.5 + 0.5, 0.0, 255.0));
     }
   return out;
 }

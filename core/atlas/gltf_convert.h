@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/atlas/manifest.h"
 #include "core/atlas/sources.h"
 #include "core/scene/gltf.h"
+#include "core/scene/uv_transform.h"
+#include "core/scene/uv_use.h"
 
 namespace etak {
 
@@ -28,8 +32,22 @@ using SceneFloats = std::function<const Image&(int image)>;
 FloatPair scene_material_floats(const GltfMaterial& material, const SceneFloats& images, GlossForm gloss,
                                 bool keep_alpha);
 
-/// A normal map at a pair's size: the nearest normal of each texel, with x and y times `scale`. A larger map
-/// loses what lies between, a smaller one repeats.
-Image8 scaled_normals(const Image8& map, double scale, int width, int height);
+/// Where the texels of one texture of a material lie on another.
+struct TextureOnTexture {
+  UvMatrix to_map{1, 0, 0, 0, 1, 0};  // from the one's UVs over its picture, [0,1], to the other's
+  std::array<Wrap, 2> wrap{Wrap::repeat, Wrap::repeat};  // of the other
+};
+
+/// How a normal map lies on the pair whose first texture is `lead`.
+///   use   of the pair's texels
+///   returns   none where a texel of the pair would stand for several places of the map: another UV set, or
+///             periods of the pair that are none of the map's
+std::optional<TextureOnTexture> normals_on_pair(const GltfTexture& map, const GltfTexture& lead,
+                                                const TexelUse& use);
+
+/// A normal map at a pair's size, with x and y times `scale`: of each texel the mean over up to 8 x 8 places
+/// in it, unnormalised, so that its length tells how far they spread. A smaller map repeats.
+Image8 scaled_normals(const Image8& map, double scale, int width, int height,
+                      const TextureOnTexture& place = {});
 
 }  // namespace etak

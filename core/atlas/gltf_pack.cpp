@@ -236,7 +236,7 @@ struct ScenePack::State {
     if (in.facts.reached && lead != nullptr) {
       use_of(in, entry, *lead);
       scale_of(in, entry, *lead);
-      normals_of(in, m, *lead);
+      normals_of(in, m, entry, *lead);
     }
     look_at(*pair, entry.use ? &*entry.use : nullptr, in.facts.opaque, in.facts);
     if (writes_floats()) {
@@ -272,17 +272,17 @@ struct ScenePack::State {
           1 + oblique_levels + std::clamp(static_cast<int>(std::ceil(scale.most_level - rounding)), 0, 15);
   }
 
-  // The normal map where it is looked up as the pair is, at the pair's size.
-  void normals_of(PackInput& in, const GltfMaterial& m, const GltfTexture& lead) {
+  // The normal map as it lies on the pair, at the pair's size.
+  void normals_of(PackInput& in, const GltfMaterial& m, const Entry& entry, const GltfTexture& lead) {
     if (!m.normal_texture) return;
     const GltfTexture& map = *m.normal_texture;
-    if (map.uv_set != lead.uv_set || map.transform != lead.transform ||
-        map.sampler.wrap_u != lead.sampler.wrap_u || map.sampler.wrap_v != lead.sampler.wrap_v) {
+    const auto place = normals_on_pair(map, lead, *entry.use);
+    if (!place) {
       remarks.push_back(in.name + ": its normal map is looked up elsewhere and does not widen its gloss");
       return;
     }
-    in.load_normals = [this, image = map.image, scale = m.normal_scale, width = in.width,
-                       height = in.height] { return scaled_normals(picture(image), scale, width, height); };
+    in.load_normals = [this, image = map.image, scale = m.normal_scale, width = in.width, height = in.height,
+                       at = *place] { return scaled_normals(picture(image), scale, width, height, at); };
   }
 
   void use_of(PackInput& in, Entry& entry, const GltfTexture& lead) {

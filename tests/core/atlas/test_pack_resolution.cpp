@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/atlas/gltf_convert.h"
 #include "core/atlas/pack.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
@@ -270,4 +271,57 @@ TEST_CASE("the normal map of a scene widens the gloss of its mips, at its own st
   CHECK(weak > full);
   CHECK(weak < 128);
   CHECK(level_2(R"("normalTexture":{"index":1,"texCoord":1},)") == 128);  // looked up elsewhere
+  json = replaced(json, R"("wrapS":33071,"wrapT":33071,)", "");
+  // Turned, moved and repeated it is the same rough map, so all in all as wide.
+  const auto mean = [&](const std::string& transform) {
+    (void)level_2(R"("normalTexture":{"index":1,"extensions":{"KHR_texture_transform":{)" + transform +
+                  "}}},");
+    const Image8 level = load_png(folder.file("out/page0_specular_gloss.mip2.png"));
+    double sum = 0;
+    for (std::size_t i = 3; i < level.values.size(); i += 4) sum += level.values[i];
+    return sum / static_cast<double>(level.pixel_count());
+  };
+  const double still = mean(R"("offset":[0,0])");
+  CHECK(still < 120);
+  CHECK(mean(R"("offset":[0.25,0.5])") == Approx(still).margin(3));
+  CHECK(mean(R"("rotation":1.5707963267948966)") == Approx(still).margin(3));
+  CHECK(mean(R"("offset":[0.5,0],"scale":[-1,1])") == Approx(still).margin(3));
+  CHECK(mean(R"("scale":[0.25,0.25])") > still + 3);  // enlarged: less rough within a texel
+}
+
+TEST_CASE("a normal map lies on a pair by both transforms, and a texel is the mean of what it covers") {
+  Image8 map(4, 4, 3, 128);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) map.at(x, y)[0] = static_cast<std::uint8_t>(16 * (4 * y + x));
+  const auto red = [](const Image8& image, int x, int y) { return int{image.at(x, y)[0]}; };
+  CHECK(scaled_normals(map, 1, 4, 4) == map);
+  const Image8 half = scaled_normals(map, 1, 2, 2);
+  CHECK(red(half, 0, 0) == (0 + 16 + 64 + 80) / 4);
+  CHECK(red(half, 1, 1) == (160 + 176 + 224 + 240) / 4);
+  GltfTexture lead, detail;
+  TexelUse use;
+  CHECK(normals_on_pair(detail, lead, use)->to_map == UvMatrix{1, 0, 0, 0, 1, 0});
+  detail.transform.offset = {0.25, 0.5};
+  const Image8 moved = scaled_normals(map, 1, 4, 4, *normals_on_pair(detail, lead, use));
+  CHECK(red(moved, 0, 0) == red(map, 1, 2));
+  CHECK(red(moved, 3, 3) == red(map, 0, 1));
+  lead.transform.offset = detail.transform.offset;  // both moved alike, whatever else differs
+  detail.sampler.wrap_u = Wrap::clamp;
+  CHECK(scaled_normals(map, 1, 4, 4, *normals_on_pair(detail, lead, use)) == map);
+  use.fold.offset = {-1, 0};  // triangles lie in the second period: on a map that ends, its last column
+  CHECK(red(scaled_normals(map, 1, 4, 4, *normals_on_pair(detail, lead, use)), 0, 1) == red(map, 3, 1));
+  // A period of the pair must be whole periods of the map where several are in use.
+  detail = lead = {};
+  use = {};
+  use.tiles = true;
+  detail.transform.scale = {3, 2};
+  CHECK(normals_on_pair(detail, lead, use));
+  detail.transform.scale = {1.5, 2};
+  CHECK_FALSE(normals_on_pair(detail, lead, use));
+  detail.transform.scale = {3, 2};
+  detail.sampler.wrap_u = Wrap::clamp;
+  CHECK_FALSE(normals_on_pair(detail, lead, use));
+  detail = lead;
+  detail.uv_set = 1;
+  CHECK_FALSE(normals_on_pair(detail, lead, use));
 }
