@@ -27,9 +27,9 @@ void add_choose(CLI::App& app, Verb& chosen) {
   verb->add_option("--gloss", arguments->gloss, "of a library material's sphere that is compared")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  auto* measure =
-      verb->add_flag("--measure", arguments->measure,
-                     "time everything here instead of taking the shipped costs; the choice may differ");
+  auto* measure = verb->add_flag(
+      "--measure", arguments->measure,
+      "time everything here (half a minute) instead of taking the shipped costs; the choice may differ");
   verb->add_option("--costs", arguments->costs, "a cost table of --write-costs instead of the shipped one")
       ->excludes(measure)
       ->type_name("FILE");

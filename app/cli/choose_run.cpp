@@ -34,6 +34,8 @@ void add_scene(const std::string& scene, ChooseArguments& arguments,
 }  // namespace
 
 int choose_materials(ChooseArguments& arguments) {
+  if (arguments.measure || arguments.write_costs)
+    remark(arguments.output, "measuring costs: half a minute, longer on a busy machine");
   const CostTable costs = cost_table(arguments);
   if (arguments.write_costs) {
     write_output(arguments.output, format_costs(costs));

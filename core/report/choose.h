@@ -31,8 +31,8 @@ const CostTable& shipped_costs();
 CostTable parse_costs(std::string_view text, std::string_view file);
 std::string format_costs(const CostTable& costs);
 
-/// Times everything here and now, some 20 s: of each row the least time of 200 repeats that are spread over
-/// the whole run, which is the time without what else the machine does. Two runs on a calm machine agree
+/// Times everything here and now, half a minute: of each row the least time of 200 repeats that are spread
+/// over the whole run, which is the time without what else the machine does. Two runs on a calm machine agree
 /// within 15 % in nearly all rows. In target etak::report_run.
 CostTable measure_costs(std::string_view header);
 

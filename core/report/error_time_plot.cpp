@@ -135,7 +135,7 @@ void append_labels(std::string& out, const std::vector<Point>& points) {
     };
     const auto found = std::find_if(places.begin(), places.end(), free);
     if (found == places.end()) continue;  // its name is in the table below the plot
-    taken.push_back(*found);
+    taken.push_back({found->x0 - 4, found->y0, found->x1 + 4, found->y1});
     const double middle = (found->y0 + found->y1) / 2;
     if (std::abs(middle - p.y) > line_height) {
       const double x = std::clamp(p.x, found->x0, found->x1);
