@@ -8,6 +8,7 @@
 
 #include "app/editor/options.h"
 #include "app/editor/screenshot.h"
+#include "app/editor/start_time.h"
 #include "app/editor/theme.h"
 #include "app/editor/window.h"
 
@@ -19,6 +20,19 @@ void choose_gl() {
   format.setVersion(3, 3);
   format.setProfile(QSurfaceFormat::CoreProfile);
   QSurfaceFormat::setDefaultFormat(format);
+}
+
+// Ends the program once the first picture is on the screen.
+void time_start(etak::editor::Window& window) {
+  const auto tell = [] {
+    const etak::editor::SinceStart spent = etak::editor::since_start();
+    std::printf("first picture after %.0f ms, %.0f ms of processors\n", spent.clock_ms, spent.work_ms);
+    std::fflush(stdout);
+    QCoreApplication::exit();
+  };
+  // Told while the window is painted, which is shown when that event is over.
+  QObject::connect(&window, &etak::editor::Window::first_frame, &window,
+                   [&window, tell] { QTimer::singleShot(0, &window, tell); });
 }
 
 }  // namespace
@@ -58,7 +72,9 @@ int main(int argc, char** argv) {
   }
   Window window(window_options);
   if (picture) return take_screenshot(window, options);
+  if (options.time_start) time_start(window);
   window.show();
+  if (options.time_start) return QApplication::exec();
   QTimer::singleShot(0, &window, [&] {
     window.offer_recovery();
     if (!options.subjects.isEmpty()) window.open(options.subjects.front());

@@ -35,6 +35,8 @@ QString help_text() {
              "  --state NAME        what the screenshot shows: %1\n"
              "  --theme NAME        dark or light, in place of the remembered one\n"
              "  --cpu               draw without OpenGL\n"
+             "  --time-start        print how long the first picture took from the start of the process, and "
+             "exit\n"
              "  --help, --version\n"
              "\n"
              "example:\n"
@@ -64,6 +66,8 @@ Options parse_options(const QStringList& arguments) {
       out.version = true;
     else if (name == QLatin1String("--cpu"))
       out.cpu = true;
+    else if (name == QLatin1String("--time-start"))
+      out.time_start = true;
     else if (name == QLatin1String("--screenshot"))
       out.screenshot = take();
     else if (name == QLatin1String("--model"))

@@ -17,7 +17,7 @@ struct Options {
   QString model, state;
   QSize size{1280, 800};
   std::optional<Theme> theme;
-  bool cpu = false;
+  bool cpu = false, time_start = false;
   bool help = false, version = false;
   QString error;  // not empty: what is wrong with the command line
 };

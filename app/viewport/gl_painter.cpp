@@ -73,6 +73,8 @@ struct GlPainter::State {
   }
 
   void bind_textures(GlProgram& program, const Scene& scene) {
+    // Before the rest: making one binds it.
+    const Pair* pair = scene.textures ? &take_textures(scene.textures) : nullptr;
     int unit = 0;
     const auto bind = [&](GlTexture& texture, const std::string& sampler) {
       texture.bind(unit);
@@ -85,10 +87,9 @@ struct GlPainter::State {
       bind(*levels[sharp + 1], "environment_dull");
       program.set({"environment_share", 1, 1, false, {static_cast<float>(share)}});
     }
-    if (scene.textures) {
-      const Pair& pair = take_textures(scene.textures);
-      bind(*pair.body, "surface_body");
-      bind(*pair.gloss, "surface_gloss");
+    if (pair != nullptr) {
+      bind(*pair->body, "surface_body");
+      bind(*pair->gloss, "surface_gloss");
     }
     for (std::size_t i = 0; i < tables.size(); ++i) bind(*tables[i], display->tables[i].sampler);
   }

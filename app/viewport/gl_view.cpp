@@ -48,6 +48,8 @@ GlView::GlView(QWidget* parent, bool threaded) : QOpenGLWidget(parent), threaded
 }
 
 GlView::~GlView() {
+  // The context goes with the base class, when there is nothing left here that could hear of it.
+  if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
   drop();
 }
 

@@ -32,6 +32,23 @@ class ViewportCpu : public QObject {
     QVERIFY(!viewport.uses_gl());
     QVERIFY(picture.pixelColor(100, 100) != picture.pixelColor(2, 2));
   }
+
+  // Run where drivers are gone, too (ETAK_TEST_NO_GL): drawn all the same, and people are told.
+  void without_a_driver_people_are_told() {
+    Viewport viewport;
+    viewport.resize(200, 200);
+    viewport.set_state(gold());
+    QSignalSpy drawn(&viewport, &Viewport::frame_drawn);
+    viewport.show();
+    QVERIFY(QTest::qWaitFor([&] { return !drawn.isEmpty(); }, 20000));
+    if (qEnvironmentVariableIsSet("ETAK_TEST_NO_GL")) QVERIFY(!viewport.uses_gl());
+    if (viewport.uses_gl()) return;
+    QVERIFY(!viewport.fallback_reason().isEmpty());
+    QVERIFY(viewport.message().contains(viewport.fallback_reason()));
+    const QImage picture = viewport.grab_picture();
+    QVERIFY(picture.pixelColor(100, 100) != picture.pixelColor(2, 2));
+    QCOMPARE(viewport.compile_ms(), 0.0);
+  }
 };
 
 QTEST_MAIN(ViewportCpu)

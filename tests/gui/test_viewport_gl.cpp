@@ -22,6 +22,17 @@ class ViewportGl : public QObject {
   // What the window shows, by Qt's own grab of the framebuffer.
   QImage on_screen() { return drawn() ? viewport->findChild<GlView*>()->grabFramebuffer() : QImage(); }
 
+  std::shared_ptr<const Environment> environment =
+      std::make_shared<const Environment>(studio_environment(128), 1, "studio", 2);
+
+  static std::shared_ptr<const SurfaceTextures> textures_of(const SurfaceValues& surface) {
+    Image body(8, 8, 4), gloss(8, 4, 4);
+    for (std::size_t i = 0; i < body.values.size(); ++i) body.values[i] = static_cast<float>(i % 7) / 8;
+    for (std::size_t i = 0; i < gloss.values.size(); ++i)
+      gloss.values[i] = 0.2F + static_cast<float>(i % 5) / 8;
+    return surface_textures(&body, &gloss, surface);
+  }
+
   void check(const ViewState& state, const QByteArray& what, const ViewDisplay& display = {}) {
     viewport->set_state(state);
     const QImage picture = on_screen();
@@ -52,7 +63,15 @@ class ViewportGl : public QObject {
   void every_model() {
     QFETCH(int, index);
     const Model& model = models()[static_cast<std::size_t>(index)];
-    check(state_with(model), QByteArray(std::string(model.id).c_str()));
+    const QByteArray id(std::string(model.id).c_str());
+    check(state_with(model), id);
+    ViewState state = state_with(model);
+    state.lights.hemispheres = Hemispheres{};
+    state.environment = environment;
+    state.environment_turn_deg = 40;
+    check(state, id + " under two hemispheres in an environment");
+    state.a.textures = textures_of(state.a.surface);
+    check(state, id + " with textures under two hemispheres in an environment");
   }
 
   void microfacet_of_three_terms() {
@@ -96,7 +115,7 @@ class ViewportGl : public QObject {
     state.lights.lights.push_back(point);
     state.lights.lights.push_back(spot);
     check(state, "lights");
-    state.environment = std::make_shared<const Environment>(studio_environment(128), 1, "studio", 2);
+    state.environment = environment;
     state.environment_turn_deg = 70;
     state.exposure = 0.6;
     state.a.surface.opacity = 0.5;
@@ -118,11 +137,7 @@ class ViewportGl : public QObject {
 
   void textures() {
     ViewState state = gold_state();
-    Image body(8, 8, 4), gloss(8, 4, 4);
-    for (std::size_t i = 0; i < body.values.size(); ++i) body.values[i] = static_cast<float>(i % 7) / 8;
-    for (std::size_t i = 0; i < gloss.values.size(); ++i)
-      gloss.values[i] = 0.2F + static_cast<float>(i % 5) / 8;
-    const auto pair = surface_textures(&body, &gloss, state.a.surface);
+    const auto pair = textures_of(state.a.surface);
     for (const char* id :
          {"schueler-optimized-bounded", "ggx-schlick", "phong", "ashikhmin-shirley", "abc-schlick"}) {
       state.a = state_with(*find_model(id)).a;
@@ -172,7 +187,7 @@ class ViewportGl : public QObject {
     viewport->resize(640, 560);
     ViewState state = gold_state();
     state.split = true;
-    state.environment = std::make_shared<const Environment>(studio_environment(128), 1, "studio", 2);
+    state.environment = environment;
     QTest::keyPress(viewport.get(), Qt::Key_Shift);
     save(state, "split-lights");
     QTest::keyRelease(viewport.get(), Qt::Key_Shift);
@@ -222,18 +237,97 @@ class ViewportGl : public QObject {
     QCOMPARE(viewport->compile_ms(), before);
   }
 
+  // A model that was not shown before: until its shader is compiled the last picture stays.
+  void the_last_picture_stays_until_the_next_is_there() {
+    auto fresh = std::make_unique<Viewport>();
+    fresh->resize(360, 300);
+    fresh->show();
+    QSignalSpy frames(fresh.get(), &Viewport::frame_drawn);
+    fresh->set_state(gold_state());
+    QTRY_VERIFY_WITH_TIMEOUT(!frames.isEmpty(), patience_ms);
+    QVERIFY(QTest::qWaitFor([&] { return !fresh->is_drawing(); }, patience_ms));
+    auto* view = fresh->findChild<GlView*>();
+    QVERIFY2(view->is_threaded(), "contexts cannot share here");
+    const QImage before = view->grabFramebuffer();
+    for (const char* id : {"cook-torrance", "ashikhmin-shirley", "ggx-exact"}) {
+      if (find_model(id) == nullptr) continue;
+      ViewState state = state_with(*find_model(id));
+      fresh->set_state(state);
+      QVERIFY(fresh->is_drawing());
+      QCOMPARE(view->grabFramebuffer(), before);
+      fresh->set_state(gold_state());
+      QVERIFY(QTest::qWaitFor([&] { return !fresh->is_drawing(); }, patience_ms));
+      QCOMPARE(view->grabFramebuffer(), before);
+    }
+    // Closed in the middle of it.
+    fresh->set_state(state_with(*find_model("schueler-full")));
+    fresh.reset();
+  }
+
+  // As where contexts cannot share: the same pictures.
+  void without_a_thread_of_its_own() {
+    Viewport plain(nullptr, Viewport::Backend::gl_one_thread);
+    plain.resize(360, 300);
+    QSignalSpy frames(&plain, &Viewport::frame_drawn);
+    plain.set_state(gold_state());
+    plain.show();
+    QTRY_VERIFY_WITH_TIMEOUT(!frames.isEmpty(), patience_ms);
+    auto* view = plain.findChild<GlView*>();
+    QVERIFY(!view->is_threaded());
+    viewport->set_state(gold_state());
+    QCOMPARE(view->grabFramebuffer(), on_screen());
+    QCOMPARE(plain.grab_picture(), viewport->grab_picture());
+    QVERIFY(plain.compile_ms() > 0);
+    frames.clear();
+    plain.set_state(state_with(*find_model("ggx-schlick")));
+    viewport->set_state(state_with(*find_model("ggx-schlick")));
+    QTRY_VERIFY_WITH_TIMEOUT(!frames.isEmpty(), patience_ms);
+    QCOMPARE(view->grabFramebuffer(), on_screen());
+  }
+
+  // Qt makes another context where a widget moves to another window.
+  void another_window_and_the_whole_screen() {
+    auto moved = std::make_unique<Viewport>();
+    moved->resize(360, 300);
+    QSignalSpy frames(moved.get(), &Viewport::frame_drawn);
+    moved->set_state(gold_state());
+    moved->show();
+    QTRY_VERIFY_WITH_TIMEOUT(!frames.isEmpty(), patience_ms);
+    const QImage before = moved->grab_picture();
+    QWidget window;
+    window.resize(400, 400);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    moved->setParent(&window);
+    moved->setGeometry(10, 10, 360, 300);
+    frames.clear();
+    moved->show();
+    QTRY_VERIFY_WITH_TIMEOUT(!frames.isEmpty(), patience_ms);
+    QVERIFY(moved->uses_gl());
+    QCOMPARE(moved->grab_picture(), before);
+    window.showFullScreen();
+    moved->set_state(state_with(*find_model("ggx-schlick")));
+    moved->setParent(nullptr);
+    frames.clear();
+    moved->showFullScreen();
+    QTRY_VERIFY_WITH_TIMEOUT(!frames.isEmpty(), patience_ms);
+    moved->showNormal();
+    QVERIFY(QTest::qWaitFor([&] { return !moved->is_drawing(); }, patience_ms));
+    QVERIFY(moved->uses_gl() && moved->message().isEmpty());
+  }
+
   void context_loss_is_survived() {
     viewport->set_state(gold_state());
     const QImage before = viewport->grab_picture();
     viewport->recover_from_lost_context();
     QVERIFY(viewport->uses_gl());
     QSignalSpy frames(viewport.get(), &Viewport::frame_drawn);
-    QVERIFY(frames.wait(patience_ms));
+    QTRY_VERIFY_WITH_TIMEOUT(!frames.isEmpty(), patience_ms);
     QCOMPARE(viewport->grab_picture(), before);
     viewport->recover_from_lost_context();
     QVERIFY(!viewport->uses_gl());
     QVERIFY(viewport->message().contains("context"));
-    QVERIFY(frames.wait(patience_ms));
+    QTRY_VERIFY_WITH_TIMEOUT(!frames.isEmpty(), patience_ms);
     const QImage after = viewport->grab_picture();
     const Image linear = draw_view(gold_state(), after.width(), after.height(), 2);
     QVERIFY(apart(after, before, linear).codes <= 2);
