@@ -152,9 +152,7 @@ ErrorTimeTable pair_table(const ReportOptions& options) {
   }
   add("best", "best single lobe", [&](const Pair&, std::size_t i) { return best[i]; }).note =
       "searched: what no rule can beat";
-  const auto times = time_cases(cases, options.timing);
-  for (std::size_t i = 0; i < times.size(); ++i) table.rows[i].time = times[i];
-  mark_dominated(table);
+  add_times(table, cases, options);
   return table;
 }
 

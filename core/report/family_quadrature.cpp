@@ -98,12 +98,6 @@ TimedCase timed(const Way& way, std::span<const Sample> samples) {
           }};
 }
 
-void add_times(ErrorTimeTable& table, std::span<const TimedCase> cases, const ReportOptions& options) {
-  const auto times = time_cases(cases, options.timing);
-  for (std::size_t i = 0; i < times.size(); ++i) table.rows[i].time = times[i];
-  mark_dominated(table);
-}
-
 ErrorTimeTable library_table(std::span<const Way> all, std::span<const Sample> samples,
                              std::span<const F0Result> truth, const ReportOptions& options) {
   ErrorTimeTable table;

@@ -97,9 +97,7 @@ void add_times(ErrorTimeTable& table, std::span<const Coding> codings, const Rep
                        coding.many(values->data(), out->data(), values->size());
                        keep(out->data());
                      }});
-  const auto times = time_cases(cases, options.timing);
-  for (std::size_t i = 0; i < times.size(); ++i) table.rows[i].time = times[i];
-  mark_dominated(table);
+  add_times(table, cases, options);
 }
 
 ErrorTimeTable f0_table(std::span<const LinearRgb> colours, const ReportOptions& options) {

@@ -128,9 +128,7 @@ ErrorTimeTable table_of(std::string id, std::string title, std::span<const Page>
                        keep(&sum);
                      }});
   }
-  const auto times = time_cases(cases, options.timing);
-  for (std::size_t i = 0; i < times.size(); ++i) table.rows[i].time = times[i];
-  mark_dominated(table);
+  add_times(table, cases, options);
   return table;
 }
 

@@ -94,9 +94,7 @@ template <std::size_t N>
 void add_times(ErrorTimeTable& table, const std::array<Curve, N>& curves, const ReportOptions& options) {
   std::vector<TimedCase> cases;
   for (const Curve& curve : curves) cases.push_back(timed(curve));
-  const auto times = time_cases(cases, options.timing);
-  for (std::size_t i = 0; i < N; ++i) table.rows[i].time = times[i];
-  mark_dominated(table);
+  add_times(table, cases, options);
 }
 
 ErrorTimeTable encode_table(const ReportOptions& options) {

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/report/error_time.h"
 
 namespace etak {
 
@@ -27,6 +29,13 @@ inline std::shared_ptr<const std::vector<float>> random_floats(std::size_t count
 /// The compiler must take what `memory` points to as read: a timed loop's results are not thrown away.
 inline void keep(const void* memory) {
   asm volatile("" : : "g"(memory) : "memory");
+}
+
+/// Times the table's first rows, one case each, and says which rows are beaten.
+inline void add_times(ErrorTimeTable& table, std::span<const TimedCase> cases, const ReportOptions& options) {
+  const auto times = time_cases(cases, options.timing);
+  for (std::size_t i = 0; i < times.size(); ++i) table.rows[i].time = times[i];
+  mark_dominated(table);
 }
 
 }  // namespace etak
