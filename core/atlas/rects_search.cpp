@@ -23,6 +23,9 @@ std::int64_t ordinary_work(int n) {
   return std::min(count * count / 10, std::max<std::int64_t>(300'000, 40 * count));
 }
 
+// With fewer rectangles a try takes no longer than a thread to start.
+constexpr int least_for_threads = 700;
+
 int round_up(std::int64_t value, std::int64_t multiple) {
   return static_cast<int>(std::min<std::int64_t>((value + multiple - 1) / multiple * multiple, INT_MAX / 2));
 }
@@ -159,7 +162,7 @@ Search::Search(const Set& set, bool rotate, unsigned threads, Budget& budget)
     : set_(set),
       turned_(set.turned()),
       rotate_(rotate),
-      threads_(std::max(1u, threads)),
+      threads_(set.size() < least_for_threads ? 1 : std::max(1u, threads)),
       budget_(budget),
       portfolio_(portfolio(set.size(), rotate)) {
   workers_.push_back(std::make_unique<Worker>(set_, turned_, rotate));
@@ -178,8 +181,12 @@ Search::Search(const Set& set, bool rotate, unsigned threads, Budget& budget)
 Search::~Search() = default;
 
 const std::vector<int>& Search::order(const Try& how) {
-  std::vector<int>& out = orders_[how.transposed ? 1 : 0][static_cast<int>(how.key)];
-  if (out.empty()) out = ordered(how.transposed ? turned_ : set_, all_, how.key);
+  // Of the keys only height and width change when all rectangles are turned.
+  Key key = how.key;
+  if (how.transposed && (key == Key::height || key == Key::width))
+    key = key == Key::height ? Key::width : Key::height;
+  std::vector<int>& out = orders_[static_cast<int>(key)];
+  if (out.empty()) out = ordered(set_, all_, key);
   return out;
 }
 

@@ -130,7 +130,7 @@ class Search {
   // What came of the tries that failed, by rule, order and page: the same is not done twice, though it counts
   // as often as it is asked for.
   std::unordered_map<std::uint64_t, Outcome> failed_;
-  std::vector<int> orders_[2][key_count];
+  std::vector<int> orders_[key_count];
 };
 
 }  // namespace etak::rects

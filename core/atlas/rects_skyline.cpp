@@ -87,6 +87,12 @@ Skyline::Skyline(const Set& set, bool rotate) : set_(set), rotate_(rotate) {
            : a.height != b.height ? a.height < b.height
                                   : a.item > b.item;
   });
+  constexpr int most_widths = 1 << 13;
+  if (n > 0 && by_width_.back().width < most_widths) {
+    ends_.assign(at(by_width_.back().width) + 1, 0);
+    for (const Entry& entry : by_width_) ++ends_[at(entry.width)];
+    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+  }
   const auto height = [&](int i) {
     const RectSize& size = set_.items[at(i)];
     return rotate_ ? std::min(size.width, size.height) : size.height;
@@ -173,10 +179,17 @@ int Skyline::live(int entry) {
   return root;
 }
 
-Skyline::Choice Skyline::widest(int gap, int room) {
+// How many entries are not wider than the gap.
+int Skyline::not_wider(int gap) const {
+  if (gap >= by_width_.back().width) return static_cast<int>(by_width_.size());
+  if (!ends_.empty()) return ends_[at(gap)];
   const auto end = std::upper_bound(by_width_.begin(), by_width_.end(), gap,
                                     [](int width, const Entry& entry) { return width < entry.width; });
-  int entry = live(static_cast<int>(end - by_width_.begin()) - 1);
+  return static_cast<int>(end - by_width_.begin());
+}
+
+Skyline::Choice Skyline::widest(int gap, int room) {
+  int entry = live(not_wider(gap) - 1);
   while (entry >= 0 && by_width_[at(entry)].height > room) entry = live(entry - 1);
   if (entry < 0) return {};
   const Entry& found = by_width_[at(entry)];

@@ -46,6 +46,7 @@ class Skyline {
   void drop(int slot);
   Choice choose(int gap, int room, int left, int right);
   Choice widest(int gap, int room);
+  int not_wider(int gap) const;
   int live(int entry);  // the last live one of by_width_[0 .. entry], or -1
   void raise(int segment, int to);
   void place(int segment, int gap, int left, int right, const Choice& choice);
@@ -57,6 +58,7 @@ class Skyline {
     int width, height, item;
   };
   std::vector<Entry> by_width_;  // rising width, then height; with rotation each rectangle twice
+  std::vector<int> ends_;        // by width: how many entries are not wider; empty where that takes too much
   std::vector<int> heights_;     // items by rising least possible height
   std::vector<int> skip_;        // union-find over by_width_: an entry no later that may be live
   std::vector<char> waiting_;    // of each item
