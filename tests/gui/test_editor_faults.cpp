@@ -197,7 +197,7 @@ class EditorFaults : public QObject {
     QVERIFY(window.settle(120000));
     watchdog.stop();
     qInfo("most work of the UI thread at once: %.1f ms", watchdog.work_ms());
-    QVERIFY2(watchdog.work_ms() <= 50, qPrintable(QString::number(watchdog.work_ms())));
+    QVERIFY2(watchdog.work_ms() <= most_work_ms(), qPrintable(QString::number(watchdog.work_ms())));
   }
 
   void a_huge_texture_is_told_and_does_not_stop_the_window() {
@@ -216,7 +216,7 @@ class EditorFaults : public QObject {
     QVERIFY(window.settle());
     QTest::qWait(200);
     watchdog.stop();
-    QVERIFY2(watchdog.work_ms() <= 50, qPrintable(QString::number(watchdog.work_ms())));
+    QVERIFY2(watchdog.work_ms() <= most_work_ms(), qPrintable(QString::number(watchdog.work_ms())));
     const auto& findings = window->validator().findings();
     QVERIFY(findings.contains("Gold"));
     QVERIFY(std::any_of(findings.at("Gold").begin(), findings.at("Gold").end(),

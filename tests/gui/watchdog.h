@@ -16,6 +16,11 @@
 
 namespace etak {
 
+/// Milliseconds that the thread of windows may work at once; more where sanitizers check every step.
+inline double most_work_ms() {
+  return qEnvironmentVariableIsSet("ETAK_TEST_SANITIZED") ? 250 : 50;
+}
+
 /// Watches the event loop of the thread that makes it from another thread: asks it to answer again and again.
 class Watchdog {
  public:
