@@ -8,7 +8,6 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPixmap>
-#include <QSpinBox>
 #include <QToolButton>
 
 #include "app/editor/eyedropper.h"
@@ -17,6 +16,7 @@
 #include "core/base/number.h"
 #include "core/color/gamut.h"
 #include "core/color/srgb.h"
+#include "core/exchange/export_surface.h"
 
 namespace etak::editor {
 namespace {
@@ -71,19 +71,19 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
       part(next, c) = value;
       take(next, press_id);
     });
-    auto* code = new QSpinBox(this);
+    auto* code = new FineSpinBox(this);
     code->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    code->setDecimals(0);
+    code->setSingleStep(1);
     code->setRange(0, 255);
-    code->setKeyboardTracking(false);
     code->setAccessibleName(tr("%1, %2, %3").arg(name, channel_words()[c], rows[1]));
     grid->addWidget(code, 1, 2 + static_cast<int>(c));
     codes_[c] = code;
-    connect(code, &QSpinBox::valueChanged, this, [this] {
-      if (showing_) return;
-      const Srgb8 codes{static_cast<std::uint8_t>(codes_[0]->value()),
-                        static_cast<std::uint8_t>(codes_[1]->value()),
-                        static_cast<std::uint8_t>(codes_[2]->value())};
-      take(srgb_decode(codes), next_press_id());
+    connect(code, &FineSpinBox::edited, this, [this, c](double value, int press_id) {
+      // The other channels keep what 8 bits would take from them.
+      LinearRgb next = color_;
+      part(next, c) = srgb_decode(value / 255);
+      take(next, press_id);
     });
   }
   auto* line = new QHBoxLayout;
@@ -106,12 +106,8 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
   line->addWidget(reset_);
   line->addStretch(1);
   grid->addLayout(line, 2, 1, 1, 4);
-  badge_ = new QLabel(this);
-  badge_->setProperty("badge", true);
-  badge_->setAccessibleName(tr("%1, gamut").arg(name));
-  badge_->setWordWrap(true);
-  badge_->hide();
-  grid->addWidget(badge_, 3, 0, 1, 5);
+  make_badge();
+  grid->addWidget(outside_, 3, 0, 1, 5);
   for (int c = 2; c < 5; ++c) grid->setColumnStretch(c, 1);
 
   connect(hex_, &QLineEdit::editingFinished, this, [this] {
@@ -151,18 +147,39 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
   show_all();
 }
 
+void ColorField::make_badge() {
+  outside_ = new QWidget(this);
+  outside_->setAccessibleName(tr("%1, outside sRGB").arg(name_));
+  auto* line = new QHBoxLayout(outside_);
+  line->setContentsMargins(0, 2, 0, 0);
+  line->setSpacing(4);
+  badge_ = new QLabel(outside_);
+  badge_->setProperty("badge", true);
+  badge_->setAccessibleName(tr("%1, gamut").arg(name_));
+  badge_->setWordWrap(true);
+  badge_->setToolTip(
+      tr("8-bit sRGB holds linear 0 to 1: the codes above are clipped, the linear numbers are not"));
+  line->addWidget(badge_, 1);
+  const auto way = [&](const QString& text, const QString& what, Fit fit) {
+    auto* out = new QToolButton(outside_);
+    out->setText(text);
+    out->setAccessibleName(tr("%1: %2").arg(name_, what));
+    out->setToolTip(tr("%1 (the colour is then a typed one; undo brings it back)").arg(what));
+    line->addWidget(out);
+    connect(out, &QToolButton::clicked, this, [this, fit] {
+      Changes changes;
+      take(fitted(color_, fit, 1, RgbSpace::srgb, {}, {}, changes), next_press_id());
+    });
+  };
+  way(tr("Clip"), tr("clip each channel to 0..1"), Fit::clamp);
+  way(tr("Keep hue"), tr("bring it into 0..1 with the hue kept, darker or greyer"), Fit::preserve_hue);
+  outside_->hide();
+}
+
 void ColorField::show_color(const LinearRgb& color) {
   if (color == color_) return;
   color_ = color;
   show_all();
-}
-
-void ColorField::set_locked(bool locked, const QString& why) {
-  for (FineSpinBox* box : linear_) box->setReadOnly(locked);
-  for (QSpinBox* box : codes_) box->setReadOnly(locked);
-  hex_->setReadOnly(locked);
-  for (QToolButton* button : {swatch_, dropper_, reset_}) button->setEnabled(!locked);
-  setToolTip(why);
 }
 
 void ColorField::take(const LinearRgb& color, int press_id) {
@@ -178,15 +195,18 @@ void ColorField::show_all() {
   const std::array<int, 3> numbers{codes.r, codes.g, codes.b};
   for (std::size_t c = 0; c < 3; ++c) {
     linear_[c]->show_value(part(color_, c));
-    codes_[c]->setValue(numbers[c]);
+    codes_[c]->show_value(numbers[c]);
   }
   hex_->setText(QString::fromStdString(hex(codes)));
   swatch_->setIcon(swatch_of(codes, swatch_->iconSize(), devicePixelRatioF()));
   const std::string outside = gamut_text(color_);
-  badge_->setVisible(!outside.empty());
-  if (!outside.empty())
-    badge_->setText(
-        tr("outside sRGB: %1; 8 bit by clipping each channel").arg(QString::fromStdString(outside)));
+  outside_->setVisible(!outside.empty());
+  if (!outside.empty()) {
+    // A channel and its number stay together where the line breaks.
+    QString told = QString::fromStdString(outside);
+    told.replace(QLatin1Char(' '), QChar(QChar::Nbsp)).replace(QLatin1Char(','), QStringLiteral(", "));
+    badge_->setText(tr("outside sRGB: %1").arg(told));
+  }
   showing_ = false;
 }
 

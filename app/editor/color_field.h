@@ -8,7 +8,6 @@
 
 class QLabel;
 class QLineEdit;
-class QSpinBox;
 class QToolButton;
 
 namespace etak::editor {
@@ -16,7 +15,8 @@ namespace etak::editor {
 class FineSpinBox;
 
 /// A colour as linear numbers (which may leave 0..1), as 8-bit sRGB and as hexadecimal text, all in step,
-/// with a swatch, an eyedropper and a badge where 8 bits cannot hold it.
+/// with a swatch, an eyedropper and, where 8 bits cannot hold it, a badge that tells by how much and offers
+/// both ways in: each channel clipped, or the hue kept.
 class ColorField : public QWidget {
   Q_OBJECT
 
@@ -25,22 +25,21 @@ class ColorField : public QWidget {
 
   const LinearRgb& color() const { return color_; }
   void show_color(const LinearRgb& color);
-  /// Where the colour comes from, when not from here: the numbers are then shown and not typed over.
-  void set_locked(bool locked, const QString& why = {});
 
  signals:
   void edited(const etak::LinearRgb& color, int press_id);
 
  private:
   void take(const LinearRgb& color, int press_id);
+  void make_badge();
   void show_all();
 
   QString name_;
   LinearRgb color_, standard_;
-  std::array<FineSpinBox*, 3> linear_{};
-  std::array<QSpinBox*, 3> codes_{};
+  std::array<FineSpinBox*, 3> linear_{}, codes_{};
   QLineEdit* hex_ = nullptr;
   QToolButton *swatch_ = nullptr, *dropper_ = nullptr, *reset_ = nullptr;
+  QWidget* outside_ = nullptr;
   QLabel* badge_ = nullptr;
   bool showing_ = false;
 };

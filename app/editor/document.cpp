@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/editor/commands.h"
+#include "app/editor/press_id.h"
 #include "core/base/error.h"
 
 namespace etak::editor {
@@ -16,8 +17,8 @@ Document::Document(std::shared_ptr<const MaterialLibrary> library, QObject* pare
 }
 
 Document::~Document() {
-  // The stack clears itself while it dies, and would tell a document that is half gone.
-  disconnect(&undo_, nullptr, this, nullptr);
+  // The stack clears itself while it dies, and would tell all who listen of a document that is half gone.
+  undo_.disconnect();
 }
 
 const ProjectMaterial* Document::material() const {
@@ -61,6 +62,18 @@ void Document::edit(int index, const ProjectMaterial& to, const QString& what, i
 void Document::edit_view(const ProjectView& to, const QString& what, int press_id) {
   if (to == project_.view) return;
   undo_.push(new EditView(*this, to, what, press_id));
+}
+
+void Document::edit_compare(const Comparison& to, const QString& what) {
+  ProjectView view = project_.view;
+  view.compare = to;
+  edit_view(view, what, next_press_id());
+}
+
+void Document::edit_wedge(const Wedge& to, const QString& what, int press_id) {
+  ProjectView view = project_.view;
+  view.wedge = to;
+  edit_view(view, what, press_id);
 }
 
 void Document::add(std::vector<ProjectMaterial> materials, const std::vector<Material>& spectra,

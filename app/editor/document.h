@@ -36,6 +36,8 @@ class Document : public QObject {
   // Changes.
   void edit(int index, const ProjectMaterial& to, const QString& what, int press_id);
   void edit_view(const ProjectView& to, const QString& what, int press_id);
+  void edit_compare(const Comparison& to, const QString& what);
+  void edit_wedge(const Wedge& to, const QString& what, int press_id);
   /// Adds materials (their names made unique) behind the others and takes the first of them in hand.
   void add(std::vector<ProjectMaterial> materials, const std::vector<Material>& spectra, const QString& what);
   void remove(int index);

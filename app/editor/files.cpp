@@ -14,6 +14,17 @@
 namespace etak::editor {
 namespace {
 
+const QStringList& picture_endings() {
+  static const QStringList endings =
+      QStringLiteral("png tif tiff exr jpg jpeg tga webp").split(QLatin1Char(' '));
+  return endings;
+}
+
+const QStringList& spectrum_endings() {
+  static const QStringList endings = QStringLiteral("yml yaml csv tsv txt dat json").split(QLatin1Char(' '));
+  return endings;
+}
+
 // "My sample.csv" gives "my_sample".
 std::string id_of(const QString& path) {
   std::string out;
@@ -57,6 +68,23 @@ void note(Opened& out, const std::vector<std::string>& problems) {
 }
 
 }  // namespace
+
+FileKind kind_of_file(const QString& path) {
+  const QString ending = QFileInfo(path).suffix().toLower();
+  if (spectrum_endings().contains(ending)) return FileKind::spectra;
+  if (picture_endings().contains(ending)) return FileKind::picture;
+  return ending == QLatin1String("hdr") ? FileKind::environment : FileKind::other;
+}
+
+QString picture_patterns() {
+  return QStringLiteral("*.") + picture_endings().join(QStringLiteral(" *."));
+}
+
+QString expected_files() {
+  return QObject::tr(
+             "expected spectra, materials or projects (.%1), pictures (.%2) or an environment (.hdr, .exr)")
+      .arg(spectrum_endings().join(QStringLiteral(", .")), picture_endings().join(QStringLiteral(", .")));
+}
 
 ProjectMaterial material_of(const Material& record) {
   ProjectMaterial out;

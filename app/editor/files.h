@@ -12,6 +12,16 @@ namespace etak::editor {
 
 // What is read from and written to disk. No function here touches the UI: all run on workers' threads.
 
+/// What a file is by its name.
+///   spectra      pages, tables, materials, projects
+///   environment  .hdr; an .exr may be one too, and counts as a picture
+enum class FileKind { spectra, picture, environment, other };
+FileKind kind_of_file(const QString& path);
+/// "*.png *.tif ..." for dialogs.
+QString picture_patterns();
+/// Why files were refused.
+QString expected_files();
+
 /// What came of reading.
 struct Opened {
   Project project;

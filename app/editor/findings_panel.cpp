@@ -3,6 +3,7 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QStyledItemDelegate>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -14,6 +15,30 @@ namespace {
 QString text(std::string_view view) {
   return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
 }
+
+// "1 error", "2 errors"
+QString counted(std::size_t count, const QString& one, const QString& more) {
+  return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : more);
+}
+
+// Rows as high as the whole message needs.
+class WholeMessage : public QStyledItemDelegate {
+ public:
+  explicit WholeMessage(QTreeView& view) : QStyledItemDelegate(&view), view_(view) {}
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    constexpr int beside = 8;
+    QSize out = QStyledItemDelegate::sizeHint(option, index);
+    if (index.column() != FindingsModel::message_column) return out;
+    const QRect room(0, 0, view_.columnWidth(index.column()) - beside, 10000);
+    const QString message = index.data().toString();
+    out.setHeight(std::max(out.height(),
+                           option.fontMetrics.boundingRect(room, Qt::TextWordWrap, message).height() + 2));
+    return out;
+  }
+
+ private:
+  QTreeView& view_;
+};
 
 }  // namespace
 
@@ -86,18 +111,24 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
   sorted_.setSortRole(Qt::UserRole);
   table_->setModel(&sorted_);
   table_->setRootIsDecorated(false);
-  table_->setUniformRowHeights(true);
+  table_->setWordWrap(true);
+  auto* whole = new WholeMessage(*table_);
+  table_->setItemDelegate(whole);
+  connect(table_->header(), &QHeaderView::sectionResized, whole, [whole](int section) {
+    if (section == FindingsModel::message_column) emit whole->sizeHintChanged({});
+  });
   table_->setAlternatingRowColors(true);
   table_->setSortingEnabled(true);
   table_->sortByColumn(FindingsModel::severity_column, Qt::DescendingOrder);
   table_->setAccessibleName(tr("List of findings"));
   table_->header()->setAccessibleName(tr("Columns of the findings"));
   const QFontMetrics metrics = fontMetrics();
+  // The header's arrow stands beside its word; the message gets the rest.
   table_->setColumnWidth(FindingsModel::severity_column,
-                         metrics.horizontalAdvance(QStringLiteral("Severity")) + 40);
+                         metrics.horizontalAdvance(QStringLiteral("Severity")) + 28);
   table_->setColumnWidth(FindingsModel::rule_column,
-                         metrics.horizontalAdvance(QStringLiteral("ETK000")) + 24);
-  table_->setColumnWidth(FindingsModel::material_column, metrics.horizontalAdvance(QStringLiteral("m")) * 10);
+                         metrics.horizontalAdvance(QStringLiteral("ETK000")) + 16);
+  table_->setColumnWidth(FindingsModel::material_column, metrics.horizontalAdvance(QStringLiteral("m")) * 8);
   column->addWidget(table_, 1);
   column->addWidget(advice_);
   const auto show = [this, &validator] {
@@ -105,7 +136,9 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
     const auto [errors, warnings, infos] = model_.counts();
     sums_->setText(model_.rowCount() == 0
                        ? tr("No findings")
-                       : tr("%1 errors, %2 warnings, %3 infos").arg(errors).arg(warnings).arg(infos));
+                       : counted(errors, tr("error"), tr("errors")) + QStringLiteral(", ") +
+                             counted(warnings, tr("warning"), tr("warnings")) + QStringLiteral(", ") +
+                             counted(infos, tr("info"), tr("infos")));
     advice_->clear();
   };
   connect(&validator, &Validator::findings_changed, this, show);

@@ -30,16 +30,18 @@ ViewState view_state_of(const Document& document, const Look& look,
                              : document.material() != nullptr ? *document.material()
                                                               : nothing;
   // Solving keeps the last surface: the material in hand comes last, as it is the one that is edited.
-  const ProjectMaterial& other = look.pinned ? *look.pinned : m;
-  out.b = side_of(document, other, look.b_model);
+  const ProjectMaterial& other = view.compare.pinned ? *view.compare.pinned : m;
+  out.b = side_of(document, other, view.compare.model);
   out.a = side_of(document, m, {});
   if (look.textured && !look.preview) out.a.textures = std::move(textures);
-  if (look.textured && !look.pinned) out.b.textures = out.a.textures;
-  out.split = look.split;
+  if (look.textured && !view.compare.pinned) out.b.textures = out.a.textures;
+  out.split = view.compare.on;
   out.separator = look.separator;
-  out.shape = look.wedge ? ViewShape::wedge : view.shape == Shape::quad ? ViewShape::quad : ViewShape::sphere;
-  out.wedge_parameter = look.wedge_parameter;
-  out.wedge_steps = look.wedge_steps;
+  out.shape = view.wedge.on               ? ViewShape::wedge
+              : view.shape == Shape::quad ? ViewShape::quad
+                                          : ViewShape::sphere;
+  out.wedge_parameter = view.wedge.parameter;
+  out.wedge_steps = view.wedge.steps;
   out.lights = view.lights;
   out.environment = std::move(environment);
   out.environment_turn_deg = view.environment_turn_deg;

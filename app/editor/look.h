@@ -9,17 +9,9 @@
 
 namespace etak::editor {
 
-/// What of the picture belongs to the window and not to the project: camera, comparison, overlays, wedge.
-///   pinned     side b of a comparison; none: the material in hand
-///   b_model    specular model of side b; empty: the material's own
+/// What of the picture belongs to the window and not to the project: camera, separator, overlays.
 struct Look {
-  bool split = false;
   double separator = 0.5;
-  std::optional<ProjectMaterial> pinned;
-  std::string b_model;
-  bool wedge = false;
-  std::string wedge_parameter = "gloss";
-  int wedge_steps = 7;
   bool zone_overlay = false, energy_overlay = false, textured = true;
   View camera;
   std::optional<ProjectMaterial> preview;  // of the library, shown in place of the material in hand

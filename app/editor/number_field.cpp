@@ -65,8 +65,11 @@ void FineSpinBox::wheelEvent(QWheelEvent* event) {
   if (notches == 0) return event->ignore();
   const auto keys = event->modifiers();
   const double factor = keys & Qt::ControlModifier ? 10 : keys & Qt::ShiftModifier ? 0.1 : 1;
+  double change = notches * factor * singleStep();
+  // Whole numbers have no tenth of a step.
+  if (decimals() == 0 && std::abs(change) < 1) change = change < 0 ? -1 : 1;
   step_press_ = wheel_.id();
-  setValue(value() + notches * factor * singleStep());
+  setValue(value() + change);
   step_press_ = 0;
   event->accept();
 }

@@ -8,11 +8,11 @@
 namespace etak::editor {
 
 const QStringList& screenshot_states() {
-  static const QStringList states{
-      QStringLiteral("default"), QStringLiteral("light"),    QStringLiteral("view"),
-      QStringLiteral("compare"), QStringLiteral("wedge"),    QStringLiteral("zone"),
-      QStringLiteral("shader"),  QStringLiteral("textures"), QStringLiteral("empty"),
-      QStringLiteral("keys"),    QStringLiteral("findings")};
+  static const QStringList states =
+      QStringLiteral(
+          "default reflectance fresnel lobe shader textures light view compare "
+          "wedge quad zone energy gamut library findings pack keys problem empty")
+          .split(QLatin1Char(' '));
   return states;
 }
 
@@ -32,7 +32,8 @@ QString help_text() {
              "QT_QPA_PLATFORM=offscreen\n"
              "  --model ID          specular model of the screenshot's material (see etak models)\n"
              "  --size WxH          of the window, default 1280x800\n"
-             "  --state NAME        what the screenshot shows: %1\n"
+             "  --state NAME        what the screenshot shows, one of:\n"
+             "                      %1\n"
              "  --theme NAME        dark or light, in place of the remembered one\n"
              "  --cpu               draw without OpenGL\n"
              "  --time-start        print how long the first picture took from the start of the process, and "
@@ -99,6 +100,8 @@ Options parse_options(const QStringList& arguments) {
     if (model == nullptr || model->kind == ModelKind::diffuse)
       out.error = QObject::tr("--model: %1; expected a specular model that etak models lists").arg(out.model);
   }
+  if (out.screenshot.isEmpty() && !(out.model.isEmpty() && out.state.isEmpty()) && out.error.isEmpty())
+    out.error = QObject::tr("--model and --state go with --screenshot");
   if (out.subjects.size() > 1)
     out.error = QObject::tr("%1: one file or material at a time").arg(out.subjects[1]);
   return out;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/pack_dialog.h"
 
+#include <QFontDatabase>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -30,6 +32,7 @@ PackDialog::PackDialog(const Project& project, std::shared_ptr<const MaterialLib
       folder_(folder),
       bar_(new QProgressBar(this)),
       text_(new QLabel(tr("Packing %1 materials into %2").arg(project.materials.size()).arg(folder), this)),
+      report_(new QPlainTextEdit(this)),
       button_(new QPushButton(tr("Cancel"), this)) {
   setWindowTitle(tr("Pack the atlas"));
   setAccessibleName(tr("Pack the atlas"));
@@ -39,11 +42,20 @@ PackDialog::PackDialog(const Project& project, std::shared_ptr<const MaterialLib
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text_->setAccessibleName(tr("What packing is at"));
   text_->setMinimumWidth(420);
+  // A table, in columns.
+  report_->setReadOnly(true);
+  report_->setTabChangesFocus(true);
+  report_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  report_->setAccessibleName(tr("Report of packing"));
+  report_->setMinimumSize(680, 220);
+  report_->hide();
   bar_->setRange(0, 0);
   bar_->setAccessibleName(tr("Progress"));
   button_->setAccessibleName(tr("Cancel packing"));
   column->addWidget(text_);
   column->addWidget(bar_);
+  column->addWidget(report_, 1);
   column->addWidget(button_, 0, Qt::AlignRight);
   connect(button_, &QPushButton::clicked, this, [this] {
     if (running_)
@@ -106,7 +118,14 @@ void PackDialog::start() {
         running_ = false;
         bar_->setRange(0, 1);
         bar_->setValue(done.written ? 1 : 0);
-        text_->setText(done.text.trimmed());
+        if (done.written) {
+          text_->setText(tr("Packed into %1").arg(folder_));
+          report_->setPlainText(done.text.trimmed());
+          report_->show();
+          adjustSize();
+        } else {
+          text_->setText(done.text.trimmed());
+        }
         button_->setText(tr("Close"));
         button_->setAccessibleName(tr("Close"));
         emit finished_packing(done.written);
@@ -120,7 +139,7 @@ void PackDialog::reject() {
 }
 
 QString PackDialog::result_text() const {
-  return text_->text();
+  return (text_->text() + QLatin1Char('\n') + report_->toPlainText()).trimmed();
 }
 
 }  // namespace etak::editor

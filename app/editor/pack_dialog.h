@@ -9,6 +9,7 @@
 #include "core/atlas/project.h"
 
 class QLabel;
+class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 
@@ -40,6 +41,7 @@ class PackDialog : public QDialog {
   QThreadPool pool_;
   QProgressBar* bar_;
   QLabel* text_;
+  QPlainTextEdit* report_;
   QPushButton* button_;
   bool running_ = false;
 };

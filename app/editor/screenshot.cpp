@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/screenshot.h"
 
+#include <QAbstractButton>
 #include <QApplication>
+#include <QDialog>
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QImage>
@@ -10,17 +12,26 @@
 #include <QPlainTextEdit>
 #include <QSaveFile>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <QThread>
+#include <QTreeView>
+#include <algorithm>
 #include <cstdio>
+#include <functional>
+#include <map>
 
+#include "app/editor/curves/curves_panel.h"
+#include "app/editor/findings_panel.h"
 #include "app/editor/inspector.h"
 #include "app/editor/library_panel.h"
+#include "app/editor/pack_dialog.h"
 #include "app/editor/press_id.h"
 #include "app/editor/shortcuts.h"
 #include "app/editor/texture_section.h"
 #include "app/editor/texture_view.h"
 #include "app/editor/view_panel.h"
 #include "app/editor/window.h"
+#include "core/atlas/project_pictures.h"
 
 namespace etak::editor {
 namespace {
@@ -33,7 +44,12 @@ void settle(Window& window) {
   quiet.start();
   while (all.elapsed() < most_ms) {
     QApplication::processEvents(QEventLoop::AllEvents, 20);
-    if (window.is_busy() || !window.thumbnails().is_idle() || !window.validator().is_idle()) quiet.restart();
+    const auto packing = window.findChildren<PackDialog*>();
+    if (window.is_busy() || !window.thumbnails().is_idle() || !window.validator().is_idle() ||
+        window.curves().busy() || window.texture_view().is_busy() ||
+        std::any_of(packing.begin(), packing.end(),
+                    [](const PackDialog* each) { return each->is_running(); }))
+      quiet.restart();
     if (quiet.elapsed() > quiet_ms) return;
     QThread::msleep(5);
   }
@@ -44,6 +60,118 @@ void edit_material(Window& window, const std::function<void(ProjectMaterial&)>& 
   ProjectMaterial m = *window.document().material();
   change(m);
   window.document().edit(window.document().current(), m, QObject::tr("edit"), next_press_id());
+}
+
+void edit_view(Window& window, const std::function<void(ProjectView&)>& change) {
+  ProjectView view = window.document().project().view;
+  change(view);
+  window.document().edit_view(view, QObject::tr("view"), next_press_id());
+}
+
+// Files that a state needs; gone when the program ends.
+const QTemporaryDir& own_files() {
+  static const QTemporaryDir folder;
+  return folder;
+}
+
+// Glazed tiles: a colour and a gloss of their own, joints between them.
+QString tiles(const QString& name, const std::function<QColor(int)>& tile, const QColor& joint) {
+  constexpr int side = 256, count = 4, step = side / count, gap = 6;
+  QImage picture(side, side, QImage::Format_RGB32);
+  picture.fill(joint);
+  QPainter painter(&picture);
+  for (int i = 0; i < count * count; ++i)
+    painter.fillRect(i % count * step + gap / 2, i / count * step + gap / 2, step - gap, step - gap, tile(i));
+  painter.end();
+  const QString file = own_files().filePath(name);
+  picture.save(file);
+  return file;
+}
+
+void put_tiles_on(Window& window) {
+  const QString colors = tiles(
+      QStringLiteral("tiles_diffuse.png"),
+      [](int i) { return i * 7 % 3 == 0 ? QColor(170, 74, 52) : QColor(186, 142, 96); },
+      QColor(140, 136, 130));
+  const QString gloss = tiles(
+      QStringLiteral("tiles_gloss.png"), [](int i) { return QColor(Qt::white).darker(110 + i * 5 % 7 * 12); },
+      QColor(60, 60, 60));
+  window.inspector().textures().take_files({colors, gloss}, Channel::diffuse);
+}
+
+// One function per state; states that are not here are those of a fresh window.
+void show_state(Window& window, const QString& state) {
+  const auto curve = [&](int tab) {
+    window.tabs().setCurrentWidget(&window.curves());
+    window.curves().findChild<QTabWidget*>()->setCurrentIndex(tab);
+  };
+  const std::map<QString, std::function<void()>> states{
+      {QStringLiteral("reflectance"), [&] { curve(1); }},
+      {QStringLiteral("fresnel"), [&] { curve(2); }},
+      {QStringLiteral("lobe"), [&] { curve(3); }},
+      {QStringLiteral("shader"),
+       [&] { window.tabs().setCurrentWidget(window.tabs().findChild<QPlainTextEdit*>()); }},
+      {QStringLiteral("textures"),
+       [&] {
+         if (const ProjectMaterial* m = window.document().material(); m == nullptr || !has_textures(*m)) {
+           window.use_library_material(QStringLiteral("pmma"));
+           put_tiles_on(window);
+         }
+         window.tabs().setCurrentWidget(&window.texture_view());
+       }},
+      {QStringLiteral("light"), [&] { window.inspector_tabs().setCurrentIndex(1); }},
+      {QStringLiteral("view"), [&] { window.inspector_tabs().setCurrentIndex(2); }},
+      {QStringLiteral("compare"),
+       [&] {
+         emit window.view_panel().pin_asked();
+         window.use_library_material(QStringLiteral("copper"));
+         window.inspector_tabs().setCurrentIndex(2);
+       }},
+      {QStringLiteral("wedge"),
+       [&] {
+         edit_view(window, [](ProjectView& view) { view.wedge.on = true; });
+         window.inspector_tabs().setCurrentIndex(2);
+       }},
+      {QStringLiteral("quad"), [&] { edit_view(window, [](ProjectView& v) { v.shape = Shape::quad; }); }},
+      {QStringLiteral("zone"),
+       [&] {
+         window.look().zone_overlay = true;
+         window.use_library_material(QStringLiteral("silicon"));
+       }},
+      {QStringLiteral("energy"), [&] { window.look().energy_overlay = true; }},
+      {QStringLiteral("gamut"),
+       [&] {
+         edit_material(window, [](ProjectMaterial& m) {
+           m.measured.reset();
+           m.specular = {1.2, 0.7, -0.05};
+         });
+       }},
+      {QStringLiteral("library"),
+       [&] {
+         for (QAbstractButton* chip : window.library_panel().findChildren<QAbstractButton*>())
+           if (chip->text() == QLatin1String("gem")) chip->click();
+       }},
+      {QStringLiteral("findings"),
+       [&] {
+         edit_material(window, [](ProjectMaterial& m) {
+           m.measured.reset();
+           m.specular = {0.3, 0.3, 0.3};
+           m.diffuse = {0.98, 0.98, 0.98};
+         });
+         settle(window);
+         auto* table = window.findings().findChild<QTreeView*>();
+         table->setCurrentIndex(table->model()->index(0, 0));
+       }},
+      {QStringLiteral("pack"),
+       [&] {
+         window.use_library_material(QStringLiteral("copper"));
+         window.use_library_material(QStringLiteral("pmma"));
+         window.pack_to(own_files().filePath(QStringLiteral("atlas-%1").arg(next_press_id())));
+       }},
+      {QStringLiteral("keys"), [&] { (new ShortcutsDialog(window, &window))->show(); }},
+      {QStringLiteral("problem"), [&] { window.open(QStringLiteral("a project that is gone.json")); }},
+  };
+  if (const auto found = states.find(state); found != states.end()) found->second();
 }
 
 }  // namespace
@@ -63,32 +191,25 @@ QString bring_into_state(Window& window, const QString& material, const QString&
   }
   if (!model.isEmpty())
     edit_material(window, [&](ProjectMaterial& m) { m.specular_model = model.toStdString(); });
-  Look& look = window.look();
-  if (state == QLatin1String("light")) window.inspector_tabs().setCurrentIndex(1);
-  if (state == QLatin1String("view")) window.inspector_tabs().setCurrentIndex(2);
-  if (state == QLatin1String("compare")) {
-    look.pinned = document.material() != nullptr ? *document.material() : ProjectMaterial{};
-    look.split = true;
-    window.use_library_material(QStringLiteral("copper"));
-    window.inspector_tabs().setCurrentIndex(2);
-  }
-  if (state == QLatin1String("wedge")) look.wedge = true;
-  if (state == QLatin1String("zone")) {
-    look.zone_overlay = true;
-    window.use_library_material(QStringLiteral("silicon"));
-  }
-  if (state == QLatin1String("shader"))
-    window.tabs().setCurrentWidget(window.tabs().findChild<QPlainTextEdit*>());
-  if (state == QLatin1String("textures")) window.tabs().setCurrentWidget(&window.texture_view());
-  if (state == QLatin1String("findings"))
-    edit_material(window, [](ProjectMaterial& m) {
-      m.measured.reset();
-      m.specular = {0.3, 0.3, 0.3};
-      m.diffuse = {0.98, 0.98, 0.98};
-    });
+  show_state(window, state);
   window.look_changed();
   settle(window);
   return {};
+}
+
+QPixmap picture_of(Window& window) {
+  QPixmap out = window.grab();
+  QPainter painter(&out);
+  for (QDialog* dialog : window.findChildren<QDialog*>()) {
+    if (!dialog->isVisible()) continue;
+    const QRect place(
+        QPoint((window.width() - dialog->width()) / 2, (window.height() - dialog->height()) / 2),
+        dialog->size());
+    painter.drawPixmap(place.topLeft(), dialog->grab());
+    painter.setPen(window.palette().color(QPalette::Shadow));
+    painter.drawRect(place.adjusted(-1, -1, 0, 0));
+  }
+  return out;
 }
 
 int take_screenshot(Window& window, const Options& options) {
@@ -99,17 +220,9 @@ int take_screenshot(Window& window, const Options& options) {
     std::fprintf(stderr, "etak-editor: %s\n", qPrintable(problem));
     return 2;
   }
-  QPixmap picture = window.grab();
-  if (options.state == QLatin1String("keys")) {
-    ShortcutsDialog keys(window, &window);
-    keys.show();
-    settle(window);
-    QPainter painter(&picture);
-    painter.drawPixmap((window.width() - keys.width()) / 2, (window.height() - keys.height()) / 2,
-                       keys.grab());
-  }
   QSaveFile file(options.screenshot);
-  if (!file.open(QIODevice::WriteOnly) || !picture.toImage().save(&file, "PNG") || !file.commit()) {
+  if (!file.open(QIODevice::WriteOnly) || !picture_of(window).toImage().save(&file, "PNG") ||
+      !file.commit()) {
     std::fprintf(stderr, "etak-editor: %s: %s\n", qPrintable(options.screenshot),
                  qPrintable(file.errorString()));
     return 2;

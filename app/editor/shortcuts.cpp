@@ -5,15 +5,29 @@
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QMainWindow>
+#include <QMenu>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 namespace etak::editor {
+namespace {
+
+// "Export material: MaterialX…" for what stands in a menu of a menu, where its own name says too little.
+QString told(const QAction& action) {
+  QString out = action.text();
+  for (const QObject* each : action.associatedObjects())
+    if (const auto* menu = qobject_cast<const QMenu*>(each))
+      if (qobject_cast<const QMenu*>(menu->parent()) != nullptr)
+        out = menu->title() + QStringLiteral(": ") + out;
+  return out.remove(QLatin1Char('&'));
+}
+
+}  // namespace
 
 ShortcutsDialog::ShortcutsDialog(const QMainWindow& window, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Keys and mouse"));
   setAccessibleName(tr("Keys and mouse"));
-  resize(560, 620);
+  resize(660, 640);
   auto* column = new QVBoxLayout(this);
   auto* list = new QTreeWidget(this);
   list->setColumnCount(2);
@@ -34,7 +48,7 @@ ShortcutsDialog::ShortcutsDialog(const QMainWindow& window, QWidget* parent) : Q
   auto* menus = group(tr("Menus"));
   for (const QAction* each : window.findChildren<QAction*>())
     if (!each->shortcut().isEmpty())
-      row(menus, each->shortcut().toString(QKeySequence::NativeText), each->text().remove(QLatin1Char('&')));
+      row(menus, each->shortcut().toString(QKeySequence::NativeText), told(*each));
   auto* view = group(tr("Viewport"));
   row(view, tr("Left drag, Alt + left drag"), tr("orbit"));
   row(view, tr("Middle drag"), tr("move the picture"));

@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "app/editor/files.h"
 #include "app/editor/press_id.h"
 
 namespace etak::editor {
@@ -67,7 +68,7 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
     line->setSpacing(3);
     const QString title = title_of(channel);
     row.path = new QLineEdit(box);
-    row.path->setPlaceholderText(tr("none; drop a picture here"));
+    row.path->setPlaceholderText(tr("drop a picture here"));
     row.path->setAccessibleName(tr("%1 texture, file").arg(title));
     row.path->setAcceptDrops(false);  // the row takes drops: a line would paste the address
     line->addWidget(row.path, 1);
@@ -92,8 +93,7 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
     });
     connect(row.open, &QToolButton::clicked, this, [this, channel, title] {
       const QString file = QFileDialog::getOpenFileName(
-          this, tr("%1 texture").arg(title), {},
-          tr("Pictures (*.png *.tif *.tiff *.exr *.jpg *.tga *.webp);;All files (*)"));
+          this, tr("%1 texture").arg(title), {}, tr("Pictures (%1);;All files (*)").arg(picture_patterns()));
       if (!file.isEmpty()) set(channel, file);
     });
     connect(row.clear, &QToolButton::clicked, this, [this, channel] { set(channel, {}); });
@@ -110,7 +110,12 @@ bool TextureSection::eventFilter(QObject* object, QEvent* event) {
   if (event->type() == QEvent::Drop) {
     auto* drop = static_cast<QDropEvent*>(event);
     const QStringList files = local_files(drop->mimeData());
-    if (!files.isEmpty()) set(static_cast<Channel>(object->property("channel").toInt()), files.front());
+    if (files.isEmpty()) return true;
+    const QString& file = files.front();
+    if (kind_of_file(file) == FileKind::picture)
+      set(static_cast<Channel>(object->property("channel").toInt()), file);
+    else
+      emit refused(tr("%1 is no picture; expected %2").arg(QFileInfo(file).fileName(), picture_patterns()));
     drop->acceptProposedAction();
     return true;
   }
@@ -145,6 +150,7 @@ void TextureSection::show_material() {
     Row& row = rows_[static_cast<std::size_t>(channel)];
     const bool has = m != nullptr && m->texture(channel).has_value();
     const QString path = has ? text(m->texture(channel)->path) : QString();
+    // A long path shows its end, where the file's name is.
     if (row.path->text() != path) row.path->setText(path);
     row.path->setToolTip(path);
     row.clear->setEnabled(has);

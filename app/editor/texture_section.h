@@ -22,6 +22,7 @@ class TextureSection : public Section {
 
  signals:
   void look_asked(etak::Channel channel);
+  void refused(const QString& why);
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;

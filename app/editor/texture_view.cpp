@@ -127,6 +127,10 @@ TextureView::~TextureView() {
   pool_.waitForDone();
 }
 
+QString TextureView::told() const {
+  return told_->text();
+}
+
 void TextureView::show_channel(Channel channel) {
   channel_->setCurrentIndex(static_cast<int>(channel));
 }
@@ -136,6 +140,7 @@ void TextureView::load() {
   if (m == nullptr || !has_textures(*m)) {
     const bool had = textures_ != nullptr;
     loaded_.reset();
+    reading_ = false;
     textures_.reset();
     pictures_ = {};
     told_->setText(tr("no textures: drop pictures on the viewport or on the channels in the inspector"));
@@ -152,10 +157,12 @@ void TextureView::load() {
   if (loaded_ == key) return;
   loaded_ = key;
   pool_.clear();
+  reading_ = true;
   in_background(
       pool_, this, [m = *m, library = document_.library()] { return loaded_from(m, *library); },
       [this, key](Loaded loaded) {
         if (loaded_ != key) return;
+        reading_ = false;
         pictures_ = std::move(loaded.pictures);
         textures_ = std::move(loaded.textures);
         told_->setText(loaded.text);

@@ -23,6 +23,9 @@ class TextureView : public QWidget {
   void show_channel(Channel channel);
   /// Told when the pair was read, for the viewport.
   const std::shared_ptr<const SurfaceTextures>& textures() const { return textures_; }
+  bool is_busy() const { return reading_; }
+  /// What is told of the pictures: their size, or why there are none.
+  QString told() const;
 
  signals:
   void textures_changed();
@@ -38,6 +41,7 @@ class TextureView : public QWidget {
   Sheet* sheet_;
   QThreadPool pool_;
   std::optional<ProjectMaterial> loaded_;
+  bool reading_ = false;
   std::array<QImage, all_channels.size()> pictures_;
   std::shared_ptr<const SurfaceTextures> textures_;
 };

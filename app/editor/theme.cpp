@@ -2,22 +2,40 @@
 #include "app/editor/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 namespace etak::editor {
 namespace {
 
+// Fusion draws an empty box in a colour that is hardly seen on a dark window.
+class OutlinedBoxes : public QProxyStyle {
+ public:
+  OutlinedBoxes() : QProxyStyle(QStringLiteral("Fusion")) {}
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    if (element != PE_IndicatorCheckBox) return;
+    painter->save();
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(option->palette.color(QPalette::PlaceholderText));
+    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+    painter->restore();
+  }
+};
+
 QPalette palette_of(Theme theme) {
   const bool dark = theme == Theme::dark;
   const auto grey = [](int code) { return QColor(code, code, code); };
-  const QColor text = dark ? grey(226) : grey(24), window = dark ? grey(48) : grey(236);
+  const QColor text = dark ? grey(226) : grey(24), window = dark ? grey(50) : grey(236);
   const QColor accent = dark ? QColor(92, 147, 214) : QColor(34, 94, 168);
   QPalette out;
   out.setColor(QPalette::Window, window);
   out.setColor(QPalette::WindowText, text);
-  out.setColor(QPalette::Base, dark ? grey(34) : grey(252));
-  out.setColor(QPalette::AlternateBase, dark ? grey(40) : grey(244));
+  out.setColor(QPalette::Base, dark ? grey(28) : grey(252));
+  out.setColor(QPalette::AlternateBase, dark ? grey(35) : grey(244));
   out.setColor(QPalette::Text, text);
   out.setColor(QPalette::Button, dark ? grey(60) : grey(228));
   out.setColor(QPalette::ButtonText, text);
@@ -42,16 +60,21 @@ QPalette palette_of(Theme theme) {
 }  // namespace
 
 void apply_theme(QApplication& application, Theme theme) {
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new OutlinedBoxes);
   QApplication::setPalette(palette_of(theme));
-  application.setStyleSheet(QStringLiteral(
-      "QToolTip { border: 1px solid palette(mid); padding: 3px; }"
-      "QToolButton[chip=\"true\"] { border: 1px solid palette(mid); border-radius: 9px; padding: 1px 8px; }"
-      "QToolButton[chip=\"true\"]:checked { background: palette(highlight); color: "
-      "palette(highlighted-text); }"
-      "QToolButton[chip=\"true\"]:focus { border: 1px solid palette(link); }"
-      "QLabel[badge=\"true\"] { border-radius: 4px; padding: 1px 5px; background: #c7722a; color: white; }"
-      "QLabel[quiet=\"true\"] { color: palette(placeholder-text); }"));
+  // No role of the palette is seen against the window in both themes.
+  const QString border = theme == Theme::dark ? QStringLiteral("#707070") : QStringLiteral("#a8a8a8");
+  application.setStyleSheet(
+      QStringLiteral(
+          "QToolTip { border: 1px solid palette(mid); padding: 3px; }"
+          "QToolButton[chip=\"true\"] { border: 1px solid %1; border-radius: 9px; padding: 1px 8px; }"
+          "QToolButton[chip=\"true\"]:checked { background: palette(highlight); color: "
+          "palette(highlighted-text); }"
+          "QToolButton[chip=\"true\"]:focus { border: 1px solid palette(link); }"
+          "QLabel[badge=\"true\"] { border-radius: 4px; padding: 1px 5px; background: #a8560f; color: white; "
+          "}"
+          "QLabel[quiet=\"true\"] { color: palette(placeholder-text); }")
+          .arg(border));
 }
 
 bool is_dark(const QPalette& palette) {

@@ -136,7 +136,7 @@ Section* ViewPanel::make_shape() {
   shape_->addItems({tr("sphere"), tr("quad"), tr("wedge of a parameter")});
   parameter_ = new QuietComboBox(tr("Parameter of the wedge"), out);
   steps_ = new QSpinBox(out);
-  steps_->setRange(2, 16);
+  steps_->setRange(Wedge::least_steps, Wedge::most_steps);
   steps_->setAccessibleName(tr("Steps of the wedge"));
   textured_ = check(tr("show textures"), out);
   zone_ = check(tr("forbidden zone overlay"), out);
@@ -148,26 +148,27 @@ Section* ViewPanel::make_shape() {
   out->add(zone_);
   out->add(energy_);
   connect(shape_, &QComboBox::activated, this, [this](int row) {
-    look_.wedge = row == 2;
-    if (row != 2) {
-      ProjectView view = document_.project().view;
-      view.shape = row == 1 ? etak::Shape::quad : etak::Shape::sphere;
-      document_.edit_view(view, tr("shape"), next_press_id());
-    }
-    show_look();
-    emit look_changed();
+    ProjectView view = document_.project().view;
+    view.wedge.on = row == 2;
+    if (row != 2) view.shape = row == 1 ? etak::Shape::quad : etak::Shape::sphere;
+    document_.edit_view(view, tr("shape"), next_press_id());
   });
+  const auto wedge = [this](int press_id) {
+    if (showing_) return;
+    Wedge to = document_.project().view.wedge;
+    to.parameter = parameter_->currentText().toStdString();
+    to.steps = steps_->value();
+    document_.edit_wedge(to, tr("wedge"), press_id);
+  };
+  connect(parameter_, &QComboBox::activated, this, [wedge] { wedge(next_press_id()); });
+  connect(steps_, &QSpinBox::valueChanged, this, [wedge] { wedge(next_press_id()); });
   const auto told = [this] {
     if (showing_) return;
-    look_.wedge_parameter = parameter_->currentText().toStdString();
-    look_.wedge_steps = steps_->value();
     look_.zone_overlay = zone_->isChecked();
     look_.energy_overlay = energy_->isChecked();
     look_.textured = textured_->isChecked();
     emit look_changed();
   };
-  connect(parameter_, &QComboBox::activated, this, told);
-  connect(steps_, &QSpinBox::valueChanged, this, told);
   for (QCheckBox* each : {zone_, energy_, textured_}) connect(each, &QCheckBox::clicked, this, told);
   return out;
 }
@@ -198,19 +199,20 @@ Section* ViewPanel::make_compare() {
   out->add(tr("B model"), model_);
   out->add(patch_);
   connect(split_, &QCheckBox::clicked, this, [this](bool on) {
-    look_.split = on;
-    show_look();
-    emit look_changed();
+    Comparison compare = document_.project().view.compare;
+    compare.on = on;
+    document_.edit_compare(compare, tr("compare"));
   });
   connect(pin, &QPushButton::clicked, this, &ViewPanel::pin_asked);
   connect(unpin_, &QPushButton::clicked, this, [this] {
-    look_.pinned.reset();
-    show_look();
-    emit look_changed();
+    Comparison compare = document_.project().view.compare;
+    compare.pinned.reset();
+    document_.edit_compare(compare, tr("unpin B"));
   });
   connect(model_, &QComboBox::activated, this, [this] {
-    look_.b_model = model_->currentData().toString().toStdString();
-    emit look_changed();
+    Comparison compare = document_.project().view.compare;
+    compare.model = model_->currentData().toString().toStdString();
+    document_.edit_compare(compare, tr("model of B"));
   });
   return out;
 }
@@ -230,7 +232,7 @@ void ViewPanel::show_look() {
   view_->addItems(views);
   if (!view.view.empty()) view_->setCurrentText(text(view.view));
   view_->setEnabled(!views.isEmpty());
-  shape_->setCurrentIndex(look_.wedge ? 2 : view.shape == etak::Shape::quad ? 1 : 0);
+  shape_->setCurrentIndex(view.wedge.on ? 2 : view.shape == etak::Shape::quad ? 1 : 0);
   QStringList parameters{QStringLiteral("gloss"), QStringLiteral("opacity")};
   if (const ProjectMaterial* m = document_.material())
     if (const Model* model = find_model(m->specular_model))
@@ -238,18 +240,19 @@ void ViewPanel::show_look() {
         if (!each.color && each.role != Role::gloss) parameters << text(each.name);
   parameter_->clear();
   parameter_->addItems(parameters);
-  parameter_->setCurrentText(text(look_.wedge_parameter));
-  parameter_->setEnabled(look_.wedge);
-  steps_->setValue(look_.wedge_steps);
-  steps_->setEnabled(look_.wedge);
+  parameter_->setCurrentText(text(view.wedge.parameter));
+  parameter_->setEnabled(view.wedge.on);
+  steps_->setValue(view.wedge.steps);
+  steps_->setEnabled(view.wedge.on);
   zone_->setChecked(look_.zone_overlay);
   energy_->setChecked(look_.energy_overlay);
   textured_->setChecked(look_.textured);
-  split_->setChecked(look_.split);
-  pinned_->setText(look_.pinned ? tr("B is %1, as it was when pinned").arg(text(look_.pinned->name))
-                                : tr("B is the material in hand; choose another model for it, or pin one"));
-  unpin_->setEnabled(look_.pinned.has_value());
-  model_->setCurrentIndex(std::max(0, model_->findData(text(look_.b_model))));
+  split_->setChecked(view.compare.on);
+  pinned_->setText(view.compare.pinned
+                       ? tr("B is %1, as it was when pinned").arg(text(view.compare.pinned->name))
+                       : tr("B is the material in hand; choose another model for it, or pin one"));
+  unpin_->setEnabled(view.compare.pinned.has_value());
+  model_->setCurrentIndex(std::max(0, model_->findData(text(view.compare.model))));
   showing_ = false;
 }
 

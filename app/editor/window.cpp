@@ -153,6 +153,8 @@ void Window::make_panels() {
   connect(project_panel_, &ProjectPanel::remove_asked, this,
           [this] { document_.remove(document_.current()); });
   connect(findings_, &FindingsPanel::go_to, this, &Window::go_to_finding);
+  connect(&inspector_->textures(), &TextureSection::refused, this,
+          [this](const QString& why) { show_problems(tr("This cannot be taken"), {why}); });
   connect(&inspector_->textures(), &TextureSection::look_asked, this, [this](Channel channel) {
     tabs_->setCurrentWidget(texture_view_);
     texture_view_->show_channel(channel);
@@ -209,16 +211,9 @@ void Window::dropEvent(QDropEvent* event) {
     use_library_material(QString::fromUtf8(dropped->data(QString::fromLatin1(Viewport::material_mime))));
     return event->acceptProposedAction();
   }
-  QStringList spectra, pictures;
-  for (const QUrl& url : dropped->urls()) {
-    const QString file = url.toLocalFile();
-    const bool spectrum = file.endsWith(QLatin1String(".yml")) || file.endsWith(QLatin1String(".yaml")) ||
-                          file.endsWith(QLatin1String(".csv")) || file.endsWith(QLatin1String(".txt")) ||
-                          file.endsWith(QLatin1String(".json"));
-    (spectrum ? spectra : pictures) << file;
-  }
-  if (!spectra.isEmpty()) import(spectra);
-  if (!pictures.isEmpty()) inspector_->textures().take_files(pictures, Channel::diffuse);
+  QStringList files;
+  for (const QUrl& url : dropped->urls()) files << url.toLocalFile();
+  take_files(files);
   event->acceptProposedAction();
 }
 

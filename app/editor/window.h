@@ -54,6 +54,7 @@ class Window : public QMainWindow {
   FindingsPanel& findings() { return *findings_; }
   ViewPanel& view_panel() { return *view_panel_; }
   TextureView& texture_view() { return *texture_view_; }
+  CurvesPanel& curves() { return *curves_; }
   QTabWidget& tabs() { return *tabs_; }
   QTabWidget& inspector_tabs() { return *inspector_tabs_; }
   Validator& validator() { return *validator_; }
@@ -70,6 +71,9 @@ class Window : public QMainWindow {
   void open(const QString& path);
   void save_to(const QString& path);
   void import(const QStringList& paths);
+  /// Files that were dropped: spectra are imported, pictures become textures of the material in hand, a .hdr
+  /// the environment. Others are refused with a message.
+  void take_files(const QStringList& paths);
   PackDialog* pack_to(const QString& folder);
   /// Offers what a killed run left behind; `ask` says yes or no (a question to the user where it is empty).
   void offer_recovery(const std::function<bool(const Recovery&)>& ask = {});
@@ -105,6 +109,7 @@ class Window : public QMainWindow {
   bool may_lose_changes();
   void recover(const Recovery& recovery);
   void note_recent(const QString& path);
+  void forget_recent(const QString& path);
   void fill_recent(QMenu* menu);
   void tell(const QString& message);
   void show_problems(const QString& title, const QStringList& problems);
@@ -119,6 +124,7 @@ class Window : public QMainWindow {
 
   void preview(const QString& id);
   void refresh();
+  void set_environment(const QString& path);
   void load_environment();
   void show_shader();
   void show_curves();

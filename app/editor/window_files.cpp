@@ -10,7 +10,9 @@
 
 #include "app/editor/background.h"
 #include "app/editor/files.h"
+#include "app/editor/inspector.h"
 #include "app/editor/pack_dialog.h"
+#include "app/editor/texture_section.h"
 #include "app/editor/window.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -74,6 +76,7 @@ void Window::open(const QString& path) {
       [this, path](Opened opened_project) {
         --busy_;
         if (!opened_project.error.isEmpty()) {
+          if (!QFileInfo::exists(path)) forget_recent(path);
           show_problems(tr("This could not be opened"), {opened_project.error});
           emit opened(false);
           return;
@@ -109,6 +112,30 @@ void Window::import(const QStringList& paths) {
         }
         emit opened(imported.error.isEmpty());
       });
+}
+
+void Window::take_files(const QStringList& paths) {
+  QStringList spectra, pictures, refused;
+  for (const QString& path : paths) switch (kind_of_file(path)) {
+      case FileKind::spectra:
+        spectra << path;
+        break;
+      case FileKind::picture:
+        pictures << path;
+        break;
+      case FileKind::environment:
+        set_environment(path);
+        break;
+      case FileKind::other:
+        refused << tr("%1: %2").arg(QFileInfo(path).fileName(), expected_files());
+    }
+  if (!spectra.isEmpty()) import(spectra);
+  if (!pictures.isEmpty() && document_.material() == nullptr)
+    refused << tr("%1: a texture needs a material; add one from the library first")
+                   .arg(QFileInfo(pictures.front()).fileName());
+  else if (!pictures.isEmpty())
+    inspector_->textures().take_files(pictures, Channel::diffuse);
+  if (!refused.isEmpty()) show_problems(tr("Some files cannot be taken"), refused);
 }
 
 // ---- saving
@@ -235,8 +262,7 @@ bool Window::may_lose_changes() {
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();
-  if (answer == QMessageBox::Discard) return true;
-  if (answer == QMessageBox::Cancel) return false;
+  if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
   if (document_.path().isEmpty()) {
     save_as();
     if (busy_ == 0) return false;  // no name was chosen
@@ -305,6 +331,14 @@ void Window::note_recent(const QString& path) {
   list.removeAll(whole);
   list.prepend(whole);
   settings.setValue(QLatin1String(recent_key), list.mid(0, most_recent));
+}
+
+void Window::forget_recent(const QString& path) {
+  if (!options_.remember) return;
+  QSettings settings;
+  QStringList list = settings.value(QLatin1String(recent_key)).toStringList();
+  list.removeAll(QFileInfo(path).absoluteFilePath());
+  settings.setValue(QLatin1String(recent_key), list);
 }
 
 void Window::fill_recent(QMenu* menu) {

@@ -148,8 +148,9 @@ void Window::make_view_menu() {
   action(menu, tr("&Reset the camera"), QKeySequence(Qt::CTRL | Qt::Key_0),
          [this] { viewport_->reset_camera(); });
   action(menu, tr("&Compare A and B"), QKeySequence(Qt::CTRL | Qt::Key_T), [this] {
-    look_.split = !look_.split;
-    look_changed();
+    Comparison compare = document_.project().view.compare;
+    compare.on = !compare.on;
+    document_.edit_compare(compare, tr("compare"));
   });
   action(menu, tr("&Pin as B"), QKeySequence(Qt::CTRL | Qt::Key_B),
          [this] { emit view_panel_->pin_asked(); });

@@ -6,9 +6,7 @@
 #include "app/editor/background.h"
 #include "app/editor/curves/curves_panel.h"
 #include "app/editor/files.h"
-#include "app/editor/inspector.h"
 #include "app/editor/press_id.h"
-#include "app/editor/texture_section.h"
 #include "app/editor/texture_view.h"
 #include "app/editor/view_panel.h"
 #include "app/editor/window.h"
@@ -58,9 +56,10 @@ void Window::connect_viewport() {
   connect(view_panel_, &ViewPanel::look_changed, this, soon);
   connect(view_panel_, &ViewPanel::pin_asked, this, [this] {
     if (document_.material() == nullptr) return;
-    look_.pinned = *document_.material();
-    look_.split = true;
-    look_changed();
+    Comparison compare = document_.project().view.compare;
+    compare.pinned = *document_.material();
+    compare.on = true;
+    document_.edit_compare(compare, tr("pin as B"));
   });
 
   connect(viewport_, &Viewport::state_edited, this, [this](const ViewState& state, int press_id) {
@@ -86,22 +85,8 @@ void Window::connect_viewport() {
   });
   connect(viewport_, &Viewport::hovered, this, &Window::show_patch);
   connect(viewport_, &Viewport::hover_ended, this, [this] { patch_->clear(); });
-  connect(viewport_, &Viewport::environment_dropped, this, [this](const QString& path) {
-    ProjectView view = document_.project().view;
-    view.lights.environment = path.toStdString();
-    document_.edit_view(view, tr("environment"), next_press_id());
-  });
-  connect(viewport_, &Viewport::textures_dropped, this, [this](const QStringList& paths) {
-    QStringList pictures, spectra;
-    for (const QString& path : paths)
-      (path.endsWith(QLatin1String(".yml")) || path.endsWith(QLatin1String(".csv")) ||
-               path.endsWith(QLatin1String(".txt")) || path.endsWith(QLatin1String(".json"))
-           ? spectra
-           : pictures)
-          << path;
-    if (!spectra.isEmpty()) import(spectra);
-    if (!pictures.isEmpty()) inspector_->textures().take_files(pictures, Channel::diffuse);
-  });
+  connect(viewport_, &Viewport::environment_dropped, this, &Window::set_environment);
+  connect(viewport_, &Viewport::textures_dropped, this, &Window::take_files);
   connect(viewport_, &Viewport::material_dropped, this, &Window::use_library_material);
   connect(tabs_, &QTabWidget::currentChanged, this, [this] {
     show_shader();
@@ -133,6 +118,12 @@ void Window::refresh() {
   show_curves();
 }
 
+void Window::set_environment(const QString& path) {
+  ProjectView view = document_.project().view;
+  view.lights.environment = path.toStdString();
+  document_.edit_view(view, tr("environment"), next_press_id());
+}
+
 void Window::load_environment() {
   const LightSetup& lights = document_.project().view.lights;
   const std::string key =
@@ -158,7 +149,8 @@ void Window::load_environment() {
 
 void Window::show_curves() {
   const ProjectMaterial* m = look_.preview ? &*look_.preview : document_.material();
-  if (tabs_->currentWidget() != curves_ || m == nullptr) return;
+  if (tabs_->currentWidget() != curves_) return;
+  if (m == nullptr) return curves_->set_surface(tr("no material"), 0, nullptr, {});
   const Model* model = find_model(m->specular_model);
   try {
     SurfaceValues surface = document_.surface_of(*m);
@@ -187,7 +179,7 @@ void Window::show_patch(const PatchUnderCursor& patch) {
     return QStringLiteral("%1 %2 %3").arg(c[0]).arg(c[1]).arg(c[2]);
   };
   QString text = codes(patch.code_a);
-  if (look_.split)
+  if (document_.project().view.compare.on)
     text = tr("A %1   B %2   B - A %3   \u0394E %4")
                .arg(codes(patch.code_a), codes(patch.code_b), codes(patch.difference))
                .arg(patch.delta_e, 0, 'f', 2);

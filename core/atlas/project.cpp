@@ -60,6 +60,7 @@ Project single(const Project& project, const ProjectMaterial& material) {
   Project out;
   out.materials = {material};
   out.view = project.view;
+  out.view.compare = {};
   if (!material.measured) return out;
   for (const Material& each : project.spectra)
     if (each.id == material.measured->material || each.id == material.measured->outside)
@@ -111,19 +112,19 @@ void take_measured(ProjectMaterial& material, const FoundF0& found) {
 
 std::vector<std::string> resolve(Project& project, const MaterialLibrary& library) {
   std::vector<std::string> problems;
-  const bool any = std::any_of(project.materials.begin(), project.materials.end(),
-                               [](const ProjectMaterial& each) { return each.measured.has_value(); });
-  if (!any) return problems;
-  const MaterialLibrary all = library_of(project, library);
-  for (ProjectMaterial& each : project.materials) {
-    if (!each.measured) continue;
+  std::optional<MaterialLibrary> all;  // copied only where something is measured
+  const auto take = [&](ProjectMaterial& each) {
+    if (!each.measured) return;
+    if (!all) all = library_of(project, library);
     try {
-      take_measured(each, find_f0(*each.measured, all));
+      take_measured(each, find_f0(*each.measured, *all));
     } catch (const Error& error) {
       problems.push_back(each.name + ": " + error.what());
       each.measured.reset();
     }
-  }
+  };
+  for (ProjectMaterial& each : project.materials) take(each);
+  if (project.view.compare.pinned) take(*project.view.compare.pinned);
   return problems;
 }
 

@@ -59,6 +59,25 @@ struct ProjectMaterial {
   std::optional<ImageSource>& texture(Channel channel) { return textures[static_cast<std::size_t>(channel)]; }
 };
 
+/// Two sides in one picture.
+///   pinned   what side B shows, as it was when it was pinned; none: the material in hand
+///   model    specular model of side B; empty: the material's own
+struct Comparison {
+  bool on = false;
+  std::optional<ProjectMaterial> pinned;
+  std::string model;
+  friend bool operator==(const Comparison&, const Comparison&) = default;
+};
+
+/// A strip of spheres over a parameter.
+struct Wedge {
+  static constexpr int least_steps = 2, most_steps = 16;
+  bool on = false;
+  std::string parameter = "gloss";
+  int steps = 7;
+  friend bool operator==(const Wedge&, const Wedge&) = default;
+};
+
 /// How the materials are looked at.
 ///   exposure   linear factor
 ///   config, display, view   of OpenColorIO; all empty: the sRGB curve alone
@@ -68,6 +87,8 @@ struct ProjectView {
   double environment_turn_deg = 0;
   double exposure = 1;
   std::string config, display, view;
+  Comparison compare;
+  Wedge wedge;
   friend bool operator==(const ProjectView&, const ProjectView&) = default;
 };
 
@@ -91,7 +112,8 @@ Project parse_project(std::string_view text, const std::string& file);
 ///          absolutely, for a copy that may be read from anywhere
 std::string format_project(const Project& project, const std::string& file);
 
-/// One material with the spectra it uses, as a project of its own; for files of single materials.
+/// One material with the spectra it uses, as a project of its own; for files of single materials. What it was
+/// compared with stays behind.
 Project single(const Project& project, const ProjectMaterial& material);
 
 /// The library with the project's own spectra laid over it.

@@ -56,7 +56,7 @@ class Reader {
   }
 
   ProjectView view(const JsonNode& node) const {
-    node.expect_object({"shape", "lights", "environment_turn_deg", "exposure", "ocio"});
+    node.expect_object({"shape", "lights", "environment_turn_deg", "exposure", "ocio", "compare", "wedge"});
     ProjectView out;
     if (node.has("shape")) {
       const std::string shape = node.at("shape").text();
@@ -78,6 +78,30 @@ class Reader {
       out.config = ocio.text_or_empty("config");
       out.display = ocio.text_or_empty("display");
       out.view = ocio.text_or_empty("view");
+    }
+    if (node.has("compare")) out.compare = comparison(node.at("compare"));
+    if (node.has("wedge")) out.wedge = wedge(node.at("wedge"));
+    return out;
+  }
+
+  Comparison comparison(const JsonNode& node) const {
+    node.expect_object({"on", "pinned", "model"});
+    Comparison out;
+    if (node.has("on")) out.on = node.at("on").boolean();
+    if (node.has("pinned")) out.pinned = material(node.at("pinned"));
+    read_model(node, "model", false, out.model);
+    return out;
+  }
+
+  static Wedge wedge(const JsonNode& node) {
+    node.expect_object({"on", "parameter", "steps"});
+    Wedge out;
+    if (node.has("on")) out.on = node.at("on").boolean();
+    if (node.has("parameter")) out.parameter = node.at("parameter").text();
+    if (node.has("steps")) {
+      const double steps = ranged(node.at("steps"), Wedge::least_steps, Wedge::most_steps);
+      out.steps = static_cast<int>(steps);
+      if (out.steps != steps) node.at("steps").fail_type("a whole number");
     }
     return out;
   }
@@ -143,17 +167,18 @@ class Reader {
     }
   }
 
+  static void read_model(const JsonNode& node, const char* key, bool diffuse, std::string& id) {
+    if (!node.has(key)) return;
+    id = node.at(key).text();
+    if (id.empty()) return;
+    const Model* found = find_model(id);
+    if (found == nullptr || (found->kind == ModelKind::diffuse) != diffuse)
+      node.at(key).fail_type(diffuse ? "a diffuse model" : "a specular model");
+  }
+
   static void models(const JsonNode& node, ProjectMaterial& out) {
-    const auto model = [&](const char* key, std::string& id, bool diffuse) {
-      if (!node.has(key)) return;
-      id = node.at(key).text();
-      if (id.empty()) return;
-      const Model* found = find_model(id);
-      if (found == nullptr || (found->kind == ModelKind::diffuse) != diffuse)
-        node.at(key).fail_type(diffuse ? "a diffuse model" : "a specular model");
-    };
-    model("model", out.specular_model, false);
-    model("diffuse_model", out.diffuse_model, true);
+    read_model(node, "model", false, out.specular_model);
+    read_model(node, "diffuse_model", true, out.diffuse_model);
     if (!node.has("parameters")) return;
     const JsonNode values = node.at("parameters");
     values.expect_object();
@@ -218,7 +243,21 @@ class Writer {
                                      std::pair("view", &view.view)})
       if (!value->empty()) ocio.push_back({key, json(*value)});
     if (!ocio.empty()) members.push_back({"ocio", json_object(ocio, -1)});
+    if (view.compare != Comparison{}) members.push_back({"compare", comparison(view.compare)});
+    if (view.wedge != Wedge{}) {
+      const std::vector<JsonMember> wedge{{"on", json(view.wedge.on)},
+                                          {"parameter", json(view.wedge.parameter)},
+                                          {"steps", json(static_cast<std::size_t>(view.wedge.steps))}};
+      members.push_back({"wedge", json_object(wedge, -1)});
+    }
     return json_object(members, 2);
+  }
+
+  std::string comparison(const Comparison& compare) const {
+    std::vector<JsonMember> members{{"on", json(compare.on)}};
+    if (compare.pinned) members.push_back({"pinned", material(*compare.pinned)});
+    if (!compare.model.empty()) members.push_back({"model", json(compare.model)});
+    return json_object(members, -1);
   }
 
   std::string material(const ProjectMaterial& m) const {

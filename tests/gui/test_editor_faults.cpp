@@ -53,6 +53,31 @@ Project many(int count) {
   return out;
 }
 
+// A PNG of one bit per texel, all black, or only the head of one.
+QByteArray grey_png(int side, bool whole) {
+  const auto number = [](quint32 value) {
+    QByteArray out;
+    for (const int shift : {24, 16, 8, 0}) out += static_cast<char>(value >> shift & 0xff);
+    return out;
+  };
+  const auto chunk = [&](const QByteArray& type, const QByteArray& data) {
+    const QByteArray checked = type + data;
+    quint32 crc = 0xffffffff;
+    for (const char c : checked) {
+      crc ^= static_cast<quint8>(c);
+      for (int bit = 0; bit < 8; ++bit) crc = crc & 1 ? 0xedb88320 ^ (crc >> 1) : crc >> 1;
+    }
+    return number(static_cast<quint32>(data.size())) + checked + number(~crc);
+  };
+  const auto wide = static_cast<quint32>(side);
+  QByteArray out = QByteArray("\x89PNG\r\n\x1a\n", 8) +
+                   chunk("IHDR", number(wide) + number(wide) + QByteArray("\1\0\0\0\0", 5));
+  if (!whole) return out;
+  // qCompress puts four bytes of length before what PNG wants.
+  const QByteArray rows((side / 8 + 1) * side, '\0');
+  return out + chunk("IDAT", qCompress(rows, 1).mid(4)) + chunk("IEND", {});
+}
+
 // What the child of the test of killed runs sets in its n-th edit; before the first there is what many()
 // made.
 double gloss_of_round(int round) {
@@ -94,18 +119,22 @@ class EditorFaults : public QObject {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
     QSignalSpy saved(window.window.get(), &Window::saved);
-    // Root may write anywhere, but not into a file as if it were a folder.
+    // Root may write anywhere, but not into a file as if it were a folder, nor where the kernel says no.
     write(window.file(QStringLiteral("file")), "x");
-    window->save_to(window.file(QStringLiteral("file/project.json")));
-    QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1; }, 20000));
-    QCOMPARE(saved.front().front().toBool(), false);
-    QVERIFY(!window->document().is_saved());
+    int tried = 0;
+    for (const QString& place :
+         {window.file(QStringLiteral("file/project.json")), QStringLiteral("/proc/project.json")}) {
+      window->save_to(place);
+      QVERIFY(QTest::qWaitFor([&] { return saved.count() == tried + 1; }, 20000));
+      QCOMPARE(saved[tried++].front().toBool(), false);
+      QVERIFY(!window->document().is_saved());
+    }
     if (::geteuid() != 0) {
       const QString folder = window.file(QStringLiteral("read only"));
       QVERIFY(QDir().mkpath(folder));
       ::chmod(folder.toStdString().c_str(), 0555);
       window->save_to(folder + QStringLiteral("/project.json"));
-      QVERIFY(QTest::qWaitFor([&] { return saved.count() == 2; }, 20000));
+      QVERIFY(QTest::qWaitFor([&] { return saved.count() == tried + 1; }, 20000));
       QCOMPARE(saved.back().front().toBool(), false);
       ::chmod(folder.toStdString().c_str(), 0755);
     }
@@ -200,27 +229,71 @@ class EditorFaults : public QObject {
     QVERIFY2(watchdog.work_ms() <= most_work_ms(), qPrintable(QString::number(watchdog.work_ms())));
   }
 
+  void a_huge_texture_is_told_and_does_not_stop_the_window_data() {
+    QTest::addColumn<int>("side");
+    QTest::addColumn<bool>("whole");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("16384, all there") << 16384 << true << QStringLiteral("16384 x 16384");
+    QTest::newRow("16384, nothing behind the head") << 16384 << false << QStringLiteral("huge_gloss.png");
+    QTest::newRow("a head that asks for 40 GB") << 100000 << false << QStringLiteral("huge_gloss.png");
+  }
+
   void a_huge_texture_is_told_and_does_not_stop_the_window() {
+    QFETCH(int, side);
+    QFETCH(bool, whole);
+    QFETCH(QString, expected);
     TestWindow window(true);
     window->show();
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    QVERIFY(window.settle());
     const QString picture = window.file(QStringLiteral("huge_gloss.png"));
-    // A head that promises 16384 x 16384 texels, and nothing behind it.
-    QByteArray png =
-        QByteArray::fromHex("89504e470d0a1a0a0000000d49484452000040000000400008000000004e0bf5a4");
-    write(picture, png);
+    write(picture, grey_png(side, whole));
     ProjectMaterial m = *window->document().material();
     m.texture(Channel::gloss) = ImageSource{picture.toStdString(), {}, {}};
     Watchdog watchdog;
     window->document().edit(0, m, QStringLiteral("texture"), next_press_id());
     QVERIFY(window.settle());
-    QTest::qWait(200);
+    QVERIFY(QTest::qWaitFor([&] { return !window->texture_view().is_busy(); }, 60000));
     watchdog.stop();
     QVERIFY2(watchdog.work_ms() <= most_work_ms(), qPrintable(QString::number(watchdog.work_ms())));
+    // The pictures are not shown, and why is told where they would be.
+    QVERIFY(window->texture_view().textures() == nullptr);
+    const QString told = window->texture_view().told();
+    QVERIFY2(told.contains(expected), qPrintable(told));
+    if (whole) return;
     const auto& findings = window->validator().findings();
     QVERIFY(findings.contains("Gold"));
     QVERIFY(std::any_of(findings.at("Gold").begin(), findings.at("Gold").end(),
                         [](const Finding& f) { return f.rule == "ETK001"; }));
+  }
+
+  void without_a_place_for_copies_one_can_work_and_save() {
+    QTemporaryDir folder;
+    write(folder.filePath(QStringLiteral("file")), "x");
+    WindowOptions options;
+    options.cpu_viewport = true;
+    options.remember = false;
+    options.data_folder = options.cache_folder = folder.filePath(QStringLiteral("file"));
+    Window window(options);
+    window.show();
+    QVERIFY(window.use_library_material(QStringLiteral("gold")));
+    QSignalSpy saved(&window, &Window::saved);
+    window.save_to(folder.filePath(QStringLiteral("p.json")));
+    QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1; }, 20000));
+    QCOMPARE(saved.front().front().toBool(), true);
+    QVERIFY(window.document().is_saved());
+  }
+
+  void an_atlas_that_cannot_be_written_is_told() {
+    TestWindow window(true);
+    window->show();
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    PackDialog* dialog = window->pack_to(QStringLiteral("/proc/atlas"));
+    QSignalSpy packed(dialog, &PackDialog::finished_packing);
+    QVERIFY(QTest::qWaitFor([&] { return packed.count() == 1; }, 60000));
+    QCOMPARE(packed.front().front().toBool(), false);
+    QVERIFY2(dialog->result_text().contains(QLatin1String("/proc/atlas")), qPrintable(dialog->result_text()));
+    dialog->reject();
   }
 };
 

@@ -82,7 +82,8 @@ class EditorSession : public QObject {
 
     // A/B.
     emit window->view_panel().pin_asked();
-    QVERIFY(window->look().split && window->look().pinned);
+    QVERIFY(window->document().project().view.compare.on);
+    QVERIFY(window->document().project().view.compare.pinned.has_value());
     QVERIFY(window->use_library_material(QStringLiteral("copper")));
     QTest::qWait(200);
     QVERIFY(viewport.state().split);

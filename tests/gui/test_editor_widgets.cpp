@@ -13,6 +13,7 @@
 #include <QSpinBox>
 #include <QSplitter>
 #include <QTabWidget>
+#include <QToolButton>
 
 #include "app/editor/color_field.h"
 #include "app/editor/eyedropper.h"
@@ -20,6 +21,7 @@
 #include "app/editor/library_panel.h"
 #include "app/editor/number_field.h"
 #include "app/editor/options.h"
+#include "app/editor/press_id.h"
 #include "app/editor/shortcuts.h"
 #include "app/editor/texture_section.h"
 #include "app/editor/view_panel.h"
@@ -79,18 +81,138 @@ class EditorWidgets : public QObject {
           QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : window.window.get(),
           Qt::Key_Tab);
     }
-    for (QWidget* each :
-         {static_cast<QWidget*>(&window->inspector().gloss().box()),
-          static_cast<QWidget*>(&window->inspector().gloss().slider()),
-          static_cast<QWidget*>(&window->library_panel().list()), static_cast<QWidget*>(&window->viewport())})
-      QVERIFY2(seen.contains(each), qPrintable(each->accessibleName()));
+    QStringList missed;
+    int reached = 0;
+    for (QWidget* each : window->findChildren<QWidget*>()) {
+      // The line of a spin box or an editable combo box has its focus by proxy, and cells of a table that of
+      // their view.
+      if (!each->isVisible() || !each->isEnabled() || !(each->focusPolicy() & Qt::TabFocus) ||
+          each->focusProxy() != nullptr || qobject_cast<QAbstractSpinBox*>(each->parentWidget()) != nullptr ||
+          qobject_cast<QComboBox*>(each->parentWidget()) != nullptr ||
+          qobject_cast<QDockWidget*>(each->parentWidget()) != nullptr)
+        continue;
+      if (seen.contains(each))
+        ++reached;
+      else
+        missed << QString::fromLatin1(each->metaObject()->className()) + QLatin1Char(' ') +
+                      each->accessibleName();
+    }
+    QVERIFY2(missed.isEmpty(), qPrintable(missed.join(QLatin1Char('\n'))));
+    QVERIFY2(reached > 60, qPrintable(QString::number(reached)));
+    QVERIFY(seen.contains(&window->viewport()));
+  }
+
+  void a_colour_outside_of_srgb_can_be_brought_in_and_back() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    window->show();
+    Document& document = window->document();
+    ColorField& field = window->inspector().specular();
+    const auto button = [&](const QString& text) {
+      for (auto* each : field.findChildren<QToolButton*>())
+        if (each->text() == text) return each;
+      return static_cast<QToolButton*>(nullptr);
+    };
+    QVERIFY(button(QStringLiteral("Clip"))->isVisible());
+    const ProjectMaterial gold = *document.material();
+    const LinearRgb measured = gold.specular;
+    QVERIFY(measured.r > 1);
+    button(QStringLiteral("Clip"))->click();
+    QCOMPARE(document.material()->specular, (LinearRgb{1, measured.g, measured.b}));
+    QVERIFY(!document.material()->measured);
+    QVERIFY(!button(QStringLiteral("Clip"))->isVisible());
+    document.undo_stack().undo();
+    QVERIFY(*document.material() == gold);
+    QVERIFY(button(QStringLiteral("Keep hue"))->isVisible());
+    button(QStringLiteral("Keep hue"))->click();
+    const LinearRgb kept = document.material()->specular;
+    QCOMPARE(kept.r, 1.0);
+    QVERIFY(std::abs(kept.g / kept.r - measured.g / measured.r) < 1e-12);
+    QVERIFY(std::abs(kept.b / kept.r - measured.b / measured.r) < 1e-12);
+    document.undo_stack().undo();
+    QVERIFY(*document.material() == gold);
+    // A channel below 0: mixed with grey until it is 0.
+    emit field.edited({0.5, 0.4, -0.1}, next_press_id());
+    QCOMPARE(document.material()->specular.b, -0.1);
+    button(QStringLiteral("Keep hue"))->click();
+    QVERIFY(std::abs(document.material()->specular.b) < 1e-12);
+    QVERIFY(document.material()->specular.r < 0.5);
+  }
+
+  void every_parameter_goes_back_by_its_button() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    window->show();
+    Document& document = window->document();
+    ProjectMaterial m = *document.material();
+    m.alpha_mode = AlphaMode::mask;  // the cutoff counts
+    m.specular_model = "abc-schlick";
+    m.diffuse_model = "oren-nayar";
+    document.edit(0, m, QStringLiteral("model"), next_press_id());
+    int checked = 0;
+    const auto check = [&](QWidget& page) {
+      for (auto* field : page.findChildren<NumberField*>()) {
+        if (!field->isEnabled() || !field->isVisible()) continue;
+        const double before = field->value();
+        const double other = before + (before > field->box().minimum() + 0.05 ? -0.05 : 0.05);
+        field->box().setValue(other);
+        QVERIFY2(std::abs(field->value() - other) < 1e-6, qPrintable(field->accessibleName()));
+        const Project edited = document.project();
+        const int steps = document.undo_stack().count();
+        for (auto* button : field->findChildren<QToolButton*>())
+          if (button->accessibleName().startsWith(QLatin1String("Reset"))) button->click();
+        QCOMPARE(document.undo_stack().count(), steps + 1);
+        QVERIFY2(field->value() != other, qPrintable(field->accessibleName()));
+        document.undo_stack().undo();
+        QVERIFY(document.project() == edited);
+        document.undo_stack().redo();
+        ++checked;
+      }
+    };
+    check(window->inspector());
+    QVERIFY2(checked >= 4, qPrintable(QString::number(checked)));
+    for (const int tab : {1, 2}) {
+      window->inspector_tabs().setCurrentIndex(tab);
+      check(*window->inspector_tabs().currentWidget());
+    }
+    QVERIFY2(checked >= 7, qPrintable(QString::number(checked)));
+    // Colours, too.
+    window->inspector_tabs().setCurrentIndex(0);
+    emit window->inspector().diffuse().edited({0.1, 0.2, 0.3}, next_press_id());
+    for (auto* button : window->inspector().diffuse().findChildren<QToolButton*>())
+      if (button->accessibleName().startsWith(QLatin1String("Reset"))) button->click();
+    QCOMPARE(document.material()->diffuse, (LinearRgb{0, 0, 0}));
+  }
+
+  void the_eyedropper_takes_the_colour_under_the_click() {
+    QWidget page;
+    page.setStyleSheet(QStringLiteral("background: #336699"));
+    page.resize(400, 300);
+    ColorField field(QStringLiteral("Test"), {0.04, 0.04, 0.04}, &page);
+    field.setGeometry(0, 0, 300, 120);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    QToolButton* pick = nullptr;
+    for (auto* each : field.findChildren<QToolButton*>())
+      if (each->accessibleName().endsWith(QLatin1String("eyedropper"))) pick = each;
+    QVERIFY(pick != nullptr);
+    QSignalSpy edits(&field, &ColorField::edited);
+    // Escape: none.
+    pick->click();
+    QTest::keyClick(&field, Qt::Key_Escape);
+    QCOMPARE(edits.count(), 0);
+    QTest::qWait(10);
+    pick->click();
+    QTest::mouseClick(&field, Qt::LeftButton, {}, QPoint(350, 250));
+    QCOMPARE(edits.count(), 1);
+    QCOMPARE(hex(srgb_u8(field.color())), std::string("#336699"));
   }
 
   void a_colour_is_the_same_in_its_three_forms() {
     ColorField field(QStringLiteral("Test"), {0.04, 0.04, 0.04});
     QSignalSpy edits(&field, &ColorField::edited);
     const auto boxes = field.findChildren<FineSpinBox*>();
-    QCOMPARE(boxes.size(), 3);
+    QCOMPARE(boxes.size(), 6);  // in pairs: linear, 8 bit
     boxes[0]->setValue(1.25);
     QCOMPARE(edits.count(), 1);
     QCOMPARE(field.color(), (LinearRgb{1.25, 0.04, 0.04}));
@@ -100,7 +222,15 @@ class EditorWidgets : public QObject {
     hexadecimal->setText(QStringLiteral("#808080"));
     emit hexadecimal->editingFinished();
     QCOMPARE(field.color(), srgb_decode(Srgb8{128, 128, 128}));
-    QCOMPARE(boxes[1]->value(), std::round(srgb_decode(128 / 255.0) * 1e6) / 1e6);
+    QCOMPARE(boxes[2]->value(), std::round(srgb_decode(128 / 255.0) * 1e6) / 1e6);
+    // A turn of the wheel is one edit of a code, ten with Ctrl; several closely are one press.
+    turn_wheel(*boxes[1], 1);
+    turn_wheel(*boxes[1], 1, Qt::ControlModifier);
+    turn_wheel(*boxes[1], -1, Qt::ShiftModifier);
+    QCOMPARE(hexadecimal->text(), QStringLiteral("#8a8080"));
+    QCOMPARE(edits[edits.count() - 1][1], edits[edits.count() - 3][1]);
+    turn_wheel(*boxes[1], -1, Qt::ControlModifier);
+    QCOMPARE(hexadecimal->text(), QStringLiteral("#808080"));
     // What is no colour changes nothing.
     hexadecimal->setText(QStringLiteral("gold"));
     emit hexadecimal->editingFinished();

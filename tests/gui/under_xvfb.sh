@@ -6,4 +6,7 @@ if ! command -v xvfb-run >/dev/null || ! command -v xauth >/dev/null; then
   exit 0
 fi
 unset WAYLAND_DISPLAY
-exec env QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 2600x1500x24" "$@"
+# Room for a window of 2560x1440, at 2x if need be.
+screen=2600x1500x24
+[ "${QT_SCALE_FACTOR:-1}" = 1 ] || screen=5200x3000x24
+exec env QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 $screen" "$@"

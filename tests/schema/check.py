@@ -97,7 +97,9 @@ with tempfile.TemporaryDirectory() as folder:
     # A project as etak-editor saves it; that etak pack takes it is looked at below.
     project = {"schema": "etak-project/1", "materials": [
         {"name": "gold", "measured": {"material": "gold", "outside": "water"}, "gloss": 0.7},
-        {"name": "red", "diffuse": [0.5, 0.1, 0.1], "specular": [0.04, 0.04, 0.04], "model": "ggx-f82"}]}
+        {"name": "red", "diffuse": [0.5, 0.1, 0.1], "specular": [0.04, 0.04, 0.04], "model": "ggx-f82"}],
+        "view": {"compare": {"on": True, "pinned": {"name": "copper", "measured": {"material": "copper"}}},
+                 "wedge": {"on": True, "parameter": "gloss", "steps": 5}}}
     check(schema("project"), project, "project")
 
 check(schema("stability"), json.loads(run("stability", "--format", "json")), "stability")

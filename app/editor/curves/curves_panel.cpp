@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
+#include <QStackedWidget>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -35,6 +36,7 @@ QLabel* label_for(QWidget* control, const QString& text) {
 CurvesPanel::CurvesPanel(QWidget* parent)
     : QWidget(parent),
       tabs_(new QTabWidget),
+      beside_tabs_(new QStackedWidget),
       index_(new LinePlotWidget),
       reflectance_(new LinePlotWidget),
       angles_(new LinePlotWidget),
@@ -44,6 +46,7 @@ CurvesPanel::CurvesPanel(QWidget* parent)
       light_(new QDoubleSpinBox) {
   pool_.setMaxThreadCount(1);
   tabs_->setAccessibleName(tr("Curves"));
+  tabs_->setCornerWidget(beside_tabs_);
   channel_->addItems({tr("Red"), tr("Green"), tr("Blue"), tr("Luminance")});
   channel_->setCurrentIndex(3);
   scale_->addItems({tr("Linear"), tr("Logarithmic")});
@@ -62,6 +65,7 @@ CurvesPanel::CurvesPanel(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(tabs_);
 
+  connect(tabs_, &QTabWidget::currentChanged, beside_tabs_, &QStackedWidget::setCurrentIndex);
   connect(channel_, &QComboBox::currentIndexChanged, this, [this] { show_angles(); });
   connect(scale_, &QComboBox::currentIndexChanged, this, [this] { show_lobe(); });
   connect(light_, &QDoubleSpinBox::valueChanged, this, [this] { ask(); });
@@ -79,10 +83,14 @@ QWidget* CurvesPanel::with_controls(PlotWidget* plot, const std::vector<QWidget*
   auto* page = new QWidget;
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(4, 4, 4, 4);
-  layout->setSpacing(4);
-  auto* row = new QHBoxLayout;
-  for (QWidget* control : controls) row->addWidget(control);
+  layout->addWidget(plot);
+  // Beside the tabs, where they cost the plot no height.
+  auto* own = new QWidget;
+  auto* row = new QHBoxLayout(own);
+  row->setContentsMargins(0, 0, 4, 0);
+  row->setSpacing(4);
   row->addStretch();
+  for (QWidget* control : controls) row->addWidget(control);
   const auto button = [&](const QString& text, const QString& name, auto act) {
     auto* out = new QToolButton;
     out->setText(text);
@@ -93,8 +101,7 @@ QWidget* CurvesPanel::with_controls(PlotWidget* plot, const std::vector<QWidget*
   };
   button(tr("CSV"), tr("Copy the curves as CSV"), &PlotWidget::copy_csv);
   button(tr("SVG"), tr("Copy the plot as SVG"), &PlotWidget::copy_svg);
-  layout->addLayout(row);
-  layout->addWidget(plot, 1);
+  beside_tabs_->addWidget(own);
   return page;
 }
 

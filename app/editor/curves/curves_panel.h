@@ -16,6 +16,7 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QStackedWidget;
 class QTabWidget;
 
 namespace etak::editor {
@@ -83,6 +84,7 @@ class CurvesPanel : public QWidget {
   QWidget* with_controls(PlotWidget* plot, const std::vector<QWidget*>& controls);
 
   QTabWidget* tabs_;
+  QStackedWidget* beside_tabs_;
   LinePlotWidget *index_, *reflectance_, *angles_;
   PolarPlotWidget* lobe_;
   QComboBox *channel_, *scale_;

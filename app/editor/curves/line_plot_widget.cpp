@@ -2,7 +2,6 @@
 #include "app/editor/curves/line_plot_widget.h"
 
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
@@ -51,7 +50,7 @@ void LinePlotWidget::draw(QPainter& painter, const QRectF& area) {
   draw_axes(painter, area);
   painter.save();
   painter.setClipRect(frame_.adjusted(-3, -3, 3, 3));
-  for (const PlotCurve& curve : plot_.curves) draw_curve(painter, curve);
+  draw_curves(painter);
   painter.restore();
 }
 
@@ -107,43 +106,13 @@ void LinePlotWidget::draw_axes(QPainter& painter, const QRectF& area) {
   }
 }
 
-void LinePlotWidget::draw_curve(QPainter& painter, const PlotCurve& curve) const {
-  const PlotAxis& axis = axis_of(curve);
-  painter.setPen(pen_of(curve.css_class));
-  painter.setBrush(Qt::NoBrush);
-  QPainterPath path;
-  bool begun = false;
-  for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    if (!std::isfinite(curve.y[i])) {
-      begun = false;
-      continue;
-    }
-    const QPointF at = point(curve.x[i], curve.y[i], axis);
-    if (curve.dots) {
-      painter.drawPoint(at);
-    } else if (begun) {
-      path.lineTo(at);
-    } else {
-      path.moveTo(at);
-      begun = true;
-    }
-  }
-  painter.drawPath(path);
-}
-
 std::optional<double> LinePlotWidget::place_at(QPointF at) const {
   if (!frame_.contains(at)) return std::nullopt;
   return plot_.x.least + (at.x() - frame_.left()) / frame_.width() * (plot_.x.most - plot_.x.least);
 }
 
-std::vector<PlotWidget::Reading> LinePlotWidget::readings(double at) const {
-  std::vector<Reading> out;
-  for (const PlotCurve& curve : plot_.curves) {
-    const double y = value_at(curve, at);
-    if (curve.dots || !std::isfinite(y)) continue;
-    out.push_back({text_of(curve.title), y, pen_of(curve.css_class).color(), point(at, y, axis_of(curve))});
-  }
-  return out;
+QPointF LinePlotWidget::place_of(const PlotCurve& curve, double x, double y) const {
+  return point(x, y, axis_of(curve));
 }
 
 QString LinePlotWidget::place_text(double at) const {

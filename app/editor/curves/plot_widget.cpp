@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPainter>
+#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
@@ -117,7 +118,42 @@ void PlotWidget::set_cursor(std::optional<double> at) {
   update();
 }
 
+std::vector<PlotWidget::Reading> PlotWidget::readings(double at) const {
+  std::vector<Reading> out;
+  for (const PlotCurve& curve : curves()) {
+    const double value = value_at(curve, at);
+    if (curve.dots || !std::isfinite(value)) continue;
+    out.push_back({text_of(curve.title), value, pen_of(curve.css_class).color(), place_of(curve, at, value)});
+  }
+  return out;
+}
+
 // ---- drawing
+
+void PlotWidget::draw_curves(QPainter& painter) const {
+  painter.setBrush(Qt::NoBrush);
+  for (const PlotCurve& curve : curves()) {
+    painter.setPen(pen_of(curve.css_class));
+    QPainterPath path;
+    bool begun = false;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+      if (!std::isfinite(curve.y[i])) {
+        begun = false;
+        continue;
+      }
+      const QPointF at = place_of(curve, curve.x[i], curve.y[i]);
+      if (curve.dots) {
+        painter.drawPoint(at);
+      } else if (begun) {
+        path.lineTo(at);
+      } else {
+        path.moveTo(at);
+        begun = true;
+      }
+    }
+    painter.drawPath(path);
+  }
+}
 
 double PlotWidget::legend(QPainter* painter, bool brief) const {
   constexpr double sample = 28, gap = 6, between = 16, edge = 8;

@@ -2,7 +2,6 @@
 #include "app/editor/curves/polar_plot_widget.h"
 
 #include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
@@ -35,25 +34,7 @@ void PolarPlotWidget::draw(QPainter& painter, const QRectF& area) {
   centre_ = {area.center().x(),
              area.top() + above + std::max(rim_, (area.height() - below - above + rim_) / 2)};
   draw_grid(painter);
-  painter.setBrush(Qt::NoBrush);
-  for (const PlotCurve& curve : plot_.curves) {
-    QPainterPath path;
-    bool begun = false;
-    for (std::size_t i = 0; i < curve.x.size(); ++i) {
-      if (!std::isfinite(curve.y[i])) {
-        begun = false;
-        continue;
-      }
-      const QPointF at = on_rim(curve.x[i], polar_radius(plot_, curve.y[i]));
-      if (begun)
-        path.lineTo(at);
-      else
-        path.moveTo(at);
-      begun = true;
-    }
-    painter.setPen(pen_of(curve.css_class));
-    painter.drawPath(path);
-  }
+  draw_curves(painter);
 }
 
 void PolarPlotWidget::draw_grid(QPainter& painter) const {
@@ -108,15 +89,8 @@ std::optional<double> PolarPlotWidget::place_at(QPointF at) const {
   return qRadiansToDegrees(std::atan2(from.x(), -from.y()));
 }
 
-std::vector<PlotWidget::Reading> PolarPlotWidget::readings(double at) const {
-  std::vector<Reading> out;
-  for (const PlotCurve& curve : plot_.curves) {
-    const double value = value_at(curve, at);
-    if (!std::isfinite(value)) continue;
-    out.push_back({text_of(curve.title), value, pen_of(curve.css_class).color(),
-                   on_rim(at, polar_radius(plot_, value))});
-  }
-  return out;
+QPointF PolarPlotWidget::place_of(const PlotCurve& /*curve*/, double x, double y) const {
+  return on_rim(x, polar_radius(plot_, y));
 }
 
 QString PolarPlotWidget::place_text(double at) const {

@@ -50,6 +50,9 @@ Project full() {
   out.view.environment_turn_deg = 30;
   out.view.exposure = 1.5;
   out.view.display = "sRGB - Display";
+  out.view.compare = {true, m, "ggx-f82"};
+  out.view.compare.pinned->texture(Channel::gloss).reset();
+  out.view.wedge = {true, "opacity", 5};
   return out;
 }
 
@@ -88,6 +91,34 @@ TEST_CASE("what is wrong in a project is refused with its place") {
   CHECK(contains(refused(head + R"(], "spectra": [{"schema": "etak-material/1"}]})"), "p.json#/spectra/0"));
   CHECK(contains(refused(head + R"(], "view": {"lights": {"schema": "etak-lights/1", "lights": [{}]}}})"),
                  "p.json#/view/lights"));
+  const auto view = [&](const std::string& members) {
+    return refused(head + R"(], "view": {)" + members + "}}");
+  };
+  CHECK(contains(view(R"("compare": {"pinned": {"gloss": 1}})"), "p.json#/view/compare/pinned"));
+  CHECK(contains(view(R"("compare": {"model": "lambert"})"), "p.json#/view/compare/model"));
+  CHECK(contains(view(R"("compare": {"on": 1})"), "p.json#/view/compare/on"));
+  CHECK(contains(view(R"("wedge": {"steps": 17})"), "p.json#/view/wedge/steps"));
+  CHECK(contains(view(R"("wedge": {"steps": 2.5})"), "a whole number"));
+}
+
+TEST_CASE("a file of one material leaves behind what the project compares with") {
+  const Project project = full();
+  const Project one = single(project, project.materials[0]);
+  CHECK(one.view.compare == Comparison{});
+  CHECK(one.view.wedge == project.view.wedge);
+  CHECK(one.materials.size() == 1);
+}
+
+TEST_CASE("a pinned side is brought up to date with the library as the materials are") {
+  Project project;
+  project.view.compare.pinned = ProjectMaterial{};
+  project.view.compare.pinned->name = "gold";
+  project.view.compare.pinned->measured = MeasuredF0{"gold", "", "", {}};
+  CHECK(resolve(project, library()).empty());
+  CHECK(hex(srgb_u8(project.view.compare.pinned->specular)) == "#ffe49c");
+  project.view.compare.pinned->measured = MeasuredF0{"unobtainium", "", "", {}};
+  REQUIRE(resolve(project, library()).size() == 1);
+  CHECK_FALSE(project.view.compare.pinned->measured);
 }
 
 TEST_CASE("measured colours are those of the library, and what is gone keeps its colour") {

@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: Apache-2.0
+// What leaves the window and what comes into it: the question before changes are lost, exports, values
+// copied, files dropped, recent files, what is remembered from run to run.
+#include <QAbstractButton>
+#include <QAction>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QXmlStreamReader>
+
+#include "app/editor/files.h"
+#include "app/editor/inspector.h"
+#include "app/editor/press_id.h"
+#include "app/editor/texture_section.h"
+#include "app/editor/texture_view.h"
+#include "core/exchange/engine_values.h"
+#include "tests/gui/editor_support.h"
+
+using namespace etak;
+using namespace etak::editor;
+
+namespace {
+
+void write(const QString& path, const QByteArray& bytes) {
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(bytes);
+}
+
+QByteArray read(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+// Acts on the next dialog of a kind that stops everything else, as soon as it is there.
+template <class Dialog>
+void when_asked(const std::function<void(Dialog&)>& act) {
+  auto* watch = new QTimer(qApp);
+  QObject::connect(watch, &QTimer::timeout, watch, [watch, act] {
+    auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    watch->stop();
+    watch->deleteLater();
+    act(*dialog);
+  });
+  watch->start(5);
+}
+
+void answer(QMessageBox::StandardButton button) {
+  when_asked<QMessageBox>([button](QMessageBox& box) { box.button(button)->click(); });
+}
+
+void choose_file(const QString& path) {
+  when_asked<QFileDialog>([path](QFileDialog& dialog) {
+    dialog.selectFile(path);
+    static_cast<QDialog&>(dialog).accept();
+  });
+}
+
+QAction* action_named(const QObject& where, const QString& name) {
+  for (QAction* each : where.findChildren<QAction*>())
+    if (each->text().remove(QLatin1Char('&')).remove(QChar(0x2026)) == name) return each;
+  return nullptr;
+}
+
+// What the window's message says, which is closed.
+QString message(TestWindow& window) {
+  QString out;
+  const auto box = [&] {
+    for (QMessageBox* each : window->findChildren<QMessageBox*>())
+      if (each->isVisible()) return each;
+    return static_cast<QMessageBox*>(nullptr);
+  };
+  (void)QTest::qWaitFor([&] { return box() != nullptr; }, 5000);
+  if (QMessageBox* found = box()) {
+    out = found->text() + QLatin1Char('\n') + found->informativeText();
+    found->close();
+  }
+  return out;
+}
+
+// A drop as the window system brings it.
+void drop(QWidget& widget, const QStringList& files) {
+  QMimeData data;
+  QList<QUrl> urls;
+  for (const QString& each : files) urls << QUrl::fromLocalFile(each);
+  data.setUrls(urls);
+  const QPoint middle = widget.rect().center();
+  QDragEnterEvent enter(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&widget, &enter);
+  QVERIFY(enter.isAccepted());
+  QDropEvent event(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&widget, &event);
+}
+
+QWidget* texture_row(TestWindow& window, Channel channel) {
+  for (QWidget* each : window->inspector().textures().findChildren<QWidget*>())
+    if (each->property("channel").isValid() && each->property("channel").toInt() == static_cast<int>(channel))
+      return each;
+  return nullptr;
+}
+
+QString picture(TestWindow& window, const QString& name) {
+  QImage out(8, 8, QImage::Format_RGB32);
+  out.fill(QColor(120, 130, 140));
+  const QString file = window.file(name);
+  out.save(file);
+  return file;
+}
+
+constexpr const char* page =
+    "REFERENCES: |\n    A. Tester. Test data. J. Tests 1, 2 (2001)\nDATA:\n  - type: tabulated nk\n"
+    "    data: |\n        0.3 1.6 0\n        0.5 1.55 0\n        0.9 1.5 0\n";
+
+}  // namespace
+
+class EditorFiles : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QApplication::setQuitOnLastWindowClosed(false);
+  }
+
+  void closing_with_changes_asks_and_does_what_is_answered() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    window->show();
+    answer(QMessageBox::Cancel);
+    QVERIFY(!window->close());
+    QVERIFY(window->isVisible() && window->document().material() != nullptr);
+
+    // Save, but no name is chosen: nothing is closed.
+    answer(QMessageBox::Save);
+    when_asked<QFileDialog>([](QFileDialog& dialog) { dialog.reject(); });
+    QVERIFY(!window->close());
+
+    const QString file = window.file(QStringLiteral("p.json"));
+    answer(QMessageBox::Save);
+    choose_file(file);
+    QVERIFY(window->close());
+    const Opened opened = open_project(file, MaterialLibrary::builtin());
+    QVERIFY2(opened.error.isEmpty(), qPrintable(opened.error));
+    QCOMPARE(opened.project.materials.size(), std::size_t{1});
+
+    // A saved project asks nothing; a changed one that is discarded leaves the file as it was.
+    window->show();
+    QVERIFY(window->close());
+    window->show();
+    ProjectMaterial m = *window->document().material();
+    m.gloss = 0.1;
+    window->document().edit(0, m, QStringLiteral("gloss"), next_press_id());
+    const QByteArray before = read(file);
+    answer(QMessageBox::Discard);
+    QVERIFY(window->close());
+    QCOMPARE(read(file), before);
+  }
+
+  void a_new_project_asks_too() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    answer(QMessageBox::Cancel);
+    action_named(*window, QStringLiteral("New project"))->trigger();
+    QCOMPARE(window->document().project().materials.size(), std::size_t{1});
+    answer(QMessageBox::Discard);
+    action_named(*window, QStringLiteral("New project"))->trigger();
+    QVERIFY(window->document().project().materials.empty());
+    QVERIFY(window->document().is_saved());
+  }
+
+  void saving_where_nothing_can_be_written_keeps_the_window_open() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    window->show();
+    // No user may write there, root neither.
+    answer(QMessageBox::Save);
+    choose_file(QStringLiteral("/proc/project.json"));
+    QVERIFY(!window->close());
+    QVERIFY(message(window).contains(QLatin1String("not saved")));
+    QVERIFY(!window->document().is_saved());
+  }
+
+  void every_export_writes_its_file() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    const auto exported = [&](const QString& name, const QString& file) {
+      choose_file(window.file(file));
+      action_named(*window, name)->trigger();
+      if (!QTest::qWaitFor([&] { return QFile::exists(window.file(file)); }, 20000)) return QByteArray();
+      return read(window.file(file));
+    };
+    const QByteArray mtlx = exported(QStringLiteral("MaterialX"), QStringLiteral("gold.mtlx"));
+    // Gold's red is above 1, which the format does not take: said.
+    QVERIFY(message(window).contains(QLatin1String("clamp")));
+    QXmlStreamReader xml(mtlx);
+    bool surface = false;
+    while (!xml.atEnd())
+      if (xml.readNext() == QXmlStreamReader::StartElement)
+        surface = surface || xml.name() == QLatin1String("open_pbr_surface");
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+    QVERIFY(surface);
+    const QByteArray gltf = exported(QStringLiteral("glTF"), QStringLiteral("gold.gltf"));
+    QVERIFY(QJsonDocument::fromJson(gltf).object().contains(QLatin1String("materials")));
+    (void)message(window);
+    QVERIFY(exported(QStringLiteral("glTF, binary"), QStringLiteral("gold.glb")).startsWith("glTF"));
+    (void)message(window);
+    QVERIFY(exported(QStringLiteral("Save material as"), QStringLiteral("one.json")).contains("\"Gold\""));
+    QVERIFY(exported(QStringLiteral("Save picture"), QStringLiteral("one.png")).startsWith("\x89PNG"));
+    // Where nothing can be written: said, and nothing else happens.
+    choose_file(QStringLiteral("/proc/gold.mtlx"));
+    action_named(*window, QStringLiteral("MaterialX"))->trigger();
+    QVERIFY(message(window).contains(QLatin1String("not exported")));
+  }
+
+  void every_form_of_a_value_is_copied() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    const ExportSurface surface =
+        export_surface(*window->document().material(), *window->document().library());
+    QVERIFY(engine_targets().size() >= 10);
+    for (const EngineTarget& target : engine_targets()) {
+      QApplication::clipboard()->setText(QStringLiteral("nothing"));
+      const auto title = QString::fromUtf8(target.title.data(), static_cast<qsizetype>(target.title.size()));
+      QAction* copy = action_named(*window, title);
+      QVERIFY2(copy != nullptr, qPrintable(title));
+      copy->trigger();
+      QCOMPARE(QApplication::clipboard()->text(),
+               QString::fromStdString(copy_text(engine_values(target, surface))));
+    }
+    const EngineTarget* hexadecimal = engine_target("hex");
+    QVERIFY(QString::fromStdString(copy_text(engine_values(*hexadecimal, surface)))
+                .contains(QLatin1String("#ffe49c"), Qt::CaseInsensitive));
+  }
+
+  void dropped_spectra_become_measured_materials() {
+    TestWindow window(true);
+    QSignalSpy opened(window.window.get(), &Window::opened);
+    write(window.file(QStringLiteral("glass.yml")), page);
+    drop(window->viewport(), {window.file(QStringLiteral("glass.yml"))});
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
+    QCOMPARE(window->document().project().materials.size(), std::size_t{1});
+    QVERIFY(window->document().material()->measured.has_value());
+
+    write(window.file(QStringLiteral("Steel.CSV")), "nm,n,k\n380,2,3\n500,2.2,3.1\n780,2.5,3.4\n");
+    drop(*window, {window.file(QStringLiteral("Steel.CSV"))});
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 2; }, 20000));
+    QVERIFY2(opened.back().front().toBool(), qPrintable(message(window)));
+    QCOMPARE(window->document().material()->name, std::string("Steel"));
+    QVERIFY(window->document().material()->specular.g > 0.4);
+    window->document().undo_stack().undo();
+    QCOMPARE(window->document().project().materials.size(), std::size_t{1});
+  }
+
+  void a_dropped_environment_lights_the_scene() {
+    TestWindow window(true);
+    window->show();
+    const QString file = window.file(QStringLiteral("sky.hdr"));
+    QByteArray hdr("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n");
+    for (int i = 0; i < 8; ++i) hdr += QByteArray("\x80\x90\xa0\x81", 4);
+    write(file, hdr);
+    for (QWidget* target :
+         {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {
+      drop(*target, {file});
+      QCOMPARE(window->document().project().view.lights.environment, file.toStdString());
+      QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().environment != nullptr; }, 20000));
+      window->document().undo_stack().undo();
+      QVERIFY(window->document().project().view.lights.environment.empty());
+      QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().environment == nullptr; }, 20000));
+    }
+  }
+
+  void pictures_go_to_the_channel_they_are_dropped_on_or_named_for() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    window->show();
+    const QString wood = picture(window, QStringLiteral("wood.png"));
+    const QString gloss = picture(window, QStringLiteral("wood_gloss.png"));
+    QWidget* row = texture_row(window, Channel::specular);
+    QVERIFY(row != nullptr);
+    drop(*row, {wood});
+    QCOMPARE(window->document().material()->texture(Channel::specular)->path, wood.toStdString());
+    drop(window->viewport(), {wood, gloss});
+    QCOMPARE(window->document().material()->texture(Channel::diffuse)->path, wood.toStdString());
+    QCOMPARE(window->document().material()->texture(Channel::gloss)->path, gloss.toStdString());
+    QVERIFY(QTest::qWaitFor([&] { return window->texture_view().textures() != nullptr; }, 20000));
+    QVERIFY2(window->texture_view().told().startsWith(QLatin1String("8 x 8")),
+             qPrintable(window->texture_view().told()));
+    window->document().undo_stack().undo();
+    window->document().undo_stack().undo();
+    QVERIFY(!window->document().material()->texture(Channel::specular));
+  }
+
+  void files_of_other_kinds_are_refused_with_a_message() {
+    TestWindow window(true);
+    window->show();
+    write(window.file(QStringLiteral("letter.docx")), "x");
+    write(window.file(QStringLiteral("page.yml")), page);
+    const QString wood = picture(window, QStringLiteral("wood.png"));
+    // A texture without a material to put it on.
+    drop(window->viewport(), {wood});
+    QVERIFY(message(window).contains(QLatin1String("needs a material")));
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    const Project before = window->document().project();
+    for (QWidget* target :
+         {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {
+      drop(*target, {window.file(QStringLiteral("letter.docx"))});
+      const QString told = message(window);
+      QVERIFY2(told.contains(QLatin1String("letter.docx")) && told.contains(QLatin1String(".csv")),
+               qPrintable(told));
+    }
+    drop(*texture_row(window, Channel::gloss), {window.file(QStringLiteral("page.yml"))});
+    QVERIFY(message(window).contains(QLatin1String("no picture")));
+    QVERIFY(window->document().project() == before);
+    // A page that is none, by its right ending.
+    QSignalSpy opened(window.window.get(), &Window::opened);
+    write(window.file(QStringLiteral("page.yml")), "no: page");
+    drop(window->viewport(), {window.file(QStringLiteral("page.yml"))});
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
+    QVERIFY(message(window).contains(QLatin1String("page.yml")));
+    QVERIFY(window->document().project() == before);
+  }
+
+  void a_comparison_and_a_wedge_come_back_with_the_project() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    action_named(*window, QStringLiteral("Pin as B"))->trigger();
+    QVERIFY(window->use_library_material(QStringLiteral("copper")));
+    Comparison compare = window->document().project().view.compare;
+    QVERIFY(compare.on && compare.pinned && compare.pinned->name == "Gold");
+    compare.model = "ggx-f82";
+    window->document().edit_compare(compare, QStringLiteral("model of B"));
+    window->document().edit_wedge({true, "gloss", 5}, QStringLiteral("wedge"), next_press_id());
+    const QString file = window.file(QStringLiteral("p.json"));
+    QSignalSpy saved(window.window.get(), &Window::saved);
+    window->save_to(file);
+    QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1; }, 20000));
+    const ProjectView view = window->document().project().view;
+
+    TestWindow other(true);
+    QSignalSpy opened(other.window.get(), &Window::opened);
+    other->open(file);
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
+    QVERIFY(other->document().project().view == view);
+    QVERIFY(QTest::qWaitFor([&] { return other->viewport().state().split; }, 5000));
+    QCOMPARE(other->viewport().state().b.label, std::string("Gold, ggx-f82"));
+    QVERIFY(other->viewport().state().shape == ViewShape::wedge);
+    QCOMPARE(other->viewport().state().wedge_steps, 5);
+    other->document().edit_compare({}, QStringLiteral("compare"));
+    other->document().undo_stack().undo();
+    QVERIFY(other->document().project().view.compare == compare);
+  }
+
+  void recent_files_the_layout_and_the_theme_are_remembered() {
+    QTemporaryDir settings;
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+    QCoreApplication::setOrganizationName(QStringLiteral("etak test"));
+    const auto made = [&] {
+      WindowOptions options;
+      options.cpu_viewport = true;
+      options.data_folder = options.cache_folder = settings.path();
+      return std::make_unique<Window>(options);
+    };
+    const QString file = settings.filePath(QStringLiteral("p.json"));
+    {
+      const auto window = made();
+      window->show();
+      QVERIFY(window->use_library_material(QStringLiteral("gold")));
+      QSignalSpy saved(window.get(), &Window::saved);
+      window->save_to(file);
+      QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1; }, 20000));
+      window->resize(1111, 777);
+      window->findChild<QDockWidget*>(QStringLiteral("project"))->hide();
+      window->addDockWidget(Qt::RightDockWidgetArea,
+                            window->findChild<QDockWidget*>(QStringLiteral("library")));
+      action_named(*window, QStringLiteral("Light"))->trigger();
+      QVERIFY(window->close());
+    }
+    const auto window = made();
+    window->show();
+    QCOMPARE(window->size(), QSize(1111, 777));
+    QVERIFY(window->findChild<QDockWidget*>(QStringLiteral("project"))->isHidden());
+    auto* library = window->findChild<QDockWidget*>(QStringLiteral("library"));
+    QCOMPARE(window->dockWidgetArea(library), Qt::RightDockWidgetArea);
+    QCOMPARE(QSettings().value(QStringLiteral("theme")).toString(), QStringLiteral("light"));
+    action_named(*window, QStringLiteral("Reset the layout"))->trigger();
+    QCOMPARE(window->dockWidgetArea(library), Qt::LeftDockWidgetArea);
+    QVERIFY(!window->findChild<QDockWidget*>(QStringLiteral("project"))->isHidden());
+
+    QMenu* recent = nullptr;
+    for (QMenu* each : window->findChildren<QMenu*>())
+      if (each->accessibleName() == QLatin1String("Recent files")) recent = each;
+    QVERIFY(recent != nullptr);
+    emit recent->aboutToShow();
+    QCOMPARE(recent->actions().size(), 1);
+    QCOMPARE(recent->actions().front()->text(), file);
+    QSignalSpy opened(window.get(), &Window::opened);
+    recent->actions().front()->trigger();
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
+    QCOMPARE(window->document().path(), file);
+    // A file that is gone is told, and leaves the list.
+    QFile::remove(file);
+    emit recent->aboutToShow();
+    recent->actions().front()->trigger();
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 2; }, 20000));
+    QCOMPARE(opened.back().front().toBool(), false);
+    emit recent->aboutToShow();
+    QVERIFY(!recent->actions().front()->isEnabled());
+  }
+};
+
+QTEST_MAIN(EditorFiles)
+#include "test_editor_files.moc"
