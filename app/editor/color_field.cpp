@@ -203,9 +203,9 @@ void ColorField::show_all() {
   outside_->setVisible(!outside.empty());
   if (!outside.empty()) {
     // A channel and its number stay together where the line breaks.
-    QString told = QString::fromStdString(outside);
-    told.replace(QLatin1Char(' '), QChar(QChar::Nbsp)).replace(QLatin1Char(','), QStringLiteral(", "));
-    badge_->setText(tr("outside sRGB: %1").arg(told));
+    QStringList channels = QString::fromStdString(outside).split(QStringLiteral(", "));
+    channels.replaceInStrings(QStringLiteral(" "), QString(QChar(QChar::Nbsp)));
+    badge_->setText(tr("outside sRGB: %1").arg(channels.join(QStringLiteral(", "))));
   }
   showing_ = false;
 }

@@ -100,31 +100,37 @@ class EditorScreenshots : public QObject {
     QFETCH(QString, theme);
     QFETCH(QSize, size);
     apply_theme(*qApp, theme_named(theme));
-    TestWindow window;
-    window->resize(size);
-    window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window.window.get()));
-    QCOMPARE(window->size(), size);
+    QTemporaryDir data;
+    WindowOptions options;
+    options.remember = false;
+    options.data_folder = data.path();
+    options.cache_folder = cache_.path();  // thumbnails are the same in all of them
+    Window window(options);
+    window.resize(size);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QCOMPARE(window.size(), size);
     const bool empty = state == QLatin1String("empty");
-    const QString problem = bring_into_state(*window, empty ? QString() : QStringLiteral("gold"), {}, state);
+    const QString problem = bring_into_state(window, empty ? QString() : QStringLiteral("gold"), {}, state);
     QVERIFY2(problem.isEmpty(), qPrintable(problem));
-    const QImage picture = picture_of(*window).toImage();
+    const QImage picture = picture_of(window).toImage();
     QCOMPARE(picture.size(), size * scale());
     const QDir folder(QStringLiteral(ETAK_BUILD_FOLDER "/screenshots"));
     QVERIFY(QDir().mkpath(folder.path()));
-    const QString gl = window->viewport().uses_gl() ? QString() : QStringLiteral("-cpu");
+    const QString gl = window.viewport().uses_gl() ? QString() : QStringLiteral("-cpu");
     QVERIFY(picture.save(folder.filePath(QStringLiteral("%1-%2-%3x%4@%5%6.png")
                                              .arg(state, theme)
                                              .arg(size.width())
                                              .arg(size.height())
                                              .arg(scale())
                                              .arg(gl))));
-    const QStringList problems = cut_texts(*window);
+    const QStringList problems = cut_texts(window);
     QVERIFY2(problems.isEmpty(), qPrintable(problems.join(QLatin1Char('\n'))));
   }
 
  private:
   static double scale() { return qApp->devicePixelRatio(); }
+  QTemporaryDir cache_;
 };
 
 QTEST_MAIN(EditorScreenshots)

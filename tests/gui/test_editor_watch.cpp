@@ -100,8 +100,7 @@ class EditorWatch : public QObject {
 
   void the_same_with_the_shaders_text_shown() {
     w().tabs().setCurrentWidget(w().tabs().findChild<QPlainTextEdit*>());
-    w().look().split = true;
-    w().look().pinned = *w().document().material();
+    w().document().edit_compare({true, *w().document().material(), {}}, QStringLiteral("compare"));
     watch("models beside their text", [this] {
       for (const char* id : {"ggx-f82", "schueler-optimized-bounded", "cook-torrance", "ggx-schlick"}) {
         if (find_model(id) != nullptr) edit([&](ProjectMaterial& m) { m.specular_model = id; });
