@@ -31,7 +31,7 @@ QString help_text() {
              "  --screenshot FILE   write a PNG of the window and exit; needs no display with "
              "QT_QPA_PLATFORM=offscreen\n"
              "  --model ID          specular model of the screenshot's material (see etak models)\n"
-             "  --size WxH          of the window, default 1280x800\n"
+             "  --size WxH          of the window, default 1280x800; no less than its panels need\n"
              "  --state NAME        what the screenshot shows, one of:\n"
              "                      %1\n"
              "  --theme NAME        dark or light, in place of the remembered one\n"

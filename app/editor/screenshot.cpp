@@ -215,6 +215,14 @@ QPixmap picture_of(Window& window) {
 int take_screenshot(Window& window, const Options& options) {
   window.resize(options.size);
   window.show();
+  // The layout lets no panel get smaller than what is in it.
+  if (window.size() != options.size) {
+    std::fprintf(stderr,
+                 "etak-editor: --size: %dx%d is less than the window needs; expected at least %dx%d\n",
+                 options.size.width(), options.size.height(), window.minimumSizeHint().width(),
+                 window.minimumSizeHint().height());
+    return 2;
+  }
   const QString problem = bring_into_state(window, options.subjects.value(0), options.model, options.state);
   if (!problem.isEmpty()) {
     std::fprintf(stderr, "etak-editor: %s\n", qPrintable(problem));

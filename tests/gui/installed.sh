@@ -62,12 +62,13 @@ refused 'expected dark or light' --theme blue
 refused 'expected one of' --screenshot "$work/a.png" --state none
 refused 'with --screenshot' --state lobe
 refused 'no material of the library' --screenshot "$work/a.png" unobtainium
+refused 'less than the window needs' --screenshot "$work/a.png" gold --size 400x300
 refused 'missing/a.png' --screenshot "$work/missing/a.png" gold
 refused 'one file or material' --screenshot "$work/a.png" gold silver
 [ -e "$work/a.png" ] && fail "a refused screenshot left a picture"
 
 # It draws, by OpenGL where there is a server for it.
-QT_QPA_PLATFORM=offscreen "$editor" --screenshot "$work/b.png" gold --model ggx-f82 --size 900x700 ||
+QT_QPA_PLATFORM=offscreen "$editor" --screenshot "$work/b.png" gold --model ggx-f82 --size 1100x760 ||
   fail "no picture without a display"
 if command -v xvfb-run >/dev/null && command -v xauth >/dev/null; then
   "$(dirname "$0")"/under_xvfb.sh "$editor" --screenshot "$work/c.png" gold || fail "no picture under Xvfb"
@@ -78,4 +79,4 @@ for picture in "$work/b.png" "$work/c.png"; do
   [ "$(head -c 8 "$picture" | od -An -tx1 | tr -d ' ')" = 89504e470d0a1a0a ] || fail "$picture is no PNG"
 done
 # 16 bytes in: width and height.
-[ "$(od -An -j16 -N8 -tx1 "$work/b.png" | tr -d ' ')" = 00000384000002bc ] || fail "--size was not heeded"
+[ "$(od -An -j16 -N8 -tx1 "$work/b.png" | tr -d ' ')" = 0000044c000002f8 ] || fail "--size was not heeded"
