@@ -2,7 +2,9 @@
 #include "app/editor/sections.h"
 
 #include <QEvent>
+#include <QLayout>
 #include <QScrollBar>
+#include <QTimer>
 
 namespace etak::editor {
 
@@ -60,7 +62,19 @@ QSize PanelScroll::minimumSizeHint() const {
 
 bool PanelScroll::eventFilter(QObject* object, QEvent* event) {
   // QScrollArea watches its page for the same event to resize it.
-  if (object == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+  if (object == widget() && event->type() == QEvent::LayoutRequest) {
+    updateGeometry();
+    // The height is asked for before the parts inside have told that theirs is another: once more when they
+    // have.
+    QTimer::singleShot(0, this, [this] {
+      QWidget* page = widget();
+      if (page == nullptr || page->layout() == nullptr) return;
+      page->layout()->activate();
+      if (page->height() >= page->heightForWidth(page->width())) return;
+      QEvent again(QEvent::LayoutRequest);
+      QScrollArea::event(&again);
+    });
+  }
   return QScrollArea::eventFilter(object, event);
 }
 
