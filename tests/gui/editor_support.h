@@ -35,6 +35,13 @@ struct TestWindow {
   }
 };
 
+/// A file of these bytes.
+inline void write(const QString& path, const QByteArray& bytes) {
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(bytes);
+}
+
 /// A turn of the wheel over a widget's middle.
 inline void turn_wheel(QWidget& widget, int notches, Qt::KeyboardModifiers keys = Qt::NoModifier) {
   const QPointF middle = QRectF(widget.rect()).center();

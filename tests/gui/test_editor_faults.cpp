@@ -27,12 +27,6 @@ using namespace etak::editor;
 
 namespace {
 
-void write(const QString& path, const QByteArray& text) {
-  QFile file(path);
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  file.write(text);
-}
-
 void close_messages() {
   for (QWidget* each : QApplication::topLevelWidgets())
     if (auto* box = qobject_cast<QMessageBox*>(each)) box->close();

@@ -160,13 +160,6 @@ class EditorSession : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return packed.count() == 1; }, 60000));
     if (!packed.front().front().toBool()) QVERIFY(!QFile::exists(atlas + QStringLiteral("/layout.json")));
   }
-
- private:
-  static void write(const QString& path, const char* text) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(text);
-  }
 };
 
 QTEST_MAIN(EditorSession)
