@@ -45,7 +45,7 @@ PackDialog::PackDialog(const Project& project, std::shared_ptr<const MaterialLib
   // A table, in columns.
   report_->setReadOnly(true);
   report_->setTabChangesFocus(true);
-  report_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  report_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
   report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   report_->setAccessibleName(tr("Report of packing"));
   report_->setMinimumSize(680, 220);
