@@ -44,7 +44,7 @@ inline int lowest_lane(unsigned bits) {
 }
 
 inline int highest_lane(unsigned bits) {
-  return std::bit_width(bits) - 1;
+  return static_cast<int>(std::bit_width(bits)) - 1;
 }
 
 }  // namespace etak::rects

@@ -65,7 +65,7 @@ LANES_FUNCTION std::pair<int, int> least_key(const int* xs, const int* ys, const
   spread_least(key);
   where = best == key ? where : INT_MAX;
   spread_least(where);
-  return {where[0], key[0]};
+  return {int{where[0]}, int{key[0]}};
 }
 
 // Those of the blocks from `from` on that are large enough: the block and its lanes; 0 where there is none.

@@ -146,7 +146,7 @@ const mip_detail::MipRows* mip_detail::mip_rows() {
 
 int full_mip_levels(int width, int height) {
   assert(width >= 1 && height >= 1);
-  return std::bit_width(static_cast<unsigned>(std::max(width, height)));
+  return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
 }
 
 std::size_t mip_levels(const ConstPixelsView8& a, const ConstPixelsView8& b, const MipOptions& options,
