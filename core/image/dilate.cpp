@@ -2,11 +2,11 @@
 #include "core/image/dilate.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <vector>
 
 #include "core/image/linear_tables.h"
+#include "core/image/lobe_variance.h"
 #include "core/image/mips.h"
 
 namespace etak {
@@ -18,8 +18,6 @@ void repeat(const std::uint8_t* texel, std::uint8_t* out, int count, int channel
     std::memmove(out + static_cast<std::size_t>(i) * static_cast<std::size_t>(channels), texel,
                  static_cast<std::size_t>(channels));
 }
-
-constexpr float gloss_octaves = 12;  // e = 2^(12 g)
 
 // Four lanes: linear R, G, B and a fourth value.
 using Float4 = float __attribute__((vector_size(16)));
@@ -195,7 +193,7 @@ std::size_t bleed_under_alpha(Image& a, Image& b) {
     const auto from = a.at(x, y), other = b.at(x, y);
     if (from[3] == 0) return out;
     out.a = Float4{from[0], from[1], from[2], 1};
-    out.b = Float4{other[0], other[1], other[2], std::exp2(-gloss_octaves * other[3])};
+    out.b = Float4{other[0], other[1], other[2], inverse_exponent(other[3])};
     return out;
   });
   push(blocks);
@@ -205,7 +203,7 @@ std::size_t bleed_under_alpha(Image& a, Image& b) {
       if (to[3] != 0) continue;
       const Block& block = blocks.row(y / 2)[x / 2];
       for (std::size_t c = 0; c < 3; ++c) to[c] = block.a[c], other[c] = block.b[c];
-      other[3] = -std::log2(block.b[3]) / gloss_octaves;
+      other[3] = gloss_of_inverse_exponent(block.b[3]);
     }
   return hidden;
 }
