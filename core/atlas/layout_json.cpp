@@ -3,6 +3,7 @@
 
 #include "core/base/json_node.inc"
 #include "core/base/json_text.h"
+#include "core/base/output_folder.h"
 #include "core/image/image.h"
 
 namespace etak {
@@ -94,6 +95,21 @@ PixelBox box_of(const JsonNode& node) {
           node.at(2).integer(1, max_image_side), node.at(3).integer(1, max_image_side)};
 }
 
+// The name of a file of the atlas. The packer replaces and removes files of these names in its folder, and a
+// layout may come from anyone: a name with a folder in it is refused.
+std::string read_file_name(const JsonNode& node) {
+  std::string out = node.text();
+  if (!is_plain_file_name(out)) node.fail("\"" + printable(out) + "\"", "a file name without folders");
+  return out;
+}
+
+std::vector<std::string> read_file_names(const JsonNode& node) {
+  node.expect_array();
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < node.size(); ++i) out.push_back(read_file_name(node.at(i)));
+  return out;
+}
+
 AtlasPage read_page(const JsonNode& node) {
   node.expect_object();
   AtlasPage out;
@@ -102,10 +118,10 @@ AtlasPage read_page(const JsonNode& node) {
   for (const Texture texture : both_textures) {
     auto& files = out.files[static_cast<std::size_t>(texture)];
     const JsonNode first = node.at(name(texture));
-    if (!first.value.is_null()) files.push_back(first.text());
+    if (!first.value.is_null()) files.push_back(read_file_name(first));
     const std::string more = std::string(name(texture)) + "_more";
     if (node.has(more))
-      for (const std::string& each : node.at(more).texts()) files.push_back(each);
+      for (std::string& each : read_file_names(node.at(more))) files.push_back(std::move(each));
   }
   return out;
 }
@@ -199,7 +215,7 @@ AtlasLayout parse_layout(std::string_view text, std::string_view file) {
   for (std::size_t i = 0; i < rects.size(); ++i)
     out.rects.push_back(read_rect(rects.at(i), out.pages.size()));
   for (std::size_t i = 0; i < materials.size(); ++i) out.materials.push_back(read_material(materials.at(i)));
-  if (root.has("other_files")) out.other_files = root.at("other_files").texts();
+  if (root.has("other_files")) out.other_files = read_file_names(root.at("other_files"));
   return out;
 }
 

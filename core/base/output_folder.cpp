@@ -137,6 +137,11 @@ class DiskQueue {
 
 }  // namespace
 
+bool is_plain_file_name(std::string_view name) {
+  constexpr std::string_view separators("/\0", 2);
+  return !name.empty() && name != "." && name != ".." && name.find_first_of(separators) == name.npos;
+}
+
 struct OutputFolder::State {
   std::string path;         // as the caller wrote it, for messages
   std::string parent_path;  // without links
@@ -160,6 +165,11 @@ struct OutputFolder::State {
   [[noreturn]] void fail(const char* what, const std::string& file = {}) const {
     const std::string why = reason();
     throw Error::at(file.empty() ? path : path + "/" + file, std::string(what) + ": " + why);
+  }
+
+  void expect_plain(const std::string& file) const {
+    if (!is_plain_file_name(file))
+      throw Error::at(path, "cannot hold a file named " + printable(file), "a name without folders");
   }
 
   void find_target();
@@ -301,8 +311,7 @@ std::string OutputFolder::path_until_commit(const std::string& name) const {
 
 std::unique_ptr<OutputFolder::File> OutputFolder::open(const std::string& name) {
   State& s = *state_;
-  if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
-    throw Error::at(s.path, "cannot hold a file named " + printable(name), "a name without folders");
+  s.expect_plain(name);
   {
     const std::lock_guard lock(s.lock);
     if (!s.files.insert(name).second) throw Error::at(s.path + "/" + name, "is written twice");
@@ -327,6 +336,7 @@ void OutputFolder::write(const std::string& name, std::string_view bytes) {
 }
 
 void OutputFolder::remove_old(const std::string& name) {
+  state_->expect_plain(name);
   const std::lock_guard lock(state_->lock);
   state_->removed.insert(name);
 }

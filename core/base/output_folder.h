@@ -8,6 +8,11 @@
 
 namespace etak {
 
+/// Whether `name` is the name of a file in a folder and of nothing elsewhere: not empty, no '/', no NUL,
+/// neither "." nor "..". The one question that decides what etak may write, replace or remove there, also
+/// where the name comes from a file that a stranger made.
+bool is_plain_file_name(std::string_view name);
+
 /// A folder of files that belong together (textures and their layout): all of them appear at once or none,
 /// and an old set stays whole until then, even when the process is killed.
 ///   How: everything is written to a new folder ".NAME.etak-XXXXXX" beside the target, then the two are
@@ -61,7 +66,8 @@ class OutputFolder {
   std::string path_until_commit(const std::string& name) const;
 
   /// Names of files of an earlier set in the target that are not to live on. A name that is not there, or
-  /// that this set has too, does nothing.
+  /// that this set has too, does nothing. Throws Error for a name that could lead out of the target
+  /// (is_plain_file_name): such names come from layouts that others have written.
   void remove_old(const std::string& name);
 
   /// Flushes to disk and puts the set in place. Throws Error; the target is then as it was. Once.

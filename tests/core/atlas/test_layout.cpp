@@ -59,3 +59,15 @@ TEST_CASE("a layout that is wrong is told where") {
   CHECK(contains(fault("\"specular_r\": 56", "\"specular_r\": 256"), "#/materials/0/constant/specular_r"));
   CHECK(contains(error_of([] { (void)parse_layout("[]", "l.json"); }), "l.json"));
 }
+
+TEST_CASE("found 4.01: a layout names files of its own folder only") {
+  for (const char* name : {"../victim.txt", "/absolute", "..", ".", "", "sub/page.png"}) {
+    AtlasLayout other = layout();
+    other.other_files = {"scene.gltf", name};
+    CHECK(contains(error_of([&] { (void)parse_layout(layout_json(other), "l.json"); }),
+                   "l.json#/other_files/1"));
+    AtlasLayout page = layout();
+    page.pages.at(0).files[0] = {name, name};
+    CHECK(contains(error_of([&] { (void)parse_layout(layout_json(page), "l.json"); }), "l.json#/pages/0/"));
+  }
+}

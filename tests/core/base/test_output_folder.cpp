@@ -131,6 +131,24 @@ TEST_CASE("strangers move along, links and folders too; old files that are named
   CHECK((after.st_mode & 0777) == 0750);
 }
 
+TEST_CASE("found 4.01: a name that leads out of the folder is neither written nor removed") {
+  const test::TempFolder folder;
+  const std::string target = folder.file("out");
+  put(target, {{"layout.json", "1"}});
+  test::spit(folder.file("victim"), "precious");
+  {
+    OutputFolder out(target, true);
+    for (const std::string& name :
+         {std::string("../victim"), folder.file("victim"), std::string(".."), std::string()}) {
+      CHECK_THROWS_AS(out.remove_old(name), Error);
+      CHECK_THROWS_AS(out.write(name, "x"), Error);
+    }
+    out.write("layout.json", "2");
+    out.commit();
+  }
+  CHECK(all_in(folder.path()) == Files{{"out/", ""}, {"out/layout.json", "2"}, {"victim", "precious"}});
+}
+
 TEST_CASE("an existing file is an Error unless it may be overwritten; others are not") {
   const test::TempFolder folder;
   const std::string target = folder.file("out");
