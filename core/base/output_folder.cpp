@@ -25,6 +25,7 @@
 
 #include "core/base/descriptor.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 
 namespace etak {
 namespace {
@@ -93,7 +94,11 @@ class DiskQueue {
     // Few descriptors are open at any time.
     room_.wait(lock, [&] { return waiting_.size() < most_waiting; });
     waiting_.emplace_back(std::move(file), name);
-    if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
+    if (thread_.empty() && !start_thread(thread_, [this] { work(); })) {
+      // Without a thread of its own the queue brings each file to the disk at once.
+      bring_first(lock);
+      return;
+    }
     added_.notify_one();
   }
 
@@ -104,7 +109,8 @@ class DiskQueue {
       ended_ = true;
       added_.notify_one();
     }
-    if (thread_.joinable()) thread_.join();
+    for (std::thread& thread : thread_)
+      if (thread.joinable()) thread.join();
     return failure_;
   }
 
@@ -116,15 +122,19 @@ class DiskQueue {
     for (;;) {
       added_.wait(lock, [&] { return ended_ || !waiting_.empty(); });
       if (waiting_.empty()) return;
-      auto [file, name] = std::move(waiting_.front());
-      waiting_.pop_front();
-      room_.notify_one();
-      lock.unlock();
-      const bool good = ::fsync(file.get()) == 0 && file.close();
-      const int error = errno;
-      lock.lock();
-      if (!good && !failure_) failure_.emplace(name, error);
+      bring_first(lock);
     }
+  }
+
+  void bring_first(std::unique_lock<std::mutex>& lock) {
+    auto [file, name] = std::move(waiting_.front());
+    waiting_.pop_front();
+    room_.notify_one();
+    lock.unlock();
+    const bool good = ::fsync(file.get()) == 0 && file.close();
+    const int error = errno;
+    lock.lock();
+    if (!good && !failure_) failure_.emplace(name, error);
   }
 
   std::mutex lock_;
@@ -132,7 +142,7 @@ class DiskQueue {
   std::deque<std::pair<Descriptor, std::string>> waiting_;
   std::optional<std::pair<std::string, int>> failure_;
   bool ended_ = false;
-  std::thread thread_;
+  std::vector<std::thread> thread_;  // none or one
 };
 
 }  // namespace

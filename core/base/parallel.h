@@ -6,14 +6,33 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <new>
+#include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace etak {
 
+/// Starts a thread that runs work(arguments...) and puts it at the end of `threads`. False where the system
+/// starts no more threads (a limit on processes, no memory for a stack): the work is then left to the threads
+/// that there are.
+template <class Work, class... Arguments>
+bool start_thread(std::vector<std::thread>& threads, Work&& work, Arguments... arguments) {
+  try {
+    threads.emplace_back(std::forward<Work>(work), arguments...);
+    return true;
+  } catch (const std::system_error&) {
+    return false;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+}
+
 /// Calls body(begin, end, worker) for consecutive chunks of [0, count) on `threads` threads (the caller is
-/// one of them). Chunks are handed out in order; which worker gets which is not fixed, so results belong in
-/// places named by the index. The first exception is rethrown after all workers have stopped.
+/// one of them, and the only one where no other can be started). Chunks are handed out in order; which worker
+/// gets which is not fixed, so results belong in places named by the index. The first exception is rethrown
+/// after all workers have stopped.
 template <class Body>
 void parallel_chunks(std::size_t count, unsigned threads, std::size_t chunk, Body body) {
   std::atomic<std::size_t> next{0};
@@ -31,7 +50,8 @@ void parallel_chunks(std::size_t count, unsigned threads, std::size_t chunk, Bod
   };
   const std::size_t useful = std::max<std::size_t>(1, (count + chunk - 1) / chunk);
   std::vector<std::thread> helpers;
-  for (unsigned i = 1; i < std::min<std::size_t>(threads, useful); ++i) helpers.emplace_back(work, i);
+  for (unsigned i = 1; i < std::min<std::size_t>(threads, useful); ++i)
+    if (!start_thread(helpers, work, i)) break;
   work(0);
   for (auto& helper : helpers) helper.join();
   if (failure) std::rethrow_exception(failure);

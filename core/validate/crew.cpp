@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/crew.h"
 
+#include "core/base/parallel.h"
+
 namespace etak {
 
 Crew::Crew(unsigned workers) {
-  for (unsigned i = 1; i < workers; ++i) threads_.emplace_back([this, i] { help(i); });
+  for (unsigned i = 1; i < workers; ++i)
+    if (!start_thread(threads_, [this, i] { help(i); })) break;
 }
 
 Crew::~Crew() {

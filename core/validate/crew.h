@@ -15,7 +15,7 @@ namespace etak {
 /// threads for each would cost a tenth of that.
 class Crew {
  public:
-  /// The caller is one of the workers.
+  /// The caller is one of the workers, and the only one where no thread can be started.
   explicit Crew(unsigned workers);
   ~Crew();
   Crew(const Crew&) = delete;

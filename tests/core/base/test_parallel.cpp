@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <pthread.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -24,6 +28,28 @@ TEST_CASE("every index is visited exactly once, for any count, chunk and number 
         CHECK(in_range);
         CHECK(visits == std::vector<int>(count, 1));
       }
+}
+
+TEST_CASE("found 4.04: without threads the caller does the work alone") {
+  // In a process of its own, since the limit stays. A stack of more than the address space cannot be had.
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    pthread_attr_t attributes;
+    ::pthread_attr_init(&attributes);
+    ::pthread_attr_setstacksize(&attributes, std::size_t{1} << 46);
+    ::pthread_setattr_default_np(&attributes);
+    std::vector<std::thread> threads;
+    if (start_thread(threads, [] {})) ::_exit(2);
+    std::size_t visited = 0;
+    parallel_chunks(1000, 8, 10,
+                    [&](std::size_t begin, std::size_t end, unsigned) { visited += end - begin; });
+    ::_exit(visited == 1000 ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
 }
 
 TEST_CASE("an exception of any worker reaches the caller after all have stopped") {
