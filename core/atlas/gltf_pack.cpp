@@ -20,6 +20,7 @@
 #include "core/image/png.h"
 #include "core/scene/material_texels.h"
 #include "core/scene/texel_scale.h"
+#include "core/scene/uri.h"
 #include "core/scene/uv_use.h"
 
 namespace etak {
@@ -509,11 +510,17 @@ std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const Atla
     }
     out.materials.push_back(std::move(to));
   }
+  std::set<std::string> taken(s.written.begin(), s.written.end());
+  for (const AtlasPage& page : layout.pages)
+    for (const auto& files : page.files) taken.insert(files.begin(), files.end());
+  taken.insert({out.buffer_name, "scene.gltf", "layout.json"});
+  const auto copied_names = names_beside(*s.scene.json, s.scene.path, taken);
+  for (const auto& [uri, name] : copied_names) out.uris[uri] = uri_of_file(name);
   std::string buffer;
-  std::string json = write_gltf(s.scene, out, buffer);
+  const std::string json = write_gltf(s.scene, out, buffer);
   std::vector<std::string> names(s.written.begin(), s.written.end());
   for (const CopiedFile& copy :
-       files_to_copy(json, fs::path(s.scene.path).parent_path().string(), out.images, out.buffer_name)) {
+       files_to_copy(json, fs::path(s.scene.path).parent_path().string(), copied_names)) {
     FileBytes file;
     file.load(copy.from);
     folder.write(copy.name, file.view());

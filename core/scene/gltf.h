@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -198,16 +199,19 @@ struct GltfOutput {
   // KHR_materials_specular may not stand beside the other two in one material: that takes two files.
   std::vector<GltfForm> forms{GltfForm::specular_ior};
   std::string buffer_name = "scene.bin";
+  // What files of the document are called from the written one: URI to URI. Files that are not named here
+  // keep theirs, so `images` must not be called as one of them is.
+  std::map<std::string, std::string> uris;
 };
 
 /// The document with the materials' textures replaced by the atlas: everything else (meshes, nodes, cameras,
 /// animations, other textures such as normal maps) stays; materials not named in `output` stay as they are.
 /// Unreached materials, images, textures and samplers are left out, and primitives that only unreached scenes
 /// draw lose their material. Returns the JSON text; `buffer` gets the bytes of the one buffer it names,
-/// without inside images that went. Files the document names keep their URIs. KHR_texture_transform becomes
-/// required where it is used. Throws Error for what cannot be kept: animated materials,
-/// EXT_lights_image_based, morphed UVs that would have to be rewritten; and for `output` that contradicts
-/// itself.
+/// without inside images that went. Files the document names get their URIs of `output.uris`.
+/// KHR_texture_transform becomes required where it is used. Throws Error for what cannot be kept: animated
+/// materials, EXT_lights_image_based, morphed UVs that would have to be rewritten; and for `output` that
+/// contradicts itself.
 std::string write_gltf(const GltfScene& scene, const GltfOutput& output, std::string& buffer);
 
 }  // namespace etak

@@ -39,6 +39,16 @@ void remove_variants(Json& root) {
       for (Json& primitive : mesh["primitives"]) remove_extension(primitive, "KHR_materials_variants");
 }
 
+/// Before anything is added: the writer's own images may be called what a file of the document was called.
+void rename_files(Json& root, const std::map<std::string, std::string>& uris) {
+  for (const char* array : {"images", "buffers"})
+    if (root.contains(array))
+      for (Json& element : root[array])
+        if (element.contains("uri"))
+          if (const auto found = uris.find(element["uri"].get<std::string>()); found != uris.end())
+            element["uri"] = found->second;
+}
+
 }  // namespace
 
 int GltfRewrite::append(const char* array, Json element) {
@@ -64,6 +74,7 @@ std::string written(const GltfScene& scene, const GltfOutput& output, std::strin
   rewrite.buffers.assign(scene.buffers->begin(), scene.buffers->end());
   check_output(rewrite);
   refuse_unkept(rewrite);
+  rename_files(rewrite.root, output.uris);
   const Json before = rewrite.root;
   remove_compression(rewrite.root);
   if (!scene.options.variants) remove_variants(rewrite.root);
