@@ -2,9 +2,11 @@
 #include <functional>
 
 #include "app/cli/choose.h"
+#include "app/cli/inputs.h"
 #include "app/cli/pack.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/material/names.h"
 #include "core/report/choose.h"
 #include "core/report/choose_scene.h"
 #include "core/report/error_time.h"
@@ -63,8 +65,13 @@ int choose_materials(ChooseArguments& arguments) {
     add_scene(scene, arguments, add);
   } else if (arguments.all) {
     const MaterialLibrary& library = arguments.library.get();
+    std::size_t reflectances = 0;
     for (std::size_t i = 0; i < library.ids().size(); ++i) {
       const Material material = library.at(i);
+      if (!std::holds_alternative<OpticalConstants>(material.preferred_dataset().optics)) {
+        ++reflectances;
+        continue;
+      }
       try {
         add(library_subject(material, material.preferred_dataset(), arguments.gloss));
       } catch (const Error& error) {
@@ -72,17 +79,15 @@ int choose_materials(ChooseArguments& arguments) {
         status = exit_findings;
       }
     }
+    remark(arguments.output, std::to_string(reflectances) + " materials without n and k are left out");
   } else {
-    for (const std::string& text : arguments.materials) {
-      const std::size_t slash = text.find('/');
-      const auto material = arguments.library.get().find(std::string_view(text).substr(0, slash));
-      if (!material) unknown_material(text, arguments.library.get());
-      const Dataset* dataset = slash == std::string::npos
-                                   ? &material->preferred_dataset()
-                                   : material->dataset(std::string_view(text).substr(slash + 1));
-      if (dataset == nullptr)
-        throw Error::at(text, "no such dataset", "a dataset of " + material->id + ", see etak show");
-      add(library_subject(*material, *dataset, arguments.gloss));
+    InputArguments names;
+    names.names = arguments.materials;
+    const std::vector<Input> inputs = find_inputs(names, arguments.library, 1);
+    for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
+    for (const Input& input : inputs) {
+      const Material material = read_material(input, TableOptions{});
+      add(library_subject(material, dataset_named(material, input.dataset, input.label()), arguments.gloss));
     }
   }
   write_output(arguments.output, arguments.output.format == "json" ? choice_json(choices, costs, scene)

@@ -13,6 +13,7 @@
 #include "core/base/number.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
+#include "core/material/names.h"
 
 namespace etak::cli {
 namespace {
@@ -42,10 +43,12 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
   if (!arguments.diffuse.empty())
     diffuse = {arguments.diffuse[0], arguments.diffuse[1], arguments.diffuse[2]};
   Found out;
-  for (const Input& input : find_inputs(arguments.inputs, arguments.library, 1)) {
+  const std::vector<Input> inputs = find_inputs(arguments.inputs, arguments.library, 1);
+  for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
+  for (const Input& input : inputs) {
     try {
       const Material material = read_material(input, tables);
-      const Dataset& dataset = chosen_dataset(material, input.dataset, input.label());
+      const Dataset& dataset = dataset_named(material, input.dataset, input.label());
       const F0Result result = solver.solve(dataset.optics, dataset.flags);
       if (result.refused()) {
         complain(material.id + "/" + dataset.id + ": refused: " + result.refusal);
@@ -57,6 +60,7 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
           export_surface(material, dataset, solver.options(), result, diffuse, arguments.gloss);
       surface.opacity = arguments.opacity;
       validate(surface);
+      if (!input.alias_note.empty()) surface.notes.push_back(input.alias_note);
       if (!arguments.diffuse.empty() && surface.diffuse != diffuse)
         remark(arguments.output, material.id + " is no dielectric: --diffuse is not used");
       out.surfaces.push_back(std::move(surface));
@@ -177,6 +181,7 @@ void add_export(CLI::App& app, Verb& chosen) {
       ->required()
       ->check(CLI::IsMember({"mtlx", "gltf", "values"}));
   verb.add_flag("--all", arguments->inputs.all, "every material of the library");
+  add_all_datasets_option(verb, arguments->inputs);
   verb.add_option("--dataset", arguments->inputs.dataset, "dataset to take instead of the preferred one")
       ->type_name("ID");
   verb.add_option("--gloss", arguments->gloss, "Schueler's gloss, 0 to 1; roughness follows from it")

@@ -139,6 +139,8 @@ std::string html(const std::vector<Input>& inputs, const F0Job& job, std::vector
   std::vector<Tally> tallies(workers.size());
   const auto threads = static_cast<unsigned>(workers.size());
   parallel_chunks(inputs.size(), threads, 1, [&](std::size_t i, std::size_t, unsigned worker) {
+    // A page shows a material with all its datasets, so that "gold/*" is one of it and not one for each.
+    if (i > 0 && inputs[i].material && inputs[i].material == inputs[i - 1].material) return;
     try {
       reports[i] = html_report(inputs[i], job, workers[worker], tallies[worker]);
     } catch (const Error& error) {
@@ -215,6 +217,7 @@ int run(F0Arguments& arguments) {
   keep_freed_memory();
   const std::vector<Input> inputs = find_inputs(arguments.inputs, arguments.library, threads);
   const double find = seconds_since(begin);
+  for (const std::string& each : alias_remarks(inputs)) remark(output, each);
 
   Tally tally;
   std::vector<std::string> errors;
@@ -268,7 +271,9 @@ void add_f0(CLI::App& app, Verb& chosen) {
                   "read more inputs from LIST, one per line or NUL-separated")
       ->type_name("LIST");
   verb.add_flag("--all", arguments->inputs.all, "every material of the library");
-  verb.add_option("--dataset", arguments->inputs.dataset, "dataset to take instead of the preferred one")
+  add_all_datasets_option(verb, arguments->inputs);
+  verb.add_option("--dataset", arguments->inputs.dataset,
+                  "dataset to take instead of the preferred one: its id or unique beginning")
       ->type_name("ID");
   verb.add_flag("--axis-average", arguments->axis_average,
                 "crystals as random grains: (2 ordinary + extraordinary) / 3, or a third of alpha, beta and "

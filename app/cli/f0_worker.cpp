@@ -10,6 +10,7 @@
 #include "core/base/file.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
+#include "core/material/names.h"
 
 namespace etak::cli {
 namespace {
@@ -140,7 +141,8 @@ F0Result F0Worker::average_pages(const Input& input, const F0Job& job, F0Row& ro
 }
 
 void F0Worker::answer_dataset(const Material& material, const Input& input, const F0Job& job, F0Row& row) {
-  const Dataset& dataset = chosen_dataset(material, input.dataset, message_name(input));
+  const Dataset& dataset = dataset_named(material, input.dataset, message_name(input));
+  row.alias_note = input.alias_note;
   row.name = material.name;
   row.material_class = material.material_class;
   row.dataset = dataset.id;

@@ -14,6 +14,7 @@
 #include "core/exchange/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
+#include "core/material/names.h"
 
 namespace etak::cli {
 namespace {
@@ -48,33 +49,69 @@ void add_folder(const std::string& path, const InputArguments& arguments, unsign
   }
 }
 
-Input material_input(Material material, std::string dataset) {
-  Input out;
-  out.kind = Input::Kind::material;
-  out.path = material.id;
-  if (!dataset.empty()) {
-    (void)chosen_dataset(material, dataset, material.id);  // throws where there is none
-    out.path += '/' + dataset;
+// `dataset` as datasets_named() has it; empty: the preferred one, or every one where all are asked for.
+//   label   id of the material, or the file that it was read from
+void add_datasets(Material read, std::string dataset, const InputArguments& arguments,
+                  const std::string& label, std::string_view asked, std::vector<Input>& out) {
+  if (dataset.empty() && arguments.all_datasets) dataset = "*";
+  Input input;
+  input.kind = Input::Kind::material;
+  input.path = label;
+  const auto material = std::make_shared<const Material>(std::move(read));
+  input.material = material;
+  if (const std::string_view note = alias_note(*material, asked); !note.empty())
+    input.alias_note = printable(asked) + ": " + std::string(note);
+  if (dataset.empty()) {
+    out.push_back(std::move(input));
+    return;
   }
-  out.dataset = std::move(dataset);
-  out.material = std::make_shared<const Material>(std::move(material));
-  return out;
+  for (const Dataset* each : datasets_named(*material, dataset, label)) {
+    input.path = label + '/' + each->id;
+    input.dataset = each->id;
+    out.push_back(input);
+  }
 }
 
 // "id" or "id/dataset" of the library; false when the library does not know the id.
 bool add_material(const std::string& name, const InputArguments& arguments, Library& library,
                   bool path_exists, std::vector<Input>& out) {
-  if (auto material = library.get().find(name)) {
-    out.push_back(material_input(std::move(*material), arguments.dataset));
+  const auto add = [&](Material material, const std::string& dataset, std::string_view asked) {
+    const std::string id = material.id;
+    add_datasets(std::move(material), dataset, arguments, id, asked, out);
     return true;
-  }
+  };
+  if (auto material = library.get().find(name)) return add(std::move(*material), arguments.dataset, name);
   const std::size_t slash = name.find('/');
   if (slash == std::string::npos) return false;
-  auto material = library.get().find(std::string_view(name).substr(0, slash));
+  const std::string_view asked = std::string_view(name).substr(0, slash);
+  auto material = library.get().find(asked);
   const std::string dataset = name.substr(slash + 1);
   if (!material || (path_exists && material->dataset(dataset) == nullptr)) return false;
-  out.push_back(material_input(std::move(*material), dataset));
-  return true;
+  return add(std::move(*material), dataset, asked);
+}
+
+// Material files among the inputs from `first` on, in place of which come their datasets. One that cannot be
+// read stays, so that its reader says why.
+void open_datasets(const InputArguments& arguments, std::size_t first, std::vector<Input>& out) {
+  std::vector<Input> closed(std::make_move_iterator(out.begin() + static_cast<std::ptrdiff_t>(first)),
+                            std::make_move_iterator(out.end()));
+  out.resize(first);
+  for (Input& input : closed) {
+    const std::size_t begin = out.size();
+    if (input.kind != Input::Kind::material_file || !input.dataset.empty() || input.path == "-") {
+      out.push_back(std::move(input));
+      continue;
+    }
+    try {
+      add_datasets(parse_material(read_file(input.path), input.path), {}, arguments, input.path, {}, out);
+      for (std::size_t i = begin; i < out.size(); ++i) {
+        out[i].label_at = input.label_at;
+        out[i].from_folder = input.from_folder;
+      }
+    } catch (const Error&) {
+      out.push_back(std::move(input));
+    }
+  }
 }
 
 // A known name wins over a file or folder of that name ("./gold" is the folder); what ends like a data file
@@ -104,21 +141,6 @@ void add_name(const std::string& name, const InputArguments& arguments, Library&
   // A missing file goes on to the reader, whose message tells why.
   input.kind = kind == FileKind::unknown ? Input::Kind::material_file : input_kind(kind);
   out.push_back(std::move(input));
-}
-
-// Names in a list file: between NUL bytes when there is one, else between line ends.
-std::vector<std::string> listed_names(const std::string& path) {
-  const std::string text = path == "-" ? read_stdin() : read_file(path);
-  const char separator = text.find('\0') != std::string::npos ? '\0' : '\n';
-  std::vector<std::string> out;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    std::string name = text.substr(begin, end - begin);
-    if (separator == '\n' && name.ends_with('\r')) name.pop_back();
-    if (!name.empty()) out.push_back(std::move(name));
-    begin = end + 1;
-  }
-  return out;
 }
 
 // "path/to/My sample.csv" gives "my_sample".
@@ -156,13 +178,18 @@ Material material_from_table(std::string_view text, const std::string& path, con
 }  // namespace
 
 void add_input_options(CLI::App& verb, InputArguments& arguments) {
-  verb.add_option(
-          "INPUT", arguments.names,
-          "material (gold), dataset (gold/ID), file (.yml page, .json material, .csv .tsv .txt .dat table), "
-          "folder, or - for standard input")
+  verb.add_option("INPUT", arguments.names,
+                  "material (gold), dataset (gold/ID, its unique beginning, or gold/* for all), file (.yml "
+                  "page, .json material, .csv .tsv .txt .dat table), "
+                  "folder, or - for standard input")
       ->type_name("");
   verb.add_option("--stdin-format", arguments.stdin_format, "what - holds: table (default), page or json")
       ->check(CLI::IsMember({"table", "page", "json"}));
+}
+
+void add_all_datasets_option(CLI::App& verb, InputArguments& arguments) {
+  verb.add_flag("--all-datasets", arguments.all_datasets,
+                "every dataset of each material, in place of the preferred one");
 }
 
 std::vector<Input> find_inputs(const InputArguments& arguments, Library& library, unsigned threads) {
@@ -176,14 +203,15 @@ std::vector<Input> find_inputs(const InputArguments& arguments, Library& library
   std::vector<Input> out;
   if (arguments.all) {
     const MaterialLibrary& known = library.get();
-    for (std::size_t i = 0; i < known.ids().size(); ++i) {
-      out.push_back(material_input(known.at(i), {}));
-      out.back().from_folder = true;
-    }
+    for (std::size_t i = 0; i < known.ids().size(); ++i)
+      add_datasets(known.at(i), {}, arguments, known.ids()[i], {}, out);
+    for (Input& input : out) input.from_folder = true;
   }
   for (const std::string& name : names) {
     try {
+      const std::size_t first = out.size();
       add_name(name, arguments, library, threads, out);
+      if (arguments.all_datasets) open_datasets(arguments, first, out);
     } catch (const Error& error) {
       out.push_back(failed(error.what()));
     }
@@ -191,12 +219,26 @@ std::vector<Input> find_inputs(const InputArguments& arguments, Library& library
   return out;
 }
 
-const Dataset& chosen_dataset(const Material& material, const std::string& dataset, std::string_view label) {
-  if (dataset.empty()) return material.preferred_dataset();
-  if (const Dataset* found = material.dataset(dataset)) return *found;
-  std::string known;
-  for (const Dataset& each : material.datasets) known += (known.empty() ? "" : ", ") + each.id;
-  throw Error::at(label, "has no dataset " + printable(dataset), known);
+std::vector<std::string> listed_names(const std::string& path) {
+  const std::string text = path == "-" ? read_stdin() : read_file(path);
+  const char separator = text.find('\0') != std::string::npos ? '\0' : '\n';
+  std::vector<std::string> out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    std::string name = text.substr(begin, end - begin);
+    if (separator == '\n' && name.ends_with('\r')) name.pop_back();
+    if (!name.empty()) out.push_back(std::move(name));
+    begin = end + 1;
+  }
+  return out;
+}
+
+std::vector<std::string> alias_remarks(const std::vector<Input>& inputs) {
+  std::vector<std::string> out;
+  for (const Input& input : inputs)
+    if (!input.alias_note.empty() && std::find(out.begin(), out.end(), input.alias_note) == out.end())
+      out.push_back(input.alias_note);
+  return out;
 }
 
 void read_input(const Input& input, std::string& buffer) {

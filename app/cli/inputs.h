@@ -25,7 +25,8 @@ struct Input {
   std::size_t label_at = 0;  // the label is `path` from here on
   bool from_folder = false;  // or from --all: refusals are then ordinary
   std::shared_ptr<const Material> material;
-  std::string dataset;  // asked for by "id/dataset" or --dataset; empty: the preferred one
+  std::string dataset;     // asked for by "id/dataset" or --dataset; empty: the preferred one
+  std::string alias_note;  // what must be said of the name that was asked for; may be empty
 
   std::string_view label() const { return std::string_view(path).substr(label_at); }
 };
@@ -36,17 +37,22 @@ struct InputArguments {
   std::string stdin_format = "table";
   std::string dataset;
   bool all = false;
+  bool all_datasets = false;  // of each material, not the preferred one alone
 };
 
 /// Adds INPUT... and --stdin-format; --files-from, --dataset and --all belong to `etak f0`.
 void add_input_options(CLI::App& verb, InputArguments& arguments);
+void add_all_datasets_option(CLI::App& verb, InputArguments& arguments);
 
-/// Finds what the arguments name, in their order, folders opened up into their files. What cannot be found
-/// becomes a failed input, so that the others are still answered.
+/// Finds what the arguments name, in their order, folders opened up into their files and "gold/*" into its
+/// datasets. What cannot be found becomes a failed input, so that the others are still answered.
 std::vector<Input> find_inputs(const InputArguments& arguments, Library& library, unsigned threads);
 
-/// The dataset asked for. Throws Error that lists the material's datasets when there is none of that name.
-const Dataset& chosen_dataset(const Material& material, const std::string& dataset, std::string_view label);
+/// What must be said of the names asked for, each once, as "steel: AISI 316 ...".
+std::vector<std::string> alias_remarks(const std::vector<Input>& inputs);
+
+/// Names in a list file, "-" for standard input: between NUL bytes when there is one, else between line ends.
+std::vector<std::string> listed_names(const std::string& path);
 
 /// The text of a file or of standard input ("-"); `buffer` is reused.
 void read_input(const Input& input, std::string& buffer);

@@ -11,6 +11,7 @@
 #include "app/cli/custom_space.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/material/names.h"
 
 namespace etak::cli {
 namespace {
@@ -46,12 +47,9 @@ OutsideMedium outside_medium(const std::string& text, Library& library) {
   const std::size_t slash = text.find('/');
   const auto material = library.get().find(std::string_view(text).substr(0, slash));
   if (!material) unknown_material(text, library.get());
-  const Dataset* dataset = slash == std::string::npos
-                               ? &material->preferred_dataset()
-                               : material->dataset(std::string_view(text).substr(slash + 1));
-  if (dataset == nullptr)
-    throw Error::at("--outside", text, "a dataset of " + material->id + ", see etak show");
-  const auto* constants = std::get_if<OpticalConstants>(&dataset->optics);
+  const std::string asked = slash == std::string::npos ? std::string() : text.substr(slash + 1);
+  const Dataset& dataset = dataset_named(*material, asked, "--outside " + text);
+  const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
   if (constants == nullptr)
     throw Error::at("--outside", text + " has reflectance data only", "n of a transparent medium");
   medium.index = *constants;
@@ -178,10 +176,11 @@ unsigned thread_count(unsigned asked) {
 }
 
 void unknown_material(std::string_view name, const MaterialLibrary& library) {
-  std::string nearest;
-  for (const std::string& id : library.nearest(name)) nearest += (nearest.empty() ? "" : ", ") + id;
+  // Of "milk/jensen-2001" the material is what is not known.
+  const MaterialLibrary::Missing missing = library.missing(name.substr(0, name.find('/')));
+  if (!missing.found.empty()) throw Error::at(printable(name), missing.found, missing.expected);
   throw Error::at(printable(name), "no material, file or folder has this name",
-                  nearest.empty() ? "a name that etak list shows" : "one of the nearest names: " + nearest);
+                  missing.expected.empty() ? "a name that etak list shows" : missing.expected);
 }
 
 }  // namespace etak::cli

@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/fresnel/fresnel.h"
+#include "core/material/names.h"
 #include "core/render/display.h"
 
 namespace etak::cli {
@@ -116,9 +117,11 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
   const std::vector<Input> inputs = find_inputs(names, arguments.library, 1);
   if (inputs.size() == 1 && inputs[0].kind == Input::Kind::failed) throw Error(inputs[0].path);
   if (inputs.size() != 1 || inputs[0].from_folder)
-    throw Error::at(arguments.subject.front(), std::to_string(inputs.size()) + " inputs", "one material");
+    throw Error::at(arguments.subject.front(), std::to_string(inputs.size()) + " inputs",
+                    "one material, or one of its datasets");
+  for (const std::string& each : alias_remarks(inputs)) notes.remarks.push_back(each);
   const Material material = read_material(inputs[0], TableOptions{});
-  const Dataset& dataset = chosen_dataset(material, inputs[0].dataset, inputs[0].label());
+  const Dataset& dataset = dataset_named(material, inputs[0].dataset, inputs[0].label());
   notes.subject = material.id + "/" + dataset.id;
   SurfaceValues out = surface_of(material, dataset, blank.diffuse, blank.gloss);
   out.opacity = blank.opacity;

@@ -96,15 +96,21 @@ void append_dataset(std::string& out, const Material& material, std::size_t inde
   line("note", dataset.note);
 }
 
-// `only` names the one dataset to list; empty: all.
-std::string text_form(const MaterialReport& report, const std::string& only, const F0Options& options,
-                      bool color) {
+// `inputs` name the datasets to list; one without: all.
+std::string text_form(const MaterialReport& report, const std::vector<Input>& inputs,
+                      const F0Options& options, bool color) {
+  const auto listed = [&](const Dataset& dataset) {
+    return std::any_of(inputs.begin(), inputs.end(), [&](const Input& input) {
+      return input.dataset.empty() || input.dataset == dataset.id;
+    });
+  };
   const Material& material = report.material;
   std::string out = material.name + " (" + material.id + "), " + material.material_class + '\n';
   const auto line = [&](const char* what, const std::string& text) {
     if (!text.empty()) out += "  " + padded(what, 11) + text + '\n';
   };
   line("aliases", joined(material.aliases, ", "));
+  for (const AliasNote& each : material.alias_notes) line("", each.alias + ": " + each.note);
   line("preferred", material.preferred_dataset().id + ": " + material.preferred_reason);
   if (const Spread range = spread(report); range.count > 1) {
     line("spread", "over " + std::to_string(range.count) + " datasets: linear r " + number(range.least.r, 4) +
@@ -118,8 +124,7 @@ std::string text_form(const MaterialReport& report, const std::string& only, con
     line("spread", std::to_string(range.count) + (range.count == 1 ? " usable dataset" : " usable datasets"));
   }
   for (std::size_t i = 0; i < report.results.size(); ++i)
-    if (only.empty() || material.datasets[i].id == only)
-      append_dataset(out, material, i, report.results[i], color);
+    if (listed(material.datasets[i])) append_dataset(out, material, i, report.results[i], color);
   return out + "\nF0: " + policy(options) + '\n';
 }
 
@@ -164,15 +169,21 @@ int run(ShowArguments& arguments) {
   const F0Solver solver(f0_options(arguments.compute, arguments.library));
   const TableOptions tables = table_options(arguments.tables);
   const std::vector<Input> inputs = find_inputs(arguments.inputs, arguments.library, 1);
-  if (inputs.size() != 1 || inputs.front().from_folder)
+  for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
+  // "gold/*" is one material and several of its datasets.
+  const bool one = inputs.size() == 1 ||
+                   (!inputs.empty() && std::all_of(inputs.begin(), inputs.end(), [&](const Input& input) {
+                     return input.material && input.material == inputs.front().material;
+                   }));
+  if (!one || inputs.front().from_folder)
     throw Error::at(arguments.inputs.names.front(), "is a folder", "one material or file");
   MaterialReport report{read_material(inputs.front(), tables), {}};
   for (const Dataset& dataset : report.material.datasets)
     report.results.push_back(solver.solve(dataset.optics, dataset.flags));
-  write_output(arguments.output, arguments.output.format == "json"
-                                     ? json_form(report, solver.options())
-                                     : text_form(report, inputs.front().dataset, solver.options(),
-                                                 use_color(arguments.output)));
+  write_output(arguments.output,
+               arguments.output.format == "json"
+                   ? json_form(report, solver.options())
+                   : text_form(report, inputs, solver.options(), use_color(arguments.output)));
   return exit_ok;
 }
 

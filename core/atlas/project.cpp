@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/material/names.h"
 
 namespace etak {
 namespace {
@@ -84,21 +85,17 @@ F0Options f0_options(const MeasuredF0& measured, const MaterialLibrary& library)
 FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library) {
   auto material = library.find(measured.material);
   if (!material) {
-    std::string nearest;
-    for (const std::string& id : library.nearest(measured.material))
-      nearest += (nearest.empty() ? "" : ", ") + id;
-    throw Error::at(printable(measured.material), "is no material of the library or the project",
-                    "one of the nearest: " + nearest);
+    const MaterialLibrary::Missing missing = library.missing(measured.material);
+    throw Error::at(printable(measured.material),
+                    missing.found.empty() ? "is no material of the library or the project" : missing.found,
+                    missing.expected);
   }
   FoundF0 out;
-  const Dataset* dataset =
-      measured.dataset.empty() ? &material->preferred_dataset() : material->dataset(measured.dataset);
-  if (dataset == nullptr)
-    throw Error::at(material->id, "has no dataset " + printable(measured.dataset), "one that it has");
-  out.dataset = static_cast<std::size_t>(dataset - material->datasets.data());
-  out.result = F0Solver(f0_options(measured, library)).solve(dataset->optics, dataset->flags);
+  const Dataset& dataset = dataset_named(*material, measured.dataset, material->id);
+  out.dataset = static_cast<std::size_t>(&dataset - material->datasets.data());
+  out.result = F0Solver(f0_options(measured, library)).solve(dataset.optics, dataset.flags);
   if (out.result.refused())
-    throw Error::at(material->id + "/" + dataset->id, "has no F0: " + out.result.refusal,
+    throw Error::at(material->id + "/" + dataset.id, "has no F0: " + out.result.refusal,
                     "data over the visible range");
   out.material = std::move(*material);
   return out;

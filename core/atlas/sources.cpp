@@ -11,6 +11,7 @@
 #include "core/base/number.h"
 #include "core/color/srgb.h"
 #include "core/material/f0.h"
+#include "core/material/names.h"
 
 namespace etak {
 namespace {
@@ -168,18 +169,16 @@ class Resolver {
     const std::string place = m.place + '/' + role;
     const auto material = library_.find(source.material);
     if (!material) {
-      std::string nearest;
-      for (const std::string& id : library_.nearest(source.material))
-        nearest += (nearest.empty() ? "" : ", ") + id;
+      const MaterialLibrary::Missing missing = library_.missing(source.material);
+      if (!missing.found.empty())
+        throw Error::at(place, printable(source.material) + ": " + missing.found, missing.expected);
       throw Error::at(place, "no material of the library is called " + printable(source.material),
-                      "a file name with its ending, or one of the nearest names: " + nearest);
+                      "a file name with its ending" +
+                          (missing.expected.empty() ? std::string() : ", or " + missing.expected));
     }
     const bool diffuse = std::string_view(role) == "diffuse";
-    const Dataset* dataset = &material->preferred_dataset();
-    if (!source.dataset.empty()) dataset = material->dataset(source.dataset);
-    if (dataset == nullptr)
-      throw Error::at(place, printable(source.dataset), "a dataset of " + material->id + ", see etak show");
-    if (diffuse && !std::holds_alternative<Reflectance>(dataset->optics))
+    const Dataset& dataset = dataset_named(*material, source.dataset, place + ": " + material->id);
+    if (diffuse && !std::holds_alternative<Reflectance>(dataset.optics))
       throw Error::at(place, material->id + " has n and k, which say nothing of a diffuse colour",
                       "a material with measured reflectance");
     F0Options options;
@@ -189,7 +188,7 @@ class Resolver {
       if (!method) throw Error::at(place, printable(source.method), "a method of integration");
       options.method = *method;
     }
-    F0Result result = F0Solver(std::move(options)).solve(dataset->optics, dataset->flags);
+    F0Result result = F0Solver(std::move(options)).solve(dataset.optics, dataset.flags);
     if (result.refused()) throw Error::at(place, material->id + ": " + result.refusal);
     const LinearRgb& c = result.srgb_linear;
     for (const double v : {c.r, c.g, c.b})

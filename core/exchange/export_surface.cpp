@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/color/gamut.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/dispersion.h"
 
@@ -79,7 +80,12 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
   out.gloss = gloss;
   const std::string_view kind = optical_kind(material.material_class);
   if (kind == "surface") {
-    out.diffuse = result.linear;
+    const auto unit = [](double v) { return std::clamp(v, 0.0, 1.0); };
+    const LinearRgb& c = result.linear;
+    out.diffuse = {unit(c.r), unit(c.g), unit(c.b)};
+    // A saturated pigment that the space cannot hold: no body sends back less than nothing.
+    if (out.diffuse != c)
+      out.notes.push_back("the diffuse colour is brought back to 0 to 1: " + gamut_text(c));
     out.notes.emplace_back("F0 0.04 is assumed: the data are the total reflectance of a body");
     return out;
   }

@@ -170,9 +170,11 @@ Dataset read_dataset(Reader& r) {
 
 }  // namespace
 
-// Layout: size of the index, the index (count, then id, name, aliases, offset of each), the materials.
-// Offsets count from the end of the index.
-std::string encode_library(const std::vector<Material>& materials) {
+// Layout: size of the index, the index (count, then id, name, aliases, offset of each material; count, then
+// words, reason, nearest of each thing without a measurement), the materials. Offsets count from the end of
+// the index.
+std::string encode_library(const std::vector<Material>& materials,
+                           const std::vector<Unmeasured>& unmeasured) {
   Writer index, body;
   index.number(materials.size());
   for (const Material& m : materials) {
@@ -180,35 +182,60 @@ std::string encode_library(const std::vector<Material>& materials) {
     index.text(m.name);
     index.texts(m.aliases);
     index.number(body.out.size());
+    body.number(m.alias_notes.size());
+    for (const AliasNote& each : m.alias_notes) {
+      body.text(each.alias);
+      body.text(each.note);
+    }
     body.text(m.material_class);
+    body.text(m.group);
     body.number(m.preferred);
     body.text(m.preferred_reason);
     body.number(m.datasets.size());
     for (const Dataset& d : m.datasets) write(body, d);
+  }
+  index.number(unmeasured.size());
+  for (const Unmeasured& each : unmeasured) {
+    index.texts(each.words);
+    index.text(each.why);
+    index.texts(each.nearest);
   }
   Writer whole;
   whole.text(index.out);
   return whole.out + body.out;
 }
 
-std::vector<BlobEntry> decode_index(std::string_view blob) {
+BlobIndex decode_index(std::string_view blob) {
   Reader size(blob, 0);
   const std::size_t body = sizeof(std::size_t) + size.number();
   Reader r(blob, sizeof(std::size_t));
-  std::vector<BlobEntry> entries(r.number());
-  for (BlobEntry& e : entries) {
+  BlobIndex index;
+  index.materials.resize(r.number());
+  for (BlobEntry& e : index.materials) {
     e.id = r.text();
     e.name = r.text();
     e.aliases = r.texts();
     e.offset = body + r.number();
   }
-  return entries;
+  index.unmeasured.resize(r.number());
+  for (Unmeasured& each : index.unmeasured) {
+    each.words = r.texts();
+    each.why = r.text();
+    each.nearest = r.texts();
+  }
+  return index;
 }
 
 Material decode_material(std::string_view blob, std::size_t offset) {
   Reader r(blob, offset);
   Material m;
+  m.alias_notes.resize(r.number());
+  for (AliasNote& each : m.alias_notes) {
+    each.alias = r.text();
+    each.note = r.text();
+  }
   m.material_class = r.text();
+  m.group = r.text();
   m.preferred = r.number();
   m.preferred_reason = r.text();
   m.datasets.resize(r.number());

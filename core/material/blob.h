@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "core/material/material.h"
+#include "core/material/unmeasured.h"
 
 namespace etak {
 
 /// The library as bytes: what etak_embed writes at build time and MaterialLibrary::builtin() reads. Native
 /// byte order; only ever read by the program it is linked into, so it is trusted and carries no version.
-///   materials   sorted by id
-std::string encode_library(const std::vector<Material>& materials);
+///   materials    sorted by id
+///   unmeasured   the words that no material answers
+std::string encode_library(const std::vector<Material>& materials, const std::vector<Unmeasured>& unmeasured);
 
 /// Where each material lies and by what names it is found.
 struct BlobEntry {
@@ -21,7 +23,11 @@ struct BlobEntry {
   std::vector<std::string> aliases;
   std::size_t offset = 0;
 };
-std::vector<BlobEntry> decode_index(std::string_view blob);
+struct BlobIndex {
+  std::vector<BlobEntry> materials;
+  std::vector<Unmeasured> unmeasured;
+};
+BlobIndex decode_index(std::string_view blob);
 
 Material decode_material(std::string_view blob, std::size_t offset);
 

@@ -295,13 +295,27 @@ void write_dataset(Writer& w, const Dataset& d) {
   write_optics(w, d.optics);
 }
 
+std::vector<AliasNote> read_alias_notes(const Node& node, const Material& m) {
+  node.expect_object();
+  std::vector<AliasNote> out;
+  for (const auto& [alias, ignored] : node.value.items()) {
+    if (alias != m.id && alias != m.name &&
+        std::find(m.aliases.begin(), m.aliases.end(), alias) == m.aliases.end())
+      node.fail("a note on \"" + printable(alias) + "\"", "the id, the name or an alias of the material");
+    const std::string note = node.at(alias).text();
+    if (note.empty()) node.at(alias).fail_type("a sentence");
+    out.push_back({alias, note});
+  }
+  return out;
+}
+
 }  // namespace
 
 Material parse_material(std::string_view text, std::string_view file) {
   const Json document = parse_json_strictly(text, file, most_depth, "a material file");
   const Node node{document, file, ""};
-  node.expect_object(
-      {"schema", "id", "name", "aliases", "class", "preferred", "preferred_reason", "datasets"});
+  node.expect_object({"schema", "id", "name", "aliases", "alias_notes", "class", "group", "preferred",
+                      "preferred_reason", "datasets"});
   if (node.at("schema").text() != schema_name)
     node.at("schema").fail_type("\"" + std::string(schema_name) + "\"");
 
@@ -315,6 +329,10 @@ Material parse_material(std::string_view text, std::string_view file) {
   m.material_class = node.at("class").text();
   if (std::find(material_classes.begin(), material_classes.end(), m.material_class) == material_classes.end())
     node.at("class").fail_type("a known class");
+  if (node.has("alias_notes")) m.alias_notes = read_alias_notes(node.at("alias_notes"), m);
+  m.group = node.text_or_empty("group");
+  if (node.has("group") && !is_made_of(m.group, "abcdefghijklmnopqrstuvwxyz"))
+    node.at("group").fail_type("a word of a-z");
   const Node datasets = node.at("datasets");
   datasets.expect_array();
   if (datasets.value.empty()) datasets.fail("no datasets", "at least one");
@@ -341,7 +359,15 @@ std::string format_material(const Material& m) {
   pair("id", Writer::quoted(m.id));
   pair("name", Writer::quoted(m.name));
   pair("aliases", Writer::list(m.aliases));
+  if (!m.alias_notes.empty()) {
+    w.line(2, "\"alias_notes\": {");
+    for (const AliasNote& each : m.alias_notes)
+      w.line(4, Writer::quoted(each.alias) + ": " + Writer::quoted(each.note) +
+                    (&each == &m.alias_notes.back() ? "" : ","));
+    w.line(2, "},");
+  }
   pair("class", Writer::quoted(m.material_class));
+  if (!m.group.empty()) pair("group", Writer::quoted(m.group));
   pair("preferred", Writer::quoted(m.preferred_dataset().id));
   pair("preferred_reason", Writer::quoted(m.preferred_reason));
   w.line(2, "\"datasets\": [");

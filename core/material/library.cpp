@@ -2,15 +2,19 @@
 #include "core/material/library.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <filesystem>
+#include <tuple>
 
-#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/material/blob.h"
 #include "core/material/json.h"
+#include "core/material/names.h"
 
-// The bytes of encode_library(materials/**.json), put into the program by library_blob.S.
+// The bytes of encode_library(materials/**.json, resources/unmeasured.json), put into the program by
+// library_blob.S.
 extern "C" const char etak_library_begin[];
 extern "C" const char etak_library_end[];
 
@@ -21,23 +25,6 @@ namespace fs = std::filesystem;
 
 std::string_view builtin_blob() {
   return {etak_library_begin, static_cast<std::size_t>(etak_library_end - etak_library_begin)};
-}
-
-// Names are compared without case, spaces, '-' and '_'.
-std::string folded(std::string_view name) {
-  std::string out;
-  for (const char c : name) {
-    if (c == ' ' || c == '-' || c == '_') continue;
-    out.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
-  }
-  return out;
-}
-
-std::vector<std::string> keys_of(const std::string& id, const std::string& name,
-                                 const std::vector<std::string>& aliases) {
-  std::vector<std::string> keys{folded(id), folded(name)};
-  for (const auto& alias : aliases) keys.push_back(folded(alias));
-  return keys;
 }
 
 std::vector<std::string> json_files(const std::string& folder) {
@@ -57,19 +44,37 @@ std::vector<std::string> json_files(const std::string& folder) {
 
 }  // namespace
 
+std::string_view name(NameKind kind) {
+  constexpr std::array<std::string_view, 4> names{"id", "name", "alias", "formula"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
 MaterialLibrary MaterialLibrary::builtin() {
   MaterialLibrary library;
-  for (BlobEntry& e : decode_index(builtin_blob())) {
-    Entry entry;
-    entry.keys = keys_of(e.id, e.name, e.aliases);
-    entry.id = e.id;
-    entry.name = std::move(e.name);
-    entry.aliases = std::move(e.aliases);
+  BlobIndex index = decode_index(builtin_blob());
+  for (BlobEntry& e : index.materials) {
+    library.ids_.push_back(e.id);
+    Entry& entry =
+        library.entries_.emplace_back(entry_of(std::move(e.id), std::move(e.name), std::move(e.aliases)));
     entry.blob_offset = e.offset;
-    library.ids_.push_back(std::move(e.id));
-    library.entries_.push_back(std::move(entry));
   }
+  library.unmeasured_ = std::move(index.unmeasured);
   return library;
+}
+
+MaterialLibrary::Entry MaterialLibrary::entry_of(std::string id, std::string name,
+                                                 std::vector<std::string> aliases) {
+  Entry entry;
+  entry.keys = {folded_name(id), folded_name(name)};
+  for (const std::string& alias : aliases)
+    if (is_formula(alias))
+      entry.formulas.push_back(alias);
+    else
+      entry.keys.push_back(folded_name(alias));
+  entry.id = std::move(id);
+  entry.name = std::move(name);
+  entry.aliases = std::move(aliases);
+  return entry;
 }
 
 void MaterialLibrary::insert(Entry entry) {
@@ -97,29 +102,33 @@ void MaterialLibrary::add_folder(const std::string& folder) {
 }
 
 void MaterialLibrary::add(Material material) {
-  Entry entry;
-  entry.id = material.id;
-  entry.name = material.name;
-  entry.aliases = material.aliases;
-  entry.keys = keys_of(material.id, material.name, material.aliases);
+  Entry entry = entry_of(material.id, material.name, material.aliases);
   entry.material = std::move(material);
   insert(std::move(entry));
 }
 
-const MaterialLibrary::Entry* MaterialLibrary::entry(std::string_view name) const {
-  const std::string key = folded(name);
-  const Entry* by_alias = nullptr;
-  for (const Entry& e : entries_) {
-    if (e.keys.front() == key) return &e;
-    if (!by_alias && std::find(e.keys.begin(), e.keys.end(), key) != e.keys.end()) by_alias = &e;
+std::optional<FoundName> MaterialLibrary::look_up(std::string_view name) const {
+  const std::string key = folded_name(name);
+  if (key.empty()) return std::nullopt;
+  std::optional<FoundName> best;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const auto offer = [&](NameKind kind) {
+      if (!best || kind < best->kind) best = FoundName{i, kind};
+    };
+    const std::vector<std::string>& keys = entries_[i].keys;
+    if (const auto at = std::find(keys.begin(), keys.end(), key); at != keys.end())
+      offer(static_cast<NameKind>(std::min<std::ptrdiff_t>(at - keys.begin(), 2)));
+    for (const std::string& formula : entries_[i].formulas)
+      if (formula == name) offer(NameKind::formula);
+    if (best && best->kind == NameKind::id) break;
   }
-  return by_alias;
+  return best;
 }
 
 std::optional<Material> MaterialLibrary::find(std::string_view name) const {
-  const Entry* found = entry(name);
+  const auto found = look_up(name);
   if (!found) return std::nullopt;
-  return at(static_cast<std::size_t>(found - entries_.data()));
+  return at(found->index);
 }
 
 Material MaterialLibrary::at(std::size_t index) const {
@@ -132,18 +141,77 @@ Material MaterialLibrary::at(std::size_t index) const {
   return m;
 }
 
-std::vector<std::string> MaterialLibrary::nearest(std::string_view name, std::size_t count) const {
-  const std::string key = folded(name);
-  std::vector<std::pair<std::size_t, std::string>> ranked;
+std::vector<Suggestion> MaterialLibrary::suggest(std::string_view name, std::size_t count) const {
+  struct Ranked {
+    NameDistance distance;
+    std::string id;  // or the word, for one without a measurement
+    std::string alias;
+    bool measured;
+  };
+  std::vector<Ranked> ranked;
+  const auto best_of = [&](const std::string& id, const auto& names, bool measured) {
+    std::optional<NameDistance> best;
+    std::string alias;
+    for (const std::string& known : names) {
+      const auto distance = name_distance(name, known);
+      // "irn" is a misspelt iron rather than In: a formula is near where it is written in another case.
+      if (!distance || (distance->kind != NameDistance::Kind::same && is_formula(known))) continue;
+      if (best && *best <= *distance) continue;
+      best = distance;
+      alias = known;
+    }
+    if (best) ranked.push_back({*best, id, std::move(alias), measured});
+  };
   for (const Entry& e : entries_) {
-    std::size_t best = std::string::npos;
-    for (const auto& own : e.keys) best = std::min(best, edit_distance(key, own));
-    ranked.emplace_back(best, e.id);
+    std::vector<std::string> names{e.id, e.name};
+    names.insert(names.end(), e.aliases.begin(), e.aliases.end());
+    best_of(e.id, names, true);
   }
-  std::sort(ranked.begin(), ranked.end());
+  for (const Unmeasured& each : unmeasured_) best_of(each.words.front(), each.words, false);
+  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+    return std::tie(a.distance, b.measured, a.id) < std::tie(b.distance, a.measured, b.id);
+  });
+  // Beside a name that begins so or holds it, one that differs by more than a letter is far.
+  if (!ranked.empty() && ranked.front().distance.kind != NameDistance::Kind::edits)
+    std::erase_if(ranked, [](const Ranked& r) {
+      return r.distance.kind == NameDistance::Kind::edits && r.distance.amount > 1;
+    });
   ranked.resize(std::min(count, ranked.size()));
-  std::vector<std::string> out;
-  for (auto& [distance, id] : ranked) out.push_back(std::move(id));
+  std::vector<Suggestion> out;
+  for (Ranked& each : ranked) {
+    // An alias that holds nothing beyond the id tells nothing.
+    const bool plain = folded_name(each.id).find(folded_name(each.alias)) != std::string::npos;
+    if (each.measured)
+      out.push_back({plain ? each.id : each.id + " (" + each.alias + ")", each.id});
+    else
+      out.push_back({each.alias + " (not measured)", ""});
+  }
+  return out;
+}
+
+const Unmeasured* MaterialLibrary::unmeasured(std::string_view word) const {
+  const std::string key = folded_name(word);
+  for (const Unmeasured& each : unmeasured_)
+    for (const std::string& known : each.words)
+      if (folded_name(known) == key) return &each;
+  return nullptr;
+}
+
+MaterialLibrary::Missing MaterialLibrary::missing(std::string_view name) const {
+  const auto listed = [](const std::vector<std::string>& items) {
+    std::string out;
+    for (const std::string& each : items) out += (out.empty() ? "" : ", ") + each;
+    return out;
+  };
+  Missing out;
+  if (const Unmeasured* thing = unmeasured(name)) {
+    out.found = "no open measurement known: " + thing->why;
+    if (!thing->nearest.empty()) out.expected = "what is measured and near: " + listed(thing->nearest);
+    return out;
+  }
+  std::vector<std::string> near;
+  for (Suggestion& each : suggest(name)) near.push_back(std::move(each.text));
+  if (!near.empty()) out.expected = "one of the nearest names: " + listed(near);
   return out;
 }
 

@@ -8,14 +8,31 @@
 #include <vector>
 
 #include "core/material/material.h"
+#include "core/material/unmeasured.h"
 
 namespace etak {
+
+/// By which of its names a material was found.
+enum class NameKind { id, name, alias, formula };
+std::string_view name(NameKind kind);
+
+struct FoundName {
+  std::size_t index = 0;  // into MaterialLibrary::ids()
+  NameKind kind = NameKind::id;
+};
+
+/// A name that comes near to one that is not known.
+struct Suggestion {
+  std::string text;  // the id, with the alias that comes near in brackets; or the word
+  std::string id;    // empty: a word that no material answers
+};
 
 /// All materials known to a run: those built into the program, and those of folders laid over them.
 /// Built-in entries are decoded when asked for, so that one look-up touches one material.
 class MaterialLibrary {
  public:
-  /// The library inside the program (materials/**.json, preparsed when etak was built).
+  /// The library inside the program (materials/**.json and resources/unmeasured.json, preparsed when etak was
+  /// built).
   static MaterialLibrary builtin();
 
   /// Adds every *.json below `folder`, in path order; a material whose id is known already replaces the old
@@ -29,28 +46,44 @@ class MaterialLibrary {
   /// Sorted by id.
   const std::vector<std::string>& ids() const { return ids_; }
 
-  /// By id, alias or name; case, spaces, '-' and '_' do not matter. An id wins over an alias.
-  /// "ID/DATASET" is the caller's business.
+  /// By id, then name, then alias, for which case, spaces, '-' and '_' do not matter, then by an alias that
+  /// is a chemical formula (is_formula()), in its own case. "ID/DATASET" is the caller's business.
+  std::optional<FoundName> look_up(std::string_view name) const;
   std::optional<Material> find(std::string_view name) const;
 
   Material at(std::size_t index) const;
 
-  /// The `count` names (ids) nearest to `name` by edit distance over ids, names and aliases, nearest first.
-  std::vector<std::string> nearest(std::string_view name, std::size_t count = 3) const;
+  /// Ids, names and aliases that come near to `name` (name_distance()), nearest first, each material once;
+  /// none where nothing is near. Words without a measurement are among them.
+  std::vector<Suggestion> suggest(std::string_view name, std::size_t count = 5) const;
+
+  /// The thing without a measurement that is called `word`; null: none is.
+  const Unmeasured* unmeasured(std::string_view word) const;
+
+  /// What a message says of a name that find() does not know. Of a word without a measurement: why, and what
+  /// is measured and near.
+  ///   found      "no open measurement known: ..."; empty where the name is no such word
+  ///   expected   "one of the nearest names: ..."; empty where nothing is near
+  struct Missing {
+    std::string found, expected;
+  };
+  Missing missing(std::string_view name) const;
 
  private:
   struct Entry {
     std::string id, name;
     std::vector<std::string> aliases;
-    std::vector<std::string> keys;  // folded id, name and aliases; the id's first
-    std::size_t blob_offset = 0;    // into the built-in bytes, when material is empty
+    std::vector<std::string> keys;      // folded id, name and aliases that are no formulas, in this order
+    std::vector<std::string> formulas;  // aliases that are
+    std::size_t blob_offset = 0;        // into the built-in bytes, when material is empty
     std::optional<Material> material;
   };
+  static Entry entry_of(std::string id, std::string name, std::vector<std::string> aliases);
   void insert(Entry entry);
-  const Entry* entry(std::string_view name) const;
 
   std::vector<Entry> entries_;  // sorted by id
   std::vector<std::string> ids_;
+  std::vector<Unmeasured> unmeasured_;
 };
 
 }  // namespace etak

@@ -135,11 +135,20 @@ inline constexpr std::array<std::string_view, 15> material_classes{
 /// things) or "dielectric" (all the rest).
 std::string_view optical_kind(std::string_view material_class);
 
+/// What must be said where a material is asked for by one of its names: which steel "steel" is.
+struct AliasNote {
+  std::string alias;  // an alias of the material, or its id or name
+  std::string note;
+  friend bool operator==(const AliasNote&, const AliasNote&) = default;
+};
+
 struct Material {
   std::string id;  // lower case, [a-z0-9_]
   std::string name;
   std::vector<std::string> aliases;
+  std::vector<AliasNote> alias_notes;  // by alias
   std::string material_class;
+  std::string group;              // within the class, such as "wood"; may be empty
   std::vector<Dataset> datasets;  // at least one, ids unique
   std::size_t preferred = 0;      // index of the default dataset
   std::string preferred_reason;

@@ -149,6 +149,7 @@ std::vector<Member> result_members(const F0Row& row) {
                               {"largest_gap_nm", is_table ? json(r.coverage.largest_gap_nm) : null},
                               {"flags", json_array(flags)},
                               {"refused", has ? null : json(r.refusal)}};
+  if (!row.alias_note.empty()) members.push_back({"alias_note", json(row.alias_note)});
   if (has && r.integration) members.push_back({"integration", json_integration(*r.integration)});
   return members;
 }

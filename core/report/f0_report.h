@@ -18,6 +18,7 @@ struct F0Row {
   std::string dataset;         // id; empty for bare files
   std::string source;          // citation in one line; empty when unknown
   F0Result result;
+  std::string alias_note = {};  // what must be said of the name that was asked for; may be empty
 };
 
 /// A library material with the results of all its datasets, for pages and `etak show`.

@@ -3,7 +3,8 @@
 # run_case.sh ETAK CASE: runs one test of the command line.
 #   ETAK   the etak program; its folder is put first in PATH
 #   CASE   folder with
-#     cmd               shell commands, run by sh -eu in a copy of the folder; exit 77: not here, and why
+#     cmd               shell commands, run by sh -eu in a copy of the folder; exit 77: not here, and why; ETAK_SOURCE
+#                       is the source tree
 #     expected.stdout   what they print; none: nothing. A line is literal, or an extended regular expression after
 #     expected.stderr   "~ "; a line "..." stands for any lines
 #     expected.exit     exit status; none: 0
@@ -14,8 +15,9 @@ matcher=$(cd "$(dirname "$0")" && pwd)/match_lines.awk
 ETAK_SHARED=${ETAK_SHARED:-$(dirname "$matcher")/../../../shared}
 PATH=$etak_folder:$PATH
 ETAK_FOLDER=$etak_folder
+ETAK_SOURCE=$(dirname "$matcher")/../..
 LC_ALL=C
-export ETAK_SHARED ETAK_FOLDER PATH LC_ALL
+export ETAK_SHARED ETAK_FOLDER ETAK_SOURCE PATH LC_ALL
 unset NO_COLOR ETAK_LIBRARY OCIO || true
 
 scratch=$(mktemp -d -t etak-cli.XXXXXX)

@@ -160,19 +160,37 @@ TEST_CASE("what is written reads back equal, and writing it again gives the same
     d.citation.doi = d.citation.url = "";
     round_trip(m);
     const std::string text = format_material(m);
-    for (const auto* key : {"temperature_kelvin", "axis", "flags", "note", "year", "doi", "url"})
+    for (const auto* key :
+         {"alias_notes", "group", "temperature_kelvin", "axis", "flags", "note", "year", "doi", "url"})
       CHECK(!contains(text, std::string("\"") + key + "\""));
   }
 }
 
-TEST_CASE("every material file of the library stands under its id and class, and survives being written") {
+TEST_CASE(
+    "found 1.10: notes on aliases and the group are read, written, and refused where they stand for "
+    "nothing") {
+  const std::string notes = R"("alias_notes": {"Tt": "its symbol", "testium": "its id"}, "group": "stone", )";
+  const Material m = parse_material(with("\"class\"", notes + "\"class\""), "testium.json");
+  CHECK(m.group == "stone");
+  CHECK(m.alias_notes == std::vector<AliasNote>{{"Tt", "its symbol"}, {"testium", "its id"}});
+  round_trip(m);
+  CHECK(contains(complaint(with("\"class\"", R"("alias_notes": {"Xx": "a"}, "class")")),
+                 "#/alias_notes: a note on \"Xx\""));
+  CHECK(contains(complaint(with("\"class\"", R"("alias_notes": {"Tt": ""}, "class")")), "#/alias_notes/Tt"));
+  CHECK(contains(complaint(with("\"class\"", R"("alias_notes": ["Tt"], "class")")), "#/alias_notes"));
+  CHECK(contains(complaint(with("\"class\"", R"("group": "Wood", "class")")), "#/group"));
+}
+
+TEST_CASE(
+    "every material file of the library stands under its id, class and group, and survives being written") {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() + "/materials")) {
     if (entry.path().extension() != ".json") continue;
     const std::string file = entry.path().string(), text = slurp(file);
     INFO(file);
     const Material m = parse_material(text, file);
     CHECK(m.id == entry.path().stem().string());
-    CHECK(m.material_class == entry.path().parent_path().filename().string());
+    CHECK(file.ends_with("/" + m.material_class + "/" + (m.group.empty() ? "" : m.group + "/") + m.id +
+                         ".json"));
     CHECK((parse_material(format_material(m), file) == m));
   }
 }

@@ -232,3 +232,43 @@ TEST_CASE("the measured reflectances of the library are the reference figures") 
     CHECK(std::find(surfaces.begin(), surfaces.end(), values) != surfaces.end());
   }
 }
+
+TEST_CASE("found 1.10: the everyday reflectances of the library are the reference figures, in colour too") {
+  const auto shared = shared_folder();
+  if (!shared) {
+    WARN("no reference data beside the checkout; not checked");
+    return;
+  }
+  std::map<std::string, Spectrum> spectra;
+  const auto rows = read_csv(*shared + "/data/everyday-reflectance.csv");
+  const std::size_t nm = column(rows[0], "wavelength_nm"), value = column(rows[0], "reflectance");
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    Spectrum& s = spectra[rows[i][0]];
+    s.wavelength_nm.push_back(to_number(rows[i][nm]));
+    s.value.push_back(to_number(rows[i][value]));
+  }
+  CHECK(spectra.size() == 152);
+  for (const auto& [id, spectrum] : spectra) {
+    INFO(id);
+    const auto found = library().find(id);
+    REQUIRE(found);
+    CHECK(found->id == id);
+    CHECK(found->material_class == "surface");
+    CHECK(!found->group.empty());
+    CHECK(std::get<Reflectance>(found->preferred_dataset().optics).spectrum == spectrum);
+  }
+  // The colours that were worked out beside the data, by another program.
+  const auto sources = read_csv(*shared + "/data/everyday-reflectance-sources.csv");
+  const std::size_t luminance = column(sources[0], "Y_d65"), licence = column(sources[0], "licence");
+  CHECK(sources.size() == 153);
+  for (std::size_t i = 1; i < sources.size(); ++i) {
+    INFO(sources[i][0]);
+    const Material m = material(sources[i][0]);
+    const Dataset& dataset = m.preferred_dataset();
+    CHECK(solve(dataset.optics).luminance == Approx(to_number(sources[i][luminance])).margin(2e-4));
+    const bool second_hand = contains(sources[i][licence], "as stated by the redistributor");
+    CHECK(contains(dataset.citation.licence, "on the redistributor's word alone") == second_hand);
+    CHECK(!dataset.note.empty());
+    CHECK(!dataset.sample.empty());
+  }
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/material/names.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/edit_distance.h"
+#include "core/base/error.h"
+
+namespace etak {
+namespace {
+
+// Elements 1 to 103, sorted.
+constexpr std::array<std::string_view, 103> elements{
+    "Ac", "Ag", "Al", "Am", "Ar", "As", "At", "Au", "B",  "Ba", "Be", "Bi", "Bk", "Br", "C",
+    "Ca", "Cd", "Ce", "Cf", "Cl", "Cm", "Co", "Cr", "Cs", "Cu", "Dy", "Er", "Es", "Eu", "F",
+    "Fe", "Fm", "Fr", "Ga", "Gd", "Ge", "H",  "He", "Hf", "Hg", "Ho", "I",  "In", "Ir", "K",
+    "Kr", "La", "Li", "Lr", "Lu", "Md", "Mg", "Mn", "Mo", "N",  "Na", "Nb", "Nd", "Ne", "Ni",
+    "No", "Np", "O",  "Os", "P",  "Pa", "Pb", "Pd", "Pm", "Po", "Pr", "Pt", "Pu", "Ra", "Rb",
+    "Re", "Rh", "Rn", "Ru", "S",  "Sb", "Sc", "Se", "Si", "Sm", "Sn", "Sr", "Ta", "Tb", "Tc",
+    "Te", "Th", "Ti", "Tl", "Tm", "U",  "V",  "W",  "Xe", "Y",  "Yb", "Zn", "Zr"};
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool separates(char c) {
+  return c == ' ' || c == '-' || c == '_' || c == ',' || c == '(' || c == ')';
+}
+
+// Letters of the element that `text` begins with, the longer symbol first ("Co" before "C"); 0: none.
+std::size_t element_size(std::string_view text) {
+  for (const std::size_t size : {2, 1})
+    if (text.size() >= size && std::binary_search(elements.begin(), elements.end(), text.substr(0, size)))
+      return size;
+  return 0;
+}
+
+std::vector<std::string> folded_words(std::string_view name) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < name.size();) {
+    std::size_t end = i;
+    while (end < name.size() && !separates(name[end])) ++end;
+    if (end > i) out.push_back(folded_name(name.substr(i, end - i)));
+    i = end + 1;
+  }
+  return out;
+}
+
+// Letters of the longest run of whole words of `asked` that is `known`; 0: none.
+std::size_t run_of_words(const std::vector<std::string>& asked, std::string_view known) {
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    std::string run;
+    for (std::size_t j = i; j < asked.size() && run.size() < known.size(); ++j) run += asked[j];
+    if (run == known) return run.size();
+  }
+  return 0;
+}
+
+std::size_t allowed_edits(std::string_view asked, std::string_view known) {
+  const std::size_t size = asked.size();
+  if (size < 3) return 0;
+  std::size_t allowed = size <= 4 ? 1 : size <= 7 ? 2 : size / 3;
+  if (known.empty() || asked.front() != known.front()) allowed = std::max<std::size_t>(allowed - 1, size > 3);
+  return allowed + std::is_permutation(asked.begin(), asked.end(), known.begin(), known.end());
+}
+
+std::string ids_of(const std::vector<const Dataset*>& datasets) {
+  std::string out;
+  for (const Dataset* each : datasets) out += (out.empty() ? "" : ", ") + each->id;
+  return out;
+}
+
+}  // namespace
+
+std::string folded_name(std::string_view name) {
+  std::string out;
+  for (const char c : name) {
+    if (c == ' ' || c == '-' || c == '_') continue;
+    out.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
+  }
+  return out;
+}
+
+bool is_formula(std::string_view name) {
+  constexpr std::size_t most_digits = 3;
+  std::size_t atoms = 0;
+  for (std::size_t i = 0; i < name.size();) {
+    if (atoms > 0 && name[i] == '-') ++i;
+    const std::size_t symbol = element_size(name.substr(i));
+    if (symbol == 0) return false;
+    ++atoms;
+    i += symbol;
+    std::size_t digits = 0;
+    for (; i < name.size() && (is_digit(name[i]) || name[i] == '.'); ++i) digits += is_digit(name[i]);
+    if (digits > most_digits) return false;
+  }
+  return atoms > 0;
+}
+
+std::optional<NameDistance> name_distance(std::string_view asked_name, std::string_view known_name) {
+  using Kind = NameDistance::Kind;
+  const std::string asked = folded_name(asked_name), known = folded_name(known_name);
+  if (asked.empty() || known.empty()) return std::nullopt;
+  if (asked == known) return NameDistance{Kind::same, 0};
+  constexpr std::size_t least_prefix = 2, least_part = 3;
+  const std::size_t more = known.size() > asked.size() ? known.size() - asked.size() : 0;
+  if (asked.size() >= least_prefix && known.starts_with(asked)) return NameDistance{Kind::prefix, more};
+  if (asked.size() >= least_part) {
+    for (const std::string& word : folded_words(known_name))
+      if (word.starts_with(asked)) return NameDistance{Kind::word, more};
+    if (known.size() >= least_part)
+      if (const std::size_t run = run_of_words(folded_words(asked_name), known); run > 0)
+        return NameDistance{Kind::word, asked.size() - run};
+    if (known.find(asked) != known.npos) return NameDistance{Kind::substring, more};
+  }
+  const std::size_t edits = edit_distance(asked, known);
+  if (edits > allowed_edits(asked, known)) return std::nullopt;
+  return NameDistance{Kind::edits, edits};
+}
+
+std::vector<const Dataset*> datasets_named(const Material& material, std::string_view text,
+                                           std::string_view label) {
+  if (const Dataset* exact = material.dataset(text)) return {exact};
+  const bool any_number = text.ends_with('*');
+  const std::string_view beginning = text.substr(0, text.size() - any_number);
+  std::vector<const Dataset*> all, found;
+  for (const Dataset& each : material.datasets) {
+    all.push_back(&each);
+    if (each.id.starts_with(beginning)) found.push_back(&each);
+  }
+  if (found.empty() || (beginning.empty() && !any_number))
+    throw Error::at(label, "has no dataset " + printable(text), ids_of(all));
+  if (found.size() > 1 && !any_number)
+    throw Error::at(label, "more than one dataset begins with " + printable(text), "one of " + ids_of(found));
+  return found;
+}
+
+const Dataset& dataset_named(const Material& material, std::string_view text, std::string_view label) {
+  if (text.empty()) return material.preferred_dataset();
+  const std::vector<const Dataset*> found = datasets_named(material, text, label);
+  if (found.size() > 1)
+    throw Error::at(label, printable(text) + " names " + std::to_string(found.size()) + " datasets",
+                    "one of " + ids_of(found));
+  return *found.front();
+}
+
+std::string_view alias_note(const Material& material, std::string_view name) {
+  const std::string key = folded_name(name);
+  for (const AliasNote& each : material.alias_notes)
+    if (folded_name(each.alias) == key) return each.note;
+  return {};
+}
+
+}  // namespace etak

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/material/material.h"
+
+namespace etak {
+
+/// A name without what does not matter in a look-up: case, blanks, '-' and '_'.
+std::string folded_name(std::string_view name);
+
+/// Whether a name reads as a chemical formula: symbols of elements, each with or without a count of at most
+/// three digits ("TiN", "SiO2", "Au80Ag20", "Si0.47Ge0.53", "In2O3-SnO2"). A formula is found in its own case
+/// only, so that "tin" is not TiN and "co" not Co. An abbreviation that reads as a formula, such as PC, is
+/// listed in lower case too where it is to be found in any case.
+bool is_formula(std::string_view name);
+
+/// How near a name comes to the one asked for; less is nearer.
+struct NameDistance {
+  enum class Kind { same, prefix, word, substring, edits };
+  Kind kind = Kind::same;
+  std::size_t amount = 0;  // letters that are not asked for, or edits
+  friend auto operator<=>(const NameDistance&, const NameDistance&) = default;
+};
+
+/// Nothing where `known` does not come near enough to `asked` to be worth a suggestion. Both may have any
+/// case; blanks, '-' and '_' separate words.
+///   same        written alike but for case: a formula in another case
+///   prefix      `known` begins with what was asked for: "bronze" and "bronze_commercial"
+///   word        a word of `known` begins with it ("steel", "stainless steel"), or `known` is a word of it
+///   substring   `known` holds it
+///   edits       few letters are wrong: none of 2, 1 of 3 or 4, 2 of 5 to 7, a third of 8 and more;
+///               one less where the first letter is wrong, but 1 of 4 and more; one more where the
+///               letters are the same in another order
+std::optional<NameDistance> name_distance(std::string_view asked, std::string_view known);
+
+/// The datasets of `material` that `text` names: an id, the unique beginning of one, or with a '*' at the end
+/// all that begin so. Throws Error with the ids it has, or with those that begin so, where there is none or
+/// more than one.
+///   label   name for messages
+std::vector<const Dataset*> datasets_named(const Material& material, std::string_view text,
+                                           std::string_view label);
+
+/// The same for one dataset; the preferred one where `text` is empty.
+const Dataset& dataset_named(const Material& material, std::string_view text, std::string_view label);
+
+/// What must be said where `material` is asked for as `name`, a view into it; empty: nothing.
+std::string_view alias_note(const Material& material, std::string_view name);
+
+}  // namespace etak

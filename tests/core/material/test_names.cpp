@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/material/names.h"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/material/library.h"
+#include "core/material/unmeasured.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+using Kind = NameDistance::Kind;
+
+const MaterialLibrary& library() {
+  static const MaterialLibrary all = MaterialLibrary::builtin();
+  return all;
+}
+
+std::string found(std::string_view name) {
+  const auto material = library().find(name);
+  return material ? material->id : "";
+}
+
+std::vector<std::string> suggested(std::string_view name) {
+  std::vector<std::string> out;
+  for (const Suggestion& each : library().suggest(name)) out.push_back(each.id);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("found 1.02: a formula is found in its own case only, so that tin is not TiN") {
+  CHECK(found("TiN") == "titanium_nitride");
+  for (const char* other : {"tin", "Tin", "TIN", "tiN"}) {
+    INFO(other);
+    CHECK(found(other).empty());
+  }
+  CHECK(found("Co") == "cobalt");
+  CHECK(found("co").empty());
+  CHECK(found("CO").empty());  // carbon monoxide
+  CHECK(found("In") == "indium");
+  CHECK(found("in").empty());
+  CHECK(found("Pb") == "lead");
+  CHECK(found("pb").empty());
+  CHECK(found("Au") == "gold");
+  CHECK(found("au").empty());
+  CHECK(found("SiO2") == "fused_silica");
+  CHECK(found("sio2").empty());
+  CHECK(found("W") == "tungsten");
+  CHECK(found("w").empty());
+  // Abbreviations that read as formulas are listed in lower case too.
+  CHECK(found("PC") == "polycarbonate");
+  CHECK(found("pc") == "polycarbonate");
+  CHECK(found("sf11") == "glass_sf11");
+}
+
+TEST_CASE("found 1.02: what reads as a chemical formula") {
+  for (const char* formula : {"TiN", "Au", "W", "SiO2", "Au80Ag20", "Si0.47Ge0.53", "In2O3-SnO2",
+                              "CH3NH3PbI3", "KH2PO4", "PC", "CuZn30"}) {
+    INFO(formula);
+    CHECK(is_formula(formula));
+  }
+  for (const char* word : {"", "tin", "Gold", "4H-SiC", "SiC film", "a-Si", "316", "ITO", "C26000", "-Au",
+                           "Au-", "TiO2 anatase", "Jc", "ABS", "1"}) {
+    INFO(word);
+    CHECK(!is_formula(word));
+  }
+}
+
+TEST_CASE(
+    "found 1.02: over the whole library no word stands for two materials, and none for another's formula") {
+  std::map<std::string, std::string> words, formulas, folded_formulas;
+  for (std::size_t i = 0; i < library().ids().size(); ++i) {
+    const Material m = library().at(i);
+    std::set<std::string> own;
+    const auto claim = [&](std::map<std::string, std::string>& owners, const std::string& key) {
+      const auto [place, fresh] = owners.try_emplace(key, m.id);
+      INFO(key << " of " << m.id << " is taken by " << place->second);
+      CHECK((fresh || place->second == m.id));
+    };
+    claim(words, folded_name(m.id));
+    claim(words, folded_name(m.name));
+    for (const std::string& alias : m.aliases) {
+      INFO(m.id << ": " << alias);
+      CHECK(own.insert(alias).second);
+      CHECK(folded_name(alias) != folded_name(m.id));
+      if (!is_formula(alias)) {
+        claim(words, folded_name(alias));
+        continue;
+      }
+      claim(formulas, alias);
+      folded_formulas.try_emplace(folded_name(alias), m.id);
+    }
+  }
+  for (const auto& [key, id] : words)
+    if (const auto clash = folded_formulas.find(key); clash != folded_formulas.end()) {
+      INFO(key << " is a word of " << id << " and a formula of " << clash->second);
+      CHECK(clash->second == id);
+    }
+}
+
+TEST_CASE("found 1.02: every name of every material finds it, and id wins over name, alias and formula") {
+  for (std::size_t i = 0; i < library().ids().size(); ++i) {
+    const Material m = library().at(i);
+    INFO(m.id);
+    CHECK(library().look_up(m.id)->kind == NameKind::id);
+    CHECK(found(m.id) == m.id);
+    CHECK(found(m.name) == m.id);
+    for (const std::string& alias : m.aliases) {
+      INFO(alias);
+      CHECK(found(alias) == m.id);
+    }
+  }
+}
+
+TEST_CASE("found 1.09: a beginning wins, then a word, then a part, then letters exchanged or wrong") {
+  CHECK(name_distance("bronze", "bronze_commercial")->kind == Kind::prefix);
+  CHECK(name_distance("steel", "stainless steel")->kind == Kind::word);
+  CHECK(name_distance("stainless steel pipe", "stainless steel")->kind == Kind::word);
+  CHECK(name_distance("lica", "silica")->kind == Kind::substring);
+  CHECK(*name_distance("glod", "gold") == NameDistance{Kind::edits, 1});
+  CHECK(name_distance("sio2", "SiO2")->kind == Kind::same);
+  CHECK(NameDistance{Kind::prefix, 9} < NameDistance{Kind::word, 0});
+}
+
+TEST_CASE("found 1.09: what is not near is not suggested") {
+  CHECK(!name_distance("teflon", "lemon"));
+  CHECK(!name_distance("skin", "indium"));
+  CHECK(!name_distance("glod", "blood"));
+  CHECK(!name_distance("bronze", "boron"));
+  CHECK(!name_distance("bronze", "iron"));
+  CHECK(!name_distance("bronze", "orange"));
+  CHECK(!name_distance("x", "xps"));
+  CHECK(!name_distance("", "gold"));
+  CHECK(!name_distance("gold", ""));
+  CHECK(suggested("qwertzuiop").empty());
+  CHECK(suggested("").empty());
+  CHECK(library().suggest("bronz", 0).empty());
+}
+
+TEST_CASE("found 1.09: the nearest names of common mistakes") {
+  CHECK(suggested("glod").at(0) == "gold");
+  CHECK(suggested("gldo").at(0) == "gold");
+  CHECK(suggested("golt").at(0) == "gold");
+  CHECK(suggested("bronz").at(0) == "bronze_commercial");
+  CHECK(suggested("alumnum").at(0) == "aluminum");
+  CHECK(suggested("silverr").at(0) == "silver");
+  CHECK(suggested("irn").at(0) == "iron");
+  CHECK(suggested("chromuim").at(0) == "chromium");
+  CHECK(suggested("sio2").at(0) == "fused_silica");
+  CHECK(library().suggest("polycarbonat").at(0).text == "polycarbonate");
+  // The alias that comes near is told, and each material once.
+  CHECK(library().suggest("plexiglasss").at(0).text == "pmma (plexiglass)");
+  const auto many = suggested("glass");
+  CHECK(std::set<std::string>(many.begin(), many.end()).size() == many.size());
+}
+
+TEST_CASE(
+    "found 1.10: everyday words are answered by what was measured, or told to be without a measurement") {
+  std::ifstream table(source_folder() + "/tests/data/everyday_words.csv");
+  std::string line;
+  REQUIRE(std::getline(table, line));
+  CHECK(line == "word,answer");
+  std::size_t words = 0, measured = 0;
+  while (std::getline(table, line)) {
+    const std::size_t comma = line.find(',');
+    const std::string word = line.substr(0, comma), answer = line.substr(comma + 1);
+    INFO(word << " should be " << answer);
+    ++words;
+    measured += answer != "unmeasured";
+    CHECK(found(word) == (answer == "unmeasured" ? "" : answer));
+    CHECK((library().unmeasured(word) != nullptr) == (answer == "unmeasured"));
+  }
+  CHECK(words > 180);
+  CHECK(measured > 130);
+}
+
+TEST_CASE("found 1.10: a word without a measurement says why, and names what is measured and near") {
+  const auto milk = library().missing("Milk");
+  CHECK(contains(milk.found, "no open measurement known: "));
+  CHECK(contains(milk.expected, "what is measured and near: water"));
+  CHECK(contains(library().missing("tin").found, "730 nm"));
+  const auto other = library().missing("glod");
+  CHECK(other.found.empty());
+  CHECK(contains(other.expected, "one of the nearest names: gold"));
+  CHECK(library().missing("qwertzuiop").expected.empty());
+  // A misspelt one is told apart from the materials.
+  const auto near = library().suggest("mlik");
+  REQUIRE(!near.empty());
+  CHECK(near.at(0).text == "milk (not measured)");
+  CHECK(near.at(0).id.empty());
+}
+
+TEST_CASE("found 1.10: no word without a measurement names a material, and what is near to it is one") {
+  const std::string file = source_folder() + "/resources/unmeasured.json";
+  for (const Unmeasured& each : parse_unmeasured(slurp(file), file)) {
+    for (const std::string& word : each.words) {
+      INFO(word);
+      CHECK(found(word).empty());
+      CHECK(library().unmeasured(word) != nullptr);
+      CHECK(*library().unmeasured(word) == each);
+    }
+    for (const std::string& id : each.nearest) CHECK(found(id) == id);
+  }
+}
+
+TEST_CASE("a broken list of words without a measurement is refused") {
+  const auto refusal = [](const std::string& things) {
+    return error_of([&] {
+      (void)parse_unmeasured(R"({"schema": "etak-unmeasured/1", "things": [)" + things + "]}", "u.json");
+    });
+  };
+  CHECK(refusal(R"({"words": ["a"], "why": "b", "nearest": []})").empty());
+  CHECK(contains(refusal(R"({"words": ["a", "A"], "why": "b", "nearest": []})"),
+                 "u.json#/things/0/words: \"A\" again"));
+  CHECK(contains(refusal(R"({"words": [], "why": "b", "nearest": []})"), "/things/0/words"));
+  CHECK(contains(refusal(R"({"words": ["a"], "why": "", "nearest": []})"), "/things/0/why"));
+  CHECK(contains(refusal(R"({"words": ["a"], "why": "b"})"), "nearest"));
+  CHECK(contains(error_of([] { (void)parse_unmeasured("{}", "u.json"); }), "schema"));
+}
+
+TEST_CASE("found 1.02: a dataset is named by its id, its unique beginning, or with others by a star") {
+  const Material gold = *library().find("gold");
+  CHECK(&dataset_named(gold, "", "gold") == &gold.preferred_dataset());
+  CHECK(dataset_named(gold, "johnson-1972", "gold").id == "johnson-1972");
+  CHECK(dataset_named(gold, "john", "gold").id == "johnson-1972");
+  CHECK(datasets_named(gold, "*", "gold").size() == gold.datasets.size());
+  CHECK(datasets_named(gold, "john*", "gold").size() == 1);
+  const Material aluminum = *library().find("aluminum");
+  CHECK(contains(error_of([&] { (void)dataset_named(gold, "nobody", "gold"); }),
+                 "gold: has no dataset nobody; expected"));
+  CHECK(contains(error_of([&] { (void)dataset_named(gold, "*", "gold"); }),
+                 "names " + std::to_string(gold.datasets.size())));
+  // An id wins over the longer ones that begin with it.
+  Material two = gold;
+  two.datasets.resize(2);
+  two.preferred = 0;
+  two.datasets[0].id = "a-1972";
+  two.datasets[1].id = "a-1972-2";
+  CHECK(dataset_named(two, "a-1972", "x").id == "a-1972");
+  const std::string both = error_of([&] { (void)dataset_named(two, "a-", "x"); });
+  CHECK(contains(both, "x: more than one dataset begins with a-; expected one of a-1972, a-1972-2"));
+}
+
+TEST_CASE("found 1.10: a note says which steel steel is, and stands under a name of its material") {
+  const Material steel = *library().find("steel");
+  CHECK(contains(std::string(alias_note(steel, "Steel")), "stainless"));
+  CHECK(alias_note(steel, "stainless_316").empty());
+  for (std::size_t i = 0; i < library().ids().size(); ++i) {
+    const Material m = library().at(i);
+    for (const AliasNote& each : m.alias_notes) {
+      INFO(m.id << ": " << each.alias);
+      CHECK(found(each.alias) == m.id);
+      CHECK(!each.note.empty());
+    }
+  }
+}
