@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "app/cli/catalogue.h"
+#include "app/cli/inputs.h"
+#include "app/cli/list_names.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
@@ -17,7 +19,8 @@ namespace etak::cli {
 namespace {
 
 struct ListArguments {
-  std::string material_class, search, zone;
+  std::string material_class, search, zone, names_from;
+  std::vector<std::string> names;
   OutputArguments output;
   Library library;
   unsigned threads = 0;
@@ -40,7 +43,7 @@ bool fits(const CatalogueEntry& entry, const ListArguments& arguments) {
   if (!arguments.zone.empty() && (entry.result.refused() || name(entry.result.zone) != arguments.zone))
     return false;
   const std::string part = lower(arguments.search);
-  return contains(material.id, part) || contains(material.name, part) ||
+  return contains(material.id, part) || contains(material.name, part) || contains(material.group, part) ||
          std::any_of(material.aliases.begin(), material.aliases.end(),
                      [&](const std::string& alias) { return contains(alias, part); });
 }
@@ -94,6 +97,7 @@ std::string json_object(const CatalogueEntry& entry) {
     aliases += (aliases.empty() ? "" : ", ") + json_string(alias);
   std::string out = "{\"id\": " + json_string(material.id) + ", \"name\": " + json_string(material.name) +
                     ", \"aliases\": [" + aliases + "], \"class\": " + json_string(material.material_class) +
+                    (material.group.empty() ? "" : ", \"group\": " + json_string(material.group)) +
                     ", \"datasets\": " + std::to_string(material.datasets.size()) +
                     ", \"preferred\": " + json_string(material.preferred_dataset().id);
   if (result.refused()) return out + ", \"refusal\": " + json_string(result.refusal) + "}";
@@ -114,7 +118,30 @@ std::string json_lines(const std::vector<const CatalogueEntry*>& entries) {
   return out;
 }
 
+int list_names(ListArguments& arguments) {
+  if (!arguments.material_class.empty() || !arguments.search.empty() || !arguments.zone.empty())
+    throw Error::at("etak list", "names beside --class, --search or --zone", "one of the two");
+  std::vector<std::string> names = arguments.names;
+  if (!arguments.names_from.empty()) {
+    const std::vector<std::string> more = listed_names(arguments.names_from);
+    names.insert(names.end(), more.begin(), more.end());
+  }
+  if (names.empty()) throw Error::at(arguments.names_from, "holds no name", "a name a line");
+  const F0Solver solver{F0Options{}};
+  std::vector<NameAnswer> answers;
+  for (const std::string& each : names) answers.push_back(answer_name(arguments.library.get(), solver, each));
+  write_output(arguments.output, names_text(answers, arguments.output.format));
+  const auto answered = static_cast<std::size_t>(std::count_if(
+      answers.begin(), answers.end(), [](const NameAnswer& a) { return a.material.has_value(); }));
+  remark(arguments.output, std::to_string(answered) + " of " + std::to_string(answers.size()) +
+                               " names answered by a material");
+  return answered == answers.size() ? exit_ok : exit_findings;
+}
+
 int run(ListArguments& arguments) {
+  if (!arguments.names.empty() || !arguments.names_from.empty()) return list_names(arguments);
+  if (arguments.output.format == "markdown")
+    throw Error::at("--format", "markdown without names", "names, or table, csv, json or jsonl");
   const auto known = [&](std::string_view text) {
     return std::find(material_classes.begin(), material_classes.end(), text) != material_classes.end();
   };
@@ -143,17 +170,25 @@ int run(ListArguments& arguments) {
 
 void add_list(CLI::App& app, Verb& chosen) {
   const auto arguments = std::make_shared<ListArguments>();
-  CLI::App& verb = *app.add_subcommand("list", "materials of the library");
+  CLI::App& verb = *app.add_subcommand("list", "materials of the library, or what names are answered with");
+  verb.add_option("NAME", arguments->names, "tell what these names are answered with")->type_name("");
+  verb.add_option("--names-from", arguments->names_from,
+                  "read more names from LIST, one per line or NUL-separated")
+      ->type_name("LIST");
   verb.add_option("--class", arguments->material_class, "only this class, such as metal or glass");
-  verb.add_option("--search", arguments->search, "only where id, name or an alias contains TEXT")
+  verb.add_option("--search", arguments->search, "only where id, name, group or an alias contains TEXT")
       ->type_name("TEXT");
   verb.add_option("--zone", arguments->zone,
                   "only where the luminance of F0 lies below, inside or above 0.20-0.45")
       ->check(CLI::IsMember({"below", "inside", "above"}));
   add_library_options(verb, arguments->library);
-  add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl"});
+  add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "markdown"});
   add_thread_option(verb, arguments->threads);
-  verb.footer("Example:\n  etak list --class metal --zone above");
+  verb.footer(
+      "Names alone tell what each is answered with (etak list steel milk); the exit status is then 1 when "
+      "one\n"
+      "of them is answered by no material.\n"
+      "Example:\n  etak list --class metal --zone above");
   verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
 }
 

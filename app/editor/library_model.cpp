@@ -40,6 +40,7 @@ void LibraryModel::set_library(std::shared_ptr<const MaterialLibrary> library) {
             QString::fromStdString(m.material_class),
             {}};
     row.keys = row.id + QLatin1Char(' ') + row.name + QLatin1Char(' ') + row.material_class;
+    row.keys += QLatin1Char(' ') + QString::fromStdString(m.group);
     for (const std::string& alias : m.aliases) row.keys += QLatin1Char(' ') + QString::fromStdString(alias);
     row.keys = search_key(row.keys);
     rows_.push_back(std::move(row));

@@ -44,7 +44,8 @@ class LibraryModel : public QAbstractListModel {
   double ratio_ = 1;
 };
 
-/// The rows that a search and a class leave: every word of the search is found in id, name, aliases or class.
+/// The rows that a search and a class leave: every word of the search is found in id, name, aliases, group
+/// or class.
 class LibraryFilter : public QSortFilterProxyModel {
   Q_OBJECT
 

@@ -57,6 +57,7 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
   auto* foot = new QHBoxLayout;
   count_->setProperty("quiet", true);
   count_->setAccessibleName(tr("Number of materials shown"));
+  count_->setWordWrap(true);
   foot->addWidget(count_, 1);
   auto* flat = new QToolButton(this);
   flat->setText(tr("Flat"));
@@ -96,6 +97,7 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
 
 void LibraryPanel::set_library(std::shared_ptr<const MaterialLibrary> library) {
   const QString before = selected();
+  library_ = library;
   model_.set_library(std::move(library));
   make_chips();
   tell_count();
@@ -143,6 +145,16 @@ void LibraryPanel::make_chips() {
 
 void LibraryPanel::tell_count() {
   const int shown = filter_.rowCount(), all = model_.rowCount();
+  // What is asked for and not there: why, or what comes near.
+  if (shown == 0 && library_ && !search_->text().trimmed().isEmpty()) {
+    const auto missing = library_->missing(search_->text().trimmed().toStdString());
+    const std::string told =
+        missing.found + (missing.found.empty() || missing.expected.empty() ? "" : "; ") + missing.expected;
+    if (!told.empty()) {
+      count_->setText(QString::fromStdString(told));
+      return;
+    }
+  }
   count_->setText(shown == all ? tr("%1 materials").arg(all) : tr("%1 of %2").arg(shown).arg(all));
 }
 

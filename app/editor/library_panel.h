@@ -36,6 +36,7 @@ class LibraryPanel : public QWidget {
   void make_chips();
   void tell_count();
 
+  std::shared_ptr<const MaterialLibrary> library_;
   LibraryModel model_;
   LibraryFilter filter_;
   QLineEdit* search_;

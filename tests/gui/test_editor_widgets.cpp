@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
@@ -309,6 +310,23 @@ class EditorWidgets : public QObject {
     for (auto* chip : library.findChildren<QAbstractButton*>())
       if (chip->text() == QLatin1String("gem")) chip->click();
     QVERIFY(library.list().model()->rowCount() > 3 && library.list().model()->rowCount() < 40);
+  }
+
+  void found_1_10_a_search_without_a_row_says_why() {
+    TestWindow window(true);
+    LibraryPanel& library = window->library_panel();
+    const auto told = [&](const char* text) {
+      library.search().setText(QString::fromUtf8(text));
+      for (const auto* label : library.findChildren<QLabel*>())
+        if (label->accessibleName() == QLatin1String("Number of materials shown")) return label->text();
+      return QString();
+    };
+    QVERIFY(told("milk").startsWith(QLatin1String("no open measurement known: ")));
+    QCOMPARE(library.list().model()->rowCount(), 0);
+    QVERIFY(told("glod").contains(QLatin1String("nearest names: gold")));
+    QVERIFY(told("qwertzuiop").startsWith(QLatin1String("0 of ")));
+    QVERIFY(told("spectralon").startsWith(QLatin1String("1 of ")));
+    QVERIFY(told("").endsWith(QLatin1String(" materials")));
   }
 
   void names_of_files_tell_their_channel() {

@@ -37,8 +37,8 @@ def run(*arguments):
 
 
 material, f0 = schema("material"), schema("f0")
-files = sorted(glob.glob(f"{source}/materials/*/*.json"))
-assert len(files) >= 175, len(files)
+files = sorted(glob.glob(f"{source}/materials/**/*.json", recursive=True))
+assert len(files) >= 338, len(files)
 for path in files:
     with open(path, encoding="utf-8") as file:
         check(material, json.load(file), path)
@@ -50,6 +50,14 @@ for options in ([], ["--space", "xyz", "--illuminant", "A"], ["--method", "exact
     check(f0, document, f"f0 {options}")
 for line in run("f0", "--all", "--format", "jsonl").splitlines():
     check(f0, json.loads(line), "f0 --format jsonl")
+
+with open(f"{source}/resources/unmeasured.json", encoding="utf-8") as file:
+    check(schema("unmeasured"), json.load(file), "unmeasured.json")
+done = subprocess.run([etak, "list", "steel", "TiN", "dna", "milk", "glod", "qwertzuiop", "--format", "json"],
+                      capture_output=True, text=True)
+assert done.returncode == 1, done.stderr
+check(schema("names"), json.loads(done.stdout), "list of names")
+check(f0, json.loads(run("f0", "steel", "gold/*", "--format", "json")), "f0 of an alias with a note")
 
 with tempfile.TemporaryDirectory() as folder:
     page, out = os.path.join(folder, "page.yml"), os.path.join(folder, "out.json")
