@@ -14,6 +14,7 @@
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
 #include "core/material/names.h"
+#include "core/material/quality.h"
 
 namespace etak::cli {
 namespace {
@@ -49,7 +50,7 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
     try {
       const Material material = read_material(input, tables);
       const Dataset& dataset = dataset_named(material, input.dataset, input.label());
-      const F0Result result = solver.solve(dataset.optics, dataset.flags);
+      const F0Result result = solve(solver, material, dataset);
       if (result.refused()) {
         complain(material.id + "/" + dataset.id + ": refused: " + result.refusal);
         // Of the whole library some have no F0, and nobody asked for those.

@@ -16,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/material/quality.h"
 #include "core/report/f0_report.h"
 
 namespace etak::cli {
@@ -70,7 +71,7 @@ constexpr std::size_t chunk_inputs = 8;
 
 void add_row(F0Row row, const std::string& format, const F0Options& options, Chunk& out) {
   if (format == "csv")
-    append_f0_csv(out.text, row.path, row.result);
+    append_f0_csv(out.text, row.path, row.result, row.kind);
   else if (format == "jsonl")
     out.text += f0_jsonl({&row, 1}, options);
   else
@@ -125,7 +126,7 @@ MaterialReport html_report(const Input& input, const F0Job& job, F0Worker& worke
   }
   MaterialReport report{read_material(input, job.tables), {}};
   for (const Dataset& dataset : report.material.datasets)
-    report.results.push_back(job.solver.solve(dataset.optics, dataset.flags));
+    report.results.push_back(solve(job.solver, report.material, dataset));
   outcome.row.result = report.results[report.material.preferred];
   count(outcome, input, tally);
   return report;

@@ -11,6 +11,7 @@
 #include "core/exchange/table.h"
 #include "core/material/json.h"
 #include "core/material/names.h"
+#include "core/material/quality.h"
 
 namespace etak::cli {
 namespace {
@@ -98,6 +99,7 @@ Outcome F0Worker::answer_page(const Input& input, const F0Job& job) {
   }
   out.row.path = input.label();
   if (job.with_source) out.row.source = page_source(text_, name);
+  if (page_.flags.has(Flag::computed)) out.row.kind = etak::name(Origin::computed);
   out.without_optics = !page_.refusal.empty();
   if (out.without_optics)
     out.row.result = refused(page_.refusal, page_.flags);
@@ -147,10 +149,12 @@ void F0Worker::answer_dataset(const Material& material, const Input& input, cons
   row.material_class = material.material_class;
   row.dataset = dataset.id;
   row.source = one_line(dataset.citation);
+  row.kind = name(dataset.origin);
+  row.doubt = doubt(material, dataset);
   const std::vector<AxisDataset> axes =
       job.axis_average ? axis_datasets(material, dataset) : std::vector<AxisDataset>{};
   if (axes.empty()) {
-    row.result = job.solver.solve(dataset.optics, dataset.flags, job.timed ? &times.f0 : nullptr);
+    row.result = etak::solve(job.solver, material, dataset, job.timed ? &times.f0 : nullptr);
     return;
   }
   std::vector<F0Solver::Part> parts;
@@ -164,6 +168,8 @@ void F0Worker::answer_dataset(const Material& material, const Input& input, cons
     }
     parts.push_back({&axis.dataset->optics, axis.weight});
     flags |= axis.dataset->flags;
+    flags |= quality_flags(material, *axis.dataset);
+    if (row.doubt.empty()) row.doubt = doubt(material, *axis.dataset);
     members += (members.empty() ? "" : " + ") + axis.dataset->id;
   }
   row.dataset = members;

@@ -19,8 +19,8 @@ namespace etak::cli {
 namespace {
 
 struct ListArguments {
-  std::string material_class, search, zone, names_from;
-  std::vector<std::string> names;
+  std::vector<std::string> classes, names;
+  std::string search, zone, names_from;
   OutputArguments output;
   Library library;
   unsigned threads = 0;
@@ -39,8 +39,10 @@ bool contains(std::string_view text, const std::string& lower_part) {
 
 bool fits(const CatalogueEntry& entry, const ListArguments& arguments) {
   const Material& material = entry.material;
-  if (!arguments.material_class.empty() && material.material_class != arguments.material_class) return false;
-  if (!arguments.zone.empty() && (entry.result.refused() || name(entry.result.zone) != arguments.zone))
+  const auto& classes = arguments.classes;
+  if (!classes.empty() && std::find(classes.begin(), classes.end(), material.material_class) == classes.end())
+    return false;
+  if (!arguments.zone.empty() && (!entry.result.zone || name(*entry.result.zone) != arguments.zone))
     return false;
   const std::string part = lower(arguments.search);
   return contains(material.id, part) || contains(material.name, part) || contains(material.group, part) ||
@@ -57,7 +59,7 @@ std::string table(const std::vector<const CatalogueEntry*>& entries, bool color)
   }
   const std::string gap = "  ";
   std::string out = (color ? "   " : "") + padded("id", id_width) + gap + padded("name", name_width) + gap +
-                    padded("class", class_width) + gap + "datasets  sRGB     Y       zone\n";
+                    padded("class", class_width) + gap + "datasets  sRGB     Y       zone    quality\n";
   for (const CatalogueEntry* entry : entries) {
     const Material& material = entry->material;
     const F0Result& result = entry->result;
@@ -70,13 +72,13 @@ std::string table(const std::vector<const CatalogueEntry*>& entries, bool color)
       out += "refused: " + result.refusal + '\n';
     else
       out += hex(result.srgb8) + gap + padded(number(result.luminance, 4), 6) + gap +
-             std::string(name(result.zone)) + '\n';
+             padded(result.zone ? name(*result.zone) : "-", 6) + gap + quality_text(*entry) + '\n';
   }
   return out;
 }
 
 std::string csv(const std::vector<const CatalogueEntry*>& entries) {
-  std::string out = "id,name,class,datasets,preferred,hex,Y,zone,refusal\n";
+  std::string out = "id,name,class,datasets,preferred,hex,Y,zone,refusal,kind,flags\n";
   for (const CatalogueEntry* entry : entries) {
     const Material& material = entry->material;
     const F0Result& result = entry->result;
@@ -84,7 +86,8 @@ std::string csv(const std::vector<const CatalogueEntry*>& entries) {
     out += material.id + ',' + csv_field(material.name) + ',' + material.material_class + ',' +
            std::to_string(material.datasets.size()) + ',' + material.preferred_dataset().id + ',' +
            (good ? hex(result.srgb8) : "") + ',' + (good ? number(result.luminance, 9) : "") + ',' +
-           (good ? std::string(name(result.zone)) : "") + ',' + csv_field(result.refusal) + '\n';
+           (result.zone ? std::string(name(*result.zone)) : "") + ',' + csv_field(result.refusal) + ',' +
+           std::string(name(material.preferred_dataset().origin)) + ',' + flag_names(*entry) + '\n';
   }
   return out;
 }
@@ -99,10 +102,12 @@ std::string json_object(const CatalogueEntry& entry) {
                     ", \"aliases\": [" + aliases + "], \"class\": " + json_string(material.material_class) +
                     (material.group.empty() ? "" : ", \"group\": " + json_string(material.group)) +
                     ", \"datasets\": " + std::to_string(material.datasets.size()) +
-                    ", \"preferred\": " + json_string(material.preferred_dataset().id);
+                    ", \"preferred\": " + json_string(material.preferred_dataset().id) +
+                    ", \"kind\": " + json_string(name(material.preferred_dataset().origin)) +
+                    ", \"flags\": " + json_flags(entry);
   if (result.refused()) return out + ", \"refusal\": " + json_string(result.refusal) + "}";
   return out + ", \"hex\": " + json_string(hex(result.srgb8)) + ", \"Y\": " + number(result.luminance, 9) +
-         ", \"zone\": " + json_string(name(result.zone)) + "}";
+         ", \"zone\": " + (result.zone ? json_string(name(*result.zone)) : "null") + "}";
 }
 
 std::string json(const std::vector<const CatalogueEntry*>& entries) {
@@ -119,7 +124,7 @@ std::string json_lines(const std::vector<const CatalogueEntry*>& entries) {
 }
 
 int list_names(ListArguments& arguments) {
-  if (!arguments.material_class.empty() || !arguments.search.empty() || !arguments.zone.empty())
+  if (!arguments.classes.empty() || !arguments.search.empty() || !arguments.zone.empty())
     throw Error::at("etak list", "names beside --class, --search or --zone", "one of the two");
   std::vector<std::string> names = arguments.names;
   if (!arguments.names_from.empty()) {
@@ -142,15 +147,7 @@ int run(ListArguments& arguments) {
   if (!arguments.names.empty() || !arguments.names_from.empty()) return list_names(arguments);
   if (arguments.output.format == "markdown")
     throw Error::at("--format", "markdown without names", "names, or table, csv, json or jsonl");
-  const auto known = [&](std::string_view text) {
-    return std::find(material_classes.begin(), material_classes.end(), text) != material_classes.end();
-  };
-  if (!arguments.material_class.empty() && !known(arguments.material_class)) {
-    std::string classes;
-    for (const std::string_view each : material_classes)
-      classes += (classes.empty() ? "" : ", ") + std::string(each);
-    throw Error::at("--class", printable(arguments.material_class), classes);
-  }
+  check_classes(arguments.classes);
   const F0Solver solver{F0Options{}};
   const std::vector<CatalogueEntry> all =
       catalogue(arguments.library.get(), solver, thread_count(arguments.threads));
@@ -175,11 +172,11 @@ void add_list(CLI::App& app, Verb& chosen) {
   verb.add_option("--names-from", arguments->names_from,
                   "read more names from LIST, one per line or NUL-separated")
       ->type_name("LIST");
-  verb.add_option("--class", arguments->material_class, "only this class, such as metal or glass");
+  add_class_option(verb, arguments->classes, "only this class, such as metal or glass; may be repeated");
   verb.add_option("--search", arguments->search, "only where id, name, group or an alias contains TEXT")
       ->type_name("TEXT");
   verb.add_option("--zone", arguments->zone,
-                  "only where the luminance of F0 lies below, inside or above 0.20-0.45")
+                  "only where the luminance of F0 lies below, inside or above 0.20-0.45; surfaces have no F0")
       ->check(CLI::IsMember({"below", "inside", "above"}));
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "markdown"});

@@ -21,6 +21,7 @@ struct NearestArguments {
   std::string color;
   bool linear = false;
   std::size_t count = 5;
+  std::vector<std::string> classes;
   OutputArguments output;
   Library library;
   unsigned threads = 0;
@@ -64,6 +65,12 @@ Srgb8 eight_bit(const std::string& text) {
   return {codes[0], codes[1], codes[2]};
 }
 
+// A surface's diffuse colour is no F0: it is offered only where its class was asked for.
+bool may_be_offered(const Material& material, const std::vector<std::string>& classes) {
+  if (classes.empty()) return gives_f0(material.material_class);
+  return std::find(classes.begin(), classes.end(), material.material_class) != classes.end();
+}
+
 // An 8-bit colour is compared with the 8-bit colours of the library, so that a texture's own rounding and
 // clipping cost nothing; a linear one with the unclipped values.
 std::vector<Match> matches(const std::vector<CatalogueEntry>& entries, const NearestArguments& arguments) {
@@ -75,7 +82,7 @@ std::vector<Match> matches(const std::vector<CatalogueEntry>& entries, const Nea
   }
   std::vector<Match> out;
   for (const CatalogueEntry& entry : entries) {
-    if (entry.result.refused()) continue;
+    if (entry.result.refused() || !may_be_offered(entry.material, arguments.classes)) continue;
     const LinearRgb color = arguments.linear ? entry.result.srgb_linear : srgb_decode(entry.result.srgb8);
     out.push_back({&entry, delta_e2000(wanted, to_lab(color))});
   }
@@ -86,28 +93,33 @@ std::vector<Match> matches(const std::vector<CatalogueEntry>& entries, const Nea
 }
 
 std::string table(const std::vector<Match>& found, bool color) {
-  std::size_t id_width = 2, name_width = 4;
+  std::size_t id_width = 2, name_width = 4, class_width = 5;
   for (const Match& match : found) {
     id_width = std::max(id_width, match.entry->material.id.size());
     name_width = std::max(name_width, match.entry->material.name.size());
+    class_width = std::max(class_width, match.entry->material.material_class.size());
   }
   std::string out = std::string(color ? "   " : "") + "dE2000  sRGB     " + padded("id", id_width) + "  " +
-                    padded("name", name_width) + "  class\n";
+                    padded("name", name_width) + "  " + padded("class", class_width) + "  quality\n";
   for (const Match& match : found) {
     const Srgb8 codes = match.entry->result.srgb8;
     const Material& material = match.entry->material;
     if (color) out += swatch(codes.r, codes.g, codes.b) + " ";
     out += padded(number(match.delta_e, 4), 6) + "  " + hex(codes) + "  " + padded(material.id, id_width) +
-           "  " + padded(material.name, name_width) + "  " + material.material_class + '\n';
+           "  " + padded(material.name, name_width) + "  " + padded(material.material_class, class_width) +
+           "  " + quality_text(*match.entry) + '\n';
   }
   return out;
 }
 
 std::string csv(const std::vector<Match>& found) {
-  std::string out = "delta_e2000,hex,id,name,class\n";
-  for (const Match& match : found)
-    out += number(match.delta_e, 9) + ',' + hex(match.entry->result.srgb8) + ',' + match.entry->material.id +
-           ',' + csv_field(match.entry->material.name) + ',' + match.entry->material.material_class + '\n';
+  std::string out = "delta_e2000,hex,id,name,class,kind,flags\n";
+  for (const Match& match : found) {
+    const Material& material = match.entry->material;
+    out += number(match.delta_e, 9) + ',' + hex(match.entry->result.srgb8) + ',' + material.id + ',' +
+           csv_field(material.name) + ',' + material.material_class + ',' +
+           std::string(name(material.preferred_dataset().origin)) + ',' + flag_names(*match.entry) + '\n';
+  }
   return out;
 }
 
@@ -119,12 +131,15 @@ std::string json(const std::vector<Match>& found, const NearestArguments& argume
     out += std::string(i == 0 ? "" : ",") + "\n    {\"delta_e2000\": " + number(found[i].delta_e, 9) +
            ", \"hex\": " + json_string(hex(found[i].entry->result.srgb8)) +
            ", \"id\": " + json_string(material.id) + ", \"name\": " + json_string(material.name) +
-           ", \"class\": " + json_string(material.material_class) + "}";
+           ", \"class\": " + json_string(material.material_class) +
+           ", \"kind\": " + json_string(name(material.preferred_dataset().origin)) +
+           ", \"flags\": " + json_flags(*found[i].entry) + "}";
   }
   return out + (found.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }
 
 int run(NearestArguments& arguments) {
+  check_classes(arguments.classes);
   const F0Solver solver{F0Options{}};
   const std::vector<CatalogueEntry> all =
       catalogue(arguments.library.get(), solver, thread_count(arguments.threads));
@@ -146,6 +161,10 @@ void add_nearest(CLI::App& app, Verb& chosen) {
   verb.add_option("-n,--count", arguments->count, "how many to show")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
+  add_class_option(
+      verb, arguments->classes,
+      "only this class; may be repeated. Without it every class but surface, whose diffuse colours "
+      "are no F0");
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output, {"table", "csv", "json"});
   add_thread_option(verb, arguments->threads);

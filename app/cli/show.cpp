@@ -14,6 +14,7 @@
 #include "core/base/number.h"
 #include "core/color/srgb.h"
 #include "core/material/json.h"
+#include "core/material/quality.h"
 #include "core/report/f0_report.h"
 
 namespace etak::cli {
@@ -70,6 +71,13 @@ std::string weight_line(const Coverage& coverage) {
          number(coverage.weight[2], 6);
 }
 
+// ", above the forbidden zone"; nothing of a surface.
+std::string zone_text(const F0Result& result) {
+  if (!result.zone) return {};
+  return ", " + std::string(name(*result.zone)) + " the forbidden zone" +
+         (result.zone == Zone::inside ? " 0.20-0.45" : "");
+}
+
 void append_dataset(std::string& out, const Material& material, std::size_t index, const F0Result& result,
                     bool color) {
   const Dataset& dataset = material.datasets[index];
@@ -82,11 +90,11 @@ void append_dataset(std::string& out, const Material& material, std::size_t inde
   } else {
     line("F0", three(result.linear) + "   8 bit " + three(result.srgb8) + "   " + hex(result.srgb8) +
                    (color ? " " + swatch(result.srgb8.r, result.srgb8.g, result.srgb8.b) : ""));
-    line("Y", number(result.luminance, 5) + ", " + std::string(name(result.zone)) +
-                  (result.zone == Zone::inside ? " the forbidden zone 0.20-0.45" : " the forbidden zone"));
+    line("Y", number(result.luminance, 5) + zone_text(result));
     if (result.f82 && result.f82_tint) line("F82", three(*result.f82) + "   tint " + three(*result.f82_tint));
   }
   line("flags", result.refused() ? "" : flags_text(result));
+  line("doubtful", doubt(material, dataset));
   line("sample", sample_line(dataset));
   line("data", data_line(dataset, result.coverage));
   line("coverage", weight_line(result.coverage) + " of the X, Y, Z weight");
@@ -145,7 +153,8 @@ std::string json_form(const MaterialReport& report, const F0Options& options) {
   for (std::size_t i = 0; i < report.results.size(); ++i) {
     const Dataset& dataset = material.datasets[i];
     rows.push_back({material.id + "/" + dataset.id, material.name, material.material_class, dataset.id,
-                    one_line(dataset.citation), report.results[i]});
+                    one_line(dataset.citation), report.results[i], std::string(name(dataset.origin)),
+                    doubt(material, dataset)});
   }
   const Spread range = spread(report);
   const auto linear = [](const LinearRgb& c) {
@@ -179,7 +188,7 @@ int run(ShowArguments& arguments) {
     throw Error::at(arguments.inputs.names.front(), "is a folder", "one material or file");
   MaterialReport report{read_material(inputs.front(), tables), {}};
   for (const Dataset& dataset : report.material.datasets)
-    report.results.push_back(solver.solve(dataset.optics, dataset.flags));
+    report.results.push_back(solve(solver, report.material, dataset));
   write_output(arguments.output,
                arguments.output.format == "json"
                    ? json_form(report, solver.options())

@@ -21,7 +21,7 @@ namespace {
 bool measures_diffuse(const ProjectMaterial& m, const MaterialLibrary& library) {
   if (!m.measured) return false;
   const auto found = library.find(m.measured->material);
-  return found && optical_kind(found->material_class) == "surface";
+  return found && !gives_f0(found->material_class);
 }
 
 }  // namespace

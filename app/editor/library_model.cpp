@@ -3,10 +3,12 @@
 
 #include <QIcon>
 #include <QMimeData>
+#include <QPainter>
 
 #include "app/viewport/viewport.h"
 #include "core/base/error.h"
 #include "core/material/json.h"
+#include "core/material/quality.h"
 
 namespace etak::editor {
 
@@ -17,6 +19,21 @@ QString search_key(const QString& text) {
       out += c == QLatin1Char('_') || c == QLatin1Char('-') ? QLatin1Char(' ') : c;
   return out;
 }
+
+namespace {
+
+// The tooltip says what the dot means.
+QPixmap with_dot(QPixmap picture) {
+  const double side = picture.width() / picture.devicePixelRatio();
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(QColor(32, 32, 32), side / 64));
+  painter.setBrush(QColor(240, 180, 60));
+  painter.drawEllipse(QPointF(side * 0.92, side * 0.08), side * 0.05, side * 0.05);
+  return picture;
+}
+
+}  // namespace
 
 LibraryModel::LibraryModel(Thumbnails& thumbnails, QObject* parent)
     : QAbstractListModel(parent), thumbnails_(thumbnails) {
@@ -38,7 +55,11 @@ void LibraryModel::set_library(std::shared_ptr<const MaterialLibrary> library) {
     Row row{QString::fromStdString(m.id),
             QString::fromStdString(m.name),
             QString::fromStdString(m.material_class),
+            {},
             {}};
+    const Flags flags = quality_flags(m, m.preferred_dataset());
+    row.quality = QString::fromStdString(quality_text(m.preferred_dataset().origin, flags));
+    row.marked = !flags.none();
     row.keys = row.id + QLatin1Char(' ') + row.name + QLatin1Char(' ') + row.material_class;
     row.keys += QLatin1Char(' ') + QString::fromStdString(m.group);
     for (const std::string& alias : m.aliases) row.keys += QLatin1Char(' ') + QString::fromStdString(alias);
@@ -80,13 +101,15 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return row.name;
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
-      return tr("%1, %2 (%3)").arg(row.name, row.material_class, row.id);
+      return tr("%1, %2 (%3), data %4").arg(row.name, row.material_class, row.id, row.quality);
     case id_role:
       return row.id;
     case class_role:
       return row.material_class;
     case keys_role:
       return row.keys;
+    case quality_role:
+      return row.quality;
     case Qt::DecorationRole: {
       const auto subject = [this, id = row.id.toStdString()] {
         const auto find = [library = library_, id] {
@@ -103,8 +126,9 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       const QPixmap picture = thumbnails_.get(row.id, shape_, side_, ratio_, subject);
       if (!picture.isNull()) {
         // The style would lay the selection's colour over the picture.
-        QIcon icon(picture);
-        icon.addPixmap(picture, QIcon::Selected);
+        const QPixmap shown = row.marked ? with_dot(picture) : picture;
+        QIcon icon(shown);
+        icon.addPixmap(shown, QIcon::Selected);
         return icon;
       }
       QPixmap empty(static_cast<int>(side_ * ratio_), static_cast<int>(side_ * ratio_));

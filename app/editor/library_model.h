@@ -16,7 +16,7 @@ class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  enum Role { id_role = Qt::UserRole, class_role, keys_role };
+  enum Role { id_role = Qt::UserRole, class_role, keys_role, quality_role };
 
   LibraryModel(Thumbnails& thumbnails, QObject* parent = nullptr);
 
@@ -35,6 +35,8 @@ class LibraryModel : public QAbstractListModel {
  private:
   struct Row {
     QString id, name, material_class, keys;
+    QString quality;      // quality_text() of the preferred dataset
+    bool marked = false;  // its data are computed, sparse or doubtful: the picture gets a dot
   };
   std::shared_ptr<const MaterialLibrary> library_;
   std::vector<Row> rows_;

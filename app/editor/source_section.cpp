@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/color/srgb.h"
+#include "core/material/quality.h"
 #include "core/report/f0_report.h"
 
 namespace etak::editor {
@@ -29,16 +30,21 @@ Told told(const MeasuredF0& measured, const MaterialLibrary& library) {
   try {
     const FoundF0 found = find_f0(measured, library);
     const F0Result& r = found.result;
-    out.result = QStringLiteral("%1   Y %2 (%3)   F82 %4")
-                     .arg(text(hex(r.srgb8)), text(fixed(r.luminance, 3)), text(name(r.zone)),
+    out.result = QStringLiteral("%1   Y %2%3   F82 %4")
+                     .arg(text(hex(r.srgb8)), text(fixed(r.luminance, 3)),
+                          r.zone ? QStringLiteral(" (%1)").arg(text(name(*r.zone))) : QString(),
                           r.f82 ? text(hex(srgb_u8(*r.f82))) : QStringLiteral("-"));
+    out.result +=
+        QStringLiteral("\n") + QObject::tr("data %1").arg(text(quality_text(found.chosen().origin, r.flags)));
+    if (const std::string why = doubt(found.material, found.chosen()); !why.empty())
+      out.result += QObject::tr("\ndoubtful: %1").arg(text(why));
     if (const std::string flags = flags_text(r); !flags.empty())
       out.result += QStringLiteral("\n") + text(flags).replace(QLatin1Char(';'), QStringLiteral("; "));
     out.citation = text(one_line(found.chosen().citation));
     MaterialReport report{found.material, {}};
     const F0Solver solver(f0_options(measured, library));
     for (const Dataset& each : found.material.datasets)
-      report.results.push_back(solver.solve(each.optics, each.flags));
+      report.results.push_back(solve(solver, found.material, each));
     const Spread all = spread(report);
     out.spread = all.count > 1 ? QObject::tr("%1 datasets: %2 to %3")
                                      .arg(all.count)
@@ -120,7 +126,10 @@ void SourceSection::fill_datasets(const std::string& material) {
   const auto found = material.empty() ? std::nullopt : document_.library()->find(material);
   if (!found) return;
   dataset_->addItem(tr("preferred: %1").arg(text(found->preferred_dataset().id)), QString());
-  for (const Dataset& each : found->datasets) dataset_->addItem(text(each.id), text(each.id));
+  for (const Dataset& each : found->datasets) {
+    const std::string quality = quality_text(each.origin, quality_flags(*found, each));
+    dataset_->addItem(tr("%1 (%2)").arg(text(each.id), text(quality)), text(each.id));
+  }
 }
 
 void SourceSection::show_material() {

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/material/names.h"
+#include "core/material/quality.h"
 
 namespace etak {
 namespace {
@@ -93,7 +94,7 @@ FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library) {
   FoundF0 out;
   const Dataset& dataset = dataset_named(*material, measured.dataset, material->id);
   out.dataset = static_cast<std::size_t>(&dataset - material->datasets.data());
-  out.result = F0Solver(f0_options(measured, library)).solve(dataset.optics, dataset.flags);
+  out.result = solve(F0Solver(f0_options(measured, library)), *material, dataset);
   if (out.result.refused())
     throw Error::at(material->id + "/" + dataset.id, "has no F0: " + out.result.refusal,
                     "data over the visible range");
@@ -104,7 +105,7 @@ FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library) {
 void take_measured(ProjectMaterial& material, const FoundF0& found) {
   const LinearRgb& color = found.result.srgb_linear;
   // The reflectance of a rough everyday thing is the colour of its body.
-  (optical_kind(found.material.material_class) == "surface" ? material.diffuse : material.specular) = color;
+  (gives_f0(found.material.material_class) ? material.specular : material.diffuse) = color;
 }
 
 std::vector<std::string> resolve(Project& project, const MaterialLibrary& library) {
@@ -132,7 +133,7 @@ SurfaceValues surface_of(const ProjectMaterial& material, const MaterialLibrary&
     out = surface_of(found.material, found.chosen(), found.result, vec(material.diffuse), material.gloss);
     // The index of the record is that against vacuum.
     if (!material.measured->outside.empty()) out.optics.reset();
-    const bool rough = optical_kind(found.material.material_class) == "surface";
+    const bool rough = !gives_f0(found.material.material_class);
     out.diffuse = vec(material.diffuse);
     if (rough) {
       out.f0 = vec(material.specular);

@@ -9,6 +9,7 @@
 #include "core/color/gamut.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/dispersion.h"
+#include "core/material/quality.h"
 
 namespace etak {
 namespace {
@@ -39,6 +40,16 @@ std::array<double, 3> hint_of(const OpticalConstants& optics, const F0Options& o
     out[c] = ratio > 0 && std::isfinite(ratio) ? std::log(ratio) : 0;
   }
   return out;
+}
+
+// What the receiver of the values should know of the data behind them.
+void note_quality(ExportSurface& out, const Material& material, const Dataset& dataset) {
+  const Flags flags = quality_flags(material, dataset);
+  for (const Flag flag : {Flag::computed, Flag::sparse})
+    if (flags.has(flag)) out.notes.push_back(std::string(name(flag)) + ": " + std::string(meaning(flag)));
+  if (flags.has(Flag::doubtful)) out.notes.push_back("doubtful: " + doubt(material, dataset));
+  out.source = material.id + "/" + dataset.id + " (" + quality_text(dataset.origin, flags) +
+               "): " + one_line(dataset.citation);
 }
 
 // The XYZ of a white with chromaticity x, y and Y = 1.
@@ -75,7 +86,7 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
   ExportSurface out;
   out.id = material.id;
   out.name = material.name;
-  out.source = material.id + "/" + dataset.id + ": " + one_line(dataset.citation);
+  note_quality(out, material, dataset);
   out.space = options.space;
   out.gloss = gloss;
   const std::string_view kind = optical_kind(material.material_class);

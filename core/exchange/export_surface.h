@@ -22,7 +22,7 @@ std::string_view name(SurfaceKind kind);  // "metal", "dielectric"
 struct ExportSurface {
   std::string id;      // "gold": what it is called in files
   std::string name;    // "Gold"
-  std::string source;  // where F0 comes from, one line; may be empty
+  std::string source;  // where F0 comes from and how good it is, one line; may be empty
   SurfaceKind kind = SurfaceKind::dielectric;
   RgbSpace space = RgbSpace::srgb;  // of all colours here, linear
   LinearRgb f0{0.04, 0.04, 0.04};   // unclipped
@@ -32,7 +32,7 @@ struct ExportSurface {
   double opacity = 1;               // [0, 1]
   std::array<double, 3>
       log_n_hint{};                // ln n of red, green, blue, which chooses between two (n, k) of one edge
-  std::vector<std::string> notes;  // what was assumed
+  std::vector<std::string> notes;  // what was assumed, and what is against the data
   friend bool operator==(const ExportSurface&, const ExportSurface&) = default;
 };
 

@@ -89,6 +89,9 @@ std::string extras_of(const ExportSurface& s, const Changes& changes) {
   std::vector<JsonMember> members{{"f0_linear_srgb", three(s.f0)}, {"schueler_gloss", json(s.gloss)}};
   if (s.f82) members.push_back({"f82_linear_srgb", three(*s.f82)});
   if (!s.source.empty()) members.push_back({"source", json(s.source)});
+  std::vector<std::string> notes;
+  for (const std::string& note : s.notes) notes.push_back(json(note));
+  if (!notes.empty()) members.push_back({"notes", json_array(notes)});
   if (!changes.empty()) members.push_back({"changes", json_array(lines)});
   return json_object(members, 6);
 }

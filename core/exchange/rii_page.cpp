@@ -25,6 +25,15 @@ struct Entry {
   const char* unread_rows = nullptr;  // of data that came before its type
 };
 
+// Whether the comments say that the numbers come from theory alone. "Ellipsometry and DFT calculations" is a
+// measurement, so that the method's name is not enough.
+bool tells_of_theory(std::string_view comments) {
+  if (comments.find("llipsomet") != comments.npos) return false;
+  for (const std::string_view words : {"Theoretical density", "Ab initio calculations", "DFT calculations"})
+    if (comments.find(words) != comments.npos) return true;
+  return false;
+}
+
 class PageReader {
  public:
   PageReader(std::string_view text, std::string_view file, RiiPage& page, Rows& rows)
@@ -44,7 +53,9 @@ class PageReader {
       } else {
         needs_data = needs_data || key == "REFERENCES" || key == "COMMENTS" || key == "CONDITIONS" ||
                      key == "PROPERTIES";
+        const char* begin = lines_.at;
         lines_.skip_block(0);
+        if (key == "COMMENTS" && tells_of_theory({begin, lines_.at})) page_.flags.set(Flag::computed);
       }
     }
     if (has_data) return finish();

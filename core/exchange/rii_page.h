@@ -17,6 +17,7 @@ enum class PageKind {
 };
 
 /// A page read into values. Wavelengths in nanometres, ascending, without duplicates.
+///   flags    what was found in the numbers; Flag::computed where the comments say that theory gave them
 ///   optics   meaningful only when kind is constants and refusal is empty
 ///   refusal  why no F0 can be had from the page although it is well-formed ("no n given", ...); else empty
 struct RiiPage {

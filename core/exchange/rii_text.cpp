@@ -382,10 +382,13 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   const std::string_view place = page_path(path);
 
   Dataset dataset;
-  dataset.origin = std::holds_alternative<DispersionFormula>(page.optics.n) ? Origin::fit : Origin::measured;
+  dataset.origin = page.flags.has(Flag::computed)                             ? Origin::computed
+                   : std::holds_alternative<DispersionFormula>(page.optics.n) ? Origin::fit
+                                                                              : Origin::measured;
   if (auto* n = std::get_if<Spectrum>(&page.optics.n)) drop_non_positive(*n);
   dataset.optics = std::move(page.optics);
   dataset.flags = page.flags;
+  dataset.flags.clear(Flag::computed);  // the origin says it
   dataset.temperature_kelvin = words.text.temperature_kelvin;
   dataset.axis = find_axis(stem(place), words);
   dataset.note = plain(words.text.comments);

@@ -150,6 +150,7 @@ void write(Writer& w, const Dataset& d) {
   write(w, d.citation);
   w.number(d.flags.bits());
   w.text(d.note);
+  w.text(d.doubtful);
 }
 
 Dataset read_dataset(Reader& r) {
@@ -165,6 +166,7 @@ Dataset read_dataset(Reader& r) {
   d.citation = read_citation(r);
   d.flags = Flags::from_bits(static_cast<std::uint32_t>(r.number()));
   d.note = r.text();
+  d.doubtful = r.text();
   return d;
 }
 

@@ -265,6 +265,7 @@ struct F0Solver::State {
         coverage.least() < flagged_below)
       result.flags.set(Flag::extrapolated);
     if (coverage.largest_gap_nm > wide_gap_nm) result.flags.set(Flag::gap);
+    if (is_sparse(coverage)) result.flags.set(Flag::sparse);
     const auto* constants = std::get_if<OpticalConstants>(&optics);
     if (!constants) return;
     const Range n = range_of(*constants);
@@ -340,7 +341,7 @@ struct F0Solver::State {
     const Vec3 srgb = vec(result.srgb_linear);
     for (std::size_t c = 0; c < 3; ++c) {
       result.channel_in_zone[c] = zone_of(srgb[c]) == Zone::inside;
-      if (result.channel_in_zone[c] && result.zone != Zone::inside) result.flags.set(Flag::channel_in_zone);
+      if (result.channel_in_zone[c] && *result.zone != Zone::inside) result.flags.set(Flag::channel_in_zone);
     }
     const Vec3 linear = vec(result.linear), white = vec(s.space_white);
     const bool has_gamut = options.custom_space || options.space != RgbSpace::xyz;
@@ -472,8 +473,8 @@ F0Result F0Solver::solve(const std::vector<Part>& parts, Flags data_flags) const
     append_knots(*parts[i].optics, knots);
   }
   // Said again of the average, where they hold.
-  result.flags = Flags::from_bits(result.flags.bits() & ~(1u << static_cast<unsigned>(Flag::out_of_gamut)) &
-                                  ~(1u << static_cast<unsigned>(Flag::channel_in_zone)));
+  result.flags.clear(Flag::out_of_gamut);
+  result.flags.clear(Flag::channel_in_zone);
 
   Scratch scratch;
   F0Timing ignored;

@@ -79,15 +79,15 @@ struct IntegrationStep {
 
 /// Reflectance at normal incidence as a colour, and what one must know to trust it.
 struct F0Result {
-  Xyz xyz;                            // under the chosen illuminant, Y = 1 for a perfect reflector
-  LinearRgb linear;                   // in F0Options::space, never clipped
-  LinearRgb srgb_linear;              // in linear sRGB, never clipped
-  Srgb8 srgb8;                        // of srgb_linear, clipped to [0, 1] and rounded half up
-  double luminance = 0;               // Y
-  std::optional<LinearRgb> f82;       // reflectance at cos = 1/7, in `space`; none for reflectance data
-  std::optional<LinearRgb> f82_tint;  // f82 / Schlick(F0, cos 1/7), channel by channel
-  Zone zone = Zone::below;
-  std::array<bool, 3> channel_in_zone{};  // of srgb_linear
+  Xyz xyz;                                // under the chosen illuminant, Y = 1 for a perfect reflector
+  LinearRgb linear;                       // in F0Options::space, never clipped
+  LinearRgb srgb_linear;                  // in linear sRGB, never clipped
+  Srgb8 srgb8;                            // of srgb_linear, clipped to [0, 1] and rounded half up
+  double luminance = 0;                   // Y
+  std::optional<LinearRgb> f82;           // reflectance at cos = 1/7, in `space`; none for reflectance data
+  std::optional<LinearRgb> f82_tint;      // f82 / Schlick(F0, cos 1/7), channel by channel
+  std::optional<Zone> zone;               // none: refused, or no F0 but the colour of a surface
+  std::array<bool, 3> channel_in_zone{};  // of srgb_linear; none of a surface
   std::array<double, 3> gamut_excess{};   // of `linear`: amount above 1 (positive) or below 0 (negative); 0
                                           // inside. XYZ has no gamut: always 0 there
   Coverage coverage;

@@ -57,6 +57,21 @@ Coverage coverage_of(Range range, const Spectrum* table, const WeightSums& sums)
   return coverage;
 }
 
+bool is_sparse(const Coverage& coverage) {
+  constexpr std::size_t least_samples = 10;
+  return !coverage.is_formula && coverage.samples_400_700 < least_samples;
+}
+
+bool is_sparse(const Optics& optics) {
+  const auto* reflectance = std::get_if<Reflectance>(&optics);
+  const Spectrum* table =
+      reflectance ? &reflectance->spectrum : std::get_if<Spectrum>(&std::get<OpticalConstants>(optics).n);
+  Coverage coverage;
+  coverage.is_formula = table == nullptr;
+  if (table) count_samples(*table, coverage);
+  return is_sparse(coverage);
+}
+
 void intersect(Coverage& a, const Coverage& b) {
   for (std::size_t c = 0; c < 3; ++c) a.weight[c] = std::min(a.weight[c], b.weight[c]);
   a.first_nm = std::max(a.first_nm, b.first_nm);

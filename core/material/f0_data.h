@@ -21,6 +21,10 @@ WeightSums weight_sums(Viewing viewing);
 ///   table   of n or of the reflectance; null for a formula
 Coverage coverage_of(Range range, const Spectrum* table, const WeightSums& sums);
 
+/// Whether a table of n or reflectance has fewer than 10 samples in 400..700 nm; false for a formula.
+bool is_sparse(const Coverage& coverage);
+bool is_sparse(const Optics& optics);
+
 /// Two sources at once (axes of a crystal): only what all of them cover counts.
 void intersect(Coverage& a, const Coverage& b);
 

@@ -130,7 +130,7 @@ Citation read_citation(const Node& node) {
 
 Dataset read_dataset(const Node& node) {
   node.expect_object({"id", "quantity", "origin", "sample", "temperature_kelvin", "axis", "citation", "flags",
-                      "note", "unit", "valid_range", "formula", "columns", "rows", "k_rows"});
+                      "note", "doubtful", "unit", "valid_range", "formula", "columns", "rows", "k_rows"});
   Dataset d;
   d.id = node.at("id").text();
   if (!is_made_of(d.id, "abcdefghijklmnopqrstuvwxyz0123456789-."))
@@ -150,6 +150,10 @@ Dataset read_dataset(const Node& node) {
       d.flags.set(*flag);
     }
   d.note = node.text_or_empty("note");
+  if (node.has("doubtful")) {
+    d.doubtful = node.at("doubtful").text();
+    if (d.doubtful.empty()) node.at("doubtful").fail_type("the reason, or no \"doubtful\" at all");
+  }
   d.optics = read_optics(node);
   return d;
 }
@@ -292,6 +296,7 @@ void write_dataset(Writer& w, const Dataset& d) {
     pair(6, "flags", Writer::list(flags));
   }
   if (!d.note.empty()) pair(6, "note", Writer::quoted(d.note));
+  if (!d.doubtful.empty()) pair(6, "doubtful", Writer::quoted(d.doubtful));
   write_optics(w, d.optics);
 }
 

@@ -34,6 +34,11 @@ constexpr std::array<FlagRow, flag_count> flag_rows{{
     {"finer-than-grid",
      "the samples are closer than the step of the sum, which may miss what they hold; --method auto finds a "
      "step"},
+    {"computed", "the numbers come from theory alone; nothing was measured"},
+    {"sparse", "the table has fewer than 10 samples in 400-700 nm"},
+    {"doubtful",
+     "its file names the numbers doubtful and says why, or the luminance of F0 is more than 0.1 off the "
+     "median of at least two other datasets"},
 }};
 
 constexpr std::array<std::string_view, 3> origin_names{"measured", "fit", "computed"};
@@ -68,6 +73,10 @@ std::string_view optical_kind(std::string_view material_class) {
     return "conductor";
   if (material_class == "semiconductor" || material_class == "surface") return material_class;
   return "dielectric";
+}
+
+bool gives_f0(std::string_view material_class) {
+  return material_class != "surface";
 }
 
 const Dataset* Material::dataset(std::string_view dataset_id) const {

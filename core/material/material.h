@@ -35,8 +35,11 @@ enum class Flag : std::uint8_t {
   outside_absorption_ignored,  // the outside medium's small k was taken as 0
   reflectance_clamped,         // tabulated reflectance up to 2 % outside [0, 1] was taken as 0 or 1
   finer_than_grid,             // samples closer than the step of the sum, which may miss what they hold
+  computed,                    // the numbers come from theory alone
+  sparse,                      // a table of fewer than 10 samples in 400..700 nm
+  doubtful,                    // named so in its file, or far from the other datasets: quality.h
 };
-inline constexpr std::size_t flag_count = 17;
+inline constexpr std::size_t flag_count = 20;
 
 std::string_view name(Flag flag);
 std::string_view meaning(Flag flag);  // one sentence, for docs and pages
@@ -46,6 +49,7 @@ std::optional<Flag> flag_named(std::string_view text);
 class Flags {
  public:
   void set(Flag flag) { bits_ |= bit(flag); }
+  void clear(Flag flag) { bits_ &= ~bit(flag); }
   bool has(Flag flag) const { return (bits_ & bit(flag)) != 0; }
   bool none() const { return bits_ == 0; }
   Flags& operator|=(Flags other) {
@@ -121,8 +125,9 @@ struct Dataset {
   std::optional<double> temperature_kelvin;
   std::string axis;  // "ordinary", "extraordinary", "alpha", "beta", "gamma"; empty: isotropic or unstated
   Citation citation;
-  Flags flags;       // what the importer found
-  std::string note;  // may be empty
+  Flags flags;           // what the importer found
+  std::string note;      // may be empty
+  std::string doubtful;  // why the numbers should not be relied on; empty: nobody says so
   friend bool operator==(const Dataset&, const Dataset&) = default;
 };
 
@@ -141,6 +146,10 @@ struct AliasNote {
   std::string note;
   friend bool operator==(const AliasNote&, const AliasNote&) = default;
 };
+
+/// Whether data of this class give an F0. Those of a surface give a diffuse colour: it has no place in or out
+/// of the forbidden zone, and is never offered where an F0 is looked for.
+bool gives_f0(std::string_view material_class);
 
 struct Material {
   std::string id;  // lower case, [a-z0-9_]

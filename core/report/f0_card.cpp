@@ -5,6 +5,7 @@
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/color/srgb.h"
+#include "core/material/quality.h"
 #include "core/report/f0_curves.h"
 #include "core/report/f0_page_parts.h"
 #include "core/report/svg_plot.h"
@@ -175,7 +176,7 @@ void append_dataset_row(std::string& out, const Dataset& dataset, const F0Result
     append_cell(out, three(r.linear));
     append_cell(out, codes_text(r.srgb8));
     append_cell(out, fixed(r.luminance, 4));
-    append_cell(out, name(r.zone), r.zone == Zone::inside ? "inside" : "");
+    append_cell(out, r.zone ? name(*r.zone) : "–", r.zone == Zone::inside ? "inside" : "");
     append_cell(out, r.f82 ? three(*r.f82) : "–");
     append_cell(out, r.f82_tint ? three(*r.f82_tint) : "–");
   }
@@ -245,13 +246,16 @@ void append_sources(std::string& out, const MaterialReport& report) {
   out += "<ul class=\"sources\">";
   for (std::size_t i = 0; i < report.material.datasets.size(); ++i) {
     const Dataset& dataset = report.material.datasets[i];
-    append(out, "<li><b>", escape_html(dataset.id), "</b> (", name(dataset.origin));
+    append(out, "<li><b>", escape_html(dataset.id), "</b> (",
+           quality_text(dataset.origin, report.results[i].flags));
     if (!dataset.sample.empty()) append(out, "; ", escape_html(dataset.sample));
     if (dataset.temperature_kelvin) append(out, "; ", number(*dataset.temperature_kelvin, 5), " K");
     if (!dataset.axis.empty()) append(out, "; ", escape_html(dataset.axis), " axis");
     out += ") ";
     append_citation(out, dataset.citation);
     if (!dataset.note.empty()) append(out, "; ", escape_html(dataset.note));
+    if (const std::string why = doubt(report.material, dataset); !why.empty())
+      append(out, ". <span class=\"refused\">Doubtful: ", escape_html(why), "</span>");
     if (report.results[i].refused())
       append(out, ". <span class=\"refused\">No F0: ", escape_html(report.results[i].refusal), "</span>");
     out += "</li>\n";

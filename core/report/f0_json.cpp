@@ -96,11 +96,12 @@ std::string json_coverage(const Coverage& c) {
 }
 
 std::string json_zone(const F0Result& r) {
+  if (!r.zone) return "null";
   constexpr std::array<std::string_view, 3> letters{"r", "g", "b"};
   std::vector<std::string> inside;
   for (std::size_t c = 0; c < 3; ++c)
     if (r.channel_in_zone[c]) inside.push_back(json(letters[c]));
-  const Member members[] = {{"verdict", json(name(r.zone))}, {"channels_inside", json_array(inside)}};
+  const Member members[] = {{"verdict", json(name(*r.zone))}, {"channels_inside", json_array(inside)}};
   return json_object(members, -1);
 }
 
@@ -148,6 +149,8 @@ std::vector<Member> result_members(const F0Row& row) {
                               {"samples_400_700", is_table ? json(r.coverage.samples_400_700) : null},
                               {"largest_gap_nm", is_table ? json(r.coverage.largest_gap_nm) : null},
                               {"flags", json_array(flags)},
+                              {"kind", row.kind.empty() ? null : json(row.kind)},
+                              {"doubtful", row.doubt.empty() ? null : json(row.doubt)},
                               {"refused", has ? null : json(r.refusal)}};
   if (!row.alias_note.empty()) members.push_back({"alias_note", json(row.alias_note)});
   if (has && r.integration) members.push_back({"integration", json_integration(*r.integration)});

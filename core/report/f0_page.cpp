@@ -88,7 +88,7 @@ void append_head(std::string& out, std::span<const MaterialReport> materials,
     const F0Result& result = preferred_result(report);
     if (result.refused())
       ++refused;
-    else if (result.zone == Zone::inside)
+    else if (result.zone == Zone::inside)  // never of a surface
       ++inside;
   }
   out += "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">";
@@ -209,7 +209,9 @@ std::string f0_page(std::span<const MaterialReport> materials, const F0Options& 
   out +=
       "between 0.20 and 0.45 (semiconductors do); an authored value in there is most often a mistake. The "
       "verdict is on the ";
-  out += "linear luminance Y, never on one channel.</p>\n";
+  out +=
+      "linear luminance Y, never on one channel. Measured surfaces are diffuse colours and no F0: they have "
+      "no verdict.</p>\n";
   append_luminance_strip(out, groups);
   out +=
       "</section>\n<section id=\"table\"><h2>All materials</h2>\n<p>Preferred dataset of each. The narrow "

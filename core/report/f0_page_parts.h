@@ -48,8 +48,8 @@ double largest_difference(const MaterialReport& report);
 /// Short names of the flags of `result`, each linked to its explanation; the reason of a refusal behind them.
 void append_flags(std::string& out, const F0Result& result);
 
-/// Every material's luminance as a dot on a line, in lanes of conductors, semiconductors, dielectrics and
-/// surfaces; the forbidden zone shaded.
+/// Every F0's luminance as a dot on a line, in lanes of conductors, semiconductors and dielectrics; the
+/// forbidden zone shaded. Surfaces have no F0 and no dot.
 void append_luminance_strip(std::string& out, std::span<const F0PageGroup> groups);
 
 /// One row per material, one <tbody> per class.

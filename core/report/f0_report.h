@@ -19,6 +19,8 @@ struct F0Row {
   std::string source;          // citation in one line; empty when unknown
   F0Result result;
   std::string alias_note = {};  // what must be said of the name that was asked for; may be empty
+  std::string kind = {};   // of the dataset: "measured", "fit", "computed"; empty when unknown
+  std::string doubt = {};  // why the dataset is doubtful; empty: it is not, or that is unknown
 };
 
 /// A library material with the results of all its datasets, for pages and `etak show`.
@@ -36,13 +38,14 @@ struct Spread {
 };
 Spread spread(const MaterialReport& report);
 
-/// `path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags` (no policy line: the columns are the
-/// interface). Numbers with 9 significant digits; `coverage` is the least of the three weights; F82 absolute;
-/// flags joined by ';', out-of-gamut with channel and amount ("out-of-gamut:r+0.0428"); a refused row has
-/// empty numbers and "refused: REASON" as its last flag. Fields quoted as RFC 4180 where needed; lines end in
-/// '\n'.
+/// `path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags,kind` (no policy line: the columns are
+/// the interface). Numbers with 9 significant digits; `coverage` is the least of the three weights; F82
+/// absolute; zone empty for a surface; flags joined by ';', out-of-gamut with channel and amount
+/// ("out-of-gamut:r+0.0428"); a refused row has empty numbers and "refused: REASON" as its last flag; kind
+/// empty where it is not known. Fields quoted as RFC 4180 where needed; lines end in '\n'.
 std::string f0_csv_header();
-void append_f0_csv(std::string& out, std::string_view path, const F0Result& result);
+void append_f0_csv(std::string& out, std::string_view path, const F0Result& result,
+                   std::string_view kind = {});
 
 /// The flags field of the CSV, also used by the table.
 std::string flags_text(const F0Result& result);

@@ -62,10 +62,9 @@ void append_dot(std::string& out, const Dot& dot, double middle) {
 }  // namespace
 
 void append_luminance_strip(std::string& out, std::span<const F0PageGroup> groups) {
-  std::array<Lane, 4> lanes{{{"conductor", "Conductors", {}},
+  std::array<Lane, 3> lanes{{{"conductor", "Conductors", {}},
                              {"semiconductor", "Semiconductors", {}},
-                             {"dielectric", "Dielectrics", {}},
-                             {"surface", "Surfaces", {}}}};
+                             {"dielectric", "Dielectrics", {}}}};
   for (const F0PageGroup& group : groups)
     for (const MaterialReport* report : group.members) {
       if (preferred_result(*report).refused()) continue;

@@ -12,7 +12,7 @@ struct Column {
   std::string_view title, hint;
 };
 
-constexpr std::size_t column_count = 12;
+constexpr std::size_t column_count = 13;
 
 std::array<Column, column_count> columns_of(const F0Options& options) {
   const bool is_xyz = !options.custom_space && options.space == RgbSpace::xyz;
@@ -23,11 +23,12 @@ std::array<Column, column_count> columns_of(const F0Options& options) {
            {is_xyz ? "Y" : "g", "F0, linear, not clipped"},
            {is_xyz ? "Z" : "b", "F0, linear, not clipped"},
            {"Lum. Y", "luminance of F0"},
-           {"Zone", "luminance against the forbidden zone 0.20 to 0.45"},
+           {"Zone", "luminance against the forbidden zone 0.20 to 0.45; a surface's diffuse colour is no F0"},
            {"F82", "reflectance at cosine 1/7, 8-bit sRGB"},
            {"Spread ΔE",
             "largest difference between published datasets, CIEDE2000; number of datasets in brackets"},
            {"Coverage", "share of the visible weight that the data cover, the least of X, Y, Z"},
+           {"Kind", "of the preferred dataset: measured, a model's fit, or computed from theory"},
            {"Flags", ""}}};
 }
 
@@ -59,14 +60,15 @@ void append_row(std::string& out, const MaterialReport& report, const F0PageCont
   append(out, "<td><code>", hex(r.srgb8), "</code></td><td class=\"num\">", codes_text(r.srgb8), "</td>");
   for (const double value : vec(r.linear)) append_number(out, value);
   append_number(out, r.luminance);
-  append(out, "<td class=\"", name(r.zone), "\">", name(r.zone), "</td><td>");
+  const std::string_view zone = r.zone ? name(*r.zone) : "";
+  append(out, "<td class=\"", zone, "\">", r.zone ? zone : "–", "</td><td>");
   if (edge) append(out, "<code>", hex(*edge), "</code>");
   append(out, edge ? "" : "–", "</td><td class=\"num\">");
   const std::size_t count = spread(report).count;
   if (count > 1) append(out, fixed(largest_difference(report), 1), " (", std::to_string(count), ")");
   append(out, count > 1 ? "" : "–", "</td>");
   append_number(out, r.coverage.least());
-  out += "<td class=\"wide\">";
+  append(out, "<td>", name(report.material.preferred_dataset().origin), "</td><td class=\"wide\">");
   append_flags(out, r);
   out += "</td></tr>\n";
 }

@@ -108,12 +108,22 @@ std::string integration_text(const IntegrationStep& step) {
   return step.within_bound ? out : out + ", above the bound";
 }
 
-Cells cells_of(const F0Row& row, bool with_integration) {
+// The columns that only some tables have.
+struct Extra {
+  bool integration = false, kind = false;
+};
+
+void append_last_cells(Cells& cells, const F0Row& row, Extra extra) {
+  if (extra.kind) cells.push_back(row.kind.empty() ? "-" : row.kind);
+  cells.push_back(one_row(flags_text(row.result)));
+}
+
+Cells cells_of(const F0Row& row, Extra extra) {
   const F0Result& r = row.result;
   Cells cells{one_row(row.path)};
   if (r.refused()) {
-    cells.resize(with_integration ? 11 : 10, "-");
-    cells.push_back(one_row(flags_text(r)));
+    cells.resize(extra.integration ? 11 : 10, "-");
+    append_last_cells(cells, row, extra);
     return cells;
   }
   for (const double value : vec(r.linear)) cells.push_back(fixed(value, 4));
@@ -128,10 +138,10 @@ Cells cells_of(const F0Row& row, bool with_integration) {
   std::string edge = "-";
   if (r.f82) edge = fixed(r.f82->r, 4) + " " + fixed(r.f82->g, 4) + " " + fixed(r.f82->b, 4);
   cells.push_back(edge);
-  cells.emplace_back(name(r.zone));
+  cells.emplace_back(r.zone ? name(*r.zone) : "-");
   cells.push_back(fixed(r.coverage.least(), 4));
-  if (with_integration) cells.push_back(r.integration ? integration_text(*r.integration) : "-");
-  cells.push_back(one_row(flags_text(r)));
+  if (extra.integration) cells.push_back(r.integration ? integration_text(*r.integration) : "-");
+  append_last_cells(cells, row, extra);
   return cells;
 }
 
@@ -198,7 +208,7 @@ Spread spread(const MaterialReport& report) {
 }
 
 std::string f0_csv_header() {
-  return "path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags\n";
+  return "path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags,kind\n";
 }
 
 std::string flags_text(const F0Result& result) {
@@ -214,12 +224,12 @@ std::string flags_text(const F0Result& result) {
   return out;
 }
 
-void append_f0_csv(std::string& out, std::string_view path, const F0Result& result) {
+void append_f0_csv(std::string& out, std::string_view path, const F0Result& result, std::string_view kind) {
   append_field(out, path);
   if (result.refused()) {
     out += ",,,,,,,,,,,,,";
     append_field(out, flags_text(result));
-    out += '\n';
+    append(out, ',', kind, '\n');
     return;
   }
   const auto add = [&](double value) {
@@ -237,23 +247,27 @@ void append_f0_csv(std::string& out, std::string_view path, const F0Result& resu
     for (const double value : vec(*result.f82)) add(value);
   else
     out += ",,,";
-  append(out, ',', name(result.zone), ',');
+  append(out, ',', result.zone ? name(*result.zone) : "", ',');
   if (!result.flags.none()) append_field(out, flags_text(result));
-  out += '\n';
+  append(out, ',', kind, '\n');
 }
 
 std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool color) {
   const bool is_xyz = !options.custom_space && options.space == RgbSpace::xyz;
   const std::array<std::string, 3> channel =
       is_xyz ? std::array<std::string, 3>{"X", "Y", "Z"} : std::array<std::string, 3>{"r", "g", "b"};
-  const bool with_integration = options.method == Method::automatic;
+  // Bare tables and pages do not tell of what kind they are.
+  const Extra extra{
+      options.method == Method::automatic,
+      std::any_of(rows.begin(), rows.end(), [](const F0Row& row) { return !row.kind.empty(); })};
   std::vector<Column> columns{{"id"},   {channel[0], true}, {channel[1], true}, {channel[2], true},
                               {"hex"},  {"8 bit", true},    {"Y", true},        {"F82"},
                               {"zone"}, {"coverage", true}, {"flags"}};
-  if (with_integration) columns.insert(columns.end() - 1, {"integration, error"});
+  if (extra.integration) columns.insert(columns.end() - 1, {"integration, error"});
+  if (extra.kind) columns.insert(columns.end() - 1, {"kind"});
   std::vector<Cells> lines{{}};
   for (const Column& column : columns) lines.front().push_back(column.title);
-  for (const F0Row& row : rows) lines.push_back(cells_of(row, with_integration));
+  for (const F0Row& row : rows) lines.push_back(cells_of(row, extra));
   std::vector<std::size_t> width(columns.size(), 0);
   for (const Cells& cells : lines)
     for (std::size_t i = 0; i < cells.size(); ++i) width[i] = std::max(width[i], display_width(cells[i]));

@@ -6,6 +6,7 @@
 
 #include "core/material/f0.h"
 #include "core/material/library.h"
+#include "core/material/quality.h"
 #include "core/validate/code_tables.h"
 
 namespace etak {
@@ -18,18 +19,17 @@ std::vector<KnownF0> compute() {
   std::vector<KnownF0> known;
   for (std::size_t i = 0; i < library.ids().size(); ++i) {
     const Material material = library.at(i);
-    const std::string_view kind = optical_kind(material.material_class);
-    // The reflectance of painted or rough surfaces is an albedo, not an F0.
-    if (kind == "surface") continue;
+    if (!gives_f0(material.material_class)) continue;
     for (std::size_t d = 0; d < material.datasets.size(); ++d) {
       const Dataset& dataset = material.datasets[d];
-      const F0Result f0 = solver.solve(dataset.optics, dataset.flags);
-      if (f0.refused()) continue;
+      const F0Result f0 = solve(solver, material, dataset);
+      // A doubtful dataset excuses no texture, unless it stands for the material for want of a better one.
+      if (f0.refused() || (f0.flags.has(Flag::doubtful) && d != material.preferred)) continue;
       known.push_back({material.id,
                        material.name,
                        dataset.id,
                        d == material.preferred,
-                       kind == "conductor",
+                       optical_kind(material.material_class) == "conductor",
                        {f0.srgb_linear.r, f0.srgb_linear.g, f0.srgb_linear.b},
                        f0.luminance});
     }

@@ -21,8 +21,8 @@ struct KnownF0 {
   double luminance = 0;
 };
 
-/// F0 of every dataset of the built-in library that gives one: computed once per process, when first asked
-/// for.
+/// F0 of every dataset of the built-in library that gives one, without doubtful datasets that are not
+/// preferred: computed once per process, when first asked for.
 std::span<const KnownF0> known_f0();
 
 /// The entries of one material, by id, alias or name; empty: not in the library.

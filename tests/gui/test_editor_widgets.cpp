@@ -19,6 +19,7 @@
 #include "app/editor/color_field.h"
 #include "app/editor/eyedropper.h"
 #include "app/editor/inspector.h"
+#include "app/editor/library_model.h"
 #include "app/editor/library_panel.h"
 #include "app/editor/number_field.h"
 #include "app/editor/options.h"
@@ -34,6 +35,13 @@ using namespace etak::editor;
 
 class EditorWidgets : public QObject {
   Q_OBJECT
+
+  template <class Widget>
+  static const Widget* named(const Window& window, const QString& name) {
+    for (const auto* each : window.findChildren<Widget*>())
+      if (each->accessibleName() == name) return each;
+    return nullptr;
+  }
 
  private slots:
   void every_control_has_a_name() {
@@ -327,6 +335,35 @@ class EditorWidgets : public QObject {
     QVERIFY(told("qwertzuiop").startsWith(QLatin1String("0 of ")));
     QVERIFY(told("spectralon").startsWith(QLatin1String("1 of ")));
     QVERIFY(told("").endsWith(QLatin1String(" materials")));
+  }
+
+  // What is known against a material's data stands in the library's list and beside its numbers.
+  void found_1_04_the_quality_of_data_is_told() {
+    TestWindow window(true);
+    const QAbstractItemModel* model = window->library_panel().list().model();
+    QString zinc;
+    for (int row = 0; row < model->rowCount(); ++row)
+      if (const QModelIndex at = model->index(row, 0);
+          at.data(LibraryModel::id_role).toString() == QLatin1String("zinc"))
+        zinc = at.data(Qt::ToolTipRole).toString();
+    QVERIFY2(zinc.endsWith(QLatin1String("data computed; sparse")), qPrintable(zinc));
+    QVERIFY(window->use_library_material(QStringLiteral("tantalum")));
+    const auto* dataset = named<QComboBox>(*window, QStringLiteral("Dataset"));
+    QVERIFY(dataset != nullptr);
+    QVERIFY(dataset->findText(QStringLiteral("werner-2009-reels (measured; sparse; doubtful)")) > 0);
+    const auto* result = named<QLabel>(*window, QStringLiteral("Measured F0, result"));
+    QVERIFY(result != nullptr);
+    QTRY_VERIFY(result->text().contains(QLatin1String("data computed; sparse; doubtful")));
+    QVERIFY(result->text().contains(QLatin1String("doubtful: at 667 nm")));
+  }
+
+  void found_1_18_a_surface_has_no_zone_verdict() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("cardboard")));
+    const auto* result = named<QLabel>(*window, QStringLiteral("Measured F0, result"));
+    QVERIFY(result != nullptr);
+    QTRY_VERIFY(result->text().contains(QLatin1String("data measured")));
+    QVERIFY2(!result->text().contains(QLatin1String("inside")), qPrintable(result->text()));
   }
 
   void names_of_files_tell_their_channel() {

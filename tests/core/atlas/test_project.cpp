@@ -41,7 +41,7 @@ Project full() {
   glass.id = "my_glass";
   glass.name = "My glass";
   glass.material_class = "glass";
-  glass.datasets.push_back({"one", etak::test::glass(1.7), Origin::measured, "", {}, "", {}, {}, ""});
+  glass.datasets.push_back({"one", etak::test::glass(1.7), Origin::measured, "", {}, "", {}, {}, "", ""});
   out.spectra.push_back(glass);
   out.view.shape = Shape::quad;
   out.view.lights.hemispheres->form = HemisphereForm::wide;

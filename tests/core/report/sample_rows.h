@@ -21,6 +21,13 @@ inline F0Result result_of(LinearRgb linear) {
   return r;
 }
 
+/// A diffuse colour: no verdict.
+inline F0Result surface_result(LinearRgb linear) {
+  F0Result r = result_of(linear);
+  r.zone.reset();
+  return r;
+}
+
 inline F0Result refused_result(std::string reason) {
   F0Result r;
   r.coverage = {{0.4, 0.3, 0.9}, 300, 560, 16, 140, false};
@@ -90,7 +97,7 @@ inline std::vector<MaterialReport> sample_reports() {
   lost.material_class = "gas";
   lost.datasets = {dataset("infrared", OpticalConstants{Spectrum{{2000, 3000}, {1.4, 1.5}}, std::nullopt})};
   return {{metal, {gold_result(), result_of({0.9, 0.5, 0.2}), refused_result("one row")}},
-          {surface, {result_of({0.8, 0.79, 0.7})}},
+          {surface, {surface_result({0.8, 0.79, 0.7})}},
           {lost, {refused_result("no <visible> data")}}};
 }
 

@@ -114,6 +114,36 @@ TEST_CASE("JSON carries zone, gamut, F82 and the reason of a refusal") {
   CHECK(results[2]["linear"].is_null());
 }
 
+TEST_CASE("found 1.04: JSON tells the kind of a dataset and why it is doubtful") {
+  auto rows = sample_rows();
+  rows[0].kind = "computed";
+  rows[0].doubt = "a guess";
+  const Json results = Json::parse(f0_json(rows, {}))["results"];
+  CHECK(results[0]["kind"] == "computed");
+  CHECK(results[0]["doubtful"] == "a guess");
+  CHECK(results[1]["kind"].is_null());
+  CHECK(results[1]["doubtful"].is_null());
+  const JsonSchema schema(schema_text());
+  CHECK(schema.problem(Json::parse(f0_json(rows, {}))) == "");
+  rows[0].kind = "guessed";
+  CHECK(schema.problem(Json::parse(f0_json(rows, {}))) != "");
+}
+
+TEST_CASE("found 1.18: the zone of a surface is null in JSON, of nothing else that has an F0") {
+  std::vector<F0Row> rows{{"paper", "Paper", "surface", "sheet", "", surface_result({0.3, 0.3, 0.3})},
+                          {"gold", "Gold", "metal", "x", "", gold_result()}};
+  const JsonSchema schema(schema_text());
+  const Json good = Json::parse(f0_json(rows, {}));
+  CHECK(good["results"][0]["zone"].is_null());
+  CHECK(schema.problem(good) == "");
+  Json bad = good;
+  bad["results"][0]["zone"] = good["results"][1]["zone"];
+  CHECK(schema.problem(bad) != "");
+  bad = good;
+  bad["results"][1]["zone"] = nullptr;
+  CHECK(schema.problem(bad) != "");
+}
+
 TEST_CASE("a file name of any bytes gives valid JSON") {
   auto rows = sample_rows();
   rows[0].path = "a\x01\"\\\n\xff";

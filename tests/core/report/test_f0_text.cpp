@@ -38,23 +38,47 @@ std::string nine_digits(double value) {
 }  // namespace
 
 TEST_CASE("the CSV has the columns that are its interface, as many in every row") {
-  CHECK(f0_csv_header() == "path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags\n");
-  CHECK(split(csv_row(gold_result()), ',').size() == 14);
-  CHECK(split(csv_row(result_of({0.1, 0.2, 0.3})), ',').size() == 14);
-  CHECK(split(csv_row(refused_result("no n given")), ',').size() == 14);
+  CHECK(f0_csv_header() == "path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags,kind\n");
+  CHECK(split(csv_row(gold_result()), ',').size() == 15);
+  CHECK(split(csv_row(result_of({0.1, 0.2, 0.3})), ',').size() == 15);
+  CHECK(split(csv_row(refused_result("no n given")), ',').size() == 15);
 }
 
 TEST_CASE("a CSV row holds coverage, linear, 8 bit, Y, absolute F82, zone and flags") {
   F0Result r = gold_result();
   r.luminance = 0.5;
   r.zone = zone_of(0.5);
-  CHECK(csv_row(r) ==
-        "p,0.9962,1.0428,0.4,0.3,255,170,149,0.5,0.99,0.9,0.7,above,out-of-gamut:r+0.0428;channel-in-zone\n");
+  CHECK(
+      csv_row(r) ==
+      "p,0.9962,1.0428,0.4,0.3,255,170,149,0.5,0.99,0.9,0.7,above,out-of-gamut:r+0.0428;channel-in-zone,\n");
 }
 
 TEST_CASE("reflectance data leave the F82 columns of the CSV empty") {
   F0Result r = result_of({0.5, 0.5, 0.5});
-  CHECK(contains(csv_row(r), ",0.5,,,,above,\n"));
+  CHECK(contains(csv_row(r), ",0.5,,,,above,,\n"));
+}
+
+TEST_CASE("found 1.04: CSV and table tell the kind of a dataset where it is known") {
+  std::string csv;
+  append_f0_csv(csv, "p", result_of({0.5, 0.5, 0.5}), "computed");
+  CHECK(contains(csv, ",above,,computed\n"));
+  csv.clear();
+  append_f0_csv(csv, "p", refused_result("no n given"), "fit");
+  CHECK(contains(csv, "refused: no n given,fit\n"));
+  auto rows = sample_rows();
+  CHECK_FALSE(contains(f0_table(rows, {}, false), "kind"));
+  rows[1].kind = "fit";
+  const auto lines = split(f0_table(rows, {}, false), '\n');
+  CHECK(lines[0].ends_with("  coverage  kind  flags"));
+  CHECK(contains(lines[1], "  -     out-of-gamut"));
+  CHECK(lines[2].ends_with("  fit"));
+}
+
+TEST_CASE("found 1.18: a surface has an empty zone in CSV and a dash in the table") {
+  F0Row row{"paper", "Paper", "surface", "sheet", "", surface_result({0.5, 0.5, 0.5})};
+  CHECK(contains(csv_row(row.result), ",0.5,,,,,,\n"));
+  const std::string line = split(f0_table({&row, 1}, {}, false), '\n')[1];
+  CHECK(contains(line, "  0.5000  -    -       0.9962"));  // Y, F82, zone, coverage
 }
 
 TEST_CASE("with the method auto, the table says which step was taken and what it is estimated to miss") {
@@ -70,8 +94,8 @@ TEST_CASE("with the method auto, the table says which step was taken and what it
 }
 
 TEST_CASE("a refused CSV row has empty numbers and the reason as its last flag") {
-  CHECK(csv_row(refused_result("no n given")) == "p,,,,,,,,,,,,,extrapolated;refused: no n given\n");
-  CHECK(contains(csv_row(refused_result("0.3, not 0.95")), ",\"extrapolated;refused: 0.3, not 0.95\"\n"));
+  CHECK(csv_row(refused_result("no n given")) == "p,,,,,,,,,,,,,extrapolated;refused: no n given,\n");
+  CHECK(contains(csv_row(refused_result("0.3, not 0.95")), ",\"extrapolated;refused: 0.3, not 0.95\",\n"));
 }
 
 TEST_CASE("CSV fields with commas, quotes or line ends are quoted as RFC 4180 says") {

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/material/quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/number.h"
+#include "core/material/f0_data.h"
+
+namespace etak {
+namespace {
+
+// What the datasets of one material are compared under, whatever the caller's own options are: a dataset is
+// not more or less doubtful under water.
+const F0Solver& reference_solver() {
+  static const F0Solver solver{F0Options{}};
+  return solver;
+}
+
+bool is_witness(const Dataset& other, const Dataset& dataset) {
+  return other.id != dataset.id && other.axis == dataset.axis && other.doubtful.empty() &&
+         other.origin != Origin::computed;
+}
+
+}  // namespace
+
+std::optional<double> median_of_others(const Material& material, const Dataset& dataset) {
+  if (!gives_f0(material.material_class)) return std::nullopt;
+  // Most materials have one or two datasets: those are told without solving anything.
+  if (std::count_if(material.datasets.begin(), material.datasets.end(),
+                    [&](const Dataset& other) { return is_witness(other, dataset); }) < 2)
+    return std::nullopt;
+  std::vector<double> luminance;
+  for (const Dataset& other : material.datasets) {
+    if (!is_witness(other, dataset)) continue;
+    const F0Result result = reference_solver().solve(other.optics);
+    if (!result.refused()) luminance.push_back(result.luminance);
+  }
+  if (luminance.size() < 2) return std::nullopt;
+  std::sort(luminance.begin(), luminance.end());
+  const std::size_t middle = luminance.size() / 2;
+  return luminance.size() % 2 == 1 ? luminance[middle] : (luminance[middle - 1] + luminance[middle]) / 2;
+}
+
+std::string doubt(const Material& material, const Dataset& dataset) {
+  if (!dataset.doubtful.empty()) return dataset.doubtful;
+  const auto median = median_of_others(material, dataset);
+  if (!median) return {};
+  const F0Result own = reference_solver().solve(dataset.optics);
+  if (own.refused()) return {};
+  const double off = own.luminance - *median;
+  if (std::abs(off) <= doubtful_distance) return {};
+  return "F0 luminance " + number(own.luminance, 3) + " is " + number(std::abs(off), 3) +
+         (off < 0 ? " below" : " above") + " the median of the other datasets, " + number(*median, 3);
+}
+
+Flags quality_flags(const Material& material, const Dataset& dataset) {
+  Flags flags;
+  if (dataset.origin == Origin::computed) flags.set(Flag::computed);
+  if (is_sparse(dataset.optics)) flags.set(Flag::sparse);
+  if (!doubt(material, dataset).empty()) flags.set(Flag::doubtful);
+  return flags;
+}
+
+F0Result solve(const F0Solver& solver, const Material& material, const Dataset& dataset, F0Timing* timing) {
+  Flags flags = quality_flags(material, dataset);
+  flags |= dataset.flags;
+  F0Result result = solver.solve(dataset.optics, flags, timing);
+  if (!gives_f0(material.material_class)) {
+    result.zone.reset();
+    result.channel_in_zone = {};
+    result.flags.clear(Flag::channel_in_zone);
+  }
+  return result;
+}
+
+std::string quality_text(Origin origin, Flags flags) {
+  std::string out(name(origin));
+  for (const Flag flag : {Flag::sparse, Flag::doubtful})
+    if (flags.has(flag)) out.append("; ").append(name(flag));
+  return out;
+}
+
+}  // namespace etak
