@@ -24,9 +24,7 @@ void add_choose(CLI::App& app, Verb& chosen) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   verb->add_flag("--codes", arguments->codes, "the budget is in 8-bit sRGB codes of the worst channel");
-  verb->add_option("--gloss", arguments->gloss, "of a library material's sphere that is compared")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+  add_roughness_options(*verb, arguments->rough, "of a library material's sphere that is compared");
   auto* measure = verb->add_flag(
       "--measure", arguments->measure,
       "time everything here (half a minute) instead of taking the shipped costs; the choice may differ");

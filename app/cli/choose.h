@@ -6,6 +6,7 @@
 
 #include "app/cli/options.h"
 #include "app/cli/output.h"
+#include "app/cli/roughness_options.h"
 
 namespace etak::cli {
 
@@ -13,7 +14,8 @@ namespace etak::cli {
 struct ChooseArguments {
   std::vector<std::string> materials;
   std::string costs;  // file of a cost table
-  double budget = 1, gloss = 0.75;
+  double budget = 1;
+  RoughnessArguments rough;
   bool codes = false, all = false, measure = false, write_costs = false;
   Library library;
   OutputArguments output;

@@ -6,6 +6,8 @@
 #include "app/cli/pack.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/number.h"
+#include "core/material/appearance.h"
 #include "core/material/names.h"
 #include "core/report/choose.h"
 #include "core/report/choose_scene.h"
@@ -53,8 +55,28 @@ int choose_materials(ChooseArguments& arguments) {
   if (arguments.codes) options.unit = ErrorUnit::codes;
   const std::string scene =
       !arguments.materials.empty() && names_scene(arguments.materials[0]) ? arguments.materials[0] : "";
+  const std::optional<Gloss> given = given_gloss(arguments.rough);
+  if (given && !scene.empty())
+    throw Error::at("etak choose", "--gloss or --roughness beside " + scene,
+                    "a scene alone: it says its own");
   std::vector<Choice> choices;
   int status = exit_ok;
+  // The sphere of a library material, as rough as was asked or as its class is by convention.
+  const auto subject_of = [&](const Material& material, const Dataset& dataset) {
+    if (given) {
+      if (given->alpha() < lobe_alpha({{}, {}, *given}))
+        remark(arguments.output, material.id + ": the lobe of roughness " + number(given->roughness(), 3) +
+                                     " is compared with a width of " +
+                                     number(lobe_alpha({{}, {}, *given}), 3) +
+                                     ", the least that the models take");
+      return library_subject(material, dataset, *given);
+    }
+    const DefaultGloss standard = default_gloss(material, clarity(material, dataset).clear);
+    const Gloss gloss(double{standard.gloss});
+    remark(arguments.output, material.id + ": " + told(standard) +
+                                 (standard.gloss.held() ? "; compared with " + roughness_text(gloss) : ""));
+    return library_subject(material, dataset, gloss);
+  };
   const auto add = [&](const ChooseSubject& subject) {
     choices.push_back(choose(subject, options, costs));
     if (!choices.back().met) status = exit_findings;
@@ -73,7 +95,7 @@ int choose_materials(ChooseArguments& arguments) {
         continue;
       }
       try {
-        add(library_subject(material, material.preferred_dataset(), arguments.gloss));
+        add(subject_of(material, material.preferred_dataset()));
       } catch (const Error& error) {
         remark(arguments.output, error.what());
         status = exit_findings;
@@ -87,7 +109,7 @@ int choose_materials(ChooseArguments& arguments) {
     for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
     for (const Input& input : inputs) {
       const Material material = read_material(input, TableOptions{});
-      add(library_subject(material, dataset_named(material, input.dataset, input.label()), arguments.gloss));
+      add(subject_of(material, dataset_named(material, input.dataset, input.label())));
     }
   }
   write_output(arguments.output, arguments.output.format == "json" ? choice_json(choices, costs, scene)

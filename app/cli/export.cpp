@@ -8,6 +8,7 @@
 #include "app/cli/inputs.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
+#include "app/cli/roughness_options.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -28,7 +29,8 @@ struct ExportArguments {
   std::string to, fit = "clamp", gltf_form = "metal-rough";
   std::vector<std::string> targets;
   std::vector<double> diffuse;
-  double gloss = 0.75, opacity = 1;
+  RoughnessArguments rough;
+  double opacity = 1;
 };
 
 struct Found {
@@ -58,7 +60,7 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
         continue;
       }
       ExportSurface surface =
-          export_surface(material, dataset, solver.options(), result, diffuse, arguments.gloss);
+          export_surface(material, dataset, solver.options(), result, diffuse, given_gloss(arguments.rough));
       surface.opacity = arguments.opacity;
       validate(surface);
       if (!input.alias_note.empty()) surface.notes.push_back(input.alias_note);
@@ -122,12 +124,14 @@ void choose_format(ExportArguments& arguments) {
                                              : "mtlx");
 }
 
-// A file has no room beside it for what was changed: it goes to standard error.
-void tell_changes(const ExportArguments& arguments, const std::vector<ExportSurface>& surfaces,
-                  const std::vector<Changes>& changes) {
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
+// A file has no room beside it for what was assumed and changed: it goes to standard error.
+void tell_notes_and_changes(const ExportArguments& arguments, const std::vector<ExportSurface>& surfaces,
+                            const std::vector<Changes>& changes) {
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    for (const std::string& note : surfaces[i].notes) remark(arguments.output, surfaces[i].id + ": " + note);
     for (const Change& change : changes[i])
       remark(arguments.output, surfaces[i].id + ": " + one_line(change));
+  }
 }
 
 int run(ExportArguments& arguments) {
@@ -137,7 +141,7 @@ int run(ExportArguments& arguments) {
   const auto in_range = [](const char* option, double value) {
     if (!(value >= 0 && value <= 1)) throw Error::at(option, number(value, 6), "0 to 1");
   };
-  in_range("--gloss", arguments.gloss);
+  (void)given_gloss(arguments.rough);
   in_range("--opacity", arguments.opacity);
   for (const double value : arguments.diffuse) in_range("--diffuse", value);
   if (!arguments.targets.empty() && arguments.to != "values")
@@ -164,7 +168,7 @@ int run(ExportArguments& arguments) {
       write_output(arguments.output, arguments.to == "mtlx"
                                          ? material_x(found.surfaces, fit, changes)
                                          : gltf_document(found.surfaces, form, container, fit, changes));
-      tell_changes(arguments, found.surfaces, changes);
+      tell_notes_and_changes(arguments, found.surfaces, changes);
     }
   }
   return found.failed ? exit_failure : found.refused ? exit_findings : exit_ok;
@@ -185,10 +189,10 @@ void add_export(CLI::App& app, Verb& chosen) {
   add_all_datasets_option(verb, arguments->inputs);
   verb.add_option("--dataset", arguments->inputs.dataset, "dataset to take instead of the preferred one")
       ->type_name("ID");
-  verb.add_option("--gloss", arguments->gloss, "Schueler's gloss, 0 to 1; roughness follows from it")
-      ->capture_default_str();
-  verb.add_option("--diffuse", arguments->diffuse,
-                  "diffuse colour of dielectrics, linear R,G,B (default black)")
+  add_roughness_options(verb, arguments->rough, "of the surface");
+  verb.add_option(
+          "--diffuse", arguments->diffuse,
+          "diffuse colour of dielectrics, linear R,G,B (default black, and clear where the data say so)")
       ->delimiter(',')
       ->expected(3)
       ->type_name("R,G,B");

@@ -2,6 +2,7 @@
 #include "app/cli/export_values.h"
 
 #include <algorithm>
+#include <array>
 
 #include "app/cli/output.h"
 #include "core/base/json_text.h"
@@ -18,6 +19,13 @@ std::string json_numbers(const std::vector<double>& values) {
 
 std::string json_color(const LinearRgb& c) {
   return json_numbers({c.r, c.g, c.b});
+}
+
+std::string json_clear(const std::optional<ClearBody>& body) {
+  if (!body) return "null";
+  return json_object(
+      std::array{JsonMember{"color", json_color(body->color)}, JsonMember{"depth_m", json(body->depth_m)}},
+      -1);
 }
 
 std::string json_texts(const std::vector<std::string>& texts) {
@@ -64,9 +72,8 @@ std::string export_table(const std::vector<ExportedValues>& all) {
   for (const ExportedValues& each : all) {
     const ExportSurface& s = each.surface;
     out += (out.empty() ? "" : "\n") + s.name + " (" + s.id + "/" + each.dataset + "), " +
-           std::string(name(s.kind)) + ", gloss " + number(s.gloss, 6) + ", alpha " +
-           number(alpha_of_gloss(s.gloss), 4) + ", roughness " + number(roughness_of_gloss(s.gloss), 4) +
-           '\n';
+           std::string(name(s.kind)) + (s.gloss.held() ? "" : ", gloss " + number(double{s.gloss}, 6)) +
+           ", alpha " + number(s.gloss.alpha(), 4) + ", roughness " + number(s.gloss.roughness(), 4) + '\n';
     for (const std::string& note : s.notes) out += "  note: " + note + '\n';
     for (const EngineValues& values : each.targets) {
       bool first = true;
@@ -149,9 +156,11 @@ std::string export_json(const std::vector<ExportedValues>& all, Fit fit, const s
                                           {"f0", json_color(s.f0)},
                                           {"f82", s.f82 ? json_color(*s.f82) : "null"},
                                           {"diffuse", json_color(s.diffuse)},
-                                          {"gloss", json(s.gloss)},
-                                          {"alpha", json(alpha_of_gloss(s.gloss))},
-                                          {"roughness", json(roughness_of_gloss(s.gloss))},
+                                          {"total", s.total ? json_color(*s.total) : "null"},
+                                          {"clear", json_clear(s.clear)},
+                                          {"gloss", s.gloss.held() ? "null" : json(double{s.gloss})},
+                                          {"alpha", json(s.gloss.alpha())},
+                                          {"roughness", json(s.gloss.roughness())},
                                           {"opacity", json(s.opacity)},
                                           {"notes", json_texts(s.notes)},
                                           {"targets", json_lines(targets, 6)}};

@@ -13,7 +13,7 @@ namespace {
 
 // What the number behind the name is: "metal, F0", "surface, diffuse colour".
 std::string what(const Material& material) {
-  const bool body = optical_kind(material.material_class) == "surface";
+  const bool body = !gives_f0(material.material_class);
   return material.material_class + (body ? ", diffuse colour" : ", F0");
 }
 

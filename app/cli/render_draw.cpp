@@ -154,19 +154,19 @@ std::string times_json(const std::vector<double>& ms) {
 std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& notes, unsigned threads) {
   const SurfaceValues& s = scene.surface;
   const auto three = [](const Vec3& v) { return numbers({v[0], v[1], v[2]}); };
-  std::string out = "{\n  \"schema\": \"etak-render/1\",\n  \"subject\": " + json_string(stats.subject) +
-                    ",\n  \"size\": [" + std::to_string(scene.width) + ", " + std::to_string(scene.height) +
-                    "],\n  \"surface\": {\"f0\": " + three(s.f0) + ", \"f82\": " + three(s.f82) +
-                    ", \"n\": " + three(s.n) + ", \"k\": " + three(s.k) +
-                    ", \"nk_residual\": " + three(s.nk_residual) + ", \"diffuse\": " + three(s.diffuse) +
-                    ", \"gloss\": " + number(s.gloss, 9) + ", \"opacity\": " + number(s.opacity, 9) +
-                    "},\n  \"specular\": " + model_json(scene.specular, scene.specular_values) +
-                    ",\n  \"diffuse\": " + model_json(scene.diffuse, scene.diffuse_values) +
-                    ",\n  \"lights\": " + std::to_string(scene.lights.lights.size()) +
-                    ",\n  \"device\": " + json_string(stats.device) +
-                    ",\n  \"threads\": " + std::to_string(threads) +
-                    ",\n  \"prepare_ms\": " + number(stats.prepare_ms, 6) +
-                    ",\n  \"frame_ms\": " + times_json(stats.frame_ms);
+  std::string out =
+      "{\n  \"schema\": \"etak-render/1\",\n  \"subject\": " + json_string(stats.subject) +
+      ",\n  \"size\": [" + std::to_string(scene.width) + ", " + std::to_string(scene.height) +
+      "],\n  \"surface\": {\"f0\": " + three(s.f0) + ", \"f82\": " + three(s.f82) + ", \"n\": " + three(s.n) +
+      ", \"k\": " + three(s.k) + ", \"nk_residual\": " + three(s.nk_residual) +
+      ", \"diffuse\": " + three(s.diffuse) + ", \"gloss\": " + number(double{s.gloss}, 9) +
+      ", \"roughness\": " + number(s.gloss.roughness(), 9) + ", \"opacity\": " + number(s.opacity, 9) +
+      "},\n  \"specular\": " + model_json(scene.specular, scene.specular_values) +
+      ",\n  \"diffuse\": " + model_json(scene.diffuse, scene.diffuse_values) +
+      ",\n  \"lights\": " + std::to_string(scene.lights.lights.size()) +
+      ",\n  \"device\": " + json_string(stats.device) + ",\n  \"threads\": " + std::to_string(threads) +
+      ",\n  \"prepare_ms\": " + number(stats.prepare_ms, 6) +
+      ",\n  \"frame_ms\": " + times_json(stats.frame_ms);
   if (!stats.gpu_ms.empty()) out += ",\n  \"gpu_ms\": " + times_json(stats.gpu_ms);
   if (stats.standard_error)
     out += ",\n  \"standard_error\": {\"rms\": " + number(*stats.standard_error, 6) +
@@ -233,6 +233,7 @@ int draw(RenderArguments& arguments) {
   Stats stats;
   SceneNotes notes;
   const Scene scene = scene_of(arguments.scene, notes);
+  tell_held_gloss(scene, notes);
   stats.subject = notes.subject;
   const auto begin = Clock::now();
   const std::optional<Environment> environment = environment_of(scene, threads);

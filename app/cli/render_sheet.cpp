@@ -25,7 +25,7 @@ constexpr Column columns[] = {{"gold", "gold", {0, 0, 0}, 1},
                               {"plastic", "pmma", {0.5, 0.04, 0.03}, 1},
                               {"silicon", "silicon", {0, 0, 0}, 1}};
 
-SurfaceValues surface(const Column& column, Library& library, double gloss) {
+SurfaceValues surface(const Column& column, Library& library, const Gloss& gloss) {
   const auto material = library.get().find(column.material);
   if (!material)
     throw Error::at("--sheet", std::string("the library has no ") + column.material, "etak's own library");
@@ -44,13 +44,15 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
   typed.subject = {"f0=0.04"};
   SceneNotes notes;
   scene = scene_of(typed, notes);
+  // One roughness for all, so that the columns compare: what was given, else the gloss of metals.
+  const Gloss gloss = given_gloss(typed.rough).value_or(Gloss(0.75));
   const Environment studio(studio_environment(), 1, "studio", threads);
 
   Sheet sheet;
   std::vector<SurfaceValues> surfaces;
   for (const Column& column : columns) {
     sheet.columns.emplace_back(column.label);
-    surfaces.push_back(surface(column, typed.library, typed.gloss));
+    surfaces.push_back(surface(column, typed.library, gloss));
   }
   const std::size_t rows = models().size() + 5;
   Progress progress(arguments.stats, rows * surfaces.size());
@@ -76,9 +78,9 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
       scene.lights.hemispheres ? scene.lights.hemispheres : default_lights().hemispheres;
   add_row("hemispheres alone", "", "", hemispheres, nullptr);
   add_row("environment alone", "", "", {}, &studio);
-  for (const double gloss : {0.25, 0.5, 1.0}) {
-    for (SurfaceValues& each : surfaces) each.gloss = gloss;
-    add_row("gloss " + number(gloss, 3), "", "", scene.lights, nullptr);
+  for (const double row_gloss : {0.25, 0.5, 1.0}) {
+    for (SurfaceValues& each : surfaces) each.gloss = row_gloss;
+    add_row("gloss " + number(row_gloss, 3), "", "", scene.lights, nullptr);
   }
   return laid_out(sheet);
 }

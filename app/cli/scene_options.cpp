@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/fresnel/fresnel.h"
+#include "core/material/appearance.h"
 #include "core/material/names.h"
 #include "core/render/display.h"
 
@@ -36,9 +37,10 @@ Vec3 color_of(const std::string& place, std::string_view text) {
   return {out[0], out[1], out[2]};
 }
 
-// A surface of numbers: f0, f82, n, k, diffuse, gloss, opacity.
+// A surface of numbers: f0, f82, n, k, diffuse, gloss, roughness, opacity.
 SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues surface) {
   bool has_f0 = false, has_f82 = false, has_index = false;
+  RoughnessArguments rough;
   for (const std::string& each : subject) {
     const std::size_t equals = each.find('=');
     if (equals == each.npos)
@@ -63,14 +65,18 @@ SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues sur
     } else if (name == "diffuse") {
       in_unit();
       surface.diffuse = value;
-    } else if (name == "gloss") {
-      surface.gloss = value[0];
+    } else if (name == "gloss" || name == "roughness") {
+      if (!(value[0] >= 0 && value[0] <= 1)) throw Error::at(name, number(value[0], 6), "0 to 1");
+      (name == "gloss" ? rough.gloss : rough.roughness) = value[0];
     } else if (name == "opacity") {
       surface.opacity = value[0];
     } else {
-      throw Error::at(printable(name), "is nothing of a surface", "f0, f82, n, k, diffuse, gloss or opacity");
+      throw Error::at(printable(name), "is nothing of a surface",
+                      "f0, f82, n, k, diffuse, gloss, roughness or opacity");
     }
   }
+  if (rough.gloss && rough.roughness) throw Error::at("roughness", "given beside gloss", "one of the two");
+  if (const std::optional<Gloss> given = given_gloss(rough)) surface.gloss = *given;
   if (has_index && (has_f0 || has_f82)) throw Error::at("n, k", "given beside f0 or f82", "one of the two");
   if (has_index) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -100,7 +106,8 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
   if (arguments.subject.empty())
     throw Error::at("etak", "no material", "a material, or numbers such as f0=0.04");
   SurfaceValues blank;
-  blank.gloss = arguments.gloss;
+  const std::optional<Gloss> given = given_gloss(arguments.rough);
+  if (given) blank.gloss = *given;
   blank.opacity = arguments.opacity;
   if (!arguments.diffuse.empty())
     blank.diffuse = {arguments.diffuse[0], arguments.diffuse[1], arguments.diffuse[2]};
@@ -123,9 +130,27 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
   const Material material = read_material(inputs[0], TableOptions{});
   const Dataset& dataset = dataset_named(material, inputs[0].dataset, inputs[0].label());
   notes.subject = material.id + "/" + dataset.id;
+  const bool dielectric = optical_kind(material.material_class) == "dielectric";
+  const Clarity body = clarity(material, dataset);
+  const bool clear = body.clear && blank.diffuse == Vec3{0, 0, 0};
+  if (!given) {
+    const DefaultGloss standard = default_gloss(material, clear);
+    // A convention gives way to what a picture needs: in a perfect mirror the lights are points that no pixel
+    // hits.
+    blank.gloss = Gloss(double{standard.gloss});
+    notes.remarks.push_back(told(standard) + (standard.gloss.held()
+                                                  ? "; drawn with " + roughness_text(blank.gloss) +
+                                                        ", in which the lights can be seen"
+                                                  : ""));
+  }
   SurfaceValues out = surface_of(material, dataset, blank.diffuse, blank.gloss);
   out.opacity = blank.opacity;
-  if (optical_kind(material.material_class) != "dielectric" && !arguments.diffuse.empty())
+  if (clear && out.opacity == 1)
+    notes.remarks.push_back(
+        "the body of " + material.id + " is clear (" + body.reason +
+        ") and is not drawn: its surface's reflection is; --opacity 0 lets the background through");
+  if (!gives_f0(material.material_class)) notes.remarks.push_back(told_total(to_rgb(out.f0)));
+  if (!dielectric && !arguments.diffuse.empty())
     notes.remarks.push_back(material.id + " is a " + std::string(optical_kind(material.material_class)) +
                             ": --diffuse is not used");
   return out;
@@ -191,6 +216,19 @@ void choose_models(Scene& scene, const std::string& specular, const std::string&
     remarks.push_back(each.name + " is " + number(each.wanted, 6) + ", taken as " + number(each.used, 6));
 }
 
+void tell_held_gloss(const Scene& scene, SceneNotes& notes) {
+  if (!scene.surface.gloss.held()) return;
+  std::string takers;
+  const auto add = [&](std::string_view who) { takers += (takers.empty() ? "" : ", ") + std::string(who); };
+  for (const Model* model : {scene.specular, scene.diffuse})
+    if (model != nullptr)
+      for (const Parameter& each : model->parameters)
+        if (each.role == Role::gloss) add("model " + std::string(model->id));
+  if (scene.lights.hemispheres) add("the light of the hemispheres");
+  if (!scene.lights.environment.empty()) add("the light of the environment");
+  if (!takers.empty()) notes.remarks.push_back(held_text(scene.surface.gloss) + " (" + takers + ")");
+}
+
 Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   Scene scene;
   std::tie(scene.width, scene.height) = size_of(arguments.size);
@@ -222,7 +260,7 @@ void add_scene_options(CLI::App& verb, SceneArguments& arguments) {
   verb.add_option("SUBJECT", arguments.subject,
                   "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or f0=1,0.78,0.34, "
                   "f82=, n=, k=, "
-                  "diffuse=, gloss=, opacity=")
+                  "diffuse=, gloss=, roughness=, opacity=")
       ->type_name("");
   verb.add_option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
       ->type_name("ID");
@@ -235,8 +273,7 @@ void add_scene_options(CLI::App& verb, SceneArguments& arguments) {
       ->type_name("NAME=NUMBER")
       ->allow_extra_args(false);
   rgb("--diffuse", arguments.diffuse, "diffuse colour, linear; conductors and semiconductors stay black");
-  verb.add_option("--gloss", arguments.gloss, "Schueler's g, 0 to 1: exponent 2^(12 g)")
-      ->capture_default_str();
+  add_roughness_options(verb, arguments.rough, "of the surface");
   verb.add_option("--opacity", arguments.opacity, "of the body, 0 to 1")->capture_default_str();
   verb.add_option("--lights", arguments.lights, "light setup; default three lights and two hemispheres")
       ->type_name("FILE");

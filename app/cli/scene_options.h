@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/cli/options.h"
+#include "app/cli/roughness_options.h"
 #include "core/render/scene.h"
 
 namespace CLI {
@@ -20,7 +21,8 @@ struct SceneArguments {
   std::string model, diffuse_model;
   std::vector<std::string> set;
   std::vector<double> diffuse, background;
-  double gloss = 0.75, opacity = 1, exposure = 1, field_of_view = 30;
+  RoughnessArguments rough;
+  double opacity = 1, exposure = 1, field_of_view = 30;
   std::string lights, environment, transfer = "srgb", size = "512";
   bool quad = false, perspective = false;
   Library library;
@@ -33,6 +35,10 @@ struct SceneNotes {
   std::string subject;
   std::vector<std::string> remarks;
 };
+
+/// Adds a remark where a roughness was given that Schueler's gloss does not hold, and what of the scene takes
+/// that.
+void tell_held_gloss(const Scene& scene, SceneNotes& notes);
 
 /// The scene asked for. Throws Error that names the option or file.
 Scene scene_of(SceneArguments& arguments, SceneNotes& notes);

@@ -65,7 +65,9 @@ MaterialVariant take_choice(ShaderArguments& arguments) {
     return std::string(name) + '=' + number(c[0], 17) + ',' + number(c[1], 17) + ',' + number(c[2], 17);
   };
   arguments.scene.subject = {colour("f0", variant->f0), colour("diffuse", variant->diffuse),
-                             "gloss=" + number(variant->gloss, 17)};
+                             variant->gloss.given_roughness()
+                                 ? "roughness=" + number(*variant->gloss.given_roughness(), 17)
+                                 : "gloss=" + number(double{variant->gloss}, 17)};
   arguments.scene.model = variant->model;
   return *variant;
 }
@@ -77,7 +79,6 @@ Scene shader_scene(ShaderArguments& arguments) {
   if (count) arguments.scene.lights.clear();
   SceneNotes notes;
   Scene scene = scene_of(arguments.scene, notes);
-  for (const std::string& each : notes.remarks) remark(arguments.output, each);
   if (variant) {
     scene.specular_values = variant->values;
     validate(scene);
@@ -90,6 +91,8 @@ Scene shader_scene(ShaderArguments& arguments) {
     if (!scene.lights.hemispheres) scene.lights.hemispheres.emplace();
     scene.lights.hemispheres->form = *hemisphere_form_named(arguments.hemispheres);
   }
+  tell_held_gloss(scene, notes);
+  for (const std::string& each : notes.remarks) remark(arguments.output, each);
   return scene;
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/file.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/table.h"
+#include "core/material/appearance.h"
 #include "core/material/json.h"
 
 namespace etak::editor {
@@ -90,7 +91,11 @@ ProjectMaterial material_of(const Material& record) {
   ProjectMaterial out;
   out.name = record.name;
   out.measured = MeasuredF0{record.id, {}, {}, {}};
-  if (optical_kind(record.material_class) == "dielectric") out.diffuse = {0.25, 0.25, 0.25};
+  const bool clear = clarity(record, record.preferred_dataset()).clear;
+  if (optical_kind(record.material_class) == "dielectric" && !clear) out.diffuse = {0.25, 0.25, 0.25};
+  // Alpha is of the body, and a clear one lets the background through.
+  if (clear) out.alpha = 0;
+  out.gloss = default_gloss(record, clear).gloss;
   return out;
 }
 

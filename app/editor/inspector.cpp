@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "app/editor/color_field.h"
 #include "app/editor/model_section.h"
@@ -12,7 +13,7 @@
 #include "app/editor/source_section.h"
 #include "app/editor/texture_section.h"
 #include "core/base/number.h"
-#include "core/exchange/export_surface.h"
+#include "core/color/gloss.h"
 
 namespace etak::editor {
 namespace {
@@ -74,6 +75,14 @@ QWidget* Inspector::make_numbers() {
   specular_ = new ColorField(tr("Specular"), {0.04, 0.04, 0.04}, section);
   diffuse_ = new ColorField(tr("Diffuse"), {0, 0, 0}, section);
   gloss_ = new NumberField(tr("Gloss"), 0, 1, 0.75, section);
+  gloss_->setToolTip(
+      tr("Sch\u00fcler's gloss g: exponent 2^(12 g), \u03b1 = \u221a(2 / (exponent + 2)), roughness "
+         "\u221a\u03b1: "
+         "0.904 for gloss 0 to 0.149 for gloss 1"));
+  roughness_ = new NumberField(tr("Roughness"), 0, 1, roughness_of_gloss(0.75), section);
+  roughness_->setToolTip(tr(
+      "Perceptual roughness r, in place of gloss: \u03b1 = r\u00b2, gloss log2(2 / r\u2074 \u2212 2) / 12. "
+      "Below 0.149 and above 0.904 there is no gloss: what takes one gets the nearest"));
   alpha_ = new NumberField(tr("Alpha"), 0, 1, 1, section);
   cutoff_ = new NumberField(tr("Alpha cutoff"), 0, 1, 0.5, section);
   alpha_mode_ = new QuietComboBox(tr("Alpha mode"), section);
@@ -82,6 +91,7 @@ QWidget* Inspector::make_numbers() {
   section->add_below(tr("Specular (F0)"), specular_);
   section->add_below(tr("Diffuse"), diffuse_);
   section->add(tr("Gloss"), gloss_);
+  section->add(tr("Roughness"), roughness_);
   section->add(lobe_);
   section->add(tr("Alpha"), alpha_);
   section->add(tr("Mode"), alpha_mode_);
@@ -98,6 +108,8 @@ QWidget* Inspector::make_numbers() {
       // A typed colour is no longer the measured one.
       if (!measures_diffuse(m, *document_.library())) m.measured.reset();
       m.specular = color;
+      // Of a total reflectance the surface takes its share, and the body keeps the rest.
+      if (measures_diffuse(m, *document_.library())) m = with_measured(std::move(m), *document_.library());
     });
   });
   connect(diffuse_, &ColorField::edited, this, [this, edit](const LinearRgb& color, int press) {
@@ -111,7 +123,12 @@ QWidget* Inspector::make_numbers() {
       edit(what, press, [&](ProjectMaterial& m) { m.*member = value; });
     });
   };
-  number(gloss_, tr("gloss"), &ProjectMaterial::gloss);
+  connect(gloss_, &NumberField::edited, this, [this, edit](double value, int press) {
+    edit(tr("gloss"), press, [&](ProjectMaterial& m) { m.gloss = value; });
+  });
+  connect(roughness_, &NumberField::edited, this, [this, edit](double value, int press) {
+    edit(tr("roughness"), press, [&](ProjectMaterial& m) { m.gloss = Gloss::of_roughness(value); });
+  });
   number(alpha_, tr("alpha"), &ProjectMaterial::alpha);
   number(cutoff_, tr("alpha cutoff"), &ProjectMaterial::alpha_cutoff);
   connect(alpha_mode_, &QComboBox::activated, this, [edit, this](int row) {
@@ -137,14 +154,18 @@ void Inspector::show_material() {
   specular_->show_color(m->specular);
   diffuse_->show_color(m->diffuse);
   gloss_->show_value(m->gloss);
+  roughness_->show_value(m->gloss.roughness());
   alpha_->show_value(m->alpha);
   cutoff_->show_value(m->alpha_cutoff);
   cutoff_->setEnabled(m->alpha_mode == AlphaMode::mask);
   alpha_mode_->setCurrentIndex(static_cast<int>(m->alpha_mode));
-  lobe_->setText(tr("exponent %1   \u03b1 %2   roughness %3")
-                     .arg(QString::fromStdString(etak::number(exponent_of_gloss(m->gloss), 4)),
-                          QString::fromStdString(etak::number(alpha_of_gloss(m->gloss), 3)),
-                          QString::fromStdString(etak::number(roughness_of_gloss(m->gloss), 3))));
+  QString lobe = tr("exponent %1   \u03b1 %2")
+                     .arg(std::isfinite(m->gloss.exponent())
+                              ? QString::fromStdString(etak::number(m->gloss.exponent(), 4))
+                              : QStringLiteral("\u221e"),
+                          QString::fromStdString(etak::number(m->gloss.alpha(), 3)));
+  if (m->gloss.held()) lobe += QStringLiteral("\n") + QString::fromStdString(held_text(m->gloss));
+  lobe_->setText(lobe);
 }
 
 void Inspector::go_to(Channel channel) {

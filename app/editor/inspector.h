@@ -25,6 +25,7 @@ class Inspector : public PanelScroll {
   ColorField& specular() { return *specular_; }
   ColorField& diffuse() { return *diffuse_; }
   NumberField& gloss() { return *gloss_; }
+  NumberField& roughness() { return *roughness_; }
   NumberField& alpha() { return *alpha_; }
   SourceSection& source() { return *source_; }
   ModelSection& model() { return *model_; }
@@ -42,7 +43,7 @@ class Inspector : public PanelScroll {
   QLineEdit* name_;
   SourceSection* source_;
   ColorField *specular_ = nullptr, *diffuse_ = nullptr;
-  NumberField *gloss_ = nullptr, *alpha_ = nullptr, *cutoff_ = nullptr;
+  NumberField *gloss_ = nullptr, *roughness_ = nullptr, *alpha_ = nullptr, *cutoff_ = nullptr;
   QuietComboBox* alpha_mode_ = nullptr;
   QLabel* lobe_ = nullptr;
   ModelSection* model_;

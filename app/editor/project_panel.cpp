@@ -61,8 +61,8 @@ QPixmap ProjectModel::picture(int row) const {
   const auto mix = [&](std::size_t value) {
     seed ^= value + 0x9e3779b97f4a7c15u + (seed << 6) + (seed >> 2);
   };
-  for (const double v :
-       {m.diffuse.r, m.diffuse.g, m.diffuse.b, m.specular.r, m.specular.g, m.specular.b, m.gloss, m.alpha})
+  for (const double v : {m.diffuse.r, m.diffuse.g, m.diffuse.b, m.specular.r, m.specular.g, m.specular.b,
+                         m.gloss.alpha(), m.alpha})
     mix(std::hash<double>()(v));
   if (m.measured) {
     mix(std::hash<std::string>()(m.measured->material));
@@ -83,9 +83,9 @@ QVariant ProjectModel::data(const QModelIndex& index, int role) const {
     case Qt::EditRole:
       return QString::fromStdString(m.name);
     case Qt::ToolTipRole:
-      return tr("%1: F0 %2, gloss %3")
-          .arg(QString::fromStdString(m.name), QString::fromStdString(hex(srgb_u8(m.specular))))
-          .arg(m.gloss, 0, 'g', 4);
+      return tr("%1: F0 %2, %3")
+          .arg(QString::fromStdString(m.name), QString::fromStdString(hex(srgb_u8(m.specular))),
+               QString::fromStdString(roughness_text(m.gloss)));
     case Qt::DecorationRole: {
       const QPixmap made = picture(index.row());
       if (!made.isNull()) {

@@ -22,11 +22,12 @@ QString text(std::string_view view) {
 // What is told of a measured F0; made on a worker, because every dataset of the material is solved for the
 // spread.
 struct Told {
-  QString result, spread, citation;
+  QString result, body, spread, citation;
 };
 
-Told told(const MeasuredF0& measured, const MaterialLibrary& library) {
+Told told(const ProjectMaterial& material, const MaterialLibrary& library) {
   Told out;
+  const MeasuredF0& measured = *material.measured;
   try {
     const FoundF0 found = find_f0(measured, library);
     const F0Result& r = found.result;
@@ -40,6 +41,7 @@ Told told(const MeasuredF0& measured, const MaterialLibrary& library) {
       out.result += QObject::tr("\ndoubtful: %1").arg(text(why));
     if (const std::string flags = flags_text(r); !flags.empty())
       out.result += QStringLiteral("\n") + text(flags).replace(QLatin1Char(';'), QStringLiteral("; "));
+    out.body = text(body_note(material, found));
     out.citation = text(one_line(found.chosen().citation));
     MaterialReport report{found.material, {}};
     const F0Solver solver(f0_options(measured, library));
@@ -67,6 +69,7 @@ SourceSection::SourceSection(Document& document, QWidget* parent)
       illuminant_(new QuietComboBox(tr("Illuminant"), this)),
       observer_(new QuietComboBox(tr("Observer"), this)),
       result_(quiet_label(tr("Measured F0, result"), this)),
+      body_(quiet_label(tr("About the body and the roughness"), this)),
       spread_(quiet_label(tr("Spread of the datasets"), this)),
       citation_(quiet_label(tr("Citation"), this)) {
   pool_.setMaxThreadCount(1);
@@ -93,6 +96,7 @@ SourceSection::SourceSection(Document& document, QWidget* parent)
   add(tr("Illum."), illuminant_);
   add(tr("Observer"), observer_);
   add(result_);
+  add(body_);
   add(citation_);
   set_library();
   connect(material_, &QComboBox::activated, this, &SourceSection::take);
@@ -148,17 +152,20 @@ void SourceSection::show_material() {
                         static_cast<QWidget*>(illuminant_), static_cast<QWidget*>(observer_)})
     each->setEnabled(on);
   for (QLabel* each : {result_, spread_, citation_}) each->setVisible(on);
+  body_->setVisible(on && !body_->text().isEmpty());
   showing_ = false;
-  if (on) tell(measured);
+  if (on) tell(*m);
 }
 
-void SourceSection::tell(const MeasuredF0& measured) {
+void SourceSection::tell(const ProjectMaterial& material) {
   in_background(
-      pool_, this, [measured, library = document_.library()] { return told(measured, *library); },
-      [this, measured](const Told& what) {
+      pool_, this, [material, library = document_.library()] { return told(material, *library); },
+      [this, measured = material.measured](const Told& what) {
         const ProjectMaterial* m = document_.material();
         if (m == nullptr || m->measured != measured) return;  // of an older one
         result_->setText(what.result);
+        body_->setText(what.body);
+        body_->setVisible(!what.body.isEmpty());
         spread_->setText(what.spread);
         citation_->setText(what.citation);
       });
@@ -183,6 +190,8 @@ void SourceSection::take() {
     measured.viewing.observer =
         observer_named(observer_->currentText().toStdString()).value_or(Observer::cie1931_2deg);
     next.measured = measured;
+    // The surface over a measured total is the assumed one, not that of what was measured before.
+    if (!now->measured || now->measured->material != wanted) next.specular = ProjectMaterial{}.specular;
     try {
       next = with_measured(std::move(next), *document_.library());
     } catch (const Error& error) {

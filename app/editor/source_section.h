@@ -22,12 +22,12 @@ class SourceSection : public Section {
 
  private:
   void take();
-  void tell(const MeasuredF0& measured);
+  void tell(const ProjectMaterial& material);
   void fill_datasets(const std::string& material);
 
   Document& document_;
   QuietComboBox *material_, *dataset_, *outside_, *illuminant_, *observer_;
-  QLabel *result_, *spread_, *citation_;
+  QLabel *result_, *body_, *spread_, *citation_;
   QThreadPool pool_;
   std::string datasets_of_;
   bool showing_ = false;

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/material/appearance.h"
 #include "core/material/names.h"
 #include "core/material/quality.h"
 
@@ -43,6 +44,19 @@ OutsideMedium medium_of(const std::string& text, const MaterialLibrary& library)
     throw Error::at("outside", printable(text), "a transparent material of the library, or a number");
   out.index = *constants;
   return out;
+}
+
+}  // namespace
+
+namespace {
+
+bool is_total(const FoundF0& found) {
+  return !gives_f0(found.material.material_class);
+}
+
+// Nothing was put into a body that light goes through.
+bool is_clear(const ProjectMaterial& material, const FoundF0& found) {
+  return material.diffuse == LinearRgb{} && clarity(found.material, found.chosen()).clear;
 }
 
 }  // namespace
@@ -104,8 +118,29 @@ FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library) {
 
 void take_measured(ProjectMaterial& material, const FoundF0& found) {
   const LinearRgb& color = found.result.srgb_linear;
-  // The reflectance of a rough everyday thing is the colour of its body.
-  (gives_f0(found.material.material_class) ? material.specular : material.diffuse) = color;
+  if (!is_total(found)) {
+    material.specular = color;
+    return;
+  }
+  const TotalReflectance parts = divided(color, material.specular);
+  material.diffuse = parts.diffuse;
+  material.specular = parts.f0;
+}
+
+std::string body_note(const ProjectMaterial& material, const FoundF0& found) {
+  std::string out;
+  const bool clear = is_clear(material, found);
+  if (is_total(found)) {
+    const LinearRgb &r = found.result.srgb_linear, &f0 = material.specular;
+    out = "total reflectance " + number(r.r, 3) + " " + number(r.g, 3) + " " + number(r.b, 3) +
+          ": diffuse is what F0 " + number(f0.g, 3) + " leaves of it";
+  } else if (clear) {
+    out = "the body is clear (" + clarity(found.material, found.chosen()).reason +
+          "): exports say so; here alpha 0 lets the background through, unbent";
+  }
+  if (const DefaultGloss standard = default_gloss(found.material, clear); material.gloss == standard.gloss)
+    out += (out.empty() ? "" : "\n") + told(standard);
+  return out;
 }
 
 std::vector<std::string> resolve(Project& project, const MaterialLibrary& library) {
@@ -155,6 +190,11 @@ ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibr
     const FoundF0 found = find_f0(*material.measured, library);
     out = export_surface(found.material, found.chosen(), f0_options(*material.measured, library),
                          found.result, material.diffuse, material.gloss);
+    // The author may have given a body of measured total another surface than the assumed one.
+    if (out.total && out.f0 != material.specular) {
+      out.f0 = material.specular;
+      out.notes.push_back("F0 " + number(out.f0.g, 3) + " is the author's");
+    }
   } else {
     out.f0 = material.specular;
     out.kind = authored_kind(material.diffuse, material.specular);
@@ -162,7 +202,9 @@ ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibr
   }
   out.diffuse = material.diffuse;
   out.gloss = material.gloss;
-  out.opacity = material.alpha;
+  // Alpha is of the body, whose clearness targets are told by themselves; theirs would take the reflection
+  // away too.
+  out.opacity = out.clear ? 1 : material.alpha;
   out.name = material.name;
   out.id = material.name;
   return out;
@@ -179,7 +221,13 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
     row.place = m.name;
     row.diffuse = source_of(m, Channel::diffuse, m.diffuse, remarks);
     row.specular = source_of(m, Channel::specular, m.specular, remarks);
-    row.gloss = source_of(m, Channel::gloss, {m.gloss, m.gloss, m.gloss}, remarks);
+    // As it was given, so that the packer tells what its form of gloss cannot hold.
+    if (m.gloss.given_roughness() && !m.texture(Channel::gloss)) {
+      const double r = *m.gloss.given_roughness();
+      row.roughness = ConstantSource{{r, r, r}, {}};
+    } else {
+      row.gloss = source_of(m, Channel::gloss, {m.gloss, m.gloss, m.gloss}, remarks);
+    }
     row.alpha = source_of(m, Channel::alpha, {m.alpha, m.alpha, m.alpha}, remarks);
     row.alpha_mode = m.alpha_mode;
     row.alpha_cutoff = m.alpha_cutoff;

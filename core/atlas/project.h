@@ -43,7 +43,7 @@ std::string_view name(Channel channel);  // "diffuse", ...
 struct ProjectMaterial {
   std::string name;  // one of a kind in the project
   LinearRgb diffuse{0, 0, 0}, specular{0.04, 0.04, 0.04};
-  double gloss = 0.75;  // Schueler's
+  Gloss gloss = 0.75;  // Schueler's, or a perceptual roughness
   double alpha = 1;
   std::optional<MeasuredF0> measured;
   std::array<std::optional<ImageSource>, all_channels.size()> textures;
@@ -133,10 +133,15 @@ struct FoundF0 {
 };
 FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library);
 
-/// Sets the measured colours: F0, and for materials of class "surface" the diffuse colour. What cannot be
-/// found keeps its colour and loses `measured`; returned are the reasons, "NAME: ...".
+/// Sets the measured colours: F0, and for materials of class "surface" the diffuse colour, which is the
+/// measured total less the material's own specular colour (lowered where the total is less: divided() in
+/// core/material/appearance.h). What cannot be found keeps its colour and loses `measured`; returned are the
+/// reasons, "NAME: ...".
 std::vector<std::string> resolve(Project& project, const MaterialLibrary& library);
 void take_measured(ProjectMaterial& material, const FoundF0& found);
+/// What a person should know of a measured material: that its body is clear and not drawn, how a total
+/// reflectance was divided, that its roughness is a convention. One sentence a line; empty: nothing.
+std::string body_note(const ProjectMaterial& material, const FoundF0& found);
 
 /// What a renderer needs of a material: its numbers, F82 and n, k of the spectrum where it is measured and of
 /// F0 where it is not. Textures play no part.

@@ -107,14 +107,17 @@ class Reader {
   }
 
   ProjectMaterial material(const JsonNode& node) const {
-    node.expect_object({"name", "diffuse", "specular", "measured", "gloss", "alpha", "textures", "alpha_mode",
-                        "alpha_cutoff", "model", "diffuse_model", "parameters"});
+    node.expect_object({"name", "diffuse", "specular", "measured", "gloss", "roughness", "alpha", "textures",
+                        "alpha_mode", "alpha_cutoff", "model", "diffuse_model", "parameters"});
     ProjectMaterial out;
     out.name = read_name(node);
     if (node.has("diffuse")) out.diffuse = color(node.at("diffuse"));
     if (node.has("measured")) out.measured = measured(node.at("measured"));
     if (node.has("specular")) out.specular = color(node.at("specular"));
+    if (node.has("gloss") && node.has("roughness"))
+      node.fail("both \"gloss\" and \"roughness\"", "one of the two");
     if (node.has("gloss")) out.gloss = ranged(node.at("gloss"), 0, 1);
+    if (node.has("roughness")) out.gloss = Gloss::of_roughness(ranged(node.at("roughness"), 0, 1));
     if (node.has("alpha")) out.alpha = ranged(node.at("alpha"), 0, 1);
     if (node.has("textures")) textures(node.at("textures"), out);
     if (node.has("alpha_mode")) out.alpha_mode = read_alpha_mode(node.at("alpha_mode"));
@@ -264,7 +267,10 @@ class Writer {
     std::vector<JsonMember> members{{"name", json(m.name)}, {"diffuse", color_json(m.diffuse)}};
     members.push_back({"specular", color_json(m.specular)});
     if (m.measured) members.push_back({"measured", measured(*m.measured)});
-    members.push_back({"gloss", json(m.gloss)});
+    if (const auto& roughness = m.gloss.given_roughness())
+      members.push_back({"roughness", json(*roughness)});
+    else
+      members.push_back({"gloss", json(double{m.gloss})});
     members.push_back({"alpha", json(m.alpha)});
     std::vector<JsonMember> textures;
     for (const Channel channel : all_channels)

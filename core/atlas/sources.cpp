@@ -9,6 +9,7 @@
 #include "core/atlas/floats.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/color/gloss.h"
 #include "core/color/srgb.h"
 #include "core/material/f0.h"
 #include "core/material/names.h"
@@ -16,7 +17,8 @@
 namespace etak {
 namespace {
 
-constexpr double largest_exponent = 1e12;  // roughness 0 has none; this is far beyond any texture's codes
+constexpr double largest_gloss =
+    3.32;  // roughness 0 has none; this, e = 1e12, is far beyond any texture's codes
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
@@ -190,6 +192,9 @@ class Resolver {
     }
     F0Result result = F0Solver(std::move(options)).solve(dataset.optics, dataset.flags);
     if (result.refused()) throw Error::at(place, material->id + ": " + result.refusal);
+    if (diffuse && optical_kind(material->material_class) == "surface")
+      out_.remarks.push_back(m.name + ": diffuse is the total reflectance of " + material->id +
+                             ", which holds what its surface reflects: specular comes on top of it");
     const LinearRgb& c = result.srgb_linear;
     for (const double v : {c.r, c.g, c.b})
       if (v < 0 || v > 1) {
@@ -341,16 +346,11 @@ double converted_gloss(double value, GlossForm from, GlossForm to) {
   if (from == to) return value;
   double roughness = value;
   if (from == GlossForm::one_minus_roughness) roughness = 1 - value;
-  if (from == GlossForm::schueler) {
-    const double exponent = std::exp2(12 * value);
-    roughness = std::pow(2 / (exponent + 2), 0.25);
-  }
+  if (from == GlossForm::schueler) roughness = roughness_of_gloss(value);
   if (to == GlossForm::roughness) return roughness;
   if (to == GlossForm::one_minus_roughness) return 1 - roughness;
-  const double alpha_squared = roughness * roughness * roughness * roughness;
-  const double exponent = alpha_squared > 0 ? 2 / alpha_squared - 2 : largest_exponent;
-  // Exponents at or below 0 (roughness 1) have no g; they are as far below as any.
-  return std::log2(std::max(exponent, 1 / largest_exponent)) / 12;
+  // Roughness 0 and 1 have no finite g; they are as far outside as any.
+  return std::clamp(gloss_of_roughness(roughness), -largest_gloss, largest_gloss);
 }
 
 PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,

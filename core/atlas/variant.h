@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/atlas/channels.h"
+#include "core/color/gloss.h"
 
 namespace etak {
 
@@ -22,7 +23,7 @@ struct MaterialVariant {
   std::string model;           // "microfacet:ggx,f82,smith-ggx-height"
   std::vector<double> values;  // of the model's parameters, in order
   std::array<double, 3> diffuse{0, 0, 0}, f0{0.04, 0.04, 0.04};  // linear; of the mean texel, as is
-  double gloss = 0.75;                                           // Schueler's g
+  Gloss gloss = 0.75;                                            // Schueler's g, or a roughness
   std::string method;                                            // of F0's integration; empty: no spectrum
   std::string filter;                                            // "trilinear"
   bool textured = false;

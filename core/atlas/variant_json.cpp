@@ -28,6 +28,11 @@ MaterialVariant read_variant(const JsonNode& node) {
   out.diffuse = colour(node.at("diffuse"));
   out.f0 = colour(node.at("f0"));
   out.gloss = node.at("gloss").number();
+  // Files of before told the gloss alone. A roughness that has one is told by it, so that it reads back
+  // equal.
+  if (node.has("roughness"))
+    if (const Gloss rough = Gloss::of_roughness(node.at("roughness").number()); rough.held())
+      out.gloss = rough;
   if (codes.size() != channel_count) codes.fail_type("eight codes");
   for (std::size_t i = 0; i < channel_count; ++i)
     out.codes[i] = static_cast<std::uint8_t>(codes.at(i).integer(0, 255));

@@ -9,46 +9,12 @@
 #include "core/base/number.h"
 #include "core/color/srgb.h"
 #include "core/exchange/color_parts.h"
+#include "core/exchange/color_text.h"
 #include "core/fresnel/fresnel.h"
 #include "core/fresnel/solve_index.h"
 
 namespace etak {
 namespace {
-
-// ---- how numbers are typed
-
-constexpr int digits = 6;
-
-// A number that no language takes for a whole one.
-std::string real_text(double value) {
-  std::string out = number(value, digits);
-  if (out.find_first_of(".en") == out.npos) out += ".0";
-  return out;
-}
-
-std::string three(const LinearRgb& c, const char* between) {
-  return real_text(c.r) + between + real_text(c.g) + between + real_text(c.b);
-}
-
-std::string plain_text(const LinearRgb& c) {
-  return number(c.r, digits) + ", " + number(c.g, digits) + ", " + number(c.b, digits);
-}
-
-std::string glsl_text(const LinearRgb& c) {
-  return "vec3(" + three(c, ", ") + ")";
-}
-
-std::string unreal_text(const LinearRgb& c) {
-  return "(R=" + real_text(c.r) + ",G=" + real_text(c.g) + ",B=" + real_text(c.b) + ",A=1.0)";
-}
-
-std::string blender_text(const LinearRgb& c) {
-  return "(" + three(c, ", ") + ", 1.0)";
-}
-
-std::string hex_text(const LinearRgb& c) {
-  return hex(srgb_u8(c));
-}
 
 // ---- one target
 
@@ -59,6 +25,8 @@ struct Job {
 
   bool metal() const { return s.kind == SurfaceKind::metal; }
   bool black_body() const { return s.diffuse == LinearRgb{}; }
+  bool clear() const { return s.clear.has_value(); }
+  double roughness() const { return s.gloss.roughness(); }
 
   void add(const char* field, std::vector<double> values, std::string text) const {
     out.fields.push_back({field, std::move(values), std::move(text)});
@@ -71,6 +39,21 @@ struct Job {
     if (s.opacity < 1) add(field, s.opacity);
   }
   void note(std::string text) const { out.notes.push_back(std::move(text)); }
+  // The index of a clear body: that of the luminance of F0.
+  double index() const { return ior_of_f0(std::clamp(luminance(s.f0, s.space), 0.0, largest_dielectric_f0)); }
+  std::string index_text() const { return "index " + number(index(), 5); }
+  // What absorption over a depth has to be told beside fields that have none for it.
+  void note_absorption(const char* where) const {
+    if (clear() && s.clear->depth_m > 0)
+      note("light through " + number(s.clear->depth_m, 3) + " m of it becomes " + plain_text(s.clear->color) +
+           " (linear): " + where);
+  }
+  void note_no_transmission(const char* what) const {
+    if (clear()) note("the body is clear, which " + std::string(what) + ": " + index_text());
+  }
+  // A dielectric's diffuse colour where the target takes the surface's reflectance off it. Typed colours go
+  // as they are; a measured total has to come out as it was.
+  LinearRgb layered_body() const { return layered_diffuse(s); }
 
   LinearRgb fit_f0(const char* field, const char* reason) const {
     return fitted(s.f0, fit, 1, s.space, field, reason, out.changes);
@@ -97,6 +80,7 @@ void write_hex(const Job& j) {
   };
   color("F0", j.s.f0);
   if (!j.black_body()) color("diffuse", j.s.diffuse);
+  j.note_no_transmission("colours alone do not say");
 }
 
 void write_srgb8(const Job& j) {
@@ -109,14 +93,21 @@ void write_srgb8(const Job& j) {
 void write_linear(const Job& j) {
   j.add("F0", j.s.f0, plain_text);
   if (!j.black_body()) j.add("diffuse", j.s.diffuse, plain_text);
+  j.note_no_transmission("colours alone do not say");
 }
 
 void write_glsl(const Job& j) {
   j.add("f0", j.s.f0, glsl_text);
   if (j.s.f82) j.add("f82", *j.s.f82, glsl_text);
   if (!j.black_body()) j.add("diffuse", j.s.diffuse, glsl_text);
-  for (const auto& [field, value] : {std::pair{"gloss", j.s.gloss}, {"alpha", alpha_of_gloss(j.s.gloss)}})
+  for (const auto& [field, value] :
+       {std::pair<const char*, double>{"gloss", j.s.gloss}, {"alpha", j.s.gloss.alpha()}})
     j.add(field, {value}, real_text(value));
+  if (j.s.gloss.held())
+    note_change(j.out.changes, "roughness", {j.roughness()}, {roughness_of_gloss(j.s.gloss)}, "clamp",
+                "Schueler's gloss ends there; alpha has the roughness that was given");
+  j.note_no_transmission("is the shader's to draw");
+  j.note_absorption("the shader's to apply");
   if (j.s.opacity < 1) j.add("opacity", {j.s.opacity}, real_text(j.s.opacity));
 }
 
@@ -138,8 +129,26 @@ void write_unreal(const Job& j) {
     else
       j.schlick_edge(grey(specular * 0.08));
   }
-  j.add("Roughness", roughness_of_gloss(j.s.gloss));
+  j.add("Roughness", j.roughness());
+  if (j.clear()) {
+    j.add("Refraction (Index of Refraction)", j.index());
+    j.note(
+        "the body is clear: Blend Mode Translucent, Lighting Mode Surface ForwardShading, Refraction Method "
+        "Index of "
+        "Refraction; Opacity is left to you, because it fades the reflection too");
+    j.note_absorption("no field of the material takes it");
+  }
   j.opacity("Opacity");
+}
+
+void unity_alpha(const Job& j) {
+  if (!j.clear()) return j.opacity("Alpha");
+  j.add("Alpha", j.s.opacity < 1 ? j.s.opacity : 0);
+  j.note(
+      "the body is clear: Rendering Mode Transparent, which keeps the reflection where Alpha is 0; it does "
+      "not refract (" +
+      j.index_text() + ")");
+  j.note_absorption("no field of the material takes it");
 }
 
 void write_unity_metallic(const Job& j) {
@@ -151,13 +160,17 @@ void write_unity_metallic(const Job& j) {
   } else {
     note_change(j.out.changes, "F0", list(j.s.f0), list(grey(dielectric)), "fixed",
                 "the metallic setup has one F0 for all dielectrics");
-    albedo = fitted(scaled(j.s.diffuse, 1 / (1 - dielectric)), j.fit, 1, j.s.space, "Albedo",
-                    "Albedo ends at 1; 0.04 of the light is taken off it", j.out.changes);
+    // What is to come out of a measured total does not depend on the F0 that was wanted.
+    const LinearRgb body =
+        j.s.total ? LinearRgb{j.s.total->r - dielectric, j.s.total->g - dielectric, j.s.total->b - dielectric}
+                  : j.s.diffuse;
+    albedo = fitted(scaled(body, 1 / (1 - dielectric)), j.fit, 1, j.s.space, "Albedo",
+                    "Albedo is 0 to 1; 0.04 of the light is taken off it", j.out.changes);
   }
   j.add("Albedo", albedo, hex_text);
   j.add("Metallic", j.metal() ? 1 : 0);
-  j.add("Smoothness", 1 - roughness_of_gloss(j.s.gloss));
-  j.opacity("Alpha");
+  j.add("Smoothness", 1 - j.roughness());
+  unity_alpha(j);
 }
 
 void write_unity_specular(const Job& j) {
@@ -169,9 +182,9 @@ void write_unity_specular(const Job& j) {
                   "Albedo ends at 1; the largest of Specular is taken off it", j.out.changes);
   j.add("Albedo", albedo, hex_text);
   j.add("Specular", f0, hex_text);
-  j.add("Smoothness", 1 - roughness_of_gloss(j.s.gloss));
+  j.add("Smoothness", 1 - j.roughness());
   j.schlick_edge(f0);
-  j.opacity("Alpha");
+  unity_alpha(j);
 }
 
 void write_blender(const Job& j) {
@@ -186,18 +199,34 @@ void write_blender(const Job& j) {
     const LinearRgb f0 = fitted(j.s.f0, j.fit, largest_dielectric_f0, j.s.space, "F0",
                                 "the index of a dielectric has to be finite", j.out.changes);
     const double most = largest(f0);
-    j.add("Base Color", j.s.diffuse, blender_text);
+    j.add("Base Color", j.clear() ? grey(1) : j.layered_body(), blender_text);
     j.add("Metallic", 0);
     j.add("IOR", ior_of_f0(most));
     j.add("IOR Level", 0.5);
     j.add("Specular Tint", most > 0 ? scaled(f0, 1 / most) : grey(1), blender_text);
   }
-  j.add("Roughness", roughness_of_gloss(j.s.gloss));
+  j.add("Roughness", j.roughness());
+  if (j.clear()) {
+    j.add("Transmission Weight", 1);
+    j.note_absorption("a Volume Absorption node beside the shader takes it");
+  }
   j.opacity("Alpha");
 }
 
+// Of Beer and Lambert, in 1/m: what turns white light into `color` over `depth_m`.
+LinearRgb absorption_of(const ClearBody& body) {
+  constexpr double darkest =
+      1e-6;  // against the infinity of a channel that nothing passes, or that is out of gamut
+  const auto channel = [&](double c) {
+    return std::max(0.0, -std::log(std::max(c, darkest)) / body.depth_m);
+  };
+  return {channel(body.color.r), channel(body.color.g), channel(body.color.b)};
+}
+
 void write_filament(const Job& j) {
-  const LinearRgb base = j.metal() ? j.fit_f0("baseColor", "baseColor ends at 1") : j.s.diffuse;
+  const LinearRgb base = j.metal()   ? j.fit_f0("baseColor", "baseColor ends at 1")
+                         : j.clear() ? grey(1)
+                                     : j.s.diffuse;
   j.add("baseColor", base, plain_text);
   j.add("metallic", j.metal() ? 1 : 0);
   if (j.metal()) {
@@ -213,7 +242,13 @@ void write_filament(const Job& j) {
     else
       j.schlick_edge(grey(0.16 * reflectance * reflectance));
   }
-  j.add("roughness", roughness_of_gloss(j.s.gloss));
+  j.add("roughness", j.roughness());
+  if (j.clear()) {
+    j.add("transmission", 1);
+    j.add("ior", j.index());
+    if (j.s.clear->depth_m > 0) j.add("absorption", absorption_of(*j.s.clear), plain_text);
+    j.note("the body is clear: the material has to be compiled with refractionMode screenspace or cubemap");
+  }
   if (j.s.opacity < 1) {
     j.add("alpha", j.s.opacity);
     j.note("baseColor is to be multiplied by alpha before it is set");
@@ -227,6 +262,11 @@ void write_open_pbr(const Job& j) {
   j.add("specular_color", v.specular_color, plain_text);
   if (!j.metal()) j.add("specular_ior", v.specular_ior);
   j.add("specular_roughness", v.specular_roughness);
+  if (v.transmission_weight > 0) {
+    j.add("transmission_weight", v.transmission_weight);
+    j.add("transmission_color", v.transmission_color, plain_text);
+    j.add("transmission_depth", v.transmission_depth);
+  }
   j.opacity("geometry_opacity");
 }
 
@@ -239,6 +279,11 @@ void write_gltf(const Job& j) {
     j.add("KHR_materials_ior.ior", v.ior);
     j.add("KHR_materials_specular.specularColorFactor", v.specular_color, plain_text);
   }
+  if (v.transmission > 0) j.add("KHR_materials_transmission.transmissionFactor", v.transmission);
+  if (v.volume && v.volume->depth_m > 0) {
+    j.add("KHR_materials_volume.attenuationColor", v.volume->color, plain_text);
+    j.add("KHR_materials_volume.attenuationDistance", v.volume->depth_m);
+  }
   j.opacity("baseColorFactor alpha");
 }
 
@@ -247,6 +292,7 @@ void write_gltf_gloss(const Job& j) {
   j.add("diffuseFactor", v.base_color, plain_text);
   j.add("specularFactor", v.specular_color, plain_text);
   j.add("glossinessFactor", v.glossiness);
+  j.note_no_transmission("this form of material does not say; gltf does");
   j.opacity("diffuseFactor alpha");
 }
 
@@ -278,6 +324,7 @@ void write_rgb_nk(const Job& j) {
   j.add("n", index.n, plain_text);
   j.add("k", index.k, plain_text);
   j.add("residual", index.residual, plain_text);
+  j.note_no_transmission("a shader of conductors does not draw");
   j.note(j.s.f82 ? "n and k give F0 and F82 of each channel; residual is what they miss of the two"
                  : "without a known edge: k is 0 and n gives F0");
   if (largest(index.residual) > 1e-6) {
@@ -313,6 +360,7 @@ void write_gulbrandsen(const Job& j) {
     note_change(j.out.changes, "F82", list(*j.s.f82), {seen[0], seen[1], seen[2]}, "nearest",
                 "no edge colour gives this F82 with this reflectivity");
   }
+  j.note_no_transmission("a shader of conductors does not draw");
   j.add("reflectivity", r, plain_text);
   j.add("edge_color", g, plain_text);
 }

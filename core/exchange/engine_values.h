@@ -58,26 +58,35 @@ std::string copy_text(const EngineValues& values);
 /// The largest F0 that a dielectric keeps where it is told by its index: that of 1 is infinite.
 inline constexpr double largest_dielectric_f0 = 0.99;
 
+/// The diffuse colour of a dielectric for targets that take the reflectance at normal incidence off it
+/// (OpenPBR, Blender): a measured total is divided so that it comes out; typed colours are passed on as they
+/// are.
+LinearRgb layered_diffuse(const ExportSurface& surface);
+
 /// Surface parameters of OpenPBR 1.1; what is not here stays at its default.
 struct OpenPbrValues {
   double base_metalness = 0;
   LinearRgb base_color, specular_color{1, 1, 1};  // of a metal: F0 and F82 tint
   double specular_ior = 1.5, specular_roughness = 0.3, geometry_opacity = 1;
+  double transmission_weight = 0, transmission_depth = 0;  // 1 and metres, of a clear body
+  LinearRgb transmission_color{1, 1, 1};                   // over that depth
   friend bool operator==(const OpenPbrValues&, const OpenPbrValues&) = default;
 };
 /// In the surface's own space. OpenPBR has one index for a dielectric: it is that of the luminance of F0
 /// unless F0 is so coloured that a tint (specular_color, which also tints the rim) misses less on average
-/// over a sphere.
+/// over a sphere; of a clear body always.
 OpenPbrValues open_pbr_values(const ExportSurface& surface, Fit fit, Changes& changes);
 
-/// A glTF 2.0 material. Its shaders take a dielectric's reflectance off the diffuse colour, so that is
-/// divided by 1 - max F0 here.
+/// A glTF 2.0 material. A clear body is white, because transmitted light is tinted by the base colour. Its
+/// shaders take a dielectric's reflectance off the diffuse colour, so that is divided by 1 - max F0 here.
 struct GltfMaterialValues {
   LinearRgb base_color;  // of metal-rough; diffuseFactor of specular-glossiness
   double metallic = 0, roughness = 1, opacity = 1;
   double ior = 1.5;                   // KHR_materials_ior
   LinearRgb specular_color{1, 1, 1};  // KHR_materials_specular; F0 for specular-glossiness
   double glossiness = 0;              // 1 - roughness
+  double transmission = 0;  // KHR_materials_transmission: 1 of a clear body, not of specular-glossiness
+  std::optional<ClearBody> volume;  // KHR_materials_volume of it
   bool specular_glossiness = false;
   friend bool operator==(const GltfMaterialValues&, const GltfMaterialValues&) = default;
 };

@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/color/gamut.h"
 #include "core/fresnel/fresnel.h"
+#include "core/material/appearance.h"
 #include "core/material/dispersion.h"
 #include "core/material/quality.h"
 
@@ -59,6 +59,30 @@ Xyz white_of(RgbSpace space) {
   return {x / y, 1, (1 - x - y) / y};
 }
 
+// The measured total reflectance of a rough body, as its diffuse colour under a surface.
+void take_total(const LinearRgb& measured, ExportSurface& out) {
+  Changes changes;
+  out.total = fitted(measured, Fit::clamp, 1, out.space, "total reflectance",
+                     "light that is sent back is 0 to 1 of each channel", changes);
+  for (const Change& change : changes) out.notes.push_back(one_line(change));
+  const TotalReflectance parts = divided(*out.total);
+  out.f0 = parts.f0;
+  out.diffuse = parts.diffuse;
+  out.notes.push_back(told_total(parts.f0));
+}
+
+void take_clarity(const Material& material, const Clarity& body, ExportSurface& out) {
+  if (!body.clear) {
+    out.notes.push_back("the body is taken as black: " + body.reason +
+                        "; light scattered inside is in no n and k");
+    return;
+  }
+  out.clear = ClearBody{body.color, body.depth_m};
+  out.notes.push_back("the body is clear: " + body.reason);
+  if (material.material_class == "gas")
+    out.notes.emplace_back("a gas has no surface of its own: the index alone is of use");
+}
+
 std::string joined(const std::vector<double>& values) {
   std::string out;
   for (const double value : values) out += (out.empty() ? "" : " ") + number(value, 4);
@@ -82,33 +106,31 @@ std::optional<Fit> fit_named(std::string_view text) {
 }
 
 ExportSurface export_surface(const Material& material, const Dataset& dataset, const F0Options& options,
-                             const F0Result& result, const LinearRgb& diffuse, double gloss) {
+                             const F0Result& result, const LinearRgb& diffuse, std::optional<Gloss> gloss) {
   ExportSurface out;
   out.id = material.id;
   out.name = material.name;
   note_quality(out, material, dataset);
   out.space = options.space;
-  out.gloss = gloss;
   const std::string_view kind = optical_kind(material.material_class);
   if (kind == "surface") {
-    const auto unit = [](double v) { return std::clamp(v, 0.0, 1.0); };
-    const LinearRgb& c = result.linear;
-    out.diffuse = {unit(c.r), unit(c.g), unit(c.b)};
-    // A saturated pigment that the space cannot hold: no body sends back less than nothing.
-    if (out.diffuse != c)
-      out.notes.push_back("the diffuse colour is brought back to 0 to 1: " + gamut_text(c));
-    out.notes.emplace_back("F0 0.04 is assumed: the data are the total reflectance of a body");
-    return out;
+    take_total(result.linear, out);
+  } else {
+    out.kind = kind == "dielectric" ? SurfaceKind::dielectric : SurfaceKind::metal;
+    out.f0 = result.linear;
+    out.f82 = result.f82;
+    if (out.kind == SurfaceKind::dielectric) out.diffuse = diffuse;
+    if (const auto* constants = std::get_if<OpticalConstants>(&dataset.optics))
+      out.log_n_hint = hint_of(*constants, options);
+    if (!result.f82) out.notes.emplace_back("no edge is known: the data are reflectance at normal incidence");
+    if (out.kind == SurfaceKind::dielectric && out.diffuse == LinearRgb{})
+      take_clarity(material, clarity(material, dataset, options.space), out);
+    if (options.outside.label != "vacuum")
+      out.notes.push_back("all values are against the outside medium " + options.outside.label);
   }
-  out.kind = kind == "dielectric" ? SurfaceKind::dielectric : SurfaceKind::metal;
-  out.f0 = result.linear;
-  out.f82 = result.f82;
-  if (out.kind == SurfaceKind::dielectric) out.diffuse = diffuse;
-  if (const auto* constants = std::get_if<OpticalConstants>(&dataset.optics))
-    out.log_n_hint = hint_of(*constants, options);
-  if (!result.f82) out.notes.emplace_back("no edge is known: the data are reflectance at normal incidence");
-  if (options.outside.label != "vacuum")
-    out.notes.push_back("all values are against the outside medium " + options.outside.label);
+  const DefaultGloss standard = default_gloss(material, out.clear.has_value());
+  if (!gloss) out.notes.push_back(told(standard));
+  out.gloss = gloss.value_or(standard.gloss);
   return out;
 }
 
@@ -124,6 +146,7 @@ void validate(const ExportSurface& surface) {
       throw Error::at(surface.id, std::string(what) + " " + number(value, 6), "0 to 1");
   };
   in_range(surface.gloss, "gloss");
+  in_range(surface.gloss.roughness(), "roughness");
   in_range(surface.opacity, "opacity");
   for (const double value : vec(surface.diffuse)) in_range(value, "diffuse");
   for (const double value : vec(surface.f0))
@@ -131,18 +154,6 @@ void validate(const ExportSurface& surface) {
   if (surface.f82)
     for (const double value : vec(*surface.f82))
       if (!std::isfinite(value)) throw Error::at(surface.id, "F82 " + number(value, 6), "a finite number");
-}
-
-double exponent_of_gloss(double gloss) {
-  return std::exp2(12 * gloss);
-}
-
-double alpha_of_gloss(double gloss) {
-  return std::sqrt(2 / (std::exp2(12 * gloss) + 2));
-}
-
-double roughness_of_gloss(double gloss) {
-  return std::sqrt(alpha_of_gloss(gloss));
 }
 
 double ior_of_f0(double f0) {

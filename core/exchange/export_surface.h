@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/color/gloss.h"
 #include "core/material/f0.h"
 #include "core/material/material.h"
 
@@ -18,7 +19,15 @@ namespace etak {
 enum class SurfaceKind { metal, dielectric };
 std::string_view name(SurfaceKind kind);  // "metal", "dielectric"
 
-/// A surface to export: Schueler's four parameters, and what is known of its edge.
+/// A body that light goes through: its colour over a depth, or white where no absorption is known and depth_m
+/// is 0.
+struct ClearBody {
+  LinearRgb color{1, 1, 1};
+  double depth_m = 0;
+  friend bool operator==(const ClearBody&, const ClearBody&) = default;
+};
+
+/// A surface to export: Schueler's four parameters, what is known of its edge and of its body.
 struct ExportSurface {
   std::string id;      // "gold": what it is called in files
   std::string name;    // "Gold"
@@ -28,7 +37,9 @@ struct ExportSurface {
   LinearRgb f0{0.04, 0.04, 0.04};   // unclipped
   std::optional<LinearRgb> f82;     // absolute reflectance at cos 1/7; none: not known
   LinearRgb diffuse{0, 0, 0};       // Schueler's: used unchanged, not reduced by what is reflected
-  double gloss = 0.75;              // Schueler's, [0, 1]
+  std::optional<LinearRgb> total;   // measured: what f0 and diffuse add up to at normal incidence
+  std::optional<ClearBody> clear;   // of a dielectric without diffuse
+  Gloss gloss = 0.75;               // how rough: Schueler's gloss or perceptual roughness, [0, 1]
   double opacity = 1;               // [0, 1]
   std::array<double, 3>
       log_n_hint{};                // ln n of red, green, blue, which chooses between two (n, k) of one edge
@@ -37,26 +48,21 @@ struct ExportSurface {
 };
 
 /// Surface of a material whose dataset gave `result` under `options`. Conductors and semiconductors are
-/// metals without diffuse; `surface` data are a diffuse colour over an F0 of 0.04; the rest are dielectrics
-/// with `diffuse`.
+/// metals without diffuse; `surface` data are a diffuse colour over an F0 of 0.04 which add up to what was
+/// measured (divided() in core/material/appearance.h); the rest are dielectrics with `diffuse`, clear where
+/// that is black and clarity() says so. What was assumed stands in the notes.
 ///   result   not refused; F0 is taken in options.space (a custom space is not looked at)
+///   gloss    none: the default of the material's class
 ExportSurface export_surface(const Material& material, const Dataset& dataset, const F0Options& options,
-                             const F0Result& result, const LinearRgb& diffuse, double gloss);
+                             const F0Result& result, const LinearRgb& diffuse, std::optional<Gloss> gloss);
 
 /// What an authored pair of colours is meant to be: a metal where F0 is bright (luminance at or above the end
 /// of the forbidden zone) and the body black.
 SurfaceKind authored_kind(const LinearRgb& diffuse, const LinearRgb& f0);
 
-/// Throws Error for a gloss or opacity outside [0, 1], a negative or non-finite colour but for F0 out of
-/// gamut.
+/// Throws Error for a gloss, roughness or opacity outside [0, 1], a negative or non-finite colour but for F0
+/// out of gamut.
 void validate(const ExportSurface& surface);
-
-/// Exponent of Schueler's lobe: e = 2^(12 gloss), 1 to 4096.
-double exponent_of_gloss(double gloss);
-/// Width of the lobe of Schueler's gloss for GGX or Beckmann: alpha = sqrt(2 / (e + 2)), e = 2^(12 gloss).
-double alpha_of_gloss(double gloss);
-/// Perceptual roughness sqrt(alpha), 0.904 for gloss 0 to 0.149 for gloss 1: not 1 - gloss.
-double roughness_of_gloss(double gloss);
 
 /// The index of a clear dielectric that reflects f0 at normal incidence: (1 + sqrt f0) / (1 - sqrt f0).
 double ior_of_f0(double f0);

@@ -8,9 +8,14 @@
 
 namespace etak {
 
+LinearRgb layered_diffuse(const ExportSurface& s) {
+  // The F0 under a total is below 0.05, so there is always light left.
+  return s.total ? scaled(s.diffuse, 1 / (1 - largest(s.f0))) : s.diffuse;
+}
+
 OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes) {
   OpenPbrValues out;
-  out.specular_roughness = roughness_of_gloss(s.gloss);
+  out.specular_roughness = s.gloss.roughness();
   out.geometry_opacity = s.opacity;
   if (s.kind == SurfaceKind::metal) {
     out.base_metalness = 1;
@@ -19,7 +24,13 @@ OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes)
                                 "the edge tint ends at 1", changes);
     return out;
   }
-  out.base_color = s.diffuse;
+  out.base_color = layered_diffuse(s);
+  if (s.clear) {
+    out.transmission_weight = 1;
+    out.transmission_depth = s.clear->depth_m;
+    out.transmission_color = fitted(s.clear->color, fit, 1, s.space, "transmission_color",
+                                    "transmission_color is 0 to 1", changes);
+  }
   const LinearRgb f0 = fitted(s.f0, fit, largest_dielectric_f0, s.space, "F0",
                               "the index of a dielectric has to be finite", changes);
   const double most = largest(f0), y = luminance(f0, s.space);
@@ -30,7 +41,8 @@ OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes)
     by_luminance += std::abs(channel - y) * 20 / 21;
     if (most > 0) by_tint += (1 - channel / most) / 21;
   }
-  if (by_tint < by_luminance) {
+  // The index of a clear body bends light too, and that of the luminance is nearest to what is bent.
+  if (!s.clear && by_tint < by_luminance) {
     out.specular_ior = ior_of_f0(most);
     out.specular_color = scaled(f0, 1 / most);
     note_change(changes, "F90", {1, 1, 1}, list(out.specular_color), "tint",
@@ -45,7 +57,7 @@ OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes)
 GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness, Fit fit, Changes& changes) {
   GltfMaterialValues out;
   out.specular_glossiness = specular_glossiness;
-  out.roughness = roughness_of_gloss(s.gloss);
+  out.roughness = s.gloss.roughness();
   out.glossiness = 1 - out.roughness;
   out.opacity = s.opacity;
   const auto edge = [&](const LinearRgb& f0) {
@@ -70,6 +82,13 @@ GltfMaterialValues gltf_values(const ExportSurface& s, bool specular_glossiness,
     note_change(changes, field, list(s.diffuse), {0, 0, 0}, "fixed", "an F0 of 1 leaves no light for it");
   out.base_color = fitted(body, fit, 1, s.space, field,
                           std::string(field) + " ends at 1; the largest F0 is taken off it", changes);
+  if (s.clear && !specular_glossiness) {
+    out.base_color = {1, 1, 1};
+    out.transmission = 1;
+    out.volume = *s.clear;
+    out.volume->color =
+        fitted(s.clear->color, fit, 1, s.space, "attenuationColor", "attenuationColor is 0 to 1", changes);
+  }
   if (specular_glossiness) {
     out.specular_color = f0;
   } else {

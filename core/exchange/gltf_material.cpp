@@ -86,18 +86,29 @@ std::string four(const LinearRgb& c, double alpha) {
 std::string extras_of(const ExportSurface& s, const Changes& changes) {
   std::vector<std::string> lines;
   for (const Change& change : changes) lines.push_back(json(one_line(change)));
-  std::vector<JsonMember> members{{"f0_linear_srgb", three(s.f0)}, {"schueler_gloss", json(s.gloss)}};
-  if (s.f82) members.push_back({"f82_linear_srgb", three(*s.f82)});
-  if (!s.source.empty()) members.push_back({"source", json(s.source)});
   std::vector<std::string> notes;
   for (const std::string& note : s.notes) notes.push_back(json(note));
+  std::vector<JsonMember> members{{"f0_linear_srgb", three(s.f0)}};
+  if (!s.gloss.held()) members.push_back({"schueler_gloss", json(double{s.gloss})});
+  if (s.f82) members.push_back({"f82_linear_srgb", three(*s.f82)});
+  if (!s.source.empty()) members.push_back({"source", json(s.source)});
   if (!notes.empty()) members.push_back({"notes", json_array(notes)});
   if (!changes.empty()) members.push_back({"changes", json_array(lines)});
   return json_object(members, 6);
 }
 
+// A body with absorption is as thick as the depth that its colour is told for, so that it shows that colour;
+// else as thick as the sphere, which then only bends the light.
+std::vector<JsonMember> volume_of(const ClearBody& body) {
+  constexpr double diameter = 2;
+  if (body.depth_m <= 0) return {{"thicknessFactor", json(diameter)}};
+  return {{"thicknessFactor", json(body.depth_m)},
+          {"attenuationColor", three(body.color)},
+          {"attenuationDistance", json(body.depth_m)}};
+}
+
 struct Used {
-  bool ior = false, specular = false, glossiness = false;
+  bool ior = false, specular = false, glossiness = false, transmission = false;
 };
 
 std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, Used& used,
@@ -127,6 +138,13 @@ std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, 
         extensions.push_back(
             {"KHR_materials_specular",
              json_object(std::array{JsonMember{"specularColorFactor", three(v.specular_color)}}, -1)});
+      }
+      if (v.transmission > 0) {
+        used.transmission = true;
+        extensions.push_back(
+            {"KHR_materials_transmission",
+             json_object(std::array{JsonMember{"transmissionFactor", json(v.transmission)}}, -1)});
+        extensions.push_back({"KHR_materials_volume", json_object(volume_of(*v.volume), -1)});
       }
     }
   }
@@ -180,6 +198,10 @@ std::string gltf_document(std::span<const ExportSurface> surfaces, GltfMaterialF
   std::vector<std::string> names;
   if (used.ior) names.push_back(json("KHR_materials_ior"));
   if (used.specular) names.push_back(json("KHR_materials_specular"));
+  if (used.transmission) {
+    names.push_back(json("KHR_materials_transmission"));
+    names.push_back(json("KHR_materials_volume"));
+  }
   if (used.glossiness) names.push_back(json("KHR_materials_pbrSpecularGlossiness"));
 
   const Geometry sphere = geometry();

@@ -11,7 +11,8 @@ namespace etak {
 
 /// How a glTF document says what a surface is.
 enum class GltfMaterialForm {
-  metal_rough,  // core material; dielectrics with KHR_materials_ior, and _specular where F0 is coloured
+  metal_rough,  // core material; dielectrics with KHR_materials_ior, and _specular where F0 is coloured;
+                // clear bodies with _transmission and _volume
   specular_glossiness  // KHR_materials_pbrSpecularGlossiness (archived) alone
 };
 enum class GltfContainer {

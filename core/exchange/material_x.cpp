@@ -77,6 +77,11 @@ void append_surface(std::string& out, const ExportSurface& s, Fit fit, const std
   node.input("specular_color", v.specular_color);
   node.input("specular_roughness", v.specular_roughness);
   if (s.kind == SurfaceKind::dielectric) node.input("specular_ior", v.specular_ior);
+  if (v.transmission_weight > 0) {
+    node.input("transmission_weight", v.transmission_weight);
+    node.input("transmission_color", v.transmission_color);
+    node.input("transmission_depth", v.transmission_depth);
+  }
   if (v.geometry_opacity < 1) node.input("geometry_opacity", v.geometry_opacity);
   append(out, "  </open_pbr_surface>\n  <surfacematerial name=\"", name,
          "\" type=\"material\">\n    <input name=\"surfaceshader\" type=\"surfaceshader\" nodename=\"", name,

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/color/gloss.h"
 #include "core/light/function_rows.h"
 
 namespace etak {
@@ -37,6 +38,26 @@ double read(const FunctionInput& input, const std::string& text, const std::stri
   return value;
 }
 
+// Perceptual roughness in place of the gloss of a function that has one: "g" and its text. What no gloss in
+// [0, 1] has is refused, because a formula's inputs are never changed.
+std::optional<NamedText> as_gloss(const Function& function, const NamedText& input, const std::string& at) {
+  const auto named = [&](std::string_view name) {
+    return std::any_of(function.inputs.begin(), function.inputs.end(), [&](const FunctionInput& each) {
+      return each.name == name && (name != "g" || each.meaning.starts_with("gloss"));
+    });
+  };
+  if (input.first != "roughness" || named("roughness") || !named("g")) return std::nullopt;
+  double roughness = 0;
+  const std::string range = number(roughness_of_gloss(1), 6) + " to " + number(roughness_of_gloss(0), 6) +
+                            ", which gloss 1 to 0 have";
+  if (!parse_number(input.second, roughness))
+    throw Error::at(at + " roughness", printable(input.second), range);
+  const Gloss gloss = Gloss::of_roughness(roughness);
+  if (!(roughness >= 0 && roughness <= 1) || gloss.held())
+    throw Error::at(at + " roughness", number(roughness, 9), range);
+  return NamedText{"g", number(double{gloss}, 17)};
+}
+
 }  // namespace
 
 std::span<const Function> functions() {
@@ -62,7 +83,8 @@ double evaluate(const Function& function, std::span<const NamedText> inputs, std
   std::vector<double> values(function.inputs.size());
   std::vector<bool> given(function.inputs.size());
   bool opposite = false;
-  for (const auto& [name, text] : inputs) {
+  for (const NamedText& each : inputs) {
+    const auto& [name, text] = as_gloss(function, each, at).value_or(each);
     if (function.directions && name == "l") {
       if (text != "-v") throw Error::at(at + " l", printable(text), "-v");
       opposite = true;

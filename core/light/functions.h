@@ -39,8 +39,9 @@ const Function* find_function(std::string_view id);
 /// A text as typed, "theta_l" with "30".
 using NamedText = std::pair<std::string, std::string>;
 
-/// Checks and evaluates. Throws Error (`place` in front) for unknown, missing, repeated or unreadable inputs
-/// and for values outside the function's domain.
+/// Checks and evaluates. Where an input is Schueler's gloss g, perceptual "roughness" may stand for it.
+/// Throws Error (`place` in front) for unknown, missing, repeated or unreadable inputs and for values outside
+/// the function's domain.
 double evaluate(const Function& function, std::span<const NamedText> inputs, std::string_view place);
 
 /// Splits "name=value". Throws Error.

@@ -17,7 +17,6 @@ constexpr std::array<char, 3> channel_letters{'r', 'g', 'b'};
 
 // What a surface says of a parameter; the parameter's own default where it says nothing.
 Vec3 value_of(const Parameter& parameter, const SurfaceValues& surface) {
-  const double exponent = std::exp2(12 * surface.gloss);
   const auto all = [](double value) { return Vec3{value, value, value}; };
   switch (parameter.role) {
     case Role::diffuse:
@@ -38,9 +37,9 @@ Vec3 value_of(const Parameter& parameter, const SurfaceValues& surface) {
     case Role::gloss:
       return all(surface.gloss);
     case Role::alpha:
-      return all(std::sqrt(2 / (exponent + 2)));
+      return all(surface.gloss.alpha());
     case Role::exponent:
-      return all(exponent);
+      return all(surface.gloss.exponent());
     case Role::other:
       break;
   }

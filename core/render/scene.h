@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/brdf/models.h"
+#include "core/color/gloss.h"
 #include "core/image/image.h"
 #include "core/light/lights.h"
 #include "core/material/f0.h"
@@ -21,10 +22,11 @@ namespace etak {
 struct SurfaceValues {
   Vec3 diffuse{0, 0, 0};
   Vec3 f0{0.04, 0.04, 0.04};
-  Vec3 f82{1, 1, 1};                       // absolute reflectance at cos 1/7
-  Vec3 n{1.5, 1.5, 1.5}, k{0, 0, 0};       // RGB n, k: solved from F0 and F82 per channel
-  double gloss = 0.75;                     // Schueler's g: e = 2^(12 g), alpha = m = sqrt(2 / (e + 2))
-  double opacity = 1;                      // alpha of the body
+  Vec3 f82{1, 1, 1};                  // absolute reflectance at cos 1/7
+  Vec3 n{1.5, 1.5, 1.5}, k{0, 0, 0};  // RGB n, k: solved from F0 and F82 per channel
+  Gloss gloss = 0.75;  // Schueler's g: e = 2^(12 g), alpha = m = sqrt(2 / (e + 2)); or, where a
+                       // perceptual roughness was given, alpha = roughness^2 and the nearest g
+  double opacity = 1;  // alpha of the body
   std::optional<OpticalConstants> optics;  // for the spectral reference; none: n, k as given
   Vec3 nk_residual{
       0, 0, 0};  // how far F0 or F82 of n, k are from f0, f82 (F0 above 1 has no n, k): larger of the two
@@ -32,14 +34,17 @@ struct SurfaceValues {
 };
 
 /// Surface of a library material: F0, F82 and RGB n, k from its spectrum; diffuse black for conductors and
-/// semiconductors, `diffuse` for the rest. `surface` class materials give diffuse = F0, f0 = 0.04.
-SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse, double gloss);
+/// semiconductors, `diffuse` for the rest. `surface` class materials give the diffuse colour that adds up
+/// with an F0 of 0.04 to what was measured, and a lower F0 where the darkest channel has less (divided() in
+/// core/material/appearance.h).
+SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
+                         const Gloss& gloss);
 
 /// The same from a result that was computed under other options (another outside medium, illuminant or
 /// observer): its linear sRGB and F82 as they are. Throws Error for a refused one.
 ///   f0   of `dataset`, with linear sRGB as output space
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const F0Result& f0,
-                         const Vec3& diffuse, double gloss);
+                         const Vec3& diffuse, const Gloss& gloss);
 
 /// Completes a surface of which only f0 (and the plain numbers) is known: F82 and n, k of the dielectric with
 /// that F0 below the forbidden zone; above it Schlick's F82, and n, k of a metal.

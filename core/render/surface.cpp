@@ -6,6 +6,7 @@
 #include "core/base/number.h"
 #include "core/fresnel/fresnel.h"
 #include "core/fresnel/solve_index.h"
+#include "core/material/appearance.h"
 #include "core/material/dispersion.h"
 #include "core/material/f0.h"
 #include "core/render/optics_grid.h"
@@ -59,13 +60,13 @@ void solve_index(SurfaceValues& surface, const Vec3& log_n_hints) {
 }
 
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
-                         double gloss) {
+                         const Gloss& gloss) {
   static const F0Solver solver{F0Options{}};
   return surface_of(material, dataset, solver.solve(dataset.optics, dataset.flags), diffuse, gloss);
 }
 
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const F0Result& result,
-                         const Vec3& diffuse, double gloss) {
+                         const Vec3& diffuse, const Gloss& gloss) {
   const std::string what = material.id + "/" + dataset.id;
   if (result.refused()) throw Error::at(what, "has no F0: " + result.refusal, "data over the visible range");
   const std::string_view kind = optical_kind(material.material_class);
@@ -73,8 +74,10 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
   out.gloss = gloss;
   const auto schlick82 = [](double f0) { return f64::f_schlick(f0, f82_cosine); };
   if (kind == "surface") {
-    // A measured reflectance of paint or cloth is the body's colour; its surface is that of any plastic.
-    out.diffuse = vec(result.srgb_linear);
+    // A measured reflectance of paint or cloth is that of the body and of a surface like that of any plastic.
+    const TotalReflectance parts = divided(result.srgb_linear);
+    out.diffuse = vec(parts.diffuse);
+    out.f0 = vec(parts.f0);
   } else {
     out.f0 = vec(result.srgb_linear);
     if (kind == "dielectric") out.diffuse = diffuse;

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/brdf/models.h"
+#include "core/brdf/parameters.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"
@@ -291,7 +292,7 @@ class Choosing {
     else
       for (std::size_t c = 0; c < 3; ++c) out_.values[c] = {out_.texel.f0[c], 0, 0, 0};
     if (subject_.texture) out_.codes = subject_.texture->mean_codes();
-    out_.alpha = std::sqrt(2 / (std::exp2(12 * out_.texel.gloss) + 2));
+    out_.alpha = lobe_alpha(out_.texel);
     out_.model = "microfacet:ggx," + std::string(term_of(out_.fresnel->id)) + "," + out_.visibility;
     out_.model_values = model_numbers(*find_model(out_.model), out_.values, out_.alpha);
     out_.defines = shading_defines(out_.model, name(out_.filter));
@@ -346,7 +347,11 @@ double difference(ErrorUnit unit, const Vec3& a, const Vec3& b) {
   return worst;
 }
 
-ChooseSubject library_subject(const Material& material, const Dataset& dataset, double gloss) {
+double lobe_alpha(const SurfaceTexel& texel) {
+  return std::max(parameters::alpha.min, texel.gloss.alpha());
+}
+
+ChooseSubject library_subject(const Material& material, const Dataset& dataset, const Gloss& gloss) {
   const std::string what = material.id + "/" + dataset.id;
   if (!std::holds_alternative<OpticalConstants>(dataset.optics))
     throw Error::at(what, "has reflectance data only", "n and k");

@@ -52,7 +52,9 @@ struct ChooseSubject {
 
   bool textured() const { return texture && !texture->constant(); }
 };
-ChooseSubject library_subject(const Material& material, const Dataset& dataset, double gloss);
+ChooseSubject library_subject(const Material& material, const Dataset& dataset, const Gloss& gloss);
+/// Width of the lobe of a texel: the narrowest that the models take is 1e-4.
+double lobe_alpha(const SurfaceTexel& texel);
 
 /// A candidate that was looked at, in the order of its cost.
 struct Candidate {

@@ -66,7 +66,7 @@ ChoosePictures::ChoosePictures(const ChooseSubject& subject)
 void ChoosePictures::shade(const Look& look, const Vec3& normal, const SurfaceTexel& texel, Vec3& out) const {
   static const Term& lobe = *find_term(TermKind::distribution, "ggx");
   const Term& masking = *find_term(TermKind::visibility, look.visibility);
-  const double alpha = std::sqrt(2 / (std::exp2(12 * texel.gloss) + 2)), nv = normal[2];
+  const double alpha = lobe_alpha(texel), nv = normal[2];
   out = {0, 0, 0};
   for (const Light& light : lights_) {
     const double nl = dot(normal, light.direction);

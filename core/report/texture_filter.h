@@ -9,6 +9,7 @@
 
 #include "core/atlas/channels.h"
 #include "core/atlas/manifest.h"
+#include "core/color/gloss.h"
 #include "core/image/pixels_view.h"
 #include "core/math/mat3.h"
 
@@ -35,7 +36,7 @@ constexpr bool reads_mips(TextureFilter filter) {
 /// A texel, linear.
 struct SurfaceTexel {
   Vec3 diffuse{0, 0, 0}, f0{0.04, 0.04, 0.04};
-  double gloss = 0.75;  // Schueler's g
+  Gloss gloss = 0.75;  // Schueler's g, or a roughness
 };
 
 /// Both textures with mips: colours are averaged in linear light, gloss by the lobe's variance (1 / e), as

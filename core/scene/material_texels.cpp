@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/color/gloss.h"
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
 
@@ -70,24 +71,25 @@ MetalRough metal_rough_of(const DiffuseSpecular& texel) {
   return out;
 }
 
-Gloss gloss_of_roughness(double roughness, GlossConvention convention) {
+ConvertedGloss gloss_of_roughness(double roughness, GlossConvention convention) {
   // r = 0 gives e = infinity and r = 1 gives log2(0): both are clamped.
   const double gloss = convention == GlossConvention::one_minus_roughness
                            ? 1 - roughness
-                           : std::log2(std::max(0.0, 2 / std::pow(roughness, 4) - 2)) / 12;
+                           : etak::gloss_of_roughness(roughness);
   const double held = std::clamp(gloss, 0.0, 1.0);
   return {held, held != gloss};
 }
 
 double roughness_of_gloss(double gloss, GlossConvention convention) {
   if (convention == GlossConvention::one_minus_roughness) return 1 - gloss;
-  return std::pow(2 / (std::exp2(12 * gloss) + 2), 0.25);
+  return etak::roughness_of_gloss(gloss);
 }
 
 GlossCodes gloss_codes(double roughness_factor, GlossConvention convention) {
   GlossCodes out;
   for (std::size_t i = 0; i < 256; ++i) {
-    const Gloss gloss = gloss_of_roughness(roughness_factor * static_cast<double>(i) / 255, convention);
+    const ConvertedGloss gloss =
+        gloss_of_roughness(roughness_factor * static_cast<double>(i) / 255, convention);
     out.gloss[i] = code_of(gloss.gloss);
     out.clamped[i] = gloss.clamped;
   }

@@ -57,11 +57,11 @@ enum class GlossConvention { schueler, one_minus_roughness };
 
 /// Gloss in [0,1] and whether it had to be clamped to get there: Schueler's g is 1 at r = 0.1486 and 0 at
 /// r = 0.9036, and glTF goes on beyond both.
-struct Gloss {
+struct ConvertedGloss {
   double gloss = 0;
   bool clamped = false;
 };
-Gloss gloss_of_roughness(double roughness, GlossConvention convention);
+ConvertedGloss gloss_of_roughness(double roughness, GlossConvention convention);
 double roughness_of_gloss(double gloss, GlossConvention convention);
 
 /// The same for 8-bit codes: gloss code of a roughness code under a factor, 255 * gloss rounded half up.

@@ -25,6 +25,7 @@
 #include "app/editor/options.h"
 #include "app/editor/press_id.h"
 #include "app/editor/shortcuts.h"
+#include "app/editor/source_section.h"
 #include "app/editor/texture_section.h"
 #include "app/editor/view_panel.h"
 #include "core/color/srgb.h"
@@ -283,6 +284,61 @@ class EditorWidgets : public QObject {
     QCOMPARE(window->document().material()->gloss, 0.3);
     window->document().undo_stack().undo();
     QCOMPARE(window->document().material()->gloss, 0.75);
+  }
+
+  // found 1.06
+  void found_1_06_roughness_is_typed_beside_gloss_from_mirror_to_paper() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    window->show();
+    Inspector& inspector = window->inspector();
+    QVERIFY(std::abs(inspector.roughness().value() - roughness_of_gloss(0.75)) < 1e-6);
+    for (const double roughness : {0.0, 0.5, 1.0}) {
+      inspector.roughness().box().setValue(roughness);
+      const Gloss& gloss = window->document().material()->gloss;
+      QCOMPARE(gloss.roughness(), roughness);
+      QVERIFY(std::abs(inspector.gloss().value() - double{gloss}) < 1e-6);
+      const ExportSurface surface =
+          export_surface(*window->document().material(), *window->document().library());
+      QCOMPARE(surface.gloss.roughness(), roughness);
+    }
+    inspector.gloss().box().setValue(0.5);
+    QVERIFY(std::abs(inspector.roughness().value() - roughness_of_gloss(0.5)) < 1e-6);
+    QVERIFY(!window->document().material()->gloss.given_roughness());
+  }
+
+  // found 1.05 and 1.07
+  void found_1_05_clear_bodies_and_1_07_totals_are_told_and_exported() {
+    TestWindow window(true);
+    window->show();
+    const auto told = [&] {
+      for (const QLabel* each : window->inspector().source().findChildren<QLabel*>())
+        if (each->accessibleName() == QStringLiteral("About the body and the roughness")) return each->text();
+      return QString();
+    };
+    QVERIFY(window->use_library_material(QStringLiteral("water")));
+    QVERIFY(window->document().material()->diffuse == LinearRgb{});
+    QCOMPARE(window->document().material()->alpha, 0.0);
+    QTRY_VERIFY(told().contains(QStringLiteral("the body is clear")));
+    QVERIFY(told().contains(QStringLiteral("a convention, no measurement")));
+    const ExportSurface water = export_surface(*window->document().material(), *window->document().library());
+    QVERIFY(water.clear);
+    QCOMPARE(water.opacity, 1.0);
+    QVERIFY(window->use_library_material(QStringLiteral("brick")));
+    QTRY_VERIFY(told().contains(QStringLiteral("total reflectance")));
+    const ProjectMaterial brick = *window->document().material();
+    QCOMPARE(brick.gloss.roughness(), 0.9);
+    const auto total = [](const ProjectMaterial& m) { return m.diffuse.r + m.specular.r; };
+    const ExportSurface surface = export_surface(brick, *window->document().library());
+    QVERIFY(std::abs(total(brick) - surface.total->r) < 1e-12);
+    // A typed surface takes its share of the same total.
+    ProjectMaterial shinier = brick;
+    shinier.specular = {0.05, 0.05, 0.05};
+    window->document().edit(window->document().current(),
+                            with_measured(shinier, *window->document().library()),
+                            QStringLiteral("specular colour"), 1);
+    QVERIFY(std::abs(total(*window->document().material()) - surface.total->r) < 1e-12);
+    QVERIFY(window->document().material()->measured.has_value());
   }
 
   void undo_and_redo_of_everything_end_where_they_began() {

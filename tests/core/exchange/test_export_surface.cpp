@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -99,7 +100,7 @@ TEST_CASE("the tint of F82 is R82 over Schlick at cos 1/7") {
   CHECK(1 / (std::pow(6.0 / 7, 6) / 7) == Approx(17.6513846).margin(5e-8));
 }
 
-TEST_CASE("conductors are metals, semiconductors too, surfaces are bodies over an F0 of 0.04") {
+TEST_CASE("conductors are metals, semiconductors too, surfaces are bodies over an F0 of at most 0.04") {
   CHECK(of_library("gold").kind == SurfaceKind::metal);
   CHECK(of_library("silicon").kind == SurfaceKind::metal);
   const ExportSurface glass = of_library("fused_silica", {}, {0.1, 0.2, 0.3});
@@ -111,7 +112,9 @@ TEST_CASE("conductors are metals, semiconductors too, surfaces are bodies over a
     if (library.at(i).material_class != "surface") continue;
     const ExportSurface body = of_library(library.ids()[i].c_str());
     CHECK(body.kind == SurfaceKind::dielectric);
-    CHECK(body.f0 == LinearRgb{0.04, 0.04, 0.04});
+    REQUIRE(body.total);
+    const double f0 = std::min({0.04, body.total->r, body.total->g, body.total->b});
+    for (const double channel : vec(body.f0)) CHECK(channel == Approx(f0).epsilon(1e-12));
     CHECK(!body.notes.empty());
   }
 }

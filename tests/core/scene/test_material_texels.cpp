@@ -70,7 +70,7 @@ TEST_CASE("gloss saturates where the exponent leaves 1..4096") {
   CHECK(g(1).gloss == 0);
   for (const double r : {0.15, 0.3, 0.6, 0.9}) {
     CHECK(roughness_of_gloss(g(r).gloss, GlossConvention::schueler) == Approx(r));
-    const Gloss linear = gloss_of_roughness(r, GlossConvention::one_minus_roughness);
+    const ConvertedGloss linear = gloss_of_roughness(r, GlossConvention::one_minus_roughness);
     CHECK(linear.gloss == Approx(1 - r));
     CHECK(roughness_of_gloss(linear.gloss, GlossConvention::one_minus_roughness) == Approx(r));
   }
@@ -82,7 +82,8 @@ TEST_CASE("code tables hold what the formulas give") {
   for (std::size_t i = 0; i < 256; ++i) {
     CHECK(linear.gloss[i] == 255 - i);
     CHECK(!linear.clamped[i]);
-    const Gloss gloss = gloss_of_roughness(0.7 * static_cast<double>(i) / 255, GlossConvention::schueler);
+    const ConvertedGloss gloss =
+        gloss_of_roughness(0.7 * static_cast<double>(i) / 255, GlossConvention::schueler);
     CHECK(schueler.gloss[i] == std::lround(255 * gloss.gloss));
     CHECK(schueler.clamped[i] == gloss.clamped);
     CHECK(roughness_codes(GlossConvention::one_minus_roughness)[i] == 255 - i);

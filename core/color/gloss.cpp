@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/color/gloss.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number.h"
+
+namespace etak {
+
+double exponent_of_gloss(double gloss) {
+  return std::exp2(12 * gloss);
+}
+
+double alpha_of_gloss(double gloss) {
+  return std::sqrt(2 / (std::exp2(12 * gloss) + 2));
+}
+
+double roughness_of_gloss(double gloss) {
+  return std::sqrt(alpha_of_gloss(gloss));
+}
+
+double gloss_of_roughness(double roughness) {
+  // log2 of the infinity at 0 and of the 0 at 1 are the two infinities that are promised.
+  return std::log2(std::max(0.0, 2 / std::pow(roughness, 4) - 2)) / 12;
+}
+
+Gloss Gloss::of_roughness(double roughness) {
+  // Not a number stays what it is, so that whoever checks the range sees it.
+  Gloss out(std::isnan(roughness) ? roughness : std::clamp(gloss_of_roughness(roughness), 0.0, 1.0));
+  out.roughness_ = roughness;
+  return out;
+}
+
+double Gloss::roughness() const {
+  return roughness_ ? *roughness_ : roughness_of_gloss(gloss_);
+}
+
+double Gloss::alpha() const {
+  return roughness_ ? *roughness_ * *roughness_ : alpha_of_gloss(gloss_);
+}
+
+double Gloss::exponent() const {
+  if (!roughness_) return exponent_of_gloss(gloss_);
+  const double alpha = *roughness_ * *roughness_;
+  return 2 / (alpha * alpha) - 2;
+}
+
+bool Gloss::held() const {
+  if (!roughness_) return false;
+  const double wanted = gloss_of_roughness(*roughness_);
+  return !(wanted >= 0 && wanted <= 1);
+}
+
+std::string roughness_text(const Gloss& gloss) {
+  return "roughness " + number(gloss.roughness(), 3) +
+         (gloss.held() ? "" : " (gloss " + number(double{gloss}, 3) + ")");
+}
+
+std::string held_text(const Gloss& gloss) {
+  if (!gloss.held()) return "";
+  return "Schueler's gloss holds roughness " + number(roughness_of_gloss(1), 3) + " to " +
+         number(roughness_of_gloss(0), 3) + ": gloss " + number(double{gloss}, 3) + ", roughness " +
+         number(roughness_of_gloss(gloss), 3) + ", stands for roughness " + number(gloss.roughness(), 3);
+}
+
+}  // namespace etak

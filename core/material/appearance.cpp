@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/material/appearance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/number.h"
+#include "core/spectrum/integration.h"
+#include "core/spectrum/interpolate.h"
+
+namespace etak {
+namespace {
+
+constexpr double least_passing = 0.5, nearly_all = 0.999;
+constexpr std::array<double, 4> depths_m{1, 0.1, 0.01, clear_depth_m};
+
+// Bodies of which n alone is published and that are known not to let light through.
+struct OpaqueRow {
+  std::string_view material, dataset, reason;
+};
+constexpr std::array opaque_rows{
+    OpaqueRow{"blood", "liu-2019-whole",
+              "its cells scatter and absorb light, of which the dataset, n alone, says nothing"}};
+
+const Quadrature& daylight() {
+  static const Quadrature q = make_quadrature(Method::nm1, Viewing{});
+  return q;
+}
+
+// Daylight through `depth_m` of a body, as X, Y, Z.
+std::array<double, 3> passing(std::span<const double> k, double depth_m) {
+  const Quadrature& q = daylight();
+  std::vector<double> share(k.size());
+  for (std::size_t i = 0; i < k.size(); ++i)
+    share[i] = std::exp(-4 * std::numbers::pi * k[i] * depth_m / (q.wavelength_nm[i] * 1e-9));
+  return q.integrate(share);
+}
+
+// k of a dataset on the reference grid; none where it does not reach over half of the visible weight.
+std::optional<std::array<double, grid_size>> visible_k(const Dataset& dataset) {
+  const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
+  if (constants == nullptr || !constants->k) return std::nullopt;
+  if (weight_inside(Viewing{}, constants->k->first_nm(), constants->k->last_nm())[1] < 0.5)
+    return std::nullopt;
+  std::array<double, grid_size> out{};
+  resample_to_grid(*constants->k, out);
+  return out;
+}
+
+std::string percent(double share) {
+  return number(100 * share, 3) + " %";
+}
+
+// ---- roughness by class
+
+struct ClassRow {
+  std::string_view material_class;
+  double value;
+  bool is_gloss;  // else perceptual roughness
+};
+// Metals keep the gloss that etak has always drawn them with. Polished and liquid things are smooth; what is
+// met as parts, grains and stones lies between; everyday surfaces are nearly as rough as roughness goes.
+constexpr std::array<ClassRow, material_classes.size()> class_rows{{
+    {"metal", 0.75, true},
+    {"alloy", 0.75, true},
+    {"conductor", 0.75, true},
+    {"semiconductor", 0.75, true},
+    {"gem", 0, false},
+    {"mineral", 0.3, false},
+    {"crystal", 0.3, false},
+    {"salt", 0.3, false},
+    {"glass", 0, false},
+    {"plastic", 0.3, false},
+    {"organic", 0.3, false},
+    {"liquid", 0, false},
+    {"solid", 0.3, false},
+    {"gas", 0, false},
+    {"surface", 0.9, false},
+}};
+constexpr bool in_order_of_classes() {
+  for (std::size_t i = 0; i < class_rows.size(); ++i)
+    if (class_rows[i].material_class != material_classes[i]) return false;
+  return true;
+}
+static_assert(in_order_of_classes(), "every class has its roughness");
+
+}  // namespace
+
+Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space) {
+  Clarity out;
+  const std::string_view kind = optical_kind(material.material_class);
+  if (kind != "dielectric") {
+    out.reason = kind == "surface" ? "the data are the total reflectance of a body"
+                                   : "a " + std::string(kind) + " is not seen through";
+    return out;
+  }
+  if (!std::holds_alternative<OpticalConstants>(dataset.optics)) {
+    out.reason = "the data are reflectance: what the body absorbs is not known";
+    return out;
+  }
+  for (const OpaqueRow& row : opaque_rows)
+    if (material.id == row.material && dataset.id == row.dataset) {
+      out.reason = row.reason;
+      return out;
+    }
+  std::optional<std::array<double, grid_size>> k = visible_k(dataset);
+  double through = k ? passing(*k, clear_depth_m)[1] : 0;
+  if (k && through < least_passing) {
+    out.reason = percent(through) + " of daylight passes 1 mm by its k";
+    return out;
+  }
+  out.clear = true;
+  std::string whose = "its k";
+  if (!k) {
+    // Over 1 m the absorption of clear bodies can be told apart.
+    double most = -1;
+    for (const Dataset& other : material.datasets)
+      if (const auto found = visible_k(other)) {
+        if (passing(*found, clear_depth_m)[1] < least_passing) continue;
+        if (const double far = passing(*found, 1)[1]; far > most) {
+          most = far;
+          k = found;
+          whose = "k of " + other.id;
+        }
+      }
+    if (!k) {
+      out.reason = "a dielectric without data of what it absorbs of visible light";
+      return out;
+    }
+    through = passing(*k, clear_depth_m)[1];
+  }
+  out.reason = percent(through) + " of daylight passes 1 mm by " + whose;
+  const double depth = *std::find_if(depths_m.begin(), depths_m.end(), [&](double each) {
+    return each == clear_depth_m || passing(*k, each)[1] >= least_passing;
+  });
+  const std::array<double, 3> xyz = passing(*k, depth);
+  if (depth == depths_m.front() && xyz[1] > nearly_all) return out;
+  const Xyz white = to_xyz(daylight().white());
+  out.depth_m = depth;
+  out.color = to_rgb(xyz_to_rgb(space, white, white) * xyz);
+  return out;
+}
+
+DefaultGloss default_gloss(const Material& material, bool clear_body) {
+  constexpr const char* convention = ", a convention, no measurement";
+  if (clear_body) return {Gloss::of_roughness(0), std::string("the default of clear bodies") + convention};
+  const auto row = std::find_if(class_rows.begin(), class_rows.end(), [&](const ClassRow& each) {
+    return each.material_class == material.material_class;
+  });
+  const ClassRow& found = row == class_rows.end() ? class_rows.front() : *row;
+  return {found.is_gloss ? Gloss(found.value) : Gloss::of_roughness(found.value),
+          "the default of class " + std::string(found.material_class) + convention};
+}
+
+std::string told(const DefaultGloss& standard) {
+  return roughness_text(standard.gloss) + ": " + standard.reason;
+}
+
+std::string told_total(const LinearRgb& f0) {
+  return "the data are the total reflectance of a body: F0 " + number(f0.g, 3) +
+         (f0.g < assumed_f0
+              ? ", lowered from an assumed " + number(assumed_f0, 3) + " to the smallest channel of it,"
+              : ", which is assumed,") +
+         " is taken off the diffuse colour, so that both add up to what was measured at normal incidence";
+}
+
+TotalReflectance divided(const LinearRgb& total, const LinearRgb& wanted) {
+  double share = 1;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (vec(wanted)[c] > 0) share = std::min(share, vec(total)[c] / vec(wanted)[c]);
+  share = std::max(share, 0.0);
+  TotalReflectance out;
+  out.lowered = share < 1;
+  out.f0 = {share * wanted.r, share * wanted.g, share * wanted.b};
+  // The channel that F0 was scaled to is left with nothing, not with what rounding left.
+  const auto rest = [](double whole, double part) {
+    return whole >= 0 ? std::max(0.0, whole - part) : whole - part;
+  };
+  out.diffuse = {rest(total.r, out.f0.r), rest(total.g, out.f0.g), rest(total.b, out.f0.b)};
+  return out;
+}
+
+}  // namespace etak

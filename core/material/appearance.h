@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "core/color/colorspace.h"
+#include "core/color/gloss.h"
+#include "core/material/material.h"
+
+namespace etak {
+
+// What a dataset says of a material beyond its reflectance at normal incidence, and the conventions for what
+// no dataset says: whether a body of it is clear, how rough its surface is, and how a total reflectance
+// divides into body and surface.
+
+/// Whether light goes through a body of a material.
+///   clear     a dielectric through `clear_depth_m` of which at least half of daylight (Y under D65) passes
+///             by its k; one whose dataset has no k over half of the visible weight. Its colour then is by
+///             the least absorbing k of the material's other datasets, where that lets half pass too (films
+///             absorb more than bodies). Conductors, semiconductors, `surface` data, dielectrics of which
+///             only the reflectance is known, and blood, whose cells no n and k tell, are not.
+///   reason    why it is or is not, for people
+///   color     what D65 becomes over `depth_m` by exp(-4 pi k depth / wavelength), linear; white where
+///             depth_m is 0
+///   depth_m   the longest of 1 m, 0.1 m, 0.01 m and 0.001 m through which at least half of daylight passes;
+///             0 where no absorption is known or more than 0.999 passes 1 m
+struct Clarity {
+  bool clear = false;
+  std::string reason;
+  LinearRgb color{1, 1, 1};
+  double depth_m = 0;
+};
+inline constexpr double clear_depth_m = 1e-3;
+Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space = RgbSpace::srgb);
+
+/// How rough a surface is taken to be where nobody says: a convention by the class of the material. No
+/// measurement that could be cited was found.
+///   reason   "the default of class surface, a convention, no measurement"
+struct DefaultGloss {
+  Gloss gloss;
+  std::string reason;
+};
+///   clear_body   the body is clear and nothing was put into it: the surface is smooth, whatever its class
+DefaultGloss default_gloss(const Material& material, bool clear_body);
+
+/// What is told of a roughness that nobody gave: "roughness 0.9 (gloss 0.00567): the default of ...".
+std::string told(const DefaultGloss& standard);
+
+/// F0 of the surface over a body of which only the total is known: that of most dielectrics.
+inline constexpr double assumed_f0 = 0.04;
+
+/// The total reflectance of a rough body, as integrating spheres measure it, divided into what its surface
+/// reflects and what its body sends back, which add up to it at normal incidence: total = f0 + diffuse,
+/// channel by channel.
+///   f0   `wanted`, scaled down as a whole where a channel of the total is less
+struct TotalReflectance {
+  LinearRgb diffuse, f0;
+  bool lowered = false;  // f0 is below what was wanted
+};
+///   total    linear, as measured
+///   wanted   F0 of the surface
+TotalReflectance divided(const LinearRgb& total,
+                         const LinearRgb& wanted = {assumed_f0, assumed_f0, assumed_f0});
+
+/// What is told of a total that was divided with the assumed surface, whose F0 then became `f0`.
+std::string told_total(const LinearRgb& f0);
+
+}  // namespace etak

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/material/appearance.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/material/library.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+Material of_library(const char* id) {
+  return *MaterialLibrary::builtin().find(id);
+}
+
+Clarity preferred(const char* id) {
+  const Material material = of_library(id);
+  return clarity(material, material.preferred_dataset());
+}
+
+// A liquid of n = 1.33 with one k at all wavelengths.
+Material liquid(std::optional<double> k) {
+  Material out;
+  out.id = "mine";
+  out.material_class = "liquid";
+  OpticalConstants optics;
+  optics.n = Spectrum{{360, 830}, {1.33, 1.33}};
+  if (k) optics.k = Spectrum{{360, 830}, {*k, *k}};
+  Dataset dataset;
+  dataset.id = "made";
+  dataset.optics = optics;
+  out.datasets.push_back(dataset);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "found 1.05: water, glass, diamond, ice and pmma are clear; metals, silicon, paper, soot and blood are "
+    "not") {
+  for (const char* id : {"water", "fused_silica", "glass_bk7", "diamond", "ice", "pmma", "sapphire", "quartz",
+                         "ethanol", "polycarbonate", "halite", "air"}) {
+    INFO(id << ": " << preferred(id).reason);
+    CHECK(preferred(id).clear);
+  }
+  for (const char* id : {"gold", "silicon", "office_paper", "soot", "blood", "rhodamine", "polyimide"}) {
+    INFO(id << ": " << preferred(id).reason);
+    CHECK(!preferred(id).clear);
+    CHECK(!preferred(id).reason.empty());
+  }
+}
+
+TEST_CASE("found 1.05: a body is clear where half of the light passes 1 mm") {
+  // 4 pi k d / lambda = ln 2 at d = 1 mm and 555 nm: k = 3.06e-5.
+  CHECK(clarity(liquid(2.8e-5), liquid(2.8e-5).datasets[0]).clear);
+  CHECK(!clarity(liquid(3.4e-5), liquid(3.4e-5).datasets[0]).clear);
+  CHECK(clarity(liquid(std::nullopt), liquid(std::nullopt).datasets[0]).clear);
+  CHECK(clarity(liquid(std::nullopt), liquid(std::nullopt).datasets[0]).depth_m == 0);
+}
+
+TEST_CASE("found 1.05: the colour of a body is what passes the longest of four depths that lets half pass") {
+  // 1e-8: exp(-4 pi 1e-8 1 m / 555 nm) = 0.797; 1e-7: 0.104 over 1 m, 0.797 over 0.1 m; and so on.
+  for (const auto& [k, depth] : {std::pair{1e-8, 1.0}, {1e-7, 0.1}, {1e-6, 0.01}, {1e-5, 0.001}}) {
+    const Material material = liquid(k);
+    const Clarity body = clarity(material, material.datasets[0]);
+    CHECK(body.depth_m == depth);
+    // Blue is absorbed most, as the wavelength is shorter.
+    CHECK(body.color.r > body.color.g);
+    CHECK(body.color.g > body.color.b);
+    CHECK(body.color.g == Approx(std::exp(-4 * 3.14159265 * 1e-8 / 548e-9)).margin(0.01));
+  }
+  const Material nothing = liquid(0);
+  CHECK(clarity(nothing, nothing.datasets[0]).depth_m == 0);
+  CHECK(clarity(nothing, nothing.datasets[0]).color == LinearRgb{1, 1, 1});
+}
+
+TEST_CASE(
+    "found 1.05: a dataset without k takes the colour of the least absorbing other one, but not of a film") {
+  const Clarity water = preferred("water");
+  CHECK(water.depth_m == 1);
+  CHECK(contains(water.reason, "hale-1973"));
+  CHECK(water.color.b > water.color.r);  // water is blue over a metre
+  const Clarity zincite = preferred("zincite");
+  CHECK(zincite.clear);
+  CHECK(zincite.depth_m == 0);
+}
+
+TEST_CASE("found 1.06: every class has a roughness, and clear bodies are smooth") {
+  const auto of = [](const char* material_class, bool clear = false) {
+    Material material;
+    material.material_class = material_class;
+    return default_gloss(material, clear);
+  };
+  for (const std::string_view each : material_classes) {
+    const DefaultGloss standard = of(std::string(each).c_str());
+    CHECK(contains(standard.reason, std::string(each)));
+    CHECK(contains(standard.reason, "a convention, no measurement"));
+  }
+  // Metals as they were always drawn.
+  CHECK(of("metal").gloss == Gloss(0.75));
+  CHECK(of("surface").gloss.roughness() == 0.9);
+  CHECK(of("plastic").gloss.roughness() == 0.3);
+  CHECK(of("plastic", true).gloss.roughness() == 0);
+  CHECK(told(of("surface")) ==
+        "roughness 0.9 (gloss 0.00567): the default of class surface, a convention, no measurement");
+}
+
+TEST_CASE("found 1.07: surface and body add up to the total, and a dark total lowers F0") {
+  for (const LinearRgb& total :
+       {LinearRgb{0.5, 0.3, 0.1}, {0.04, 0.04, 0.04}, {0.01, 0.02, 0.03}, {1, 1, 1}, {0, 0, 0}}) {
+    const TotalReflectance parts = divided(total);
+    for (std::size_t c = 0; c < 3; ++c) {
+      CHECK(vec(parts.f0)[c] + vec(parts.diffuse)[c] == Approx(vec(total)[c]).margin(1e-15));
+      CHECK(vec(parts.diffuse)[c] >= 0);
+      CHECK(vec(parts.f0)[c] == Approx(std::min({0.04, total.r, total.g, total.b})).margin(1e-15));
+    }
+    CHECK(parts.lowered == (std::min({total.r, total.g, total.b}) < 0.04));
+  }
+  // Another surface, such as an author's: scaled as a whole, so that its colour stays.
+  const TotalReflectance coloured = divided({0.1, 0.1, 0.02}, {0.08, 0.04, 0.04});
+  CHECK(coloured.f0.r == Approx(0.04));
+  CHECK(coloured.f0.b == Approx(0.02));
+  CHECK(coloured.diffuse.b == Approx(0).margin(1e-15));
+}
