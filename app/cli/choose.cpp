@@ -6,6 +6,7 @@
 #include <CLI/Formatter.hpp>
 #include <memory>
 
+#include "app/cli/file_options.h"
 #include "app/cli/verbs.h"
 
 namespace etak::cli {
@@ -14,9 +15,9 @@ void add_choose(CLI::App& app, Verb& chosen) {
   auto* verb =
       app.add_subcommand("choose", "Find the cheapest way to draw a material within a budget of error");
   auto arguments = std::make_shared<ChooseArguments>();
-  verb->add_option("what", arguments->materials,
-                   "a scene (glTF, pack manifest or folder of pictures), or materials of the library: ID or "
-                   "ID/DATASET")
+  reads_file(verb->add_option("what", arguments->materials,
+                              "a scene (glTF, pack manifest or folder of pictures), or materials of the "
+                              "library: ID or ID/DATASET"))
       ->type_name("SCENE|MATERIAL");
   verb->add_flag("--all", arguments->all, "every material of the library that has n and k");
   verb->add_option("--budget", arguments->budget,
@@ -28,11 +29,13 @@ void add_choose(CLI::App& app, Verb& chosen) {
   auto* measure = verb->add_flag(
       "--measure", arguments->measure,
       "time everything here (half a minute) instead of taking the shipped costs; the choice may differ");
-  verb->add_option("--costs", arguments->costs, "a cost table of --write-costs instead of the shipped one")
+  reads_file(verb->add_option("--costs", arguments->costs,
+                              "a cost table of --write-costs instead of the shipped one"))
       ->excludes(measure)
       ->type_name("FILE");
   verb->add_flag("--write-costs", arguments->write_costs, "write the cost table itself, measured here");
   add_library_options(*verb, arguments->library);
+  add_thread_option(*verb, arguments->threads);
   add_output_options(*verb, arguments->output, {"text", "json"});
   verb->footer(
       "The JSON form is what etak shader and etak pack take as --choice.\n"

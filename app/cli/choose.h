@@ -18,6 +18,7 @@ struct ChooseArguments {
   RoughnessArguments rough;
   bool codes = false, all = false, measure = false, write_costs = false;
   Library library;
+  unsigned threads = 0;
   OutputArguments output;
 };
 

@@ -28,7 +28,7 @@ void add_scene(const std::string& scene, ChooseArguments& arguments,
                const std::function<void(const ChooseSubject&)>& add) {
   PackOptions options;
   options.door = picture_door();
-  options.threads = thread_count(0);
+  options.threads = thread_count(arguments.threads);
   std::vector<std::string> remarks;
   const auto subjects = scene_subjects(scene, options, arguments.library.get(), remarks);
   for (const std::string& each : remarks) remark(arguments.output, each);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/cli/file_options.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
@@ -113,9 +114,8 @@ double evaluate_row(const std::string& function, std::string_view inputs, std::s
 }
 
 int run_csv(const EvalArguments& arguments) {
-  const bool from_stdin = arguments.csv == "-";
-  const std::string file = from_stdin ? "<stdin>" : arguments.csv;
-  const std::string text = from_stdin ? read_stdin() : read_file(arguments.csv);
+  const std::string& file = arguments.csv;
+  const std::string text = read_file(file);
   const std::vector<CsvRow> rows = csv_rows(text, file);
   if (rows.empty()) throw Error::at(file, "no rows", "a header id,function,inputs and rows");
   const std::size_t id = column(rows[0], "id", file), function = column(rows[0], "function", file),
@@ -230,10 +230,10 @@ void add_eval(CLI::App& app, Verb& chosen) {
       *app.add_subcommand("eval", "evaluate one formula, or a table of them, in double precision");
   verb.add_option("FUNCTION", arguments->function, "name of the function, as --list gives it");
   verb.add_option("INPUTS", arguments->inputs, "its inputs, as name=value")->type_name("NAME=VALUE");
-  verb.add_option("--csv", arguments->csv,
-                  "answer the rows id,function,inputs of FILE (inputs as name=value;name=value) with "
-                  "id,value; a row that is "
-                  "refused gets \"error\" and its reason on standard error")
+  reads_file(verb.add_option("--csv", arguments->csv,
+                             "answer the rows id,function,inputs of FILE (inputs as name=value;name=value) "
+                             "with id,value; a row that is refused gets \"error\" and its reason on standard "
+                             "error"))
       ->type_name("FILE");
   verb.add_flag("--list", arguments->list, "print every function with its inputs, units, ranges and source");
   add_output_options(verb, arguments->output, {"text", "json"});

@@ -46,7 +46,7 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
   if (!arguments.diffuse.empty())
     diffuse = {arguments.diffuse[0], arguments.diffuse[1], arguments.diffuse[2]};
   Found out;
-  const std::vector<Input> inputs = find_inputs(arguments.inputs, arguments.library, 1);
+  const std::vector<Input> inputs = find_tables(arguments.inputs, arguments.library, arguments.output);
   for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
   for (const Input& input : inputs) {
     try {
@@ -110,7 +110,6 @@ void choose_format(ExportArguments& arguments) {
   const bool values = arguments.to == "values";
   if (format == "auto") {
     format = values ? "table" : arguments.to;
-    if (arguments.to == "gltf" && arguments.output.file.ends_with(".glb")) format = "glb";
     return;
   }
   const bool of_values = format == "table" || format == "text" || format == "csv" || format == "json";
@@ -118,7 +117,7 @@ void choose_format(ExportArguments& arguments) {
                     : arguments.to == "gltf" ? format == "gltf" || format == "glb"
                                              : format == "mtlx";
   if (!fits)
-    throw Error::at("--format", format + " with --to " + arguments.to,
+    throw Error::at(arguments.output.form_asked_by, format + " with --to " + arguments.to,
                     values                   ? "table, text, csv or json"
                     : arguments.to == "gltf" ? "gltf or glb"
                                              : "mtlx");
@@ -134,7 +133,24 @@ void tell_notes_and_changes(const ExportArguments& arguments, const std::vector<
   }
 }
 
+// --to TARGET is short for --to values --target TARGET; glTF's own values are asked for in full.
+std::vector<std::string> forms_and_targets() {
+  std::vector<std::string> out{"mtlx", "gltf", "values"};
+  for (const EngineTarget& each : engine_targets())
+    if (each.id != "gltf") out.emplace_back(each.id);
+  return out;
+}
+
+void take_target(ExportArguments& arguments) {
+  const std::string& to = arguments.to;
+  if (to == "mtlx" || to == "gltf" || to == "values") return;
+  if (!arguments.targets.empty()) throw Error::at("--target", "given beside --to " + to, "--to values");
+  arguments.targets = {to};
+  arguments.to = "values";
+}
+
 int run(ExportArguments& arguments) {
+  take_target(arguments);
   if (arguments.inputs.names.empty() && !arguments.inputs.all)
     throw Error::at("etak export", "no input", "a material or file, - for standard input, or --all");
   choose_format(arguments);
@@ -181,10 +197,10 @@ void add_export(CLI::App& app, Verb& chosen) {
   CLI::App& verb = *app.add_subcommand("export", "materials as MaterialX, glTF or the values of an engine");
   add_input_options(verb, arguments->inputs);
   verb.add_option("--to", arguments->to,
-                  "mtlx (MaterialX 1.39, OpenPBR), gltf (spheres with the material) or values (what to type "
-                  "or paste)")
+                  "mtlx (MaterialX 1.39, OpenPBR), gltf (spheres with the material), values (what to type or "
+                  "paste), or the values of one target")
       ->required()
-      ->check(CLI::IsMember({"mtlx", "gltf", "values"}));
+      ->check(CLI::IsMember(forms_and_targets()));
   verb.add_flag("--all", arguments->inputs.all, "every material of the library");
   add_all_datasets_option(verb, arguments->inputs);
   verb.add_option("--dataset", arguments->inputs.dataset, "dataset to take instead of the preferred one")

@@ -9,6 +9,7 @@
 #endif
 
 #include "app/cli/f0_worker.h"
+#include "app/cli/file_options.h"
 #include "app/cli/inputs.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
@@ -35,7 +36,8 @@ struct F0Arguments {
 
 // What happened to the inputs, for the exit status and the closing remark.
 struct Tally {
-  std::size_t rows = 0, answered = 0, refused = 0, refused_by_name = 0, failed = 0, nonlinear = 0, other = 0;
+  std::size_t rows = 0, answered = 0, refused = 0, refused_by_name = 0, failed = 0, nonlinear = 0, other = 0,
+              prose = 0;
 
   Tally& operator+=(const Tally& more) {
     rows += more.rows;
@@ -45,6 +47,7 @@ struct Tally {
     failed += more.failed;
     nonlinear += more.nonlinear;
     other += more.other;
+    prose += more.prose;
     return *this;
   }
 };
@@ -52,6 +55,7 @@ struct Tally {
 void count(const Outcome& outcome, const Input& input, Tally& tally) {
   tally.nonlinear += outcome.kind == Outcome::Kind::nonlinear;
   tally.other += outcome.kind == Outcome::Kind::other;
+  tally.prose += outcome.kind == Outcome::Kind::prose;
   if (outcome.kind != Outcome::Kind::answered) return;
   ++tally.answered;
   if (!outcome.row.result.refused()) return;
@@ -169,6 +173,8 @@ void print_remarks(const F0Arguments& arguments, const std::vector<Input>& input
   if (tally.refused > 0) text += ", " + counted(tally.refused, "of them refused (the flags say why)");
   if (tally.nonlinear > 0) text += "; " + counted(tally.nonlinear, "n2 files are no pages");
   if (tally.other > 0) text += "; " + counted(tally.other, "about and catalogue files are no pages");
+  if (tally.prose > 0)
+    text += "; " + counted(tally.prose, tally.prose == 1 ? "text is no table" : "texts are no tables");
   if (tally.failed > 0) text += "; " + counted(tally.failed, "failed");
   remark(arguments.output, text);
 }
@@ -216,7 +222,9 @@ int run(F0Arguments& arguments) {
                   arguments.stats};
   const unsigned threads = thread_count(arguments.threads);
   keep_freed_memory();
-  const std::vector<Input> inputs = find_inputs(arguments.inputs, arguments.library, threads);
+  std::vector<std::string> remarks;
+  const std::vector<Input> inputs = find_inputs(arguments.inputs, arguments.library, threads, &remarks);
+  for (const std::string& each : remarks) remark(output, each);
   const double find = seconds_since(begin);
   for (const std::string& each : alias_remarks(inputs)) remark(output, each);
 
@@ -268,8 +276,8 @@ void add_f0(CLI::App& app, Verb& chosen) {
   const auto arguments = std::make_shared<F0Arguments>();
   CLI::App& verb = *app.add_subcommand("f0", "reflectance at normal incidence as a colour");
   add_input_options(verb, arguments->inputs);
-  verb.add_option("--files-from", arguments->inputs.files_from,
-                  "read more inputs from LIST, one per line or NUL-separated")
+  reads_file(verb.add_option("--files-from", arguments->inputs.files_from,
+                             "read more inputs from LIST, one per line or NUL-separated"))
       ->type_name("LIST");
   verb.add_flag("--all", arguments->inputs.all, "every material of the library");
   add_all_datasets_option(verb, arguments->inputs);

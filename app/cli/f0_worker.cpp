@@ -65,15 +65,19 @@ Outcome F0Worker::answer(const Input& input, const F0Job& job) {
     return out;
   }
   start_lap(job);
-  read_input(input, text_);
+  read_file(input.path, text_);
   times.bytes += text_.size();
   lap(times.read, job);
+  if (is_prose(input, text_)) {
+    out.kind = Outcome::Kind::prose;
+    return out;
+  }
   if (input.kind == Input::Kind::table) {
-    const Table table = parse_table(text_, message_name(input), job.tables);
+    const Table table = parse_table(text_, input.path, job.tables);
     lap(times.parse, job);
     out.row.result = job.solver.solve(table.optics, table.flags, job.timed ? &times.f0 : nullptr);
   } else {
-    const Material material = parse_material(text_, message_name(input));
+    const Material material = parse_material(text_, input.path);
     lap(times.parse, job);
     answer_dataset(material, input, job, out.row);
   }
@@ -81,9 +85,9 @@ Outcome F0Worker::answer(const Input& input, const F0Job& job) {
 }
 
 Outcome F0Worker::answer_page(const Input& input, const F0Job& job) {
-  const std::string name = message_name(input);
+  const std::string& name = input.path;
   start_lap(job);
-  read_input(input, text_);
+  read_file(input.path, text_);
   times.bytes += text_.size();
   lap(times.read, job);
   parse_rii_page(text_, name, page_);
@@ -103,7 +107,7 @@ Outcome F0Worker::answer_page(const Input& input, const F0Job& job) {
   out.without_optics = !page_.refusal.empty();
   if (out.without_optics)
     out.row.result = refused(page_.refusal, page_.flags);
-  else if (job.axis_average && input.path != "-")
+  else if (job.axis_average && !is_pipe_input(input.path))
     out.row.result = average_pages(input, job, out.row);
   else
     out.row.result = solve(page_.optics, page_.flags, job);
@@ -143,7 +147,7 @@ F0Result F0Worker::average_pages(const Input& input, const F0Job& job, F0Row& ro
 }
 
 void F0Worker::answer_dataset(const Material& material, const Input& input, const F0Job& job, F0Row& row) {
-  const Dataset& dataset = dataset_named(material, input.dataset, message_name(input));
+  const Dataset& dataset = dataset_named(material, input.dataset, input.path);
   row.alias_note = input.alias_note;
   row.name = material.name;
   row.material_class = material.material_class;

@@ -35,7 +35,8 @@ struct Outcome {
   enum class Kind {
     answered,   // `row` holds a result, possibly a refused one
     nonlinear,  // a database file of n2 data: no page
-    other       // a database file without optical constants: no page
+    other,      // a database file without optical constants: no page
+    prose       // a text of a folder that is no table
   };
   Kind kind = Kind::answered;
   bool without_optics = false;  // a page that is refused because it gives no n: nothing of it can be shown

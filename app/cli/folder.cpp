@@ -23,7 +23,7 @@ using Identity = std::pair<dev_t, ino_t>;
 // What one folder holds; paths whole, folders with '/' at the end.
 struct Listing {
   Identity identity{};
-  std::vector<std::string> files, folders, linked_folders;
+  std::vector<std::string> files, folders, linked_folders, skipped;
   std::string failure;
 };
 
@@ -66,8 +66,8 @@ Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
   while (const dirent* entry = ::readdir(folder)) {
     if (entry->d_name[0] == '.') continue;
     const EntryKind kind = entry_kind(folder, *entry);
-    if (kind == EntryKind::file && keep(entry->d_name))
-      out.files.push_back(path + entry->d_name);
+    if ((kind == EntryKind::file || kind == EntryKind::other) && keep(entry->d_name))
+      (kind == EntryKind::file ? out.files : out.skipped).push_back(path + entry->d_name);
     else if (kind == EntryKind::folder)
       out.folders.push_back(path + entry->d_name + '/');
     else if (kind == EntryKind::linked_folder)
@@ -94,6 +94,7 @@ void descend(std::vector<std::string> level, unsigned threads, bool (*keep)(std:
       }
       if (!seen.insert(found.identity).second) continue;
       std::move(found.files.begin(), found.files.end(), std::back_inserter(out.files));
+      std::move(found.skipped.begin(), found.skipped.end(), std::back_inserter(out.skipped));
       std::move(found.folders.begin(), found.folders.end(), std::back_inserter(next));
       std::move(found.linked_folders.begin(), found.linked_folders.end(), std::back_inserter(linked));
     }
@@ -145,7 +146,15 @@ Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::
     linked = std::move(deeper);
   }
   std::sort(out.files.begin(), out.files.end());
+  std::sort(out.skipped.begin(), out.skipped.end());
   return out;
+}
+
+std::string skipped_remark(const std::vector<std::string>& skipped) {
+  if (skipped.empty()) return {};
+  std::string out = printable(skipped.front(), 200);
+  if (skipped.size() > 1) out += " and " + std::to_string(skipped.size() - 1) + " more";
+  return out + ": skipped, because pipes, sockets and devices are read only where they are named";
 }
 
 }  // namespace etak::cli

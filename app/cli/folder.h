@@ -17,11 +17,13 @@ bool has_known_kind(std::string_view path);
 ///   root         folder the shown paths are relative to, with a '/' at its end
 ///   files        whole paths, sorted byte by byte
 ///   unreadable   one message per subfolder that could not be read
+///   skipped      whole paths, sorted, of what `keep` would have listed but is no file: pipes, sockets, devices
 struct Folder {
   std::string root;
   bool is_database = false;  // a tree of the refractiveindex.info database: root is its data folder
   std::vector<std::string> files;
   std::vector<std::string> unreadable;
+  std::vector<std::string> skipped;
 };
 
 /// Lists `path` on `threads` threads; `keep` says by the name which files are listed (those of a known kind).
@@ -30,5 +32,8 @@ struct Folder {
 /// read.
 Folder list_folder(const std::string& path, unsigned threads,
                    bool (*keep)(std::string_view name) = has_known_kind);
+
+/// What is said of a folder's entries that are no files; empty where there are none.
+std::string skipped_remark(const std::vector<std::string>& skipped);
 
 }  // namespace etak::cli

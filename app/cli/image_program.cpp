@@ -10,6 +10,7 @@
 
 #include "app/cli/custom_space.h"
 #include "core/base/error.h"
+#include "core/base/input.h"
 
 namespace etak::cli {
 namespace {
@@ -42,6 +43,7 @@ void become_companion(const std::string& companion, const std::string& place, co
   const std::array candidates{here + companion, here + (ETAK_LIBEXEC_FROM_BIN "/") + companion};
   for (const std::string& candidate : candidates) {
     if (::access(candidate.c_str(), X_OK) != 0) continue;
+    hand_over_inputs();
     ::execv(candidate.c_str(), program_arguments);
     throw Error::at(candidate, std::string("cannot be started: ") + std::strerror(errno));
   }

@@ -41,7 +41,7 @@ int run(ImportArguments& arguments) {
   const TableOptions tables = table_options(arguments.tables);
   if (arguments.inputs.names.empty()) throw Error::at("etak import", "no input", "a page or table");
   Material material;
-  for (const Input& input : find_inputs(arguments.inputs, arguments.library, 1)) {
+  for (const Input& input : find_tables(arguments.inputs, arguments.library, arguments.output)) {
     if (input.kind == Input::Kind::material)
       throw Error::at(input.path, "is a material of the library", "a page, table or material file");
     Material next = read_material(input, tables, arguments.id);

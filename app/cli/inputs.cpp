@@ -8,9 +8,11 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 
+#include "app/cli/file_options.h"
 #include "app/cli/folder.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/exchange/content_kind.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
@@ -32,8 +34,9 @@ Input::Kind input_kind(FileKind kind) {
 }
 
 void add_folder(const std::string& path, const InputArguments& arguments, unsigned threads,
-                std::vector<Input>& out) {
+                std::vector<std::string>* remarks, std::vector<Input>& out) {
   Folder folder = list_folder(path, threads);
+  if (remarks != nullptr && !folder.skipped.empty()) remarks->push_back(skipped_remark(folder.skipped));
   if (folder.files.empty() && folder.unreadable.empty())
     throw Error::at(path, "is a folder without any page, table or material file",
                     "files ending in .yml, .csv, .tsv, .txt, .dat or .json");
@@ -98,7 +101,7 @@ void open_datasets(const InputArguments& arguments, std::size_t first, std::vect
   out.resize(first);
   for (Input& input : closed) {
     const std::size_t begin = out.size();
-    if (input.kind != Input::Kind::material_file || !input.dataset.empty() || input.path == "-") {
+    if (input.kind != Input::Kind::material_file || !input.dataset.empty()) {
       out.push_back(std::move(input));
       continue;
     }
@@ -114,31 +117,53 @@ void open_datasets(const InputArguments& arguments, std::size_t first, std::vect
   }
 }
 
+// What comes from a pipe: as --stdin-format says, else by its first bytes.
+Input::Kind kind_of_pipe(const std::string& path, const std::string& format) {
+  if (format == "page") return Input::Kind::page;
+  if (format == "json") return Input::Kind::material_file;
+  if (format == "table") return Input::Kind::table;
+  constexpr const char* expected = "a page, a table or a material file";
+  switch (content_kind(read_head(path, content_head))) {
+    case ContentKind::gltf:
+      throw Error::at(path, "holds a glTF scene", expected);
+    case ContentKind::binary:
+      throw Error::at(path, "holds no text", expected);
+    case ContentKind::page:
+      return Input::Kind::page;
+    case ContentKind::json:
+      return Input::Kind::material_file;
+    case ContentKind::table:
+    case ContentKind::prose:
+      break;
+  }
+  return Input::Kind::table;  // whose reader says what is missing
+}
+
 // A known name wins over a file or folder of that name ("./gold" is the folder); what ends like a data file
 // or begins like a path is one.
 void add_name(const std::string& name, const InputArguments& arguments, Library& library, unsigned threads,
-              std::vector<Input>& out) {
+              std::vector<std::string>* remarks, std::vector<Input>& out) {
   Input input;
   input.path = name;
   input.dataset = arguments.dataset;
-  if (name == "-") {
-    input.kind = arguments.stdin_format == "page"   ? Input::Kind::page
-                 : arguments.stdin_format == "json" ? Input::Kind::material_file
-                                                    : Input::Kind::table;
-    out.push_back(std::move(input));
-    return;
-  }
   struct stat info {};
   const bool exists = ::stat(name.c_str(), &info) == 0;
   const FileKind kind = file_kind(name);
-  const bool path_like = name.starts_with('/') || name.starts_with('.') || name.ends_with('/');
+  const bool pipe = is_pipe_input(name);
+  const bool path_like = name.starts_with('/') || name.starts_with('.') || name.ends_with('/') ||
+                         (pipe && typed_input(name) != name);
   if (!path_like && kind == FileKind::unknown && add_material(name, arguments, library, exists, out)) return;
-  if (exists && S_ISDIR(info.st_mode)) return add_folder(name, arguments, threads, out);
-  if (kind == FileKind::unknown && exists)
+  if (exists && S_ISDIR(info.st_mode)) return add_folder(name, arguments, threads, remarks, out);
+  if (pipe && kind == FileKind::unknown) {
+    input.kind = kind_of_pipe(name, arguments.stdin_format);
+    out.push_back(std::move(input));
+    return;
+  }
+  if (kind == FileKind::unknown && exists && S_ISREG(info.st_mode))
     throw Error::at(name, "has no ending that etak knows",
                     ".yml, .csv, .tsv, .txt, .dat or .json, or - for standard input");
   if (!exists && !path_like && kind == FileKind::unknown) unknown_material(name, library.get());
-  // A missing file goes on to the reader, whose message tells why.
+  // A missing file or a device goes on to the reader, whose message tells why.
   input.kind = kind == FileKind::unknown ? Input::Kind::material_file : input_kind(kind);
   out.push_back(std::move(input));
 }
@@ -178,13 +203,15 @@ Material material_from_table(std::string_view text, const std::string& path, con
 }  // namespace
 
 void add_input_options(CLI::App& verb, InputArguments& arguments) {
-  verb.add_option("INPUT", arguments.names,
-                  "material (gold), dataset (gold/ID, its unique beginning, or gold/* for all), file (.yml "
-                  "page, .json material, .csv .tsv .txt .dat table), "
-                  "folder, or - for standard input")
+  reads_file(verb.add_option("INPUT", arguments.names,
+                             "material (gold), dataset (gold/ID, its unique beginning, or gold/* for all), file "
+                             "(.yml page, .json material, .csv .tsv .txt .dat table), folder, pipe, or - for "
+                             "standard input"))
       ->type_name("");
-  verb.add_option("--stdin-format", arguments.stdin_format, "what - holds: table (default), page or json")
-      ->check(CLI::IsMember({"table", "page", "json"}));
+  verb.add_option("--stdin-format", arguments.stdin_format,
+                  "what - and pipes without an ending hold; auto: told by the first bytes")
+      ->check(CLI::IsMember({"auto", "table", "page", "json"}))
+      ->capture_default_str();
 }
 
 void add_all_datasets_option(CLI::App& verb, InputArguments& arguments) {
@@ -192,14 +219,15 @@ void add_all_datasets_option(CLI::App& verb, InputArguments& arguments) {
                 "every dataset of each material, in place of the preferred one");
 }
 
-std::vector<Input> find_inputs(const InputArguments& arguments, Library& library, unsigned threads) {
+std::vector<Input> find_inputs(const InputArguments& arguments, Library& library, unsigned threads,
+                               std::vector<std::string>* remarks) {
   std::vector<std::string> names = arguments.names;
   if (!arguments.files_from.empty()) {
     std::vector<std::string> more = listed_names(arguments.files_from);
+    for (std::string& name : more)
+      if (name == "-") name = accept_input(name);
     names.insert(names.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   }
-  const auto stdin_uses = std::count(names.begin(), names.end(), "-") + (arguments.files_from == "-" ? 1 : 0);
-  if (stdin_uses > 1) throw Error::at("-", "standard input is asked for twice", "once");
   std::vector<Input> out;
   if (arguments.all) {
     const MaterialLibrary& known = library.get();
@@ -210,7 +238,7 @@ std::vector<Input> find_inputs(const InputArguments& arguments, Library& library
   for (const std::string& name : names) {
     try {
       const std::size_t first = out.size();
-      add_name(name, arguments, library, threads, out);
+      add_name(name, arguments, library, threads, remarks, out);
       if (arguments.all_datasets) open_datasets(arguments, first, out);
     } catch (const Error& error) {
       out.push_back(failed(error.what()));
@@ -220,7 +248,7 @@ std::vector<Input> find_inputs(const InputArguments& arguments, Library& library
 }
 
 std::vector<std::string> listed_names(const std::string& path) {
-  const std::string text = path == "-" ? read_stdin() : read_file(path);
+  const std::string text = read_file(path);
   const char separator = text.find('\0') != std::string::npos ? '\0' : '\n';
   std::vector<std::string> out;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -241,23 +269,36 @@ std::vector<std::string> alias_remarks(const std::vector<Input>& inputs) {
   return out;
 }
 
-void read_input(const Input& input, std::string& buffer) {
-  if (input.path == "-")
-    buffer = read_stdin();
-  else
-    read_file(input.path, buffer);
+bool is_prose(const Input& input, std::string_view head) {
+  if (!input.from_folder || input.kind != Input::Kind::table) return false;
+  const std::string_view ending = std::string_view(input.path).substr(input.path.size() - 4);
+  const bool any_text = ending == ".txt" || ending == ".TXT" || ending == ".dat" || ending == ".DAT";
+  return any_text && content_kind(head) == ContentKind::prose;
 }
 
-std::string message_name(const Input& input) {
-  return input.path == "-" ? "<stdin>" : input.path;
+std::vector<Input> find_tables(const InputArguments& arguments, Library& library,
+                               const OutputArguments& output) {
+  std::vector<std::string> remarks;
+  std::vector<Input> inputs = find_inputs(arguments, library, 1, &remarks);
+  const auto prose = [](const Input& input) {
+    if (!input.from_folder || input.kind != Input::Kind::table) return false;
+    try {
+      return is_prose(input, read_head(input.path, content_head));
+    } catch (const Error&) {
+      return false;  // whoever reads it says why it cannot be read
+    }
+  };
+  if (const auto count = std::erase_if(inputs, prose); count > 0)
+    remarks.push_back(std::to_string(count) + (count == 1 ? " text is no table" : " texts are no tables"));
+  for (const std::string& each : remarks) remark(output, each);
+  return inputs;
 }
 
 Material read_material(const Input& input, const TableOptions& tables, std::string_view id) {
   if (input.kind == Input::Kind::failed) throw Error(input.path);
   if (input.kind == Input::Kind::material) return *input.material;
-  std::string text;
-  read_input(input, text);
-  const std::string name = message_name(input);
+  const std::string& name = input.path;
+  const std::string text = read_file(name);
   if (input.kind == Input::Kind::page) return material_from_rii_page(text, name, id);
   if (input.kind == Input::Kind::table) return material_from_table(text, name, tables, id);
   return parse_material(text, name);

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/cli/options.h"
+#include "app/cli/output.h"
+#include "core/base/input.h"
 #include "core/material/material.h"
 
 namespace etak::cli {
@@ -21,20 +23,20 @@ struct Input {
     failed  // not found; `path` holds the message
   };
   Kind kind = Kind::failed;
-  std::string path;          // "-" is standard input
+  std::string path;          // of accept_input(): "<stdin>" is standard input
   std::size_t label_at = 0;  // the label is `path` from here on
   bool from_folder = false;  // or from --all: refusals are then ordinary
   std::shared_ptr<const Material> material;
   std::string dataset;     // asked for by "id/dataset" or --dataset; empty: the preferred one
   std::string alias_note;  // what must be said of the name that was asked for; may be empty
 
-  std::string_view label() const { return std::string_view(path).substr(label_at); }
+  std::string label() const { return typed_input(path).substr(label_at); }
 };
 
 struct InputArguments {
   std::vector<std::string> names;
   std::string files_from;
-  std::string stdin_format = "table";
+  std::string stdin_format = "auto";
   std::string dataset;
   bool all = false;
   bool all_datasets = false;  // of each material, not the preferred one alone
@@ -46,7 +48,9 @@ void add_all_datasets_option(CLI::App& verb, InputArguments& arguments);
 
 /// Finds what the arguments name, in their order, folders opened up into their files and "gold/*" into its
 /// datasets. What cannot be found becomes a failed input, so that the others are still answered.
-std::vector<Input> find_inputs(const InputArguments& arguments, Library& library, unsigned threads);
+///   remarks   gets what was skipped
+std::vector<Input> find_inputs(const InputArguments& arguments, Library& library, unsigned threads,
+                               std::vector<std::string>* remarks = nullptr);
 
 /// What must be said of the names asked for, each once, as "steel: AISI 316 ...".
 std::vector<std::string> alias_remarks(const std::vector<Input>& inputs);
@@ -54,11 +58,14 @@ std::vector<std::string> alias_remarks(const std::vector<Input>& inputs);
 /// Names in a list file, "-" for standard input: between NUL bytes when there is one, else between line ends.
 std::vector<std::string> listed_names(const std::string& path);
 
-/// The text of a file or of standard input ("-"); `buffer` is reused.
-void read_input(const Input& input, std::string& buffer);
+/// Whether the input is a .txt or .dat file that a folder search came by and that holds prose (a licence, a list
+/// of changes) instead of a table.
+///   head   the first content_head bytes, or more
+bool is_prose(const Input& input, std::string_view head);
 
-/// How messages call the input: its path, or "<stdin>".
-std::string message_name(const Input& input);
+/// find_inputs() without those; remarks say what was left out.
+std::vector<Input> find_tables(const InputArguments& arguments, Library& library,
+                               const OutputArguments& output);
 
 /// The input as a material: of the library, of a material file, or made from a page or table with one
 /// dataset.

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/cli/catalogue.h"
+#include "app/cli/file_options.h"
 #include "app/cli/inputs.h"
 #include "app/cli/list_names.h"
 #include "app/cli/options.h"
@@ -169,8 +170,8 @@ void add_list(CLI::App& app, Verb& chosen) {
   const auto arguments = std::make_shared<ListArguments>();
   CLI::App& verb = *app.add_subcommand("list", "materials of the library, or what names are answered with");
   verb.add_option("NAME", arguments->names, "tell what these names are answered with")->type_name("");
-  verb.add_option("--names-from", arguments->names_from,
-                  "read more names from LIST, one per line or NUL-separated")
+  reads_file(verb.add_option("--names-from", arguments->names_from,
+                             "read more names from LIST, one per line or NUL-separated; - is standard input"))
       ->type_name("LIST");
   add_class_option(verb, arguments->classes, "only this class, such as metal or glass; may be repeated");
   verb.add_option("--search", arguments->search, "only where id, name, group or an alias contains TEXT")

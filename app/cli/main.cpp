@@ -5,7 +5,9 @@
 #include <exception>
 
 #include "app/cli/custom_space.h"
+#include "app/cli/file_options.h"
 #include "app/cli/output.h"
+#include "app/cli/usage.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 
@@ -47,10 +49,15 @@ int run(int argc, char** argv) {
   add_choose(app, verb);
   add_validate(app, verb);
   add_explain(app, verb);
+  add_help(app, verb);
+  add_input_timeout(app);
+  use_plain_help(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_ok : exit_failure;
+    if (error.get_exit_code() == 0) return app.exit(error);
+    complain(message_of(app, error));
+    return exit_failure;
   }
   if (version) return print_version(json);
   if (!verb) {

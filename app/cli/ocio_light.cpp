@@ -8,7 +8,7 @@ namespace etak::cli {
 CustomSpace open_custom_space(const std::string&, const std::string& name) {
   become_image_program(
       "--space", printable(name) + " is no built-in space, and the program for OpenColorIO spaces is missing",
-      "srgb, acescg, rec2020, display-p3 or xyz, or an etak built with OpenColorIO");
+      std::string(built_in_spaces) + ", or an etak built with OpenColorIO");
 }
 
 }  // namespace etak::cli

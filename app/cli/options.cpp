@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/cli/custom_space.h"
+#include "app/cli/file_options.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/material/names.h"
@@ -91,9 +92,10 @@ void add_compute_options(CLI::App& verb, ComputeArguments& arguments) {
       "of the estimated error of X, Y and Z, for --integration auto (default 1e-5)")
       ->type_name("NUMBER");
   add("--space", arguments.space,
-      "output space: srgb (default), acescg, rec2020, display-p3, xyz, or a colour space of an OpenColorIO "
-      "config");
-  add("--ocio", arguments.ocio, "OpenColorIO config to look --space up in (else $OCIO, else etak's own)")
+      "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any case, or a "
+      "colour space of an OpenColorIO config");
+  reads_file(
+      add("--ocio", arguments.ocio, "OpenColorIO config to look --space up in (else $OCIO, else etak's own)"))
       ->type_name("CONFIG");
   add("--outside", arguments.outside, "medium in front: an index of refraction or a material such as water")
       ->type_name("NUMBER|MATERIAL");
@@ -123,8 +125,11 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library) {
   out.allow_extrapolation = arguments.allow_extrapolation;
   if (!arguments.ocio.empty() && arguments.space.empty())
     throw Error::at("--ocio", "no colour space of it is named", "--space NAME beside it");
-  // A config that is named on the line wins over the built-in spaces of the same name.
-  const auto built_in = arguments.ocio.empty() ? rgb_space_named(arguments.space) : std::nullopt;
+  // A config that is named on the line wins over the built-in spaces of the same name, and one of $OCIO over
+  // all of their names but etak's own.
+  auto built_in = arguments.ocio.empty() ? rgb_space_named(arguments.space) : std::nullopt;
+  const char* const config = std::getenv("OCIO");
+  if (built_in && config != nullptr && *config != '\0' && arguments.space != name(*built_in)) built_in.reset();
   if (built_in)
     out.space = *built_in;
   else if (!arguments.space.empty())

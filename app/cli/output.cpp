@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "app/cli/output_form.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/json_text.h"
@@ -44,10 +45,15 @@ std::size_t characters(std::string_view text) {
 
 void add_output_options(CLI::App& verb, OutputArguments& arguments, const std::vector<std::string>& formats) {
   arguments.format = formats.front();
-  if (formats.size() > 1)
-    verb.add_option("--format", arguments.format, "form of the output")
-        ->check(CLI::IsMember(formats))
-        ->capture_default_str();
+  if (formats.size() > 1) {
+    const CLI::Option* format =
+        verb.add_option("--format", arguments.format, "form of the output; else the ending of -o tells it")
+            ->check(CLI::IsMember(formats))
+            ->capture_default_str();
+    verb.parse_complete_callback([&verb, &arguments, formats, format] {
+      settle_form(arguments, formats, "etak " + verb.get_name(), format->count() > 0);
+    });
+  }
   verb.add_option("-o,--output", arguments.file, "file to write instead of standard output")
       ->type_name("FILE");
   verb.add_flag("--force", arguments.force, "let -o replace a file");

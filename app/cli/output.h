@@ -22,13 +22,15 @@ enum Exit : int { exit_ok = 0, exit_findings = 1, exit_failure = 2 };
 /// Where the data of a run go, and in which form.
 struct OutputArguments {
   std::string format;
-  std::string file;  // empty or "-": standard output
+  std::string form_asked_by = "--format";  // or "-o FILE", where its ending tells the form
+  std::string file;                        // empty or "-": standard output
   bool force = false;
   bool quiet = false;
   std::string color = "auto";
 };
 
-/// Adds --format (one of `formats`, the first is the default), -o, --force, -q and --color.
+/// Adds --format (one of `formats`; by default that of the ending of -o, else the first), -o, --force, -q and
+/// --color.
 void add_output_options(CLI::App& verb, OutputArguments& arguments, const std::vector<std::string>& formats);
 
 /// Whether 24-bit colour may go into the output: asked for, or a terminal that NO_COLOR does not rule out.

@@ -6,6 +6,7 @@
 #include <CLI/Formatter.hpp>
 #include <memory>
 
+#include "app/cli/file_options.h"
 #include "app/cli/verbs.h"
 #include "core/image/image.h"
 
@@ -51,8 +52,8 @@ void add_layout_options(CLI::App& verb, PackArguments& a) {
       ->type_name("auto|all|N")
       ->capture_default_str()
       ->group(group);
-  verb.add_option("--previous", a.previous,
-                  "layout.json of an earlier run: unchanged regions stay where they were")
+  reads_file(verb.add_option("--previous", a.previous,
+                             "layout.json of an earlier run: unchanged regions stay where they were"))
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--extra-area", a.extra_area, "percent of page area that staying may cost")
@@ -71,10 +72,10 @@ void add_leave_out_options(CLI::App& verb, PackArguments& a) {
       ->allow_extra_args(false)
       ->delimiter(',')
       ->group(group);
-  verb.add_option(
-          "--choice", a.choice,
-          "what etak choose found for this input (its JSON): defines of shaders, textures that may be "
-          "one number, mips that nothing reads, F0's integration, PNG level")
+  reads_file(verb.add_option(
+                 "--choice", a.choice,
+                 "what etak choose found for this input (its JSON): defines of shaders, textures that may be "
+                 "one number, mips that nothing reads, F0's integration, PNG level"))
       ->type_name("FILE")
       ->group(group);
   verb.add_flag("--islands", a.islands, "of a scene, keep only the islands of texels that triangles use")
@@ -115,7 +116,8 @@ void add_content_options(CLI::App& verb, PackArguments& a) {
       ->type_name("ROLE=SPACE")
       ->allow_extra_args(false)
       ->group(group);
-  verb.add_option("--ocio", a.ocio, "OpenColorIO config to look spaces up in (else $OCIO, else etak's own)")
+  reads_file(verb.add_option("--ocio", a.ocio,
+                             "OpenColorIO config to look spaces up in (else $OCIO, else etak's own)"))
       ->type_name("FILE")
       ->group(group);
   verb.add_flag("--bleed", a.bleed, "give texels of alpha 0 the colours of their visible neighbours")
@@ -179,7 +181,8 @@ void add_finding_options(CLI::App& verb, PackArguments& a) {
       ->check(CLI::IsMember({"error", "warning", "info", "never"}))
       ->group(group);
   verb.add_flag("--no-validate", a.no_validate, "do not check the pages")->group(group);
-  verb.add_option("--config", a.config, "configuration of the check (default: etak.toml of --out upwards)")
+  reads_file(verb.add_option("--config", a.config,
+                             "configuration of the check (default: etak.toml of --output upwards)"))
       ->type_name("FILE")
       ->group(group);
   verb.add_flag("--no-config", a.no_config, "look for no etak.toml")->group(group);
@@ -187,7 +190,8 @@ void add_finding_options(CLI::App& verb, PackArguments& a) {
 
 void add_run_options(CLI::App& verb, PackArguments& a) {
   const std::string group = "Runs";
-  verb.add_option("--batch", a.batch, "file of many jobs: {\"jobs\": [{\"input\", \"out\", options...}]}")
+  reads_file(verb.add_option("--batch", a.batch,
+                             "file of many jobs: {\"jobs\": [{\"input\", \"out\", options...}]}"))
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--memory", a.memory, "most that pages may take, such as 512M or 2G")
@@ -203,10 +207,10 @@ void add_run_options(CLI::App& verb, PackArguments& a) {
 void add_pack(CLI::App& app, Verb& chosen) {
   const auto arguments = std::make_shared<PackArguments>();
   CLI::App& verb = *app.add_subcommand("pack", "materials into one atlas: texture pair, layout and glTF");
-  verb.add_option("input", arguments->input,
-                  "manifest or project (.json), glTF scene (.gltf, .glb), or folder of pictures")
+  reads_file(verb.add_option("input", arguments->input,
+                             "manifest or project (.json), glTF scene (.gltf, .glb), or folder of pictures"))
       ->type_name("INPUT");
-  verb.add_option("-o,--out", arguments->out, "folder to write")->type_name("DIR");
+  verb.add_option("-o,--output,--out", arguments->out, "folder to write; --out is its older name")->type_name("DIR");
   add_layout_options(verb, *arguments);
   add_leave_out_options(verb, *arguments);
   add_content_options(verb, *arguments);
@@ -219,7 +223,7 @@ void add_pack(CLI::App& app, Verb& chosen) {
       "Texture A holds diffuse and alpha, texture B F0 and gloss, colours sRGB-encoded. All files appear "
       "together or not at all. Last come the findings of etak validate for what was written.\n"
       "Exit status: 0, or 1 when there are findings at or above --fail-on, 2 when something failed.\n"
-      "Example:\n  etak pack materials.json --out atlas --page 4096");
+      "Example:\n  etak pack materials.json -o atlas --page 4096");
   verb.callback([arguments, &chosen] {
     chosen = [arguments] {
       if (arguments->rects.asked) return pack_rects_command(arguments->rects);

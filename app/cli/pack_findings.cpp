@@ -73,6 +73,10 @@ struct PackFindings::Parts {
   }
 };
 
+void judge_by_library(Library& library) {
+  use_asked_library(library);
+}
+
 PackFindings::PackFindings(const PackArguments& arguments) {
   if (!arguments.no_validate) parts_ = std::make_unique<Parts>(arguments);
 }

@@ -10,6 +10,9 @@
 
 namespace etak::cli {
 
+/// Lets the validator know the materials of `library` too. In a build without the validator it does nothing.
+void judge_by_library(Library& library);
+
 /// What the validator says of an atlas: the rules of `etak validate` on its layout, looked at while the pages
 /// are still in memory. Two bodies share this declaration: pack_findings.cpp, and pack_findings_missing.cpp
 /// where etak is built without the validator.

@@ -4,6 +4,8 @@
 
 namespace etak::cli {
 
+void judge_by_library(Library&) {}
+
 struct PackFindings::Parts {};
 
 PackFindings::PackFindings(const PackArguments& arguments) {

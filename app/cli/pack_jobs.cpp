@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/input.h"
 
 namespace etak::cli {
 namespace {
@@ -50,7 +51,7 @@ Stamps stamps(const std::string& input, const std::string& out) {
 
 int pack_batch(const PackArguments& line) {
   if (!line.input.empty() || !line.out.empty())
-    throw Error::at("--batch", "an input or --out beside it", "both in the jobs of the file");
+    throw Error::at("--batch", "an input or -o beside it", "both in the jobs of the file");
   std::vector<PackArguments> jobs = parse_jobs(read_file(line.batch), line.batch, line);
   std::map<std::string, std::size_t> outs;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -95,6 +96,8 @@ class SignalsHeld {
 }  // namespace
 
 int pack_watch(PackArguments& arguments) {
+  if (is_pipe_input(arguments.input))
+    throw Error::at("--watch", arguments.input + " is a pipe, which never changes", "a file or a folder");
   // -u: a file that was touched but not changed costs a hash and no new atlas.
   arguments.update = true;
   sigset_t ends;

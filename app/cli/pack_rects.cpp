@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/file_options.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
 #include "core/atlas/rects.h"
@@ -98,10 +99,10 @@ void add_pack_rects_options(CLI::App& verb, PackRectsArguments& a) {
   const std::string group = "Bare rectangles";
   verb.add_flag(
           "--rects", a.asked,
-          "pack the rectangles of --in (lines 'w h') and write 'page x y w h rot' lines to --out; --rotate "
+          "pack the rectangles of --in (lines 'w h') and write 'page x y w h rot' lines to -o; --rotate "
           "then takes 0 or 1")
       ->group(group);
-  verb.add_option("--in", a.in, "file of rectangles")->type_name("FILE")->group(group);
+  reads_file(verb.add_option("--in", a.in, "file of rectangles"))->type_name("FILE")->group(group);
   verb.add_option("--mode", a.mode, "page: square, pot, free, strip:W, pages:S or mixed:S")
       ->type_name("MODE")
       ->capture_default_str()
@@ -114,7 +115,7 @@ void add_pack_rects_options(CLI::App& verb, PackRectsArguments& a) {
     return option != nullptr;
   };
   if (!listen("--out", [&a](const std::string& text) { a.out = text; }))
-    verb.add_option("-o,--out", a.out, "file to write")->type_name("FILE")->group(group);
+    verb.add_option("-o,--output,--out", a.out, "file to write")->type_name("FILE")->group(group);
   if (!listen("--effort",
               [&a](const std::string& text) { a.effort = whole_number(text).value_or(a.effort); }))
     verb.add_option("--effort", a.effort, "tries")
@@ -140,7 +141,7 @@ int pack_rects_command(const PackRectsArguments& a) {
     return exit_not_offered;
   }
   if (a.in.empty()) throw Error::at("--in", "is missing", "a file of rectangles");
-  if (a.out.empty()) throw Error::at("--out", "is missing", "a file to write");
+  if (a.out.empty()) throw Error::at("-o", "is missing", "a file to write");
   const std::string& rotate = a.input.empty() ? a.rotate : a.input;
   if (rotate != "0" && rotate != "1" && rotate != "true" && rotate != "false")
     throw Error::at(a.input.empty() ? "--rotate" : printable(a.input),

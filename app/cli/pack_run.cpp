@@ -190,8 +190,9 @@ PackOptions pack_options(const PackArguments& a) {
 int pack_once(PackArguments& a) {
   if (a.input.empty())
     throw Error::at("etak pack", "nothing to pack", "a manifest, a glTF scene or a folder");
-  if (a.out.empty()) throw Error::at("etak pack", "no folder to write", "--out DIR");
+  if (a.out.empty()) throw Error::at("etak pack", "no folder to write", "-o DIR");
   PackOptions options = pack_options(a);
+  if (!a.no_validate) judge_by_library(a.library);
   PackFindings findings(a);
   findings.attach(options);
   PackPage page(a);

@@ -6,6 +6,7 @@
 #include <CLI/Formatter.hpp>
 #include <memory>
 
+#include "app/cli/file_options.h"
 #include "app/cli/verbs.h"
 
 namespace etak::cli {
@@ -35,8 +36,8 @@ void add_render(CLI::App& app, Verb& chosen) {
   verb.add_option("--display", arguments->display,
                   "OpenColorIO display for the 8-bit picture, in place of --transfer");
   verb.add_option("--view", arguments->view, "OpenColorIO view of the display");
-  verb.add_option("--ocio", arguments->ocio,
-                  "OpenColorIO config of --display and --view (else $OCIO, else etak's own)")
+  reads_file(verb.add_option("--ocio", arguments->ocio,
+                             "OpenColorIO config of --display and --view (else $OCIO, else etak's own)"))
       ->type_name("CONFIG");
   verb.add_option("--frames", arguments->frames, "draw the picture so often and state the time of a frame")
       ->check(CLI::Range(1, 100000))

@@ -18,7 +18,7 @@ void add_report(CLI::App& app, Verb& chosen) {
                    "only these, such as fresnel,transfer; see the page for the names")
       ->delimiter(',')
       ->type_name("NAME");
-  verb->add_option("-o", arguments->folder,
+  verb->add_option("-o,--output", arguments->folder,
                    "folder for report.html, report.json, report.csv and a plot per table")
       ->required()
       ->type_name("DIR");

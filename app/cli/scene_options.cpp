@@ -6,6 +6,7 @@
 #include <CLI/Formatter.hpp>
 #include <cmath>
 
+#include "app/cli/file_options.h"
 #include "app/cli/inputs.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -257,10 +258,9 @@ void add_scene_options(CLI::App& verb, SceneArguments& arguments) {
   const auto rgb = [&](const char* name, std::vector<double>& value, const char* text) {
     verb.add_option(name, value, text)->delimiter(',')->expected(3)->type_name("R,G,B");
   };
-  verb.add_option("SUBJECT", arguments.subject,
-                  "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or f0=1,0.78,0.34, "
-                  "f82=, n=, k=, "
-                  "diffuse=, gloss=, roughness=, opacity=")
+  reads_file(verb.add_option("SUBJECT", arguments.subject,
+                             "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or "
+                             "f0=1,0.78,0.34, f82=, n=, k=, diffuse=, gloss=, roughness=, opacity="))
       ->type_name("");
   verb.add_option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
       ->type_name("ID");
@@ -275,11 +275,12 @@ void add_scene_options(CLI::App& verb, SceneArguments& arguments) {
   rgb("--diffuse", arguments.diffuse, "diffuse colour, linear; conductors and semiconductors stay black");
   add_roughness_options(verb, arguments.rough, "of the surface");
   verb.add_option("--opacity", arguments.opacity, "of the body, 0 to 1")->capture_default_str();
-  verb.add_option("--lights", arguments.lights, "light setup; default three lights and two hemispheres")
+  reads_file(verb.add_option("--lights", arguments.lights,
+                             "light setup; default three lights and two hemispheres"))
       ->type_name("FILE");
-  verb.add_option(
-          "--env", arguments.environment,
-          "environment: lat-long HDR or EXR picture, or studio (etak's own); without --lights the only light")
+  reads_file(verb.add_option("--env", arguments.environment,
+                             "environment: lat-long HDR or EXR picture, or studio (etak's own); without "
+                             "--lights the only light"))
       ->type_name("FILE|studio");
   verb.add_option("--size", arguments.size, "of the picture in pixels")
       ->type_name("N|WxH")

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "app/cli/file_options.h"
 #include "app/cli/output.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/shader_atlas.h"
@@ -176,15 +177,17 @@ void add_shader(CLI::App& app, Verb& chosen) {
       ->default_str("corrected")
       ->check(CLI::IsMember({"corrected", "wide", "printed"}))
       ->type_name("FORM");
-  verb.add_option("--choice", arguments->choice,
-                  "a material of what etak choose found: its Fresnel form, masking and numbers")
+  reads_file(verb.add_option("--choice", arguments->choice,
+                             "a material of what etak choose found: its Fresnel form, masking and numbers"))
       ->type_name("FILE");
   verb.add_option("--material", arguments->material, "which of the choice or the layout")->type_name("NAME");
-  verb.add_option("--layout", arguments->layout,
-                  "layout.json of etak pack: values that vary come from its textures, the rest are uniforms")
+  reads_file(verb.add_option("--layout", arguments->layout,
+                             "layout.json of etak pack: values that vary come from its textures, the rest are "
+                             "uniforms"))
       ->type_name("FILE");
-  verb.add_option("--defines", arguments->defines,
-                  "what is fetched from the two textures, as etak pack lists it: a file with a define a line")
+  reads_file(verb.add_option("--defines", arguments->defines,
+                             "what is fetched from the two textures, as etak pack lists it: a file with a "
+                             "define a line"))
       ->type_name("FILE");
   verb.add_flag("--es", arguments->es, "#version 300 es instead of 330 core");
   verb.add_flag("--vertex", arguments->vertex, "the vertex shader instead (JSON holds both)");

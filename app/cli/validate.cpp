@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/explain.h"
+#include "app/cli/file_options.h"
 #include "app/cli/options.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
@@ -35,7 +36,8 @@ void add_rule_options(CLI::App& verb, ValidateArguments& a) {
   add("--ignore", a.choice.ignore, "without these rules; goes last");
   verb.add_flag("--list-rules", a.list_rules, "print the rule table and stop (--format text or json)")
       ->group("Rules");
-  verb.add_option("--config", a.config, "configuration (default: etak.toml of the first folder upwards)")
+  reads_file(verb.add_option("--config", a.config,
+                             "configuration (default: etak.toml of the first folder upwards)"))
       ->type_name("FILE")
       ->group("Rules");
   verb.add_flag("--no-config", a.no_config, "look for no etak.toml")->group("Rules");
@@ -52,7 +54,8 @@ void add_verdict_options(CLI::App& verb, ValidateArguments& a) {
   verb.add_flag("--exit-zero", a.exit_zero,
                 "exit status 0 in spite of findings; what could not be checked stays 2")
       ->group(group);
-  verb.add_option("--baseline", a.baseline, "findings of this file are known and do not count")
+  reads_file(
+      verb.add_option("--baseline", a.baseline, "findings of this file are known and do not count"))
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--write-baseline", a.write_baseline, "record all findings as known")
@@ -71,11 +74,12 @@ void add_validate(CLI::App& app, Verb& chosen) {
   ValidateArguments& a = *arguments;
   CLI::App& verb =
       *app.add_subcommand("validate", "find impossible materials in textures, atlases, scenes and data");
-  verb.add_option("path", a.paths,
-                  "files and folders: texture pairs, metal-rough sets, atlas layouts, glTF scenes, material "
-                  "files, spectra")
+  reads_file(verb.add_option("path", a.paths,
+                             "files, folders and pipes: texture pairs, metal-rough sets, atlas layouts, glTF "
+                             "scenes, material files, spectra; - is standard input"))
       ->type_name("PATH...");
-  verb.add_option("--files-from", a.files_from, "file with one path a line; - is standard input")
+  reads_file(
+      verb.add_option("--files-from", a.files_from, "file with one path a line; - is standard input"))
       ->type_name("FILE");
   verb.add_option("--role", a.role,
                   "what the pictures are: diffuse, specular, f0, base-color or metal-rough (default: by "
@@ -94,6 +98,7 @@ void add_validate(CLI::App& app, Verb& chosen) {
   verb.add_flag("--stats", a.stats, "say on standard error what was read, left out and how long it took");
   verb.add_option("--cache", a.cache_folder, "keep results here and do not check the same files again")
       ->type_name("DIR");
+  add_library_options(verb, a.library);
   add_thread_option(verb, a.threads);
   verb.footer(
       "Exit status: 0 nothing at or above --fail-on, 1 findings, 2 not everything could be checked.\n"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/options.h"
 #include "app/cli/output.h"
 #include "core/validate/config.h"
 
@@ -25,6 +26,7 @@ struct ValidateArguments {
   bool exit_zero = false, list_rules = false, stats = false;
   std::string baseline, write_baseline, mask_folder, cache_folder;
   unsigned threads = 0;
+  Library library;
   OutputArguments output;
 };
 

@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,6 +14,7 @@
 #include "core/atlas/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/input.h"
 #include "core/base/number.h"
 
 namespace etak::cli {
@@ -21,14 +24,24 @@ namespace fs = std::filesystem;
 
 // Length and hash of a file's bytes; empty when it cannot be read.
 std::string fingerprint_of_file(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) return {};
-  ContentHash hash;
-  // Pieces of a multiple of 32 bytes, as ContentHash asks; one buffer per thread.
-  thread_local std::vector<char> buffer(std::size_t{1} << 20);
-  for (std::size_t count; (count = std::fread(buffer.data(), 1, buffer.size(), file.get())) > 0;)
-    hash.add(buffer.data(), count);
-  return std::ferror(file.get()) != 0 ? std::string() : hash.hex();
+  try {
+    const OpenedInput input = open_input(path, SIZE_MAX);
+    ContentHash hash;
+    // Pieces of a multiple of 32 bytes, as ContentHash asks; one buffer per thread.
+    thread_local std::vector<char> buffer(std::size_t{1} << 20);
+    for (std::size_t filled = 0;;) {
+      const ssize_t got = ::read(input.file.get(), buffer.data() + filled, buffer.size() - filled);
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) return {};
+      filled += static_cast<std::size_t>(got);
+      if (got != 0 && filled < buffer.size()) continue;
+      hash.add(buffer.data(), filled);
+      filled = 0;
+      if (got == 0) return hash.hex();
+    }
+  } catch (const Error&) {
+    return {};
+  }
 }
 
 std::string program_fingerprint() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 
@@ -11,6 +12,7 @@
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/validate/baseline.h"
+#include "core/validate/nearest.h"
 #include "core/validate/rules.h"
 #include "core/validate/suppress.h"
 
@@ -41,6 +43,10 @@ std::string find_config(const ValidateArguments& arguments) {
 }
 
 }  // namespace
+
+void use_asked_library(Library& library) {
+  if (!library.folders.empty() || std::getenv("ETAK_LIBRARY") != nullptr) use_library(library.get());
+}
 
 ValidatePlan validate_plan(const ValidateArguments& arguments) {
   ValidatePlan plan;

@@ -16,6 +16,9 @@ struct ValidatePlan {
   std::string root;         // absolute
 };
 
+/// Judges by the library that the line and the environment ask for, where it is not the built-in one alone.
+void use_asked_library(Library& library);
+
 /// From etak.toml (of --config, else of the first path's folder or the nearest one above it) and the command
 /// line, which wins. Throws Error.
 ValidatePlan validate_plan(const ValidateArguments& arguments);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 
+#include "app/cli/folder.h"
 #include "app/cli/options.h"
 #include "app/cli/validate.h"
 #include "app/cli/validate_cache.h"
@@ -29,24 +27,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_pages_with_pictures = 200;
 
-// Puts what was read from standard input back, for the program this one may become.
-void refill_stdin(const std::string& text) {
-  const int memory = ::memfd_create("etak-files", 0);
-  if (memory < 0) return;
-  for (std::size_t at = 0; at < text.size();) {
-    const ssize_t wrote = ::write(memory, text.data() + at, text.size() - at);
-    if (wrote <= 0) break;
-    at += static_cast<std::size_t>(wrote);
-  }
-  ::lseek(memory, 0, SEEK_SET);
-  ::dup2(memory, STDIN_FILENO);
-  ::close(memory);
-}
-
 std::vector<std::string> listed_files(const std::string& list) {
   if (list.empty()) return {};
-  const std::string text = list == "-" ? read_stdin() : read_file(list);
-  if (list == "-") refill_stdin(text);
+  const std::string text = read_file(list);
   std::vector<std::string> out;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -186,9 +169,11 @@ int check_files(ValidateArguments& arguments) {
     throw Error::at("etak validate", "nothing to check", "files, folders or --files-from");
   if (!arguments.today.empty() && !is_date(arguments.today))
     throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
+  use_asked_library(arguments.library);
   const ValidatePlan plan = validate_plan(arguments);
   const Settings& settings = plan.config.settings;
   FoundTargets found = targets_of(arguments, plan);
+  if (!found.no_files.empty()) remark(arguments.output, skipped_remark(found.no_files));
   std::size_t from_cache = 0;
   std::vector<CheckedFile> files = checked(found, arguments, settings, from_cache);
   std::move(found.failed.begin(), found.failed.end(), std::back_inserter(files));

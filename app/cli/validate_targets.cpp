@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <tuple>
@@ -12,6 +11,7 @@
 
 #include "app/cli/folder.h"
 #include "core/base/error.h"
+#include "core/base/input.h"
 #include "core/base/parallel.h"
 #include "core/validate/files.h"
 #include "core/validate/rules.h"
@@ -83,10 +83,7 @@ std::string level_0_of(const std::string& path) {
 // Tables and YAML files of a project are rarely spectra: one found in a folder is taken for that only when it
 // says so, by a refractiveindex.info page's "DATA:" or a header line that begins with a wavelength.
 bool looks_like_spectrum(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string head(4096, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
+  const std::string head = read_head(path, 4096);
   if (!path.ends_with(".csv")) return head.find("DATA:") != head.npos;
   std::size_t begin = 0;
   while (begin < head.size() && head[begin] == '#')
@@ -114,7 +111,10 @@ class Finder {
   }
 
  private:
-  std::string label(const std::string& path) const { return relative_label(path, request_.root); }
+  std::string label(const std::string& path) const {
+    // What has no place in a folder keeps its name.
+    return is_pipe_input(path) ? path : relative_label(path, request_.root);
+  }
 
   void fail(const std::string& path, const std::string& message) {
     const std::string text = label(path);
@@ -131,7 +131,7 @@ class Finder {
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
     if (fs::is_directory(status)) return add_folder(path);
-    if (!fs::exists(status))
+    if (!fs::exists(status) && !is_pipe_input(path))
       return fail(path, failure && failure != std::errc::no_such_file_or_directory
                             ? "cannot be read: " + failure.message()
                             : "there is no such file");
@@ -149,6 +149,7 @@ class Finder {
       const std::size_t reason = message.rfind(": cannot be read");
       fail(message.substr(0, reason), "the folder" + message.substr(std::min(message.size(), reason + 1)));
     }
+    std::move(folder.skipped.begin(), folder.skipped.end(), std::back_inserter(out_.no_files));
     for (std::string& file : folder.files) candidates_.push_back({std::move(file), Named::by_folder_or_list});
   }
 
@@ -169,15 +170,21 @@ class Finder {
     // Telling kinds opens .json files, so it is done on all threads.
     std::vector<std::optional<FileRole>> kinds(candidates_.size());
     std::vector<char> missing(candidates_.size());
+    std::vector<std::string> failures(candidates_.size());
     parallel_chunks(candidates_.size(), request_.threads, 64,
                     [&](std::size_t begin, std::size_t end, unsigned) {
                       for (std::size_t i = begin; i < end; ++i) {
                         std::error_code ignored;
-                        missing[i] = !fs::exists(candidates_[i].path, ignored);
-                        kinds[i] = etak::file_kind(candidates_[i].path);
-                        if (kinds[i] == FileRole::spectrum && candidates_[i].named != Named::by_hand &&
-                            !looks_like_spectrum(candidates_[i].path))
-                          kinds[i].reset();
+                        const Candidate& candidate = candidates_[i];
+                        missing[i] = !fs::exists(candidate.path, ignored) && !is_pipe_input(candidate.path);
+                        try {
+                          kinds[i] = etak::file_kind(candidate.path);
+                          if (kinds[i] == FileRole::spectrum && candidate.named != Named::by_hand &&
+                              !looks_like_spectrum(candidate.path))
+                            kinds[i].reset();
+                        } catch (const Error& error) {
+                          if (!missing[i]) failures[i] = error.what();
+                        }
                       }
                     });
     std::vector<const Candidate*> pictures;
@@ -188,6 +195,8 @@ class Finder {
         ++out_.skipped;
       else if (missing[i])
         fail(candidate.path, link ? "a link that leads to no file" : "there is no such file");
+      else if (!failures[i].empty())
+        fail(candidate.path, failures[i]);
       else if (!kinds[i])
         skip(candidate, "a kind of file that etak validate does not check");
       else if (is_picture(*kinds[i]))
@@ -291,6 +300,8 @@ class Finder {
         if (have.contains(path) || claimed_.contains(path)) continue;
         auto picture = named_picture(path);
         if (!picture || !stems.contains(picture->stem)) continue;
+        std::error_code gone;
+        if (path.ends_with(".json") || (at->exists(gone) && !at->is_regular_file(gone))) continue;
         const auto kind = etak::file_kind(path);
         if (!kind || !is_picture(*kind)) continue;
         picture->companion = true;

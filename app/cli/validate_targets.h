@@ -36,9 +36,11 @@ struct FoundTarget {
 /// What was found, in the order of labels.
 ///   failed    one unreadable CheckedFile (ETK001) for everything that was named and cannot be checked
 ///   files     looked at   skipped   of them in folders and lists, which no rule is about
+///   no_files  pipes, sockets and devices of folders, which were not opened
 struct FoundTargets {
   std::vector<FoundTarget> targets;
   std::vector<CheckedFile> failed;
+  std::vector<std::string> no_files;
   std::size_t files = 0, skipped = 0;
 };
 

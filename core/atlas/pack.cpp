@@ -115,7 +115,7 @@ class Packing {
           resolve_manifest(with_methods(manifest_of_folder(input_, options_.pattern), variants()), library_,
                            options_.gloss, options_.door, options_.open_space, options_.spaces);
       inputs_.settings += options_.pattern;
-    } else if (input_.ends_with(".gltf") || input_.ends_with(".glb")) {
+    } else if (is_gltf_file(input_)) {
       scene_ = std::make_unique<ScenePack>(input_, options_);
       inputs_ = scene_->inputs();
     } else {

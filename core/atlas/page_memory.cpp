@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/page_memory.h"
 
-#include <fcntl.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -11,6 +9,7 @@
 #include <new>
 
 #include "core/base/error.h"
+#include "core/base/input.h"
 
 namespace etak {
 namespace {
@@ -38,32 +37,19 @@ PageMemory::~PageMemory() {
 
 void FileBytes::load(const std::string& path) {
   size_ = 0;
-  // O_NONBLOCK: a FIFO without a writer must not hang the call.
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  const auto fail = [&](const std::string& found, std::string_view expected = {}) {
-    if (file >= 0) ::close(file);
-    throw Error::at(path, found, expected);
-  };
-  if (file < 0) fail(std::string("cannot be opened: ") + std::strerror(errno));
-  struct stat info {};
-  if (::fstat(file, &info) != 0) fail(std::string("cannot be read: ") + std::strerror(errno));
-  if (!S_ISREG(info.st_mode))
-    fail(S_ISDIR(info.st_mode) ? "is a folder" : "is no regular file", "a picture file");
-  const auto size = static_cast<std::size_t>(info.st_size);
-  if (size > largest_file) fail("holds " + std::to_string(size >> 20) + " MiB", "at most 4096 MiB");
+  const auto [file, size] = open_input(path, largest_file);
   // Past the end lie some zero bytes that a reader's vector loads may touch.
   if (memory_.size() < size + 64) {
     memory_ = PageMemory();  // the old one first: both at once would count twice
     memory_ = PageMemory(size + 64);
   }
   while (size_ < size) {
-    const ssize_t got = ::read(file, memory_.data() + size_, size - size_);
+    const ssize_t got = ::read(file.get(), memory_.data() + size_, size - size_);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+    if (got < 0) throw Error::at(path, std::string("cannot be read: ") + std::strerror(errno));
     if (got == 0) break;
     size_ += static_cast<std::size_t>(got);
   }
-  ::close(file);
 }
 
 }  // namespace etak

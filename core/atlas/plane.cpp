@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/plane.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/input.h"
 #include "core/image/linear_tables.h"
 
 namespace etak {
@@ -23,15 +21,12 @@ std::uint32_t big_endian(const unsigned char* bytes) {
 
 // The head of a PNG that png.h reads, without its other bytes. What is wrong with it PngReader tells later.
 std::optional<PictureHeader> png_header(const std::string& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (file < 0) return std::nullopt;
-  unsigned char head[29];
-  const ssize_t got = ::pread(file, head, sizeof head, 0);
-  ::close(file);
+  std::array<unsigned char, 29> head{};
+  const std::string bytes = read_head(path, head.size());
   constexpr unsigned char first[] = {0x89, 'P', 'N', 'G', 13, 10, 26, 10, 0, 0, 0, 13, 'I', 'H', 'D', 'R'};
-  if (got != static_cast<ssize_t>(sizeof head) || std::memcmp(head, first, sizeof first) != 0)
-    return std::nullopt;
-  const std::uint32_t width = big_endian(head + 16), height = big_endian(head + 20);
+  if (bytes.size() < head.size() || std::memcmp(bytes.data(), first, sizeof first) != 0) return std::nullopt;
+  std::copy(bytes.begin(), bytes.end(), head.begin());
+  const std::uint32_t width = big_endian(&head[16]), height = big_endian(&head[20]);
   const int bits = head[24], color = head[25];
   const int channels = color == 0 ? 1 : color == 4 ? 2 : color == 2 ? 3 : color == 6 ? 4 : 0;
   const bool ours = (bits == 8 || bits == 16) && channels != 0 && head[28] == 0;
@@ -68,9 +63,6 @@ std::vector<std::uint8_t> CodeCurve::codes(int bits, std::vector<bool>* clamped)
 
 PictureHeader picture_header(const std::string& path, const PictureDoor& door) {
   if (const auto png = png_header(path)) return *png;
-  // Told here, because the door may stand for another program.
-  if (::access(path.c_str(), R_OK) != 0)
-    throw Error::at(path, std::string("cannot be opened: ") + std::strerror(errno));
   PictureHeader header = door.header(path);
   header.strips = false;
   return header;

@@ -11,6 +11,7 @@
 
 #include "core/base/descriptor.h"
 #include "core/base/error.h"
+#include "core/base/input.h"
 
 namespace etak {
 namespace {
@@ -47,16 +48,7 @@ std::string target_of(const std::string& path) {
 
 void read_file(const std::string& path, std::string& out, std::size_t most) {
   out.clear();
-  // O_NONBLOCK: a FIFO without a writer must not hang the call; regular files ignore it.
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.get() < 0) throw Error::at(path, "cannot be opened: " + reason());
-  struct stat info {};
-  if (::fstat(file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason());
-  if (S_ISDIR(info.st_mode)) throw Error::at(path, "is a folder", "a file");
-  if (!S_ISREG(info.st_mode))
-    throw Error::at(path, "is no regular file", "a regular file, or - for standard input");
-  const auto size = static_cast<std::size_t>(info.st_size);
-  if (size > most) throw Error::at(path, "holds " + std::to_string(size >> 20) + " MiB", too_large(most));
+  const auto [file, size] = open_input(path, most);
   // One byte more than the size, so that the usual file ends in a single short read.
   while (read_some(file.get(), out, (out.size() < size ? size - out.size() : 0) + 1, path) != 0) {
     if (out.size() > most) throw Error::at(path, "grew while it was read", too_large(most));
@@ -67,13 +59,6 @@ void read_file(const std::string& path, std::string& out, std::size_t most) {
 std::string read_file(const std::string& path, std::size_t most) {
   std::string out;
   read_file(path, out, most);
-  return out;
-}
-
-std::string read_stdin(std::size_t most) {
-  std::string out;
-  while (read_some(STDIN_FILENO, out, std::size_t{1} << 16, "<stdin>") != 0)
-    if (out.size() > most) throw Error::at("<stdin>", "does not end", too_large(most));
   return out;
 }
 

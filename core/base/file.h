@@ -10,14 +10,11 @@ namespace etak {
 /// Largest text file any reader of etak takes: the largest real page is under 1 MB, so more is a mistake.
 inline constexpr std::size_t max_text_bytes = std::size_t{256} << 20;
 
-/// Reads a whole regular file into `out` (its capacity is reused). Throws Error naming the path when it
-/// cannot be opened, is a folder, or holds more than `most` bytes (the size is looked at before anything is
-/// read).
+/// Reads a whole file into `out` (its capacity is reused): a regular file, or a pipe that the user named (see
+/// input.h). Throws Error naming the path when it cannot be opened, is anything else, or holds more than
+/// `most` bytes.
 void read_file(const std::string& path, std::string& out, std::size_t most = max_text_bytes);
 std::string read_file(const std::string& path, std::size_t most = max_text_bytes);
-
-/// Reads standard input to its end; the same limit.
-std::string read_stdin(std::size_t most = max_text_bytes);
 
 /// Writes `bytes` to a temporary beside `path`, flushes it to disk and renames it over `path`, so that a
 /// reader sees the old file or the new one and never a part. Throws Error when `path` exists and `overwrite`

@@ -1,10 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/color/colorspace.h"
 
+#include <string>
+
 namespace etak {
 namespace {
 
 constexpr std::array<std::string_view, 5> space_names{"srgb", "acescg", "rec2020", "display-p3", "xyz"};
+
+struct CommonName {
+  std::string_view folded;
+  RgbSpace space;
+};
+
+// Spaces of the same primaries and white; every one is linear, whatever curve its standard adds for codes.
+constexpr std::array common_names{
+    CommonName{"srgb", RgbSpace::srgb},
+    CommonName{"linear", RgbSpace::srgb},
+    CommonName{"linearsrgb", RgbSpace::srgb},
+    CommonName{"srgblinear", RgbSpace::srgb},
+    CommonName{"rec709", RgbSpace::srgb},
+    CommonName{"bt709", RgbSpace::srgb},
+    CommonName{"linearrec709", RgbSpace::srgb},
+    CommonName{"acescg", RgbSpace::acescg},
+    CommonName{"ap1", RgbSpace::acescg},
+    CommonName{"acesap1", RgbSpace::acescg},
+    CommonName{"rec2020", RgbSpace::rec2020},
+    CommonName{"bt2020", RgbSpace::rec2020},
+    CommonName{"linearrec2020", RgbSpace::rec2020},
+    CommonName{"displayp3", RgbSpace::display_p3},
+    CommonName{"lineardisplayp3", RgbSpace::display_p3},
+    CommonName{"p3d65", RgbSpace::display_p3},
+    CommonName{"xyz", RgbSpace::xyz},
+    CommonName{"ciexyz", RgbSpace::xyz},
+};
 
 // White of ACES (SMPTE ST 2065-1), the one space here whose white is not D65.
 constexpr Xyz aces_white{0.32168 / 0.33767, 1, (1 - 0.32168 - 0.33767) / 0.33767};
@@ -16,8 +45,13 @@ std::string_view name(RgbSpace space) {
 }
 
 std::optional<RgbSpace> rgb_space_named(std::string_view text) {
-  for (const RgbSpace space : all_rgb_spaces)
-    if (text == name(space)) return space;
+  if (text.empty() || text.front() == ' ' || text.back() == ' ') return std::nullopt;
+  std::string folded;
+  for (const char c : text)
+    if (c != ' ' && c != '-' && c != '_' && c != '.')
+      folded += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const CommonName& each : common_names)
+    if (folded == each.folded) return each.space;
   return std::nullopt;
 }
 

@@ -17,6 +17,9 @@ inline constexpr std::array all_rgb_spaces{RgbSpace::srgb, RgbSpace::acescg, Rgb
                                            RgbSpace::display_p3, RgbSpace::xyz};
 
 std::string_view name(RgbSpace space);  // "srgb", "acescg", "rec2020", "display-p3", "xyz"
+
+/// The space that `text` is a common name of, in any case and with blanks, '-', '_' and '.' left out: "sRGB",
+/// "Rec.709", "linear", "ACEScg", "BT.2020", "Display P3", "CIE XYZ". All are linear spaces here.
 std::optional<RgbSpace> rgb_space_named(std::string_view text);
 
 /// CIE 1931 chromaticities of the primaries: {{xr, yr}, {xg, yg}, {xb, yb}}. Not for `xyz`.

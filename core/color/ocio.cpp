@@ -12,6 +12,8 @@
 
 #include "core/base/edit_distance.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/input.h"
 #include "core/color/colorspace.h"
 #include "core/color/ocio_config.h"
 
@@ -56,6 +58,15 @@ OpenConfig open_config(const std::string& asked) {
       std::istringstream text{std::string(ocio_config_text)};
       return {ocio::Config::CreateFromStream(text), builtin_ocio_config};
     }
+    if (is_pipe_input(path)) {
+      // No folder is known: the tables that the config names are looked for in the working folder.
+      std::istringstream text{read_file(path, max_config_bytes)};
+      const auto config = ocio::Config::CreateFromStream(text)->createEditableCopy();
+      std::error_code failure;
+      config->setWorkingDir(std::filesystem::current_path(failure).c_str());
+      return {config, path};
+    }
+    // OpenColorIO opens the file itself, to find what lies beside it.
     std::error_code failure;
     if (!std::filesystem::is_regular_file(path, failure))
       throw Error::at(path, "no such file", "an OpenColorIO config (--ocio or $OCIO)");

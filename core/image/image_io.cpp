@@ -3,15 +3,12 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <sys/stat.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <memory>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/input.h"
 #include "core/image/picture_bytes.h"
 
 namespace etak {
@@ -94,22 +91,19 @@ Input open_bytes(std::string_view bytes, const std::string& label) {
 // Formats that can be large, and whose decoders notice an early end, are read piece by piece; formats that
 // are not known by their first bytes are left to OpenImageIO, which goes by the ending and then tries all.
 Input open_path(const std::string& path) {
-  struct stat info {};
-  if (::stat(path.c_str(), &info) != 0)
-    throw Error::at(path, std::string("cannot be opened: ") + std::strerror(errno));
-  if (!S_ISREG(info.st_mode)) throw Error::at(path, "is no regular file", "a picture file");
-  if (info.st_size == 0) throw Error::at(path, "is empty", "a picture");
-  std::string head(32, '\0');
-  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  const std::string head = read_head(path, 32);
+  if (head.empty()) throw Error::at(path, "is empty", "a picture");
   const std::string format = picture_format(head, path);
+  const bool pipe = is_pipe_input(path);
   Input out;
   if (format.empty()) {
+    if (pipe) fail_no_picture(path, "its first bytes are those of no known format");
     OIIO::ImageSpec config;
     config[unassociated] = 1;
     out.reader = OIIO::ImageInput::open(path, &config);
     if (!out.reader) fail_no_picture(path, one_line(OIIO::geterror()));
   } else {
-    if (format != "openexr" && format != "tiff") {
+    if (pipe || (format != "openexr" && format != "tiff")) {
       out.kept = std::make_unique<std::string>(read_file(path, std::size_t{1} << 31));
       out.bytes = *out.kept;
     }

@@ -2,9 +2,9 @@
 #include "core/image/load.h"
 
 #include <algorithm>
-#include <fstream>
 
 #include "core/base/file.h"
+#include "core/base/input.h"
 #include "core/image/image_io.h"
 #include "core/image/picture_bytes.h"
 #include "core/image/png.h"
@@ -82,9 +82,7 @@ LoadedImage load_picture(std::string_view bytes, const std::string& label) {
 }
 
 LoadedImage load_picture(const std::string& path) {
-  std::string head(8, '\0');
-  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (picture_format(head, path) != "png") return from_oiio(read_any_image(path));
+  if (picture_format(read_head(path, 8), path) != "png") return from_oiio(read_any_image(path));
   return load_picture(read_file(path, std::size_t{1} << 31), path);
 }
 

@@ -8,15 +8,13 @@
 #include "core/atlas/gltf_pack.h"
 #include "core/atlas/manifest.h"
 #include "core/base/file.h"
+#include "core/base/input.h"
+#include "core/scene/gltf.h"
 
 namespace etak {
 namespace {
 
 constexpr int most_side = 2048;
-
-bool is_gltf(const std::string& path) {
-  return path.ends_with(".gltf") || path.ends_with(".glb");
-}
 
 bool is_folder(const std::string& path) {
   std::error_code failure;
@@ -50,7 +48,7 @@ void add_spectrum(const ManifestMaterial& m, const MaterialLibrary& library, Cho
 }  // namespace
 
 bool names_scene(const std::string& path) {
-  return is_gltf(path) || path.ends_with(".json") || is_folder(path);
+  return is_gltf_file(path) || path.ends_with(".json") || is_folder(path) || is_pipe_input(path);
 }
 
 std::vector<ChooseSubject> scene_subjects(const std::string& path, const PackOptions& options,
@@ -58,7 +56,7 @@ std::vector<ChooseSubject> scene_subjects(const std::string& path, const PackOpt
   PackInputs inputs;
   AtlasManifest manifest;
   std::unique_ptr<ScenePack> scene;
-  if (is_gltf(path)) {
+  if (is_gltf_file(path)) {
     scene = std::make_unique<ScenePack>(path, options);
     inputs = scene->inputs();
     scene->add_remarks(remarks);

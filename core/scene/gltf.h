@@ -143,6 +143,9 @@ inline constexpr std::size_t most_gltf_buffer_bytes = std::size_t{1} << 31;
 ///   that place copies (EXT_mesh_gpu_instancing) are not looked at. Primitives without a material are no use.
 GltfScene read_gltf(const std::string& path, const GltfOptions& options);
 
+/// Whether `path` is a glTF scene: by its ending, .gltf or .glb; what comes from a pipe by its first bytes.
+bool is_gltf_file(const std::string& path);
+
 /// The same from bytes in memory; `path` names them and its folder holds the files they refer to.
 GltfScene parse_gltf(std::string_view bytes, const std::string& path, const GltfOptions& options);
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "core/base/file.h"
+#include "core/base/input.h"
+#include "core/exchange/content_kind.h"
 #include "core/scene/glb.h"
 #include "core/scene/uri.h"
 
@@ -169,6 +171,11 @@ GltfScene read_gltf(const std::string& path, const GltfOptions& options) {
   std::string bytes;
   read_file(path, bytes, most_gltf_buffer_bytes);
   return parse_gltf(bytes, path, options);
+}
+
+bool is_gltf_file(const std::string& path) {
+  if (path.ends_with(".gltf") || path.ends_with(".glb")) return true;
+  return is_pipe_input(path) && content_kind(read_head(path, content_head)) == ContentKind::gltf;
 }
 
 }  // namespace etak

@@ -7,6 +7,7 @@
 #include "core/atlas/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/validate/nearest.h"
 #include "core/validate/rules.h"
 
 namespace etak {
@@ -77,6 +78,7 @@ std::string settings_hash(const Settings& settings) {
     for (const RuleParameter& parameter : rule->parameters)
       add(number(parameter_of(*rule, parameter.name, settings), 17));
   }
+  text += library_hash();
   ContentHash hash;
   hash.add(text);
   return hash.hex();

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/input.h"
 #include "core/base/parallel.h"
+#include "core/exchange/content_kind.h"
+#include "core/image/picture_bytes.h"
 #include "core/scene/gltf.h"
 #include "core/validate/engine.h"
 #include "core/validate/flat_rows.h"
@@ -306,6 +308,36 @@ ValidationReport validate(const std::vector<CheckTarget>& targets, const Setting
   return report_of(std::move(files), settings);
 }
 
+namespace {
+
+std::optional<FileRole> kind_of_json(std::string_view head) {
+  const auto has = [&](std::string_view text) { return head.find(text) != std::string_view::npos; };
+  if (has("\"pages\"") && (has("\"rects\"") || has("etak-atlas-layout"))) return FileRole::layout;
+  if (has("\"datasets\"") || has("etak-material/")) return FileRole::material;
+  return std::nullopt;
+}
+
+// What comes from a pipe has no ending that could tell it.
+std::optional<FileRole> kind_of_content(std::string_view head) {
+  switch (content_kind(head)) {
+    case ContentKind::gltf:
+      return FileRole::scene;
+    case ContentKind::json:
+      return kind_of_json(head);
+    case ContentKind::page:
+    case ContentKind::table:
+      return FileRole::spectrum;
+    case ContentKind::binary:
+    case ContentKind::prose:
+      break;
+  }
+  // Of the formats of pictures Radiance HDR begins with lines of text.
+  if (!picture_format(head, "").empty()) return FileRole::specular_gloss;
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<FileRole> file_kind(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -313,17 +345,10 @@ std::optional<FileRole> file_kind(const std::string& path) {
     if (ending == picture) return FileRole::specular_gloss;
   if (ending == ".gltf" || ending == ".glb") return FileRole::scene;
   if (ending == ".yml" || ending == ".yaml" || ending == ".csv") return FileRole::spectrum;
-  if (ending != ".json") return std::nullopt;
-  std::ifstream in(path, std::ios::binary);
-  std::string head(std::size_t{64} << 10, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
-  if (head.find("\"pages\"") != std::string::npos &&
-      (head.find("\"rects\"") != std::string::npos || head.find("etak-atlas-layout") != std::string::npos))
-    return FileRole::layout;
-  if (head.find("\"datasets\"") != std::string::npos || head.find("etak-material/") != std::string::npos)
-    return FileRole::material;
-  return std::nullopt;
+  const bool pipe = is_pipe_input(path);
+  if (ending != ".json" && !pipe) return std::nullopt;
+  const std::string head = read_head(path, content_head);
+  return ending == ".json" ? kind_of_json(head) : kind_of_content(head);
 }
 
 PicturesInMemory LoadedPictures::in_memory() const {

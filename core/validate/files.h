@@ -29,8 +29,9 @@ CheckedFile check(const CheckTarget& target, const PictureOpener& open, const Se
 ValidationReport validate(const std::vector<CheckTarget>& targets, const Settings& settings,
                           unsigned threads);
 
-/// What kind of file a path is by its ending and, for .json, by its first bytes; nullopt: none that is
-/// checked. Pictures come back as specular_gloss: which role they have is for the caller's patterns to say.
+/// What kind of file a path is by its ending and, for .json and what comes from a pipe, by its first bytes;
+/// nullopt: none that is checked. Throws Error where those bytes cannot be read. Pictures come back as
+/// specular_gloss: which role they have is for the caller's patterns to say.
 std::optional<FileRole> file_kind(const std::string& path);
 
 /// An atlas layout: one target per page, with tiles and gutter, and last one for the materials that are on no

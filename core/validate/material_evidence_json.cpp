@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/input.h"
 #include "core/base/json_node.inc"
+#include "core/exchange/content_kind.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/dispersion.h"
@@ -196,7 +198,8 @@ MaterialEvidence evidence_of_spectrum(std::string_view text, const std::string& 
                                       const std::string& label) {
   MaterialEvidence evidence;
   evidence.is_material_file = false;
-  const bool page = path.ends_with(".yml") || path.ends_with(".yaml");
+  const bool page = path.ends_with(".yml") || path.ends_with(".yaml") ||
+                    (is_pipe_input(path) && content_kind(text) == ContentKind::page);
   if (page) {
     RiiPage content;
     parse_rii_page(text, label, content);

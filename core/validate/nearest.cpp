@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/atlas/content_hash.h"
 #include "core/material/f0.h"
+#include "core/material/json.h"
 #include "core/material/library.h"
 #include "core/material/quality.h"
 #include "core/validate/code_tables.h"
@@ -13,8 +15,17 @@ namespace etak {
 
 namespace {
 
+const MaterialLibrary* asked_library = nullptr;
+std::string asked_hash;
+
+const MaterialLibrary& known_library() {
+  if (asked_library != nullptr) return *asked_library;
+  static const MaterialLibrary library = MaterialLibrary::builtin();
+  return library;
+}
+
 std::vector<KnownF0> compute() {
-  const MaterialLibrary library = MaterialLibrary::builtin();
+  const MaterialLibrary& library = known_library();
   const F0Solver solver{F0Options{}};
   std::vector<KnownF0> known;
   for (std::size_t i = 0; i < library.ids().size(); ++i) {
@@ -51,6 +62,19 @@ double code_with_fraction(double linear, TextureTransfer transfer) {
 
 }  // namespace
 
+void use_library(const MaterialLibrary& library) {
+  asked_library = &library;
+  ContentHash hash;
+  std::string text;
+  for (std::size_t i = 0; i < library.ids().size(); ++i) text += format_material(library.at(i));
+  hash.add(text);
+  asked_hash = hash.hex();
+}
+
+const std::string& library_hash() {
+  return asked_hash;
+}
+
 std::span<const KnownF0> known_f0() {
   static const std::vector<KnownF0> known = compute();
   return known;
@@ -59,8 +83,7 @@ std::span<const KnownF0> known_f0() {
 std::vector<const KnownF0*> known_f0_of(std::string_view material) {
   std::vector<const KnownF0*> found;
   if (material.empty()) return found;
-  static const MaterialLibrary library = MaterialLibrary::builtin();
-  const auto match = library.find(material);
+  const auto match = known_library().find(material);
   if (!match) return found;
   for (const KnownF0& entry : known_f0())
     if (entry.id == match->id) found.push_back(&entry);

@@ -12,6 +12,8 @@
 
 namespace etak {
 
+class MaterialLibrary;
+
 /// F0 of one dataset of the built-in library.
 struct KnownF0 {
   std::string id, name, dataset;  // material id and name
@@ -21,8 +23,15 @@ struct KnownF0 {
   double luminance = 0;
 };
 
-/// F0 of every dataset of the built-in library that gives one, without doubtful datasets that are not
-/// preferred: computed once per process, when first asked for.
+/// Puts `library`, which must live on, in the place of the built-in one for everything below. Called before
+/// the first question.
+void use_library(const MaterialLibrary& library);
+
+/// A fingerprint of that library's materials, as results depend on them; empty for the built-in one.
+const std::string& library_hash();
+
+/// F0 of every dataset of that library that gives one, without doubtful datasets that are not preferred:
+/// computed once per process, when first asked for.
 std::span<const KnownF0> known_f0();
 
 /// The entries of one material, by id, alias or name; empty: not in the library.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/input.h"
 #include "core/validate/output_formats.h"
 
 namespace etak {
@@ -31,9 +32,10 @@ std::string grouped(std::size_t value) {
 
 std::string place_of(const Finding& finding) {
   std::string out = finding.file;
-  // A scene's pointer to a material means nothing in the texture that the finding is in.
+  // A scene's pointer to a material means nothing in the texture that the finding is in. What came from a
+  // pipe is the scene itself: its textures are files.
   const bool in_texture = finding.pointer.starts_with("/materials/") && !finding.file.ends_with(".gltf") &&
-                          !finding.file.ends_with(".glb");
+                          !finding.file.ends_with(".glb") && !is_pipe_input(finding.file);
   if (!finding.pointer.empty() && !in_texture) out += '#' + finding.pointer;
   if (!finding.tile.empty())
     out += ":tile \"" + finding.tile + '"';

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/sha256.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <bit>
-#include <cstdio>
-#include <memory>
+#include <cerrno>
+#include <cstdint>
 #include <vector>
+
+#include "core/base/error.h"
+#include "core/base/input.h"
 
 namespace etak {
 namespace {
@@ -84,13 +89,20 @@ std::string Sha256::finish() {
 }
 
 std::string sha256_of_file(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) return {};
-  Sha256 hash;
-  std::vector<char> buffer(std::size_t{1} << 18);
-  for (std::size_t count; (count = std::fread(buffer.data(), 1, buffer.size(), file.get())) > 0;)
-    hash.add({buffer.data(), count});
-  return std::ferror(file.get()) != 0 ? std::string() : hash.finish();
+  try {
+    const OpenedInput input = open_input(path, SIZE_MAX);
+    Sha256 hash;
+    std::vector<char> buffer(std::size_t{1} << 18);
+    for (;;) {
+      const ssize_t count = ::read(input.file.get(), buffer.data(), buffer.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) return {};
+      if (count == 0) return hash.finish();
+      hash.add({buffer.data(), static_cast<std::size_t>(count)});
+    }
+  } catch (const Error&) {
+    return {};
+  }
 }
 
 }  // namespace etak

@@ -130,3 +130,16 @@ TEST_CASE("space names read back") {
   CHECK(name(RgbSpace::display_p3) == "display-p3");
   CHECK(!rgb_space_named("sRGB "));
 }
+
+TEST_CASE("found 1.15: common names of the spaces are known in any case") {
+  for (const char* text : {"sRGB", "SRGB", "linear", "Linear sRGB", "Rec.709", "rec 709", "BT.709"})
+    CHECK(rgb_space_named(text) == RgbSpace::srgb);
+  for (const char* text : {"ACEScg", "AP1"}) CHECK(rgb_space_named(text) == RgbSpace::acescg);
+  for (const char* text : {"Rec.2020", "BT2020"}) CHECK(rgb_space_named(text) == RgbSpace::rec2020);
+  for (const char* text : {"Display P3", "DisplayP3", "P3-D65"})
+    CHECK(rgb_space_named(text) == RgbSpace::display_p3);
+  for (const char* text : {"XYZ", "CIE XYZ"}) CHECK(rgb_space_named(text) == RgbSpace::xyz);
+  // Other primaries, other white, or a curve of their own.
+  for (const char* text : {"ACES", "ACES2065-1", "DCI-P3", "Adobe RGB", "sRGB texture", "", " "})
+    CHECK_FALSE(rgb_space_named(text));
+}

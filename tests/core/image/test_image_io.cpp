@@ -107,7 +107,7 @@ TEST_CASE("errors name the file: missing, no picture, cut short, in the way, unw
   const std::string missing = folder.file("missing.exr"), text = folder.file("text.png"),
                     cut = folder.file("cut.png");
   says(test::error_of([&] { (void)read_image(missing); }), missing, "No such file");
-  says(test::error_of([&] { (void)read_image(folder.path()); }), folder.path(), "no regular file");
+  says(test::error_of([&] { (void)read_image(folder.path()); }), folder.path(), "is a folder");
   test::spit(text, "no picture at all");
   says(test::error_of([&] { (void)read_image(text); }), text, "cannot be read as a picture");
   write_png(cut, two_textures(), false);

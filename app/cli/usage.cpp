@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/usage.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/output.h"
+#include "core/base/edit_distance.h"
+#include "core/base/error.h"
+
+namespace etak::cli {
+namespace {
+
+std::string listed(const std::vector<std::string>& words, const char* between, const char* last) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == words.size() ? last : between) + words[i];
+  return out;
+}
+
+// What the parser says of an option's values, "NAME:{a,b}" or "N:INT in [1 - 9]", taken apart.
+struct Values {
+  std::string name;                // "FILE", "TEXT", "INT"
+  std::vector<std::string> words;  // of a set
+  std::string range;               // "1 to 9", "above 0"
+};
+
+Values values_of(const CLI::Option& option) {
+  const std::string whole = option.get_type_name();
+  const std::size_t colon = whole.find(':');
+  Values out;
+  out.name = whole.substr(0, colon);
+  if (colon == whole.npos) return out;
+  const std::string check = whole.substr(colon + 1);
+  const std::size_t open = check.find_first_of("{["), close = check.find_last_of("}]");
+  if (check == "POSITIVE") {
+    out.range = "above 0";
+  } else if (open == check.npos || close == check.npos || close < open) {
+    out.range = check;
+  } else if (const std::string inside = check.substr(open + 1, close - open - 1); check[open] == '{') {
+    for (std::size_t begin = 0; begin <= inside.size();) {
+      const std::size_t end = std::min(inside.find(',', begin), inside.size());
+      out.words.push_back(inside.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  } else {
+    const std::size_t dash = inside.find(" - ");
+    out.range = inside.substr(0, dash) + " to " + inside.substr(std::min(dash + 3, inside.size()));
+  }
+  return out;
+}
+
+// What a value is in a reader's words; the parser's names of types say nothing to who types it.
+std::string plain_name(const std::string& type) {
+  if (type == "INT" || type == "UINT") return "N";
+  if (type == "FLOAT") return "NUMBER";
+  return type;
+}
+
+std::string expected_of(const CLI::Option& option) {
+  const Values values = values_of(option);
+  if (!values.words.empty()) return listed(values.words, ", ", " or ");
+  const bool whole =
+      values.name == "INT" || values.name == "UINT" || (values.name == "N" && values.range.empty());
+  const std::string kind = whole ? "a whole number" : values.name == "FLOAT" ? "a number" : "";
+  if (values.range.empty()) return !kind.empty() ? kind : values.name == "TEXT" ? "a value" : values.name;
+  return kind.empty() ? values.range : kind + ", " + values.range;
+}
+
+class PlainFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_opts(const CLI::Option* option) const override {
+    if (!option->get_option_text().empty() || option->get_type_size() == 0)
+      return CLI::Formatter::make_option_opts(option);
+    const Values values = values_of(*option);
+    std::string out;
+    const auto add = [&](const std::string& part) {
+      if (!part.empty()) out += " " + part;
+    };
+    const bool typed = values.name != "TEXT" || values.words.empty();
+    if (typed) add(plain_name(values.name));
+    add(listed(values.words, " | ", " | "));
+    if (!values.range.empty()) add("(" + values.range + ")");
+    if (!option->get_default_str().empty()) add("[" + option->get_default_str() + "]");
+    if (option->get_expected_max() == CLI::detail::expected_max_vector_size) add("...");
+    if (option->get_required()) add("(needed)");
+    std::vector<std::string> others;
+    for (const CLI::Option* other : option->get_excludes()) others.push_back(other->get_name());
+    if (!others.empty()) add("(not with " + listed(others, ", ", " or ") + ")");
+    return out;
+  }
+};
+
+std::vector<std::string> verbs_of(const CLI::App& app) {
+  std::vector<std::string> out;
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    out.push_back(verb->get_name());
+  return out;
+}
+
+std::vector<std::string> options_of(const CLI::App& verb) {
+  std::vector<std::string> out;
+  for (const CLI::Option* option : verb.get_options())
+    for (const std::string& name : option->get_lnames()) out.push_back("--" + name);
+  return out;
+}
+
+// The option that a message of the parser names; null where it names none.
+const CLI::Option* option_in(const CLI::App& verb, std::string_view text) {
+  const CLI::Option* found = nullptr;
+  std::size_t length = 0;
+  for (const CLI::Option* option : verb.get_options()) {
+    const std::string name = option->get_name();
+    const std::size_t at = text.find(name), behind = at + name.size();
+    const bool whole = at != text.npos && (at == 0 || text[at - 1] == ' ') &&
+                       (behind == text.size() || text[behind] == ':' || text[behind] == ' ');
+    if (!whole || name.size() <= length) continue;
+    found = option;
+    length = name.size();
+  }
+  return found;
+}
+
+// The value that does not fit: of a set the first that is not in it, else what was typed.
+std::string misfit(const CLI::Option& option) {
+  const Values values = values_of(option);
+  const std::vector<std::string>& typed = option.results();
+  for (const std::string& each : typed)
+    if (!values.words.empty() &&
+        std::find(values.words.begin(), values.words.end(), each) == values.words.end())
+      return each;
+  return listed(typed, " ", " ");
+}
+
+std::string unknown_argument(const CLI::App& app, const CLI::App& verb) {
+  std::vector<std::string> left = verb.remaining();
+  if (left.empty()) left = app.remaining();
+  const std::string first = left.empty() ? "" : left.front();
+  const std::string called = &verb == &app ? "etak" : "etak " + verb.get_name();
+  if (first.starts_with('-') && first.size() > 1) {
+    const std::string name = first.substr(0, first.find('='));
+    return Error::at(printable(name), "no option of " + called,
+                     "one that " + called + " --help lists" + did_you_mean(name, options_of(verb)))
+        .what();
+  }
+  if (&verb == &app)
+    return Error::at(printable(first), "no verb of etak",
+                     "one that etak --help lists" + did_you_mean(first, verbs_of(app)))
+        .what();
+  return Error::at(printable(first, 200), "one argument more than " + called + " takes",
+                   "what " + called + " --help lists")
+      .what();
+}
+
+std::string verb_help(const CLI::App& app, const std::string& name) {
+  if (name.empty()) return app.get_formatter()->make_help(&app, "etak", CLI::AppFormatMode::Normal);
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (verb->get_name() == name) return verb->help("etak");
+  throw Error::at(printable(name), "no verb of etak",
+                  "one that etak --help lists" + did_you_mean(name, verbs_of(app)));
+}
+
+}  // namespace
+
+std::string did_you_mean(std::string_view typed, const std::vector<std::string>& names) {
+  const std::string* nearest = nullptr;
+  std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
+  for (const std::string& name : names) {
+    const bool begins =
+        typed.size() >= 2 && name.starts_with(typed) && typed.find_first_not_of('-') != typed.npos;
+    const std::size_t distance = begins ? 0 : edit_distance(typed, name);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &name;
+  }
+  return nearest == nullptr ? "" : "; did you mean " + *nearest + "?";
+}
+
+void use_plain_help(CLI::App& app) {
+  const auto formatter = std::make_shared<PlainFormatter>();
+  app.formatter(formatter);
+  for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->formatter(formatter);
+}
+
+std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& verb = chosen.empty() ? app : *chosen.front();
+  const std::string text = error.what(), kind = error.get_name();
+  // Its own name is that of the verb.
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return unknown_argument(app, verb);
+  const CLI::Option* option = option_in(verb, text);
+  if (option == nullptr) return text;
+  const std::string name = option->get_name();
+  if (kind == "RequiredError") return Error::at(name, "is missing", option->get_description()).what();
+  if (kind == "ValidationError" || kind == "ConversionError") {
+    const std::string found = misfit(*option);
+    return Error::at(name, printable(found, 80),
+                     expected_of(*option) + did_you_mean(found, values_of(*option).words))
+        .what();
+  }
+  if (kind == "ArgumentMismatch") {
+    const int least = option->get_items_expected_min();
+    const std::string wanted = expected_of(*option);
+    const std::string count =
+        option->results().empty() ? "no value" : std::to_string(option->results().size()) + " values";
+    return Error::at(name, count, least > 1 ? std::to_string(least) + " of " + wanted : wanted).what();
+  }
+  if (kind == "ExcludesError") {
+    const std::size_t word = text.find(" excludes ");
+    return Error::at(text.substr(0, word), "given beside " + text.substr(word + 10), "one of the two").what();
+  }
+  return text;
+}
+
+void add_help(CLI::App& app, Verb& chosen) {
+  const auto name = std::make_shared<std::string>();
+  CLI::App& verb = *app.add_subcommand("help", "what etak or one of its verbs takes");
+  verb.add_option("VERB", *name, "a verb")->type_name("");
+  verb.footer("Example:\n  etak help f0");
+  verb.callback([name, &app, &chosen] {
+    chosen = [name, &app] {
+      write_output({}, verb_help(app, *name));
+      return exit_ok;
+    };
+  });
+}
+
+}  // namespace etak::cli

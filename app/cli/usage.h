@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/cli/verbs.h"
+
+namespace CLI {
+class ParseError;
+}  // namespace CLI
+
+namespace etak::cli {
+
+/// "; did you mean NAME?" for the name that `typed` most likely stands for: the one that it begins, or one
+/// that is at most a third of its letters away. Empty where none is near.
+std::string did_you_mean(std::string_view typed, const std::vector<std::string>& names);
+
+/// Makes the help of `app` and its verbs show the values of an option as "table | csv" and "1 to 256" instead
+/// of the parser's own types.
+void use_plain_help(CLI::App& app);
+
+/// A mistake on the line in etak's form, "PLACE: FOUND; expected EXPECTED", without the program's name.
+std::string message_of(const CLI::App& app, const CLI::ParseError& error);
+
+/// Adds `etak help [VERB]`.
+void add_help(CLI::App& app, Verb& chosen);
+
+}  // namespace etak::cli
