@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/file_options.h"
+#include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 
 namespace etak::cli {
@@ -21,14 +22,13 @@ void add_choose(CLI::App& app, Verb& chosen) {
       ->type_name("SCENE|MATERIAL");
   verb->add_flag("--all", arguments->all, "every material of the library that has n and k");
   verb->add_option("--budget", arguments->budget,
-                   "largest difference of F at any angle and of any pixel, CIEDE2000")
-      ->check(CLI::PositiveNumber)
+                   "largest difference of F at any angle and of any pixel, CIEDE2000; 0: the least there is")
       ->capture_default_str();
   verb->add_flag("--codes", arguments->codes, "the budget is in 8-bit sRGB codes of the worst channel");
   add_roughness_options(*verb, arguments->rough, "of a library material's sphere that is compared");
   auto* measure = verb->add_flag(
       "--measure", arguments->measure,
-      "time everything here (half a minute) instead of taking the shipped costs; the choice may differ");
+      "time everything here (a minute) instead of taking the shipped costs; the choice may differ");
   reads_file(verb->add_option("--costs", arguments->costs,
                               "a cost table of --write-costs instead of the shipped one"))
       ->excludes(measure)
@@ -37,6 +37,7 @@ void add_choose(CLI::App& app, Verb& chosen) {
   add_library_options(*verb, arguments->library);
   add_thread_option(*verb, arguments->threads);
   add_output_options(*verb, arguments->output, {"text", "json"});
+  add_progress_option(*verb, arguments->output.progress);
   verb->footer(
       "The JSON form is what etak shader and etak pack take as --choice.\n"
       "Example:\n  etak choose gold silver water --budget 1");

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <functional>
+#include <optional>
 
 #include "app/cli/choose.h"
 #include "app/cli/inputs.h"
 #include "app/cli/pack.h"
+#include "app/cli/progress.h"
+#include "app/cli/replace.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
@@ -19,12 +23,15 @@ namespace {
 CostTable cost_table(const ChooseArguments& arguments) {
   if (arguments.measure || arguments.write_costs) {
     const ReportHeader header = report_header({});
-    return measure_costs(header.cpu + ", " + header.compiler + ", " + header.flags);
+    Progress progress(arguments.output, 0, "choose");
+    progress.stage("measuring costs");
+    return measure_costs(header.cpu + ", " + header.compiler + ", " + header.flags,
+                         [&](std::size_t done, std::size_t all) { progress.set(done, all); });
   }
   return arguments.costs.empty() ? shipped_costs() : parse_costs(read_file(arguments.costs), arguments.costs);
 }
 
-void add_scene(const std::string& scene, ChooseArguments& arguments,
+void add_scene(const std::string& scene, ChooseArguments& arguments, std::size_t& total,
                const std::function<void(const ChooseSubject&)>& add) {
   PackOptions options;
   options.door = picture_door();
@@ -32,14 +39,16 @@ void add_scene(const std::string& scene, ChooseArguments& arguments,
   std::vector<std::string> remarks;
   const auto subjects = scene_subjects(scene, options, arguments.library.get(), remarks);
   for (const std::string& each : remarks) remark(arguments.output, each);
+  total = subjects.size();
   for (const ChooseSubject& subject : subjects) add(subject);
 }
 
 }  // namespace
 
 int choose_materials(ChooseArguments& arguments) {
+  check_output(arguments.output);
   if (arguments.measure || arguments.write_costs)
-    remark(arguments.output, "measuring costs: half a minute, longer on a busy machine");
+    remark(arguments.output, "measuring costs: a minute, longer on a busy machine");
   const CostTable costs = cost_table(arguments);
   if (arguments.write_costs) {
     write_output(arguments.output, format_costs(costs));
@@ -50,6 +59,8 @@ int choose_materials(ChooseArguments& arguments) {
   if (arguments.all == !arguments.materials.empty())
     throw Error::at("etak choose", arguments.all ? "--all and materials" : "no material",
                     "materials, or --all");
+  if (!(arguments.budget >= 0) || !std::isfinite(arguments.budget))
+    throw Error::at("--budget", number(arguments.budget, 6), "a finite number, 0 or above");
   ChooseOptions options;
   options.budget = arguments.budget;
   if (arguments.codes) options.unit = ErrorUnit::codes;
@@ -60,31 +71,37 @@ int choose_materials(ChooseArguments& arguments) {
     throw Error::at("etak choose", "--gloss or --roughness beside " + scene,
                     "a scene alone: it says its own");
   std::vector<Choice> choices;
+  std::vector<std::string> remarks;  // told behind the progress
   int status = exit_ok;
   // The sphere of a library material, as rough as was asked or as its class is by convention.
   const auto subject_of = [&](const Material& material, const Dataset& dataset) {
     if (given) {
       if (given->alpha() < lobe_alpha({{}, {}, *given}))
-        remark(arguments.output, material.id + ": the lobe of roughness " + number(given->roughness(), 3) +
-                                     " is compared with a width of " +
-                                     number(lobe_alpha({{}, {}, *given}), 3) +
-                                     ", the least that the models take");
+        remarks.push_back(material.id + ": the lobe of roughness " + number(given->roughness(), 3) +
+                          " is compared with a width of " + number(lobe_alpha({{}, {}, *given}), 3) +
+                          ", the least that the models take");
       return library_subject(material, dataset, *given);
     }
     const DefaultGloss standard = default_gloss(material, clarity(material, dataset).clear);
     const Gloss gloss(double{standard.gloss});
-    remark(arguments.output, material.id + ": " + told(standard) +
-                                 (standard.gloss.held() ? "; compared with " + roughness_text(gloss) : ""));
+    remarks.push_back(material.id + ": " + told(standard) +
+                      (standard.gloss.held() ? "; compared with " + roughness_text(gloss) : ""));
     return library_subject(material, dataset, gloss);
   };
+  std::size_t total = arguments.all ? arguments.library.get().ids().size() : arguments.materials.size();
+  std::optional<Progress> progress(std::in_place, arguments.output, total, "choose");
   const auto add = [&](const ChooseSubject& subject) {
+    progress->stage(subject.name);
     choices.push_back(choose(subject, options, costs));
-    if (!choices.back().met) status = exit_findings;
+    progress->set(choices.size(), total);
+    if (choices.back().met) return;
+    status = exit_findings;
+    remarks.push_back(unmet_remark(choices.back()));
   };
   if (!scene.empty()) {
     if (arguments.materials.size() > 1)
       throw Error::at("etak choose", arguments.materials[1] + " beside " + scene, "one scene alone");
-    add_scene(scene, arguments, add);
+    add_scene(scene, arguments, total, add);
   } else if (arguments.all) {
     const MaterialLibrary& library = arguments.library.get();
     std::size_t reflectances = 0;
@@ -92,26 +109,31 @@ int choose_materials(ChooseArguments& arguments) {
       const Material material = library.at(i);
       if (!std::holds_alternative<OpticalConstants>(material.preferred_dataset().optics)) {
         ++reflectances;
+        --total;
         continue;
       }
       try {
         add(subject_of(material, material.preferred_dataset()));
       } catch (const Error& error) {
-        remark(arguments.output, error.what());
+        remarks.emplace_back(error.what());
         status = exit_findings;
+        --total;
       }
     }
-    remark(arguments.output, std::to_string(reflectances) + " materials without n and k are left out");
+    remarks.push_back(std::to_string(reflectances) + " materials without n and k are left out");
   } else {
     InputArguments names;
     names.names = arguments.materials;
     const std::vector<Input> inputs = find_inputs(names, arguments.library, 1);
-    for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
+    for (const std::string& each : alias_remarks(inputs)) remarks.push_back(each);
+    total = inputs.size();
     for (const Input& input : inputs) {
       const Material material = read_material(input, TableOptions{});
       add(subject_of(material, dataset_named(material, input.dataset, input.label())));
     }
   }
+  progress.reset();
+  for (const std::string& each : remarks) remark(arguments.output, each);
   write_output(arguments.output, arguments.output.format == "json" ? choice_json(choices, costs, scene)
                                                                    : choice_text(choices, costs, scene));
   return status;

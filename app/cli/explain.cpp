@@ -1,40 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/explain.h"
 
+#include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "app/cli/output.h"
+#include "app/cli/terminal.h"
 #include "app/cli/verbs.h"
 #include "core/base/json_text.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "core/base/wrap.h"
 #include "core/validate/config.h"
 #include "core/validate/rules.h"
 
 namespace etak::cli {
 namespace {
 
-// `text` in lines of at most `width` columns, each after `indent` blanks.
-std::string wrapped(std::string_view text, std::size_t indent, std::size_t width = 100) {
-  std::string out, line;
-  const auto flush = [&] {
-    if (!line.empty()) out += std::string(indent, ' ') + line + '\n';
-    line.clear();
-  };
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
-    const std::string_view word = text.substr(0, end);
-    if (!line.empty() && indent + display_width(line) + 1 + display_width(word) > width) flush();
-    if (!word.empty()) line += (line.empty() ? "" : " ") + std::string(word);
-    if (end < text.size() && text[end] == '\n') flush();
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  flush();
-  return out;
-}
+// Lines are easy to read up to here, however wide the terminal.
+constexpr std::size_t widest_line = 100;
 
 std::string profiles_of(const Rule& rule) {
   return std::string(name(rule.severity)) + ", strict profile " + std::string(name(rule.strict_severity));
@@ -65,7 +54,8 @@ int run(const ExplainArguments& arguments) {
   } else {
     for (const Rule* rule : meant) {
       if (!out.empty()) out += '\n';
-      out += arguments.output.format == "markdown" ? explanation_markdown(*rule) : explanation(*rule);
+      out += arguments.output.format == "markdown" ? explanation_markdown(*rule)
+                                                   : explanation(*rule, columns_of(STDOUT_FILENO));
     }
   }
   write_output(arguments.output, out);
@@ -74,21 +64,28 @@ int run(const ExplainArguments& arguments) {
 
 }  // namespace
 
-std::string explanation(const Rule& rule) {
+std::string explanation(const Rule& rule, std::size_t columns) {
+  const std::size_t width = columns == 0 ? widest_line : std::min(columns, widest_line);
+  const auto lines = [width](std::string_view text, std::size_t indent) {
+    return wrapped(text, indent, width);
+  };
   std::string out;
-  append(out, rule.id, ' ', rule.slug, ": ", rule.title, '\n');
-  append(out, "  ", rule.family(), "; severity ", profiles_of(rule), "\n\n");
-  append(out, wrapped(rule.what, 2), "\n  Why\n", wrapped(rule.why, 4));
-  append(out, "\n  Example\n", wrapped(rule.example, 4), "\n  Fix\n", wrapped(rule.fix, 4));
+  append(out, lines(std::string(rule.id) + ' ' + std::string(rule.slug) + ": " + std::string(rule.title), 0));
+  append(out, lines(std::string(rule.family()) + "; severity " + profiles_of(rule), 2), '\n');
+  append(out, lines(rule.what, 2), "\n  Why\n", lines(rule.why, 4));
+  append(out, "\n  Example\n", lines(rule.example, 4), "\n  Fix\n", lines(rule.fix, 4));
   if (!rule.parameters.empty()) {
-    append(out, "\n  Parameters, in etak.toml: [rules] ", rule.id, " = { ", rule.parameters.front().name,
-           " = ", number(rule.parameters.front().value, 9), " }\n");
+    append(out, "\n",
+           lines("Parameters, in etak.toml: [rules] " + std::string(rule.id) + " = { " +
+                     std::string(rule.parameters.front().name) + " = " +
+                     number(rule.parameters.front().value, 9) + " }",
+                 2));
     for (const RuleParameter& parameter : rule.parameters)
-      append(out, wrapped(std::string(parameter.name) + " = " + value_of(parameter) + ": " +
-                              std::string(parameter.meaning),
-                          4));
+      append(out, lines(std::string(parameter.name) + " = " + value_of(parameter) + ": " +
+                            std::string(parameter.meaning),
+                        4));
   }
-  append(out, "\n  Source\n", wrapped(rule.source, 4));
+  append(out, "\n  Source\n", lines(rule.source, 4));
   return out;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -9,7 +10,8 @@
 namespace etak::cli {
 
 /// The rule for people: what, why, an example, the fix, its parameters and sources.
-std::string explanation(const Rule& rule);
+///   columns   that it may take; 0: as many as are easy to read
+std::string explanation(const Rule& rule, std::size_t columns = 0);
 
 /// The same in Markdown, under a heading.
 std::string explanation_markdown(const Rule& rule);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -8,11 +10,15 @@
 #include <malloc.h>
 #endif
 
+#include "app/cli/empty_list.h"
 #include "app/cli/f0_worker.h"
 #include "app/cli/file_options.h"
 #include "app/cli/inputs.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
+#include "app/cli/progress.h"
+#include "app/cli/replace.h"
+#include "app/cli/terminal.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -32,6 +38,8 @@ struct F0Arguments {
   unsigned threads = 0;
   bool axis_average = false;
   bool stats = false;
+  bool verbose = false;
+  bool allow_empty = false;  // of --files-from
 };
 
 // What happened to the inputs, for the exit status and the closing remark.
@@ -104,8 +112,9 @@ void answer_one(const Input& input, const F0Job& job, const std::string& format,
   }
 }
 
-std::string joined(std::vector<Chunk>& chunks, const std::string& format, const F0Options& options,
-                   bool color) {
+std::string joined(std::vector<Chunk>& chunks, const OutputArguments& output, const F0Options& options,
+                   bool legend) {
+  const std::string& format = output.format;
   std::string out = format == "csv" ? f0_csv_header() : std::string();
   std::vector<F0Row> rows;
   for (Chunk& chunk : chunks) {
@@ -113,7 +122,11 @@ std::string joined(std::vector<Chunk>& chunks, const std::string& format, const 
     std::move(chunk.rows.begin(), chunk.rows.end(), std::back_inserter(rows));
   }
   if (format == "json") return f0_json(rows, options);
-  if (format == "table") return f0_table(rows, options, color);
+  if (format == "table") {
+    const std::size_t columns = is_standard_output(output) ? columns_of(STDOUT_FILENO) : 0;
+    const std::string table = f0_table(rows, options, use_color(output), columns);
+    return legend ? table + f0_legend(rows, options, columns) : table;
+  }
   return out;
 }
 
@@ -179,6 +192,14 @@ void print_remarks(const F0Arguments& arguments, const std::vector<Input>& input
   remark(arguments.output, text);
 }
 
+// For who reads a table on a terminal; in files and pipes nothing stands beside the rows.
+void hint_at_policy(const F0Arguments& arguments, const F0Options& options) {
+  const OutputArguments& output = arguments.output;
+  if (output.format != "table" || arguments.verbose || !is_standard_output(output)) return;
+  if (::isatty(STDOUT_FILENO) != 0)
+    remark(output, short_policy(options) + "; -v tells the whole policy and what the flags mean");
+}
+
 void print_stats(const StageTimes& times, double find, double wall, std::size_t inputs, unsigned threads) {
   const auto ms = [](double seconds) { return number(seconds * 1e3, 3) + " ms"; };
   const double megabytes = static_cast<double>(times.bytes) / 1e6;
@@ -208,6 +229,7 @@ int run(F0Arguments& arguments) {
   };
   const auto begin = Clock::now();
   const OutputArguments& output = arguments.output;
+  check_output(output);
   const bool is_html = output.format == "html";
   if (arguments.inputs.names.empty() && arguments.inputs.files_from.empty() && !arguments.inputs.all)
     throw Error::at("etak f0", "no input", "a material, file or folder, - for standard input, or --all");
@@ -227,6 +249,7 @@ int run(F0Arguments& arguments) {
   for (const std::string& each : remarks) remark(output, each);
   const double find = seconds_since(begin);
   for (const std::string& each : alias_remarks(inputs)) remark(output, each);
+  if (inputs.empty() && !arguments.allow_empty) throw empty_list(arguments.inputs.files_from);
 
   Tally tally;
   std::vector<std::string> errors;
@@ -238,7 +261,7 @@ int run(F0Arguments& arguments) {
   } else {
     std::vector<Chunk> chunks((inputs.size() + chunk_inputs - 1) / chunk_inputs);
     {
-      Progress progress(output, inputs.size());
+      Progress progress(output, inputs.size(), "f0");
       parallel_chunks(
           inputs.size(), threads, chunk_inputs, [&](std::size_t first, std::size_t last, unsigned worker) {
             for (std::size_t i = first; i < last; ++i)
@@ -252,18 +275,19 @@ int run(F0Arguments& arguments) {
       std::move(chunk.errors.begin(), chunk.errors.end(), std::back_inserter(errors));
     }
     const auto print_begin = Clock::now();
-    text = joined(chunks, output.format, solver.options(), use_color(output));
+    text = joined(chunks, output, solver.options(), arguments.verbose && !output.quiet);
     times.print += seconds_since(print_begin);
   }
   for (const std::string& error : errors) complain(error);
-  if (tally.rows == 0 && errors.empty())
+  if (tally.rows == 0 && errors.empty() && !inputs.empty())
     throw Error::at(
         arguments.inputs.names.empty() ? arguments.inputs.files_from : arguments.inputs.names.front(),
         "holds no page of n and k", "a page, table or material file");
   const auto write_begin = Clock::now();
   // Where nothing could be read there is nothing to say, and no file to replace an older, better one.
-  if (tally.rows > 0) write_output(output, text);
+  if (tally.rows > 0 || inputs.empty()) write_output(output, text);
   times.print += seconds_since(write_begin);
+  hint_at_policy(arguments, solver.options());
   print_remarks(arguments, inputs, tally);
   if (arguments.stats) print_stats(times, find, seconds_since(begin), inputs.size(), threads);
   if (tally.failed > 0) return exit_failure;
@@ -279,6 +303,7 @@ void add_f0(CLI::App& app, Verb& chosen) {
   reads_file(verb.add_option("--files-from", arguments->inputs.files_from,
                              "read more inputs from LIST, one per line or NUL-separated"))
       ->type_name("LIST");
+  add_allow_empty_option(verb, arguments->allow_empty);
   verb.add_flag("--all", arguments->inputs.all, "every material of the library");
   add_all_datasets_option(verb, arguments->inputs);
   verb.add_option("--dataset", arguments->inputs.dataset,
@@ -291,7 +316,10 @@ void add_f0(CLI::App& app, Verb& chosen) {
   add_table_options(verb, arguments->tables);
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "html"});
+  add_progress_option(verb, arguments->output.progress);
   add_thread_option(verb, arguments->threads);
+  verb.add_flag("-v,--verbose", arguments->verbose,
+                "below a table, what its flags mean and the policy that its numbers were computed by");
   verb.add_flag("--stats", arguments->stats, "time per stage and MB/s on standard error");
   verb.footer(
       "A folder gives one row per page, in path order; a refractiveindex.info database tree is recognised.\n"

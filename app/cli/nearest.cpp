@@ -138,6 +138,15 @@ std::string json(const std::vector<Match>& found, const NearestArguments& argume
   return out + (found.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }
 
+// A surface's colour is diffuse: near as it may be, it is no F0.
+void tell_surfaces(const std::vector<Match>& found, const OutputArguments& output) {
+  std::string ids;
+  for (const Match& match : found)
+    if (match.entry->material.material_class == "surface")
+      ids += (ids.empty() ? "" : ", ") + match.entry->material.id;
+  if (!ids.empty()) remark(output, ids + ": of class surface, whose colour is diffuse: no F0");
+}
+
 int run(NearestArguments& arguments) {
   check_classes(arguments.classes);
   const F0Solver solver{F0Options{}};
@@ -148,6 +157,7 @@ int run(NearestArguments& arguments) {
   write_output(arguments.output, format == "csv"    ? csv(found)
                                  : format == "json" ? json(found, arguments)
                                                     : table(found, use_color(arguments.output)));
+  tell_surfaces(found, arguments.output);
   return exit_ok;
 }
 

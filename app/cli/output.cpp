@@ -11,14 +11,13 @@
 #include <cstring>
 
 #include "app/cli/output_form.h"
+#include "app/cli/replace.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/json_text.h"
 
 namespace etak::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // False with errno set when the bytes could not be written whole.
 bool write_all(int descriptor, std::string_view bytes) {
@@ -31,10 +30,6 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-bool is_standard_output(const OutputArguments& arguments) {
-  return arguments.file.empty() || arguments.file == "-";
-}
-
 std::size_t characters(std::string_view text) {
   std::size_t count = 0;
   for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
@@ -42,6 +37,10 @@ std::size_t characters(std::string_view text) {
 }
 
 }  // namespace
+
+bool is_standard_output(const OutputArguments& arguments) {
+  return arguments.file.empty() || arguments.file == "-";
+}
 
 void add_output_options(CLI::App& verb, OutputArguments& arguments, const std::vector<std::string>& formats) {
   arguments.format = formats.front();
@@ -56,24 +55,28 @@ void add_output_options(CLI::App& verb, OutputArguments& arguments, const std::v
   }
   verb.add_option("-o,--output", arguments.file, "file to write instead of standard output")
       ->type_name("FILE");
-  verb.add_flag("--force", arguments.force, "let -o replace a file");
-  verb.add_flag("-q,--quiet", arguments.quiet, "no remarks and no progress bar; errors still appear");
-  verb.add_option("--color", arguments.color,
-                  "colour swatches: auto (on a terminal without NO_COLOR), always, never")
+  verb.add_flag("--force", arguments.force, "let -o replace a file; ETAK_FORCE=1 says the same");
+  verb.add_flag("-q,--quiet", arguments.quiet, "no remarks and no progress; errors still appear");
+  verb.add_option(
+          "--color", arguments.color,
+          "colour swatches: auto (on a terminal; NO_COLOR, CLICOLOR and CLICOLOR_FORCE count), always, never")
       ->check(CLI::IsMember({"auto", "always", "never"}));
 }
 
 bool use_color(const OutputArguments& arguments) {
   if (arguments.color != "auto") return arguments.color == "always";
-  const char* no_color = std::getenv("NO_COLOR");
-  const char* terminal = std::getenv("TERM");
-  return is_standard_output(arguments) && ::isatty(STDOUT_FILENO) != 0 &&
-         (no_color == nullptr || *no_color == '\0') &&
-         (terminal == nullptr || std::strcmp(terminal, "dumb") != 0);
+  const auto variable = [](const char* name) -> std::string_view {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+  };
+  // In the order of no-color.org and bixense.com/clicolors.
+  if (!is_standard_output(arguments) || !variable("NO_COLOR").empty()) return false;
+  if (const auto forced = variable("CLICOLOR_FORCE"); !forced.empty() && forced != "0") return true;
+  return ::isatty(STDOUT_FILENO) != 0 && variable("CLICOLOR") != "0" && variable("TERM") != "dumb";
 }
 
 void write_output(const OutputArguments& arguments, std::string_view bytes) {
-  if (!is_standard_output(arguments)) return write_file(arguments.file, bytes, arguments.force);
+  if (!is_standard_output(arguments)) return write_file(arguments.file, bytes, may_replace(arguments.force));
   if (!write_all(STDOUT_FILENO, bytes))
     throw Error::at("<stdout>", std::string("cannot be written: ") + std::strerror(errno));
 }
@@ -100,28 +103,6 @@ std::string padded(std::string_view text, std::size_t width) {
   const std::size_t have = characters(text);
   if (have < width) out.append(width - have, ' ');
   return out;
-}
-
-Progress::Progress(const OutputArguments& arguments, std::size_t total)
-    : shown_(!arguments.quiet && ::isatty(STDERR_FILENO) != 0),
-      total_(total),
-      next_draw_(Clock::now() + std::chrono::milliseconds(333)) {}
-
-Progress::~Progress() {
-  if (drawn_) (void)write_all(STDERR_FILENO, "\r\x1b[K");
-}
-
-void Progress::advance(std::size_t count, unsigned worker) {
-  const std::size_t done = done_.fetch_add(count, std::memory_order_relaxed) + count;
-  if (!shown_ || worker != 0) return;
-  const auto now = Clock::now();
-  if (now < next_draw_) return;
-  next_draw_ = now + std::chrono::milliseconds(100);
-  drawn_ = true;
-  constexpr std::size_t width = 40;
-  const std::size_t filled = total_ == 0 ? width : done * width / total_;
-  (void)write_all(STDERR_FILENO, "\r[" + std::string(filled, '#') + std::string(width - filled, '.') + "] " +
-                                     std::to_string(done) + "/" + std::to_string(total_));
 }
 
 }  // namespace etak::cli

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
-#include <chrono>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -27,13 +25,18 @@ struct OutputArguments {
   bool force = false;
   bool quiet = false;
   std::string color = "auto";
+  std::string progress = "auto";  // of verbs with long work: see progress.h
 };
 
 /// Adds --format (one of `formats`; by default that of the ending of -o, else the first), -o, --force, -q and
 /// --color.
 void add_output_options(CLI::App& verb, OutputArguments& arguments, const std::vector<std::string>& formats);
 
-/// Whether 24-bit colour may go into the output: asked for, or a terminal that NO_COLOR does not rule out.
+/// Whether the data go to standard output.
+bool is_standard_output(const OutputArguments& arguments);
+
+/// Whether 24-bit colour may go into the output: --color; else NO_COLOR and CLICOLOR_FORCE; else a terminal,
+/// unless CLICOLOR=0 or TERM=dumb.
 bool use_color(const OutputArguments& arguments);
 
 /// Writes the data of the run: atomically to the file of -o, else to standard output. Throws Error.
@@ -53,25 +56,5 @@ std::string json_string(std::string_view text);
 
 /// `text` padded with blanks to `width` characters (UTF-8 sequences count once).
 std::string padded(std::string_view text, std::size_t width);
-
-/// A bar on standard error while long work runs: only on a terminal, only after a third of a second, not with
-/// -q.
-class Progress {
- public:
-  Progress(const OutputArguments& arguments, std::size_t total);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  /// Adds `count` finished items. Any thread may call; only worker 0 draws.
-  void advance(std::size_t count, unsigned worker);
-
- private:
-  const bool shown_;
-  const std::size_t total_;
-  std::atomic<std::size_t> done_{0};
-  std::chrono::steady_clock::time_point next_draw_;
-  bool drawn_ = false;
-};
 
 }  // namespace etak::cli

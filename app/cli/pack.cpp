@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/file_options.h"
+#include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "core/image/image.h"
 
@@ -152,7 +153,8 @@ void add_output_group(CLI::App& verb, PackArguments& a) {
       ->check(CLI::Range(0, 22))
       ->capture_default_str()
       ->group(group);
-  verb.add_flag("--force", a.force, "replace files that are of no earlier atlas")->group(group);
+  verb.add_flag("--force", a.force, "replace files that are of no earlier atlas; ETAK_FORCE=1 says the same")
+      ->group(group);
   verb.add_flag("-u,--update", a.update,
                 "do nothing where the result of the same input and options is in place")
       ->group(group);
@@ -199,7 +201,8 @@ void add_run_options(CLI::App& verb, PackArguments& a) {
       ->group(group);
   verb.add_flag("--watch", a.watch, "pack again whenever an input changes, until interrupted")->group(group);
   add_thread_option(verb, a.threads);
-  verb.add_flag("-q,--quiet", a.quiet, "no remarks and no progress bar; errors still appear");
+  verb.add_flag("-q,--quiet", a.quiet, "no remarks and no progress; errors still appear");
+  add_progress_option(verb, a.progress);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct PackArguments {
   std::string previous, choice, batch, memory, report = "text", gltf_form = "specular-ior";
   std::vector<std::string> keep, space_of;
   std::string ocio;
-  std::string fail_on, config, page_report;
+  std::string fail_on, config, page_report, progress = "auto";
   std::vector<std::string> page_links;
   int page = 4096, effort = 100, zstd = 0, scene = -1;
   double max_seconds = 0, extra_area = 5, texel_density = 0;

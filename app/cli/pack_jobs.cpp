@@ -10,6 +10,7 @@
 #include <set>
 #include <thread>
 
+#include "app/cli/progress.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/input.h"
@@ -63,10 +64,13 @@ int pack_batch(const PackArguments& line) {
   }
   OutputArguments shown;
   shown.quiet = line.quiet;
-  Progress progress(shown, jobs.size());
+  shown.progress = line.progress;
+  Progress progress(shown, jobs.size(), "pack");
   int status = exit_ok;
   for (PackArguments& job : jobs) {
     job.library = line.library;
+    job.progress = "none";  // one line at a time: that of all jobs
+    progress.stage(job.out);
     try {
       if (line.report == "text" && !line.quiet) write_output({}, job.out + ":\n");
       status = std::max(status, pack_once(job));

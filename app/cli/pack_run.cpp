@@ -8,16 +8,19 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <memory>
+#include <optional>
 
 #include "app/cli/pack.h"
 #include "app/cli/pack_findings.h"
 #include "app/cli/pack_jobs.h"
 #include "app/cli/pack_page.h"
+#include "app/cli/progress.h"
+#include "app/cli/replace.h"
 #include "core/atlas/pack.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/output_target.h"
 
 namespace etak::cli {
 namespace {
@@ -177,7 +180,7 @@ PackOptions pack_options(const PackArguments& a) {
   out.write.zstd_level = a.zstd;
   out.forms = gltf_forms(a.gltf_form);
   out.bleed = a.bleed;
-  out.overwrite = a.force;
+  out.overwrite = may_replace(a.force);
   out.update = a.update;
   out.dry_run = a.dry_run;
   out.memory = memory(a.memory);
@@ -187,11 +190,21 @@ PackOptions pack_options(const PackArguments& a) {
   return out;
 }
 
+// Its folder may be the atlas's own, which packing makes.
+void check_page_report(const PackArguments& a) {
+  if (a.page_report.empty()) return;
+  std::error_code failure;
+  const auto folder = std::filesystem::path(a.page_report).lexically_normal().parent_path();
+  const bool of_the_atlas = folder == (std::filesystem::path(a.out) / "").lexically_normal().parent_path();
+  if (!of_the_atlas || std::filesystem::exists(folder, failure)) check_file_target(a.page_report, true);
+}
+
 int pack_once(PackArguments& a) {
   if (a.input.empty())
     throw Error::at("etak pack", "nothing to pack", "a manifest, a glTF scene or a folder");
   if (a.out.empty()) throw Error::at("etak pack", "no folder to write", "-o DIR");
   PackOptions options = pack_options(a);
+  check_page_report(a);
   if (!a.no_validate) judge_by_library(a.library);
   PackFindings findings(a);
   findings.attach(options);
@@ -199,11 +212,9 @@ int pack_once(PackArguments& a) {
   page.attach(options);
   OutputArguments shown;
   shown.quiet = a.quiet;
-  std::unique_ptr<Progress> progress;
-  options.progress = [&](std::size_t done, std::size_t all) {
-    if (done == 1) progress = std::make_unique<Progress>(shown, all);
-    if (progress) progress->advance(1, 0);
-  };
+  shown.progress = a.progress;
+  std::optional<Progress> progress(std::in_place, shown, 0, "pack");
+  options.progress = [&](std::size_t done, std::size_t all) { progress->set(done, all); };
   PackReport report = pack(a.input, a.out, options, a.library.get());
   progress.reset();
   findings.finish(report);

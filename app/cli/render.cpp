@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/file_options.h"
+#include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 
 namespace etak::cli {
@@ -17,7 +18,7 @@ void add_render(CLI::App& app, Verb& chosen) {
   add_scene_options(verb, arguments->scene);
   verb.add_option("-o,--output", arguments->picture, "picture to write: .png (8 bit) or .exr (linear)")
       ->type_name("FILE");
-  verb.add_flag("--force", arguments->stats.force, "let -o replace a file");
+  verb.add_flag("--force", arguments->stats.force, "let -o replace a file; ETAK_FORCE=1 says the same");
   verb.add_flag("--half", arguments->half, "16-bit values in .exr instead of 32-bit ones");
   verb.add_option("--device", arguments->device, "cpu, gl, or auto (cpu)")
       ->check(CLI::IsMember({"auto", "cpu", "gl"}))
@@ -48,7 +49,8 @@ void add_render(CLI::App& app, Verb& chosen) {
                   "of what is said about the picture: text (remarks) or json")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
-  verb.add_flag("-q,--quiet", arguments->stats.quiet, "no remarks and no progress bar; errors still appear");
+  verb.add_flag("-q,--quiet", arguments->stats.quiet, "no remarks and no progress; errors still appear");
+  add_progress_option(verb, arguments->stats.progress);
   verb.footer("Example:\n  etak render gold --model ggx-f82 --gloss 0.6 -o gold.png");
   verb.callback([arguments, &chosen] { chosen = [arguments] { return draw(*arguments); }; });
 }

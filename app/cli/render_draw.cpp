@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
 
+#include "app/cli/progress.h"
 #include "app/cli/render.h"
 #include "app/cli/render_sheet.h"
+#include "app/cli/replace.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/output_target.h"
 #include "core/color/ocio.h"
 #include "core/image/image_io.h"
 #include "core/render/cpu_renderer.h"
@@ -83,7 +84,7 @@ Image draw_reference(const RenderArguments& arguments, const Scene& scene, const
   const ReferenceOptions options{side, arguments.light_samples, threads};
   stats.device = "reference";
   const auto begin = Clock::now();
-  Progress progress(arguments.stats, static_cast<std::size_t>(scene.height));
+  Progress progress(arguments.stats, static_cast<std::size_t>(scene.height), "render");
   Reference reference = render_reference(scene, environment, options, [&](std::size_t rows, unsigned worker) {
     progress.advance(rows, worker);
   });
@@ -126,7 +127,7 @@ Image draw_cpu(const RenderArguments& arguments, const Scene& scene, const Envir
   stats.device = "cpu: " + std::string(batch_instruction_set());
   Image out;
   for (int i = 0; i < arguments.frames; ++i) {
-    Progress progress(arguments.stats, static_cast<std::size_t>(scene.height));
+    Progress progress(arguments.stats, static_cast<std::size_t>(scene.height), "render");
     const auto begin = Clock::now();
     render_cpu(scene, environment, threads, Precision::f32, out,
                [&](std::size_t rows, unsigned worker) { progress.advance(rows, worker); });
@@ -212,9 +213,7 @@ void check_picture_name(const RenderArguments& arguments) {
     throw Error::at("etak render", "no picture to write", "-o FILE.png or -o FILE.exr");
   if (!path.empty() && !ends_with(path, ".png") && !ends_with(path, ".exr"))
     throw Error::at(printable(path, 200), "has no ending that etak writes", ".png or .exr");
-  struct stat info {};
-  if (!path.empty() && !arguments.stats.force && ::stat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode))
-    throw Error::at(path, "exists already", "a new name, or --force to replace it");
+  if (!path.empty()) check_file_target(path, arguments.stats.force);
   if (arguments.reference && arguments.device == "gl")
     throw Error::at("--reference", "is not drawn with gl", "--device cpu");
 }
@@ -222,6 +221,7 @@ void check_picture_name(const RenderArguments& arguments) {
 }  // namespace
 
 int draw(RenderArguments& arguments) {
+  arguments.stats.force = may_replace(arguments.stats.force);
   check_picture_name(arguments);
   const unsigned threads = thread_count(arguments.threads);
   if (arguments.sheet) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/render_sheet.h"
 
+#include "app/cli/progress.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/render/cpu_renderer.h"
@@ -55,7 +56,7 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
     surfaces.push_back(surface(column, typed.library, gloss));
   }
   const std::size_t rows = models().size() + 5;
-  Progress progress(arguments.stats, rows * surfaces.size());
+  Progress progress(arguments.stats, rows * surfaces.size(), "render");
   const auto add_row = [&](const std::string& label, const std::string& specular, const std::string& diffuse,
                            const LightSetup& lights, const Environment* environment) {
     sheet.rows.push_back(label);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/options.h"
+#include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 
 namespace etak::cli {
@@ -28,8 +29,9 @@ void add_report(CLI::App& app, Verb& chosen) {
   verb->add_option("--device", arguments->device, "what pictures are timed on")
       ->check(CLI::IsMember({"cpu", "gl", "all"}))
       ->capture_default_str();
-  verb->add_flag("--force", arguments->force, "replace an earlier report");
-  verb->add_flag("-q,--quiet", arguments->quiet, "no remarks");
+  verb->add_flag("--force", arguments->force, "replace an earlier report; ETAK_FORCE=1 says the same");
+  verb->add_flag("-q,--quiet", arguments->quiet, "no remarks and no progress");
+  add_progress_option(*verb, arguments->progress);
   add_thread_option(*verb, arguments->threads);
   verb->footer(
       "Errors are the same in every run; times are of this machine, median and quartiles of interleaved "

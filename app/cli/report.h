@@ -12,7 +12,7 @@ namespace etak::cli {
 struct ReportArguments {
   std::vector<std::string> families;  // empty: all
   std::string folder;
-  std::string device = "cpu";
+  std::string device = "cpu", progress = "auto";
   bool quick = false, full = false, force = false, quiet = false;
   unsigned threads = 0;
 };

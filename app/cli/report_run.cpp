@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "app/cli/options.h"
+#include "app/cli/progress.h"
+#include "app/cli/replace.h"
 #include "app/cli/report.h"
 #include "core/base/error.h"
 #include "core/base/output_folder.h"
+#include "core/base/output_target.h"
 #include "core/report/error_time.h"
 #include "core/report/stability.h"
 #ifdef ETAK_HAS_GL
@@ -36,6 +40,20 @@ std::vector<FamilyEntry> chosen_families(const std::vector<std::string>& names) 
   return out;
 }
 
+// The plots' names are known once the families are measured; those of an earlier report say enough.
+void check_report_folder(const ReportArguments& arguments, const std::vector<FamilyEntry>& entries) {
+  std::vector<std::string> names{"report.html", "report.json", "report.csv"};
+  std::error_code failure;
+  for (const auto& entry : std::filesystem::directory_iterator(arguments.folder, failure)) {
+    const std::string name = entry.path().filename().string();
+    const auto is_plot = [&](const FamilyEntry& each) {
+      return name.starts_with(std::string(each.id) + "-");
+    };
+    if (name.ends_with(".svg") && std::any_of(entries.begin(), entries.end(), is_plot)) names.push_back(name);
+  }
+  check_folder_target(arguments.folder, names, arguments.force);
+}
+
 #ifdef ETAK_HAS_GL
 GlRunner open_gl(const std::string& device) {
   std::string why;
@@ -48,6 +66,9 @@ GlRunner open_gl(const std::string& device) {
 }  // namespace
 
 int measure(ReportArguments& arguments) {
+  arguments.force = may_replace(arguments.force);
+  const std::vector<FamilyEntry> entries = chosen_families(arguments.families);
+  check_report_folder(arguments, entries);
   ReportOptions options;
   options.full = arguments.full;
   options.timing.repeats = options.full ? full_repeats : quick_repeats;
@@ -75,10 +96,21 @@ int measure(ReportArguments& arguments) {
 
   OutputArguments output;
   output.quiet = arguments.quiet;
+  output.progress = arguments.progress;
   std::vector<ErrorTimeFamily> families;
-  for (const FamilyEntry& entry : chosen_families(arguments.families)) {
-    remark(output, "measuring " + std::string(entry.id));
-    families.push_back(entry.measure(options));
+  {
+    Progress progress(output, entries.size(), "report");
+    // The seconds go on while a family is timed.
+    options.timing.progress = [&](std::size_t, std::size_t) {
+      progress.set(families.size(), entries.size());
+    };
+    for (const FamilyEntry& entry : entries) {
+      if (!progress.draws_line()) remark(output, "measuring " + std::string(entry.id));
+      progress.stage(entry.id);
+      families.push_back(entry.measure(options));
+      progress.set(families.size(), entries.size());
+    }
+    options.timing.progress = {};
   }
   const auto stability = stability_cases(evaluate);
 
@@ -96,6 +128,7 @@ int measure(ReportArguments& arguments) {
 }
 
 int show_stability(StabilityArguments& arguments) {
+  check_output(arguments.output);
 #ifdef ETAK_HAS_GL
   std::optional<GlRunner> gl;
   GlEvaluate evaluate;

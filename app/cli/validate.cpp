@@ -6,9 +6,11 @@
 #include <CLI/Formatter.hpp>
 #include <memory>
 
+#include "app/cli/empty_list.h"
 #include "app/cli/explain.h"
 #include "app/cli/file_options.h"
 #include "app/cli/options.h"
+#include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/validate/rules.h"
@@ -81,6 +83,7 @@ void add_validate(CLI::App& app, Verb& chosen) {
   reads_file(
       verb.add_option("--files-from", a.files_from, "file with one path a line; - is standard input"))
       ->type_name("FILE");
+  add_allow_empty_option(verb, a.allow_empty);
   verb.add_option("--role", a.role,
                   "what the pictures are: diffuse, specular, f0, base-color or metal-rough (default: by "
                   "their names)");
@@ -99,6 +102,7 @@ void add_validate(CLI::App& app, Verb& chosen) {
   verb.add_option("--cache", a.cache_folder, "keep results here and do not check the same files again")
       ->type_name("DIR");
   add_library_options(verb, a.library);
+  add_progress_option(verb, a.output.progress);
   add_thread_option(verb, a.threads);
   verb.footer(
       "Exit status: 0 nothing at or above --fail-on, 1 findings, 2 not everything could be checked.\n"

@@ -23,6 +23,7 @@ struct ValidateArguments {
   bool no_config = false;
   RuleChoice choice;
   std::optional<std::size_t> max_warnings;
+  bool allow_empty = false;  // of files_from
   bool exit_zero = false, list_rules = false, stats = false;
   std::string baseline, write_baseline, mask_folder, cache_folder;
   unsigned threads = 0;

@@ -145,12 +145,16 @@ std::vector<std::size_t> with_places(const ValidationReport& report,
 
 }  // namespace
 
-std::size_t write_masks(const ValidationReport& report, const std::vector<const CheckTarget*>& targets,
-                        const Settings& settings, const std::string& folder, unsigned threads) {
+void check_mask_folder(const std::string& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (!std::filesystem::is_directory(folder))
     throw Error::at("--mask", printable(folder, 200) + " is no folder", "a folder");
+}
+
+std::size_t write_masks(const ValidationReport& report, const std::vector<const CheckTarget*>& targets,
+                        const Settings& settings, const std::string& folder, unsigned threads) {
+  check_mask_folder(folder);
   // Names are given out in the report's order, so that they do not depend on the threads.
   const auto wanted = with_places(report, targets);
   std::set<std::string> taken;

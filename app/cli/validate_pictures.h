@@ -10,6 +10,9 @@
 
 namespace etak::cli {
 
+/// Makes the folder of --mask where it is missing. Throws Error where it cannot be one.
+void check_mask_folder(const std::string& folder);
+
 /// Writes a mask picture for every finding that counts and has a place in a picture, as
 /// FOLDER/LABEL.TILE.RULE.png with '/' in names as '_'. Returns how many. Throws Error.
 ///   files   the report's, side by side with `targets` (null: none, as for a configuration)

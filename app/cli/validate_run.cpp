@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/cli/empty_list.h"
 #include "app/cli/folder.h"
 #include "app/cli/options.h"
+#include "app/cli/progress.h"
+#include "app/cli/replace.h"
 #include "app/cli/validate.h"
 #include "app/cli/validate_cache.h"
 #include "app/cli/validate_pictures.h"
@@ -12,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/output_target.h"
 #include "core/base/parallel.h"
 #include "core/report/validation_page.h"
 #include "core/validate/baseline.h"
@@ -45,6 +49,8 @@ FoundTargets targets_of(const ValidateArguments& arguments, const ValidatePlan& 
   TargetRequest request;
   request.paths = arguments.paths;
   request.listed = listed_files(arguments.files_from);
+  if (request.paths.empty() && request.listed.empty() && !arguments.allow_empty)
+    throw empty_list(arguments.files_from);
   request.patterns = plan.config.roles;
   request.manifest.material = arguments.material;
   request.manifest.surface_class = arguments.surface_class;
@@ -90,7 +96,7 @@ std::vector<CheckedFile> checked(const FoundTargets& found, const ValidateArgume
   // Few targets share the threads inside of each; many are checked side by side.
   const std::size_t lanes = std::clamp<std::size_t>(left.size(), 1, threads);
   const unsigned inner = std::max(1u, threads / static_cast<unsigned>(lanes));
-  Progress progress(arguments.output, left.size());
+  Progress progress(arguments.output, left.size(), "validate");
   parallel_chunks(left.size(), static_cast<unsigned>(lanes), 1,
                   [&](std::size_t begin, std::size_t end, unsigned worker) {
                     for (std::size_t l = begin; l < end; ++l) {
@@ -163,12 +169,24 @@ void tell_stats(const ValidationReport& report, const FoundTargets& found, std::
 
 }  // namespace
 
+namespace {
+
+// What is written at the end, looked at before the work. A baseline is renewed by every run that writes it.
+void check_targets(const ValidateArguments& arguments) {
+  check_output(arguments.output);
+  if (!arguments.write_baseline.empty()) check_file_target(arguments.write_baseline, true);
+  if (!arguments.mask_folder.empty()) check_mask_folder(arguments.mask_folder);
+}
+
+}  // namespace
+
 int check_files(ValidateArguments& arguments) {
   const auto start = Clock::now();
   if (arguments.paths.empty() && arguments.files_from.empty())
     throw Error::at("etak validate", "nothing to check", "files, folders or --files-from");
   if (!arguments.today.empty() && !is_date(arguments.today))
     throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
+  check_targets(arguments);
   use_asked_library(arguments.library);
   const ValidatePlan plan = validate_plan(arguments);
   const Settings& settings = plan.config.settings;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/outputs.h"
 
+#include <algorithm>
 
 #include "core/image/containers.h"
+#include "core/image/png_strips.h"
 
 namespace etak {
 namespace {
@@ -29,7 +31,17 @@ void write_pngs(OutputFolder& folder, int page, Texture texture, const PagePixel
     png.level = options.png_level;
     png.threads = options.threads;
     folder.write(page_file(page, texture, "png", l), [&](const std::function<void(std::string_view)>& sink) {
-      write_png({{view.width, view.height, 4, 8}, view.data, view.stride}, png, sink);
+      const PngInfo info{view.width, view.height, 4, 8};
+      // The file's head comes first, then a strip of rows with each call, then its end.
+      int calls = 0, rows = 0;
+      const auto telling = [&](std::string_view bytes) {
+        sink(bytes);
+        if (calls++ == 0 || l != 0 || !options.written || rows == info.height) return;
+        const int more = std::min(png_strip_rows(info, png.level), info.height - rows);
+        rows += more;
+        options.written(static_cast<std::size_t>(more) * static_cast<std::size_t>(info.width));
+      };
+      write_png({info, view.data, view.stride}, png, telling);
     });
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,7 @@ struct WriteOptions {
   PngLevel png_level = PngLevel::fast;
   int zstd_level = 0;  // of ktx2
   unsigned threads = 1;
+  std::function<void(std::size_t texels)> written = {};  // of level 0 as PNG, so many more, from any thread
 };
 
 /// "page0_diffuse_alpha.png"; mips of PNG: "page0_diffuse_alpha.mip1.png".

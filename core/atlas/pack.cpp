@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <mutex>
 
 #include "core/atlas/apply_variants.h"
 #include "core/atlas/compose.h"
@@ -15,10 +14,12 @@
 #include "core/atlas/gltf_pack.h"
 #include "core/atlas/pack_decision.h"
 #include "core/atlas/pack_identity.h"
+#include "core/atlas/pack_progress.h"
 #include "core/atlas/pack_table.h"
 #include "core/atlas/page_stream.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/output_target.h"
 
 namespace etak {
 namespace {
@@ -61,6 +62,7 @@ class Packing {
           if (!m.facts.learned || m.files.empty())  // else somebody said that its texels count as equal
             look_at_floats(load_floats(m), nullptr, m.facts.opaque, m.facts);
       });
+    if (!options_.dry_run) check_place({layout_name});
     if (!options_.previous.empty()) previous_ = parse_layout(read_file(options_.previous), options_.previous);
     for (report_.passes = 1;; ++report_.passes) {
       timed("layout", [&] { decision_->decide(previous_ ? &*previous_ : nullptr); });
@@ -159,6 +161,19 @@ class Packing {
     owned_.insert(owned_.end(), old_->other_files.begin(), old_->other_files.end());
   }
 
+  // Before the work: whether the folder can be made or changed, and files that are not ours stay.
+  void check_place(const std::vector<std::string>& names) const {
+    check_folder_target(output_, {}, true);
+    for (const std::string& name : names) refuse_stranger(name);
+  }
+
+  void refuse_stranger(const std::string& name) const {
+    const bool owned = std::find(owned_.begin(), owned_.end(), name) != owned_.end();
+    if (!owned && !options_.overwrite && exists(output_ + '/' + name))
+      throw Error::at(output_ + '/' + name, "exists already and is of no earlier atlas",
+                      "another folder, or --force to replace it");
+  }
+
   bool up_to_date() {
     if (!old_ || old_->settings_hash != settings_hash(options_, inputs_)) return false;
     for (const std::string& name : owned_)
@@ -177,15 +192,20 @@ class Packing {
     compose.threads = options_.threads;
     compose.bleed = options_.bleed;
     compose.gloss = inputs_.gloss;
+    // The layout says which pages there are: their files are known before their texels.
+    if (folder)
+      for (int p = 0; p < static_cast<int>(plan().pages.size()); ++p)
+        for (const Texture texture : both_textures)
+          if (plan().pages[static_cast<std::size_t>(p)].has[static_cast<std::size_t>(texture)])
+            for (const std::string& name :
+                 page_files(p, texture, decision_->page_levels(p), options_.write.formats))
+              refuse_stranger(name);
     Composer composer(inputs_.materials, regions(), plan(), compose);
     PagePixels pixels;
-    std::size_t done = 0;
-    std::mutex lock;
+    PackProgress progress(options_.progress, plan(), regions().size(), options_.write, folder.has_value());
     const auto region_done = [&] {
       stop_if_cancelled();
-      if (!options_.progress) return;
-      const std::lock_guard guard(lock);
-      options_.progress(++done, 2 * regions().size());
+      progress.region();
     };
     for (int p = 0; p < static_cast<int>(plan().pages.size()); ++p) {
       const Page& page = plan().pages[static_cast<std::size_t>(p)];
@@ -198,6 +218,7 @@ class Packing {
           stream_page(composer, regions(), plan(), p, decision_->page_levels(p), cuts, learned_,
                       folder ? &*folder : nullptr, write, region_done);
         });
+        progress.written(2 * PackProgress::texels_of(page));
         if (decision_->learn(learned_)) return false;
         if (options_.check_page && folder) check_written(p, *folder);
         continue;
@@ -210,6 +231,10 @@ class Packing {
       if (!folder) continue;
       WriteOptions write = options_.write;
       write.threads = options_.threads;
+      write.written = [&](std::size_t texels) {
+        stop_if_cancelled();
+        progress.written(texels);
+      };
       timed("write", [&] {
         for (const Texture texture : both_textures) {
           stop_if_cancelled();
@@ -289,12 +314,7 @@ class Packing {
     for (const AtlasPage& page : layout_.pages)
       for (const auto& names : page.files) files.insert(names.begin(), names.end());
     files.insert(layout_.other_files.begin(), layout_.other_files.end());
-    for (const std::string& name : files) {
-      const bool owned = std::find(owned_.begin(), owned_.end(), name) != owned_.end();
-      if (!owned && !options_.overwrite && exists(output_ + '/' + name))
-        throw Error::at(output_ + '/' + name, "exists already and is of no earlier atlas",
-                        "another folder, or --force to replace it");
-    }
+    for (const std::string& name : files) refuse_stranger(name);
     for (const std::string& name : owned_)
       if (!files.contains(name)) folder.remove_old(name);
     folder.commit();

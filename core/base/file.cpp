@@ -7,11 +7,11 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include "core/base/descriptor.h"
 #include "core/base/error.h"
 #include "core/base/input.h"
+#include "core/base/output_target.h"
 
 namespace etak {
 namespace {
@@ -37,13 +37,6 @@ std::size_t read_some(int fd, std::string& out, std::size_t wanted, const std::s
   }
 }
 
-// Where a symbolic link leads, so that the link stays and its target is replaced.
-std::string target_of(const std::string& path) {
-  std::error_code failure;
-  const auto target = std::filesystem::canonical(path, failure);
-  return failure ? path : target.string();
-}
-
 }  // namespace
 
 void read_file(const std::string& path, std::string& out, std::size_t most) {
@@ -63,19 +56,15 @@ std::string read_file(const std::string& path, std::size_t most) {
 }
 
 void write_file(const std::string& path, std::string_view bytes, bool overwrite) {
-  struct stat info {};
-  const bool exists = ::stat(path.c_str(), &info) == 0;
-  if (exists && S_ISDIR(info.st_mode)) throw Error::at(path, "is a folder", "a file to write");
-  if (exists && !S_ISREG(info.st_mode)) {
-    // A device or pipe (/dev/stdout) is written to: a rename would put a file in its place.
+  const FileTarget target = file_target(path, overwrite);
+  if (target.is_device) {
+    // A rename would put a file in its place.
     Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
     if (device.get() < 0 || !write_all(device.get(), bytes) || !device.close())
       throw Error::at(path, "cannot be written: " + reason());
     return;
   }
-  if (exists && !overwrite) throw Error::at(path, "exists already", "a new name, or --force to replace it");
-  const std::string target = exists ? target_of(path) : path;
-  std::string temporary = target + ".tmp-XXXXXX";
+  std::string temporary = target.path + ".tmp-XXXXXX";
   Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
   if (file.get() < 0) throw Error::at(path, "cannot be written: " + reason());
   const auto fail = [&](const char* what) {
@@ -86,9 +75,10 @@ void write_file(const std::string& path, std::string_view bytes, bool overwrite)
   if (!write_all(file.get(), bytes)) fail("cannot be written");
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  if (::fchmod(file.get(), (exists ? info.st_mode : 0666 & ~mask) & 07777) != 0) fail("cannot be written");
+  if (::fchmod(file.get(), (target.exists ? target.mode : 0666 & ~mask) & 07777) != 0)
+    fail("cannot be written");
   if (::fsync(file.get()) != 0 || !file.close()) fail("cannot be written");
-  if (::rename(temporary.c_str(), target.c_str()) != 0) fail("cannot be put in place");
+  if (::rename(temporary.c_str(), target.path.c_str()) != 0) fail("cannot be put in place");
 }
 
 }  // namespace etak

@@ -25,6 +25,7 @@
 
 #include "core/base/descriptor.h"
 #include "core/base/error.h"
+#include "core/base/output_target.h"
 #include "core/base/parallel.h"
 
 namespace etak {
@@ -458,8 +459,7 @@ void OutputFolder::commit() {
     for (const std::string& file : s.files) {
       if (::fstatat(target.get(), file.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) continue;
       if (S_ISDIR(info.st_mode)) throw Error::at(s.path + "/" + file, "is a folder", "a file to replace");
-      if (!s.overwrite)
-        throw Error::at(s.path + "/" + file, "exists already", "a new name, or --force to replace it");
+      if (!s.overwrite) throw exists_already(s.path + "/" + file);
     }
   if (s.exchanges)
     s.exchange();

@@ -3,7 +3,10 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+
+#include "core/base/number.h"
 
 namespace etak {
 namespace {
@@ -90,7 +93,9 @@ std::string escape_html(std::string_view text) {
 }
 
 std::string fixed(double value, int decimals) {
-  std::array<char, 400> text;  // room for the largest double
+  // Past this a double's digits say nothing, and there may be 309 of them.
+  if (std::abs(value) >= 1e15) return number(value, 6);
+  std::array<char, 64> text;
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals).ptr;
   std::string out(text.data(), end);

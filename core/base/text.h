@@ -30,7 +30,7 @@ std::size_t display_width(std::string_view text);
 /// `text` with the five characters that mean something in HTML and XML escaped, and made valid UTF-8.
 std::string escape_html(std::string_view text);
 
-/// `value` with a fixed number of decimals; never "-0".
+/// `value` with a fixed number of decimals, at most 30; never "-0"; from 1e15 on as number(value, 6).
 std::string fixed(double value, int decimals);
 
 }  // namespace etak

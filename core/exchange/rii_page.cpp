@@ -8,6 +8,7 @@
 #include "core/exchange/rii_rows.h"
 #include "core/exchange/yaml_lines.h"
 #include "core/material/dispersion.h"
+#include "core/material/medium.h"
 
 namespace etak {
 namespace {
@@ -254,7 +255,7 @@ class PageReader {
   // held.
   void check_sign(const Spectrum& n) {
     for (std::size_t i = 0; i < n.size(); ++i) {
-      if (n.value[i] > 0) continue;
+      if (n.value[i] > 0 || (n.value[i] == 0 && !no_medium_in_row(page_.optics, i))) continue;
       page_.flags.set(Flag::n_not_positive);
       const bool ends_before = i + 1 < n.size() && n.wavelength_nm[i + 1] <= grid_first_nm;
       const bool starts_behind = i > 0 && n.wavelength_nm[i - 1] >= grid_last_nm;

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/exchange/table_columns.h"
+#include "core/material/medium.h"
 
 namespace etak {
 namespace {
@@ -208,7 +209,7 @@ class TableReader {
                "less than a kilometre, not 0");
         break;
       case Quantity::n:
-        if (value <= 0 || value > most_n) fail(line_, "n = " + shown(), "0 < n <= 10000");
+        if (value < 0 || value > most_n) fail(line_, "n = " + shown(), "0 <= n <= 10000");
         row.value[0] = value;
         break;
       case Quantity::k:
@@ -324,6 +325,9 @@ class TableReader {
     OpticalConstants constants;
     constants.n = spectrum(*source[0], 0);
     if (source[1] != nullptr) constants.k = spectrum(*source[1], 1);
+    if (const auto nm = no_medium_at(constants))
+      for (const Row& row : source[0]->rows)
+        if (row.nm == *nm) fail(row.line, "n = 0 with k = 0", "n above 0, or k above 0");
     table.optics = std::move(constants);
     return table;
   }

@@ -24,12 +24,15 @@ real gulbrandsen_r(real n, real k) {
   return f0(n, k);
 }
 
+// g = (most - n) / (most - least), both differences times 1 - r: for r = 1 (n = 0) `most` itself has no value, and the
+// edge tint is 1.
 real gulbrandsen_g(real n, real k) {
   real r = f0(n, k);
+  real rest = absorptance0(n, k);
   real root = sqrt(r);
-  real most = (1 + root) / (1 - root);
-  real least = (1 - r) / (1 + r);
-  return most > least ? clamp((most - n) / (most - least), real(0), real(1)) : real(0);
+  real square = (1 + root) * (1 + root);
+  real span = square - rest * rest / (1 + r);
+  return span > 0 ? clamp((square - n * rest) / span, real(0), real(1)) : real(0);
 }
 
 real f_gulbrandsen(real r, real g, real c) {

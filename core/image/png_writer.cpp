@@ -11,6 +11,7 @@
 #include "core/image/deflate.h"
 #include "core/image/png.h"
 #include "core/image/png_filters.h"
+#include "core/image/png_strips.h"
 
 namespace etak {
 namespace {
@@ -249,8 +250,7 @@ PngBands::PngBands(const PngInfo& info, const PngOptions& options, std::function
   s.scratch = std::move(scratch);
   s.pixel = static_cast<std::size_t>(info.channels * info.bits / 8);
   s.row_bytes = static_cast<std::size_t>(info.width) * s.pixel;
-  s.strip_rows = static_cast<int>(std::clamp<std::size_t>(strip_bytes(options.level) / (s.row_bytes + 1), 1,
-                                                          static_cast<std::size_t>(info.height)));
+  s.strip_rows = png_strip_rows(info, options.level);
   s.carried.resize(s.row_bytes);
   s.sink(characters(head(info, options.srgb)));
 }
@@ -298,6 +298,13 @@ void PngBands::finish() {
   Bytes tail;
   append_chunk(tail, "IEND", {});
   state_->sink(characters(tail));
+}
+
+int png_strip_rows(const PngInfo& info, PngLevel level) {
+  const std::size_t row_bytes =
+      static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.channels * info.bits / 8);
+  return static_cast<int>(std::clamp<std::size_t>(strip_bytes(level) / (row_bytes + 1), 1,
+                                                  static_cast<std::size_t>(info.height)));
 }
 
 void write_png(const PngRows& image, const PngOptions& options,

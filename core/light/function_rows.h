@@ -11,8 +11,15 @@ std::span<const Function> distributions();
 std::span<const Function> reflectance();
 std::span<const Function> lighting();
 
+/// n and k of a medium that light can enter. Throws Error for n = k = 0: that one lets no wave through, and
+/// in a table it is a number that is missing. n = 0 with k > 0 is a metal without loss.
+struct Medium {
+  double n, k;
+};
+Medium medium(double index, double extinction);
+
 inline constexpr double largest = 1e300;
-inline constexpr FunctionInput n{"n", "index of refraction, relative to the outside", "", 0, 1e4, true};
+inline constexpr FunctionInput n{"n", "index of refraction, relative to the outside", "", 0, 1e4};
 inline constexpr FunctionInput k{"k", "extinction", "", 0, 1e6};
 inline constexpr FunctionInput cosine{"cos", "cosine; taken as 0 below 0", "", -1, 1};
 inline constexpr FunctionInput f0{"f0", "reflectance at normal incidence", "", -10, 10};

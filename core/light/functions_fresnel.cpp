@@ -15,7 +15,8 @@ namespace {
 
 using In = const double*;
 
-// n = 1, k = 0 is no interface, but a legitimate one: reflects nothing. n = k = 0 is refused by n > 0.
+// n = 1, k = 0 is no interface, but a legitimate one: reflects nothing. n = 0 is a metal without loss; n = k
+// = 0 is refused by medium().
 constexpr FunctionInput n_k[] = {n, k};
 constexpr FunctionInput n_k_cos[] = {n, k, cosine};
 constexpr FunctionInput pair[] = {{"n1", "index on the light's side", "", 0, 1e4, true},
@@ -48,6 +49,11 @@ double cos_deg(double x) {
   return direction_deg(x, 0)[2];
 }
 
+double of_medium(double (*formula)(double n, double k), In x) {
+  const Medium m = medium(x[0], x[1]);
+  return formula(m.n, m.k);
+}
+
 double approximation(int model, double f0_value, double f82_value, double c) {
   return model == 0   ? formulas::f_schlick(f0_value, c)
          : model == 1 ? formulas::f_schueler(f0_value, c)
@@ -58,7 +64,8 @@ double approximation(int model, double f0_value, double f82_value, double c) {
 template <class Visit>
 void visit_errors(In x, Visit visit) {
   const int model = static_cast<int>(x[0]);
-  const double index = x[1], extinction = x[2], step = x[3];
+  const auto [index, extinction] = medium(x[1], x[2]);
+  const double step = x[3];
   const double f0_value = formulas::f0(index, extinction);
   const double f82_value = formulas::fresnel_exact(index, extinction, formulas::f82_cosine);
   const auto pieces = static_cast<int>(std::ceil(90 / step - 1e-9));
@@ -90,12 +97,15 @@ double mean_abs_error(In x) {
 
 constexpr Function rows[] = {
     {"f0", "reflectance at normal incidence", "Fresnel", n_k, false,
-     [](In x) { return formulas::f0(x[0], x[1]); }},
+     [](In x) { return of_medium(formulas::f0, x); }},
     {"absorptance0", "1 - F0 without cancellation", "4 n / ((n + 1)^2 + k^2)", n_k, false,
-     [](In x) { return formulas::absorptance0(x[0], x[1]); }},
+     [](In x) { return of_medium(formulas::absorptance0, x); }},
     {"fresnel_exact", "unpolarised reflectance, complex index",
      "Cook and Torrance 1981, without cancellation", n_k_cos, false,
-     [](In x) { return formulas::fresnel_exact(x[0], x[1], c01(x[2])); }},
+     [](In x) {
+       const Medium m = medium(x[0], x[1]);
+       return formulas::fresnel_exact(m.n, m.k, c01(x[2]));
+     }},
     {"fresnel_dielectric", "unpolarised reflectance, total reflection included", "TU Graz, Fresnel slides",
      pair, false, [](In x) { return formulas::fresnel_dielectric(x[0], x[1], cos_deg(x[2])); }},
     {"schlick", "reflectance", "Schlick 1994, eq. 15", f0_cos, false,
@@ -107,7 +117,10 @@ constexpr Function rows[] = {
     {"f82_tint", "reflectance", "Kutz et al. 2021 (OpenPBR)", tint_inputs, false,
      [](In x) { return formulas::f_f82_tint(x[0], x[1], x[2]); }},
     {"lazanyi", "reflectance", "Lazanyi and Szirmay-Kalos 2005", lazanyi_inputs, false,
-     [](In x) { return formulas::f_lazanyi(x[0], x[1], x[3], x[4], x[2]); }},
+     [](In x) {
+       const Medium m = medium(x[0], x[1]);
+       return formulas::f_lazanyi(m.n, m.k, x[3], x[4], x[2]);
+     }},
     {"spherical_gaussian", "reflectance", "Lagarde 2012", f0_cos, false,
      [](In x) { return formulas::f_spherical_gaussian(x[0], x[1]); }},
     {"from_f0", "reflectance of the dielectric of this F0", "n = (1 + sqrt F0) / (1 - sqrt F0), then exact",
@@ -117,9 +130,9 @@ constexpr Function rows[] = {
     {"gulbrandsen_k", "extinction", "Gulbrandsen 2014", r_g, false,
      [](In x) { return formulas::gulbrandsen_k(x[0], x[1]); }},
     {"gulbrandsen_r", "reflectance at normal incidence", "Gulbrandsen 2014", n_k, false,
-     [](In x) { return formulas::gulbrandsen_r(x[0], x[1]); }},
+     [](In x) { return of_medium(formulas::gulbrandsen_r, x); }},
     {"gulbrandsen_g", "edge tint", "Gulbrandsen 2014", n_k, false,
-     [](In x) { return formulas::gulbrandsen_g(x[0], x[1]); }},
+     [](In x) { return of_medium(formulas::gulbrandsen_g, x); }},
     {"fresnel_max_abs_error", "largest error of the approximation", "against fresnel_exact, 0 to 90 degrees",
      error_inputs, false, max_abs_error},
     {"fresnel_cosmean_abs_error", "mean error, weighted by 2 cos d(cos)",
@@ -127,6 +140,11 @@ constexpr Function rows[] = {
 };
 
 }  // namespace
+
+Medium medium(double index, double extinction) {
+  if (index == 0 && extinction == 0) throw Error::at("n", "0 beside k = 0", "n above 0, or k above 0");
+  return {index, extinction};
+}
 
 std::span<const Function> fresnel() {
   return rows;

@@ -62,7 +62,8 @@ double schueler_at(const char* id, In x) {
   return printed(id, x, {x[3], x[3], x[3], x[4]});
 }
 std::vector<double> index_and_slope(In x) {
-  return {x[3], x[3], x[3], x[4], x[4], x[4], x[5]};
+  const auto [n, k] = medium(x[3], x[4]);
+  return {n, n, n, k, k, k, x[5]};
 }
 
 // Directional albedo for x = {param, theta_v}, with F = 1.

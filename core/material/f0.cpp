@@ -14,6 +14,7 @@
 #include "core/base/number.h"
 #include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"
+#include "core/material/coverage.h"
 #include "core/material/dispersion.h"
 #include "core/material/f0_data.h"
 #include "core/spectrum/refinement.h"
@@ -21,8 +22,7 @@
 namespace etak {
 namespace {
 
-// Below this share of the Y weight a result would be a guess; below the other one a note is due.
-constexpr double refused_below = 0.95;
+// Below this share of a weight a note is due.
 constexpr double flagged_below = 0.99;
 constexpr double wide_gap_nm = 20;
 constexpr double visible_absorption = 0.01;
@@ -246,9 +246,9 @@ struct F0Solver::State {
     else
       std::fill(scratch.k.begin(), scratch.k.end(), 0.0);
     for (std::size_t i = 0; i < scratch.n.size(); ++i)
-      if (!(scratch.n[i] > 0)) {
+      if (!(scratch.n[i] > 0 || (scratch.n[i] == 0 && scratch.k[i] > 0))) {
         refusal = "n = " + number(scratch.n[i], 6) + " at " + number(q.wavelength_nm[i], 6) +
-                  " nm; n must be above 0";
+                  " nm; n must be above 0, or 0 with k above 0";
         return false;
       }
     divide_by_outside(q, scratch.n, scratch.k);
@@ -382,9 +382,9 @@ F0Solver::F0Solver(F0Options options) {
       if (!(n > 0)) throw Error::at(place, "n = " + number(n, 6), "n above 0 at 360-830 nm");
     state->outside_range = range_of(*medium);
     const Coverage coverage = coverage_of(state->outside_range, nullptr, state->sums);
-    if (coverage.weight[1] < refused_below && !o.allow_extrapolation)
+    if (!covers_enough(coverage.weight[1]) && !o.allow_extrapolation)
       throw Error::at(place, "data cover " + number(coverage.weight[1], 4) + " of the Y weight",
-                      "0.95, or --allow-extrapolation");
+                      number(least_coverage, 4) + ", or --allow-extrapolation");
     if (medium->k) {
       std::array<double, grid_size> k;
       resample_to_grid(*medium->k, k);
@@ -426,9 +426,10 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   result.coverage = coverage_of(range, samples, state.sums);
   if (State::is_single_sample(optics)) result.flags.set(Flag::single_sample);
   state.flag_data(optics, result);
-  if (result.coverage.weight[1] < refused_below && !state.options.allow_extrapolation) {
+  if (!covers_enough(result.coverage.weight[1]) && !state.options.allow_extrapolation) {
     result.refusal = "data cover " + number(result.coverage.weight[1], 4) + " of the Y weight (" +
-                     number(range.first_nm, 6) + "-" + number(range.last_nm, 6) + " nm), 0.95 needed";
+                     number(range.first_nm, 6) + "-" + number(range.last_nm, 6) + " nm), " +
+                     number(least_coverage, 4) + " needed";
     return result;
   }
 

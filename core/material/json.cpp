@@ -8,6 +8,7 @@
 #include "core/base/json_node.inc"
 #include "core/base/number.h"
 #include "core/material/dispersion.h"
+#include "core/material/medium.h"
 
 namespace etak {
 namespace {
@@ -31,7 +32,7 @@ double read_scale(const Node& node) {
 
 // Column `column` of rows as a spectrum over column 0; every value within [lo, hi].
 Spectrum read_column(const Node& rows, std::size_t columns, std::size_t column, double scale, double lo,
-                     double hi, bool lo_excluded) {
+                     double hi) {
   rows.expect_array();
   if (rows.value.empty()) rows.fail("no rows", "at least one");
   Spectrum out;
@@ -44,10 +45,9 @@ Spectrum read_column(const Node& rows, std::size_t columns, std::size_t column, 
     const double nm = row[0].get<double>() * scale, value = row[column].get<double>();
     if (!(nm > 0) || !std::isfinite(nm)) rows.at(i).fail_type("a wavelength above 0 first");
     if (!out.empty() && nm <= out.last_nm()) rows.at(i).fail_type("ascending wavelengths");
-    if (!(value >= lo && value <= hi) || (lo_excluded && value == lo))
-      rows.at(i).fail("value " + etak::number(value, 9), std::string(lo_excluded ? "above " : "at least ") +
-                                                             etak::number(lo, 3) + ", at most " +
-                                                             etak::number(hi, 3));
+    if (!(value >= lo && value <= hi))
+      rows.at(i).fail("value " + etak::number(value, 9),
+                      "at least " + etak::number(lo, 3) + ", at most " + etak::number(hi, 3));
     out.wavelength_nm.push_back(nm);
     out.value.push_back(value);
   }
@@ -67,7 +67,7 @@ Optics read_optics(const Node& node) {
       range.fail_type("the first and last wavelength of the rows");
   };
   const auto read_k = [&](OpticalConstants& optics) {
-    if (node.has("k_rows")) optics.k = read_column(node.at("k_rows"), 2, 1, scale, 0, most_k, false);
+    if (node.has("k_rows")) optics.k = read_column(node.at("k_rows"), 2, 1, scale, 0, most_k);
   };
 
   if (node.has("formula")) {
@@ -95,22 +95,24 @@ Optics read_optics(const Node& node) {
   using Columns = std::vector<std::string>;
   if (columns == Columns{"wavelength", "reflectance"} && quantity == "reflectance") {
     if (node.has("k_rows")) node.at("k_rows").fail("k beside reflectance");
-    Reflectance out{read_column(rows, 2, 1, scale, 0, 1, false)};
+    Reflectance out{read_column(rows, 2, 1, scale, 0, 1)};
     check_range(out.spectrum);
     return out;
   }
   OpticalConstants optics;
   if (columns == Columns{"wavelength", "n", "k"} && quantity == "n,k") {
     if (node.has("k_rows")) node.at("k_rows").fail("k twice", "a k column or k_rows");
-    optics.n = read_column(rows, 3, 1, scale, 0, most_n, true);
-    optics.k = read_column(rows, 3, 2, scale, 0, most_k, false);
+    optics.n = read_column(rows, 3, 1, scale, 0, most_n);
+    optics.k = read_column(rows, 3, 2, scale, 0, most_k);
   } else if (columns == Columns{"wavelength", "n"} && quantity == (node.has("k_rows") ? "n,k" : "n")) {
-    optics.n = read_column(rows, 2, 1, scale, 0, most_n, true);
+    optics.n = read_column(rows, 2, 1, scale, 0, most_n);
     read_k(optics);
   } else {
     node.at("columns").fail_type("wavelength first, then what \"quantity\" says");
   }
   check_range(std::get<Spectrum>(optics.n));
+  if (const auto nm = no_medium_at(optics))
+    rows.fail("n = 0 with k = 0 at " + etak::number(*nm, 9) + " nm", "n above 0, or k above 0");
   return optics;
 }
 

@@ -18,12 +18,14 @@ namespace {
 
 // About where red, green and blue of sRGB have their weight; they choose between two solutions, no more.
 constexpr std::array<double, 3> channel_nm{611, 549, 464};
+// A metal without loss has n = 0, which has no logarithm.
+constexpr double least_hint = 1e-6;
 
 Vec3 log_n_hint(const OpticalConstants& optics, std::string_view what) {
   const GridIndex index = grid_index(optics, what);
   Vec3 out{};
   for (std::size_t c = 0; c < 3; ++c)
-    out[c] = std::log(index.n[static_cast<std::size_t>(channel_nm[c] - grid_first_nm)]);
+    out[c] = std::log(std::max(least_hint, index.n[static_cast<std::size_t>(channel_nm[c] - grid_first_nm)]));
   return out;
 }
 
@@ -40,11 +42,11 @@ GridIndex grid_index(const OpticalConstants& optics, std::string_view what) {
   }
   if (optics.k) resample_to_grid(*optics.k, out.k);
   for (std::size_t i = 0; i < grid_size; ++i)
-    if (!(out.n[i] > 0))
+    if (!(out.n[i] > 0 || (out.n[i] == 0 && out.k[i] > 0)))
       throw Error::at(
           what,
           "n = " + number(out.n[i], 6) + " at " + std::to_string(grid_first_nm + static_cast<int>(i)) + " nm",
-          "n above 0");
+          "n above 0, or 0 with k above 0");
   return out;
 }
 

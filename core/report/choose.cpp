@@ -169,7 +169,7 @@ class Choosing {
         candidate.within = candidate.error <= limit_;
       }
       out_.fresnel_candidates.push_back(candidate);
-      if (!subject_.dataset && (closest == nullptr || candidate.error < closest_error))
+      if (closest == nullptr || candidate.error < closest_error)
         closest = form, closest_error = candidate.error, closest_picture = seen;
       if (!candidate.within || (out_.fresnel != nullptr && angles.mean >= found_error)) continue;
       if (out_.fresnel == nullptr) found_cost = cost;
@@ -180,12 +180,14 @@ class Choosing {
     if (out_.fresnel == nullptr && closest != nullptr) {
       out_.met = false;
       out_.fresnel = closest;
-      out_.fresnel_error = at_any_angle(*closest, nullptr).worst;
+      Look look = chosen_;
+      look.form = closest;
+      look.values = closest->fit(truths_.front());
+      out_.fresnel_error = at_any_angle(*closest, subject_.dataset ? &look.values : nullptr).worst;
+      if (subject_.dataset) closest_picture = std::max(out_.fresnel_error, picture(look).worst);
+      // The rest is chosen within what F alone misses.
       limit_ = std::max(limit_, closest_picture);
     }
-    if (out_.fresnel == nullptr)
-      throw Error::at("--budget", number(options_.budget, 6),
-                      "one that some form of Fresnel reflectance meets for " + subject_.library);
     chosen_.form = out_.fresnel;
     chosen_.values = out_.fresnel->fit(truths_.front());
   }
@@ -269,7 +271,8 @@ class Choosing {
       }
       candidate.within = candidate.error <= limit_;
       out_.method_candidates.push_back(candidate);
-      if (!candidate.within) continue;
+      // Where F alone is over the budget, what the exact sum differs from the limit by is rounding.
+      if (!candidate.within && (out_.met || method != Method::exact)) continue;
       out_.method = candidate.id;
       out_.method_error = difference(options_.unit, vec(result.srgb_linear), vec(truth.srgb_linear));
       out_.fresnel_error = at_angle;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -31,10 +32,11 @@ const CostTable& shipped_costs();
 CostTable parse_costs(std::string_view text, std::string_view file);
 std::string format_costs(const CostTable& costs);
 
-/// Times everything here and now, half a minute: of each row the least time of 200 repeats that are spread
+/// Times everything here and now, in a minute: of each row the least time of 200 repeats that are spread
 /// over the whole run, which is the time without what else the machine does. Two runs on a calm machine agree
 /// within 15 % in nearly all rows. In target etak::report_run.
-CostTable measure_costs(std::string_view header);
+CostTable measure_costs(std::string_view header,
+                        const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 
 /// What differences are measured in: CIEDE2000 (D65), or 8-bit sRGB codes of the worst channel.
 enum class ErrorUnit { delta_e, codes };
@@ -68,7 +70,7 @@ struct Choice {
   std::string material, library;
   double budget = 0;
   ErrorUnit unit = ErrorUnit::delta_e;
-  bool met = true;  // false: nothing that a texture can feed stays within the budget; the closest was taken
+  bool met = true;  // false: no form of F stays within the budget; the closest was taken
   const FresnelForm* fresnel = nullptr;
   FresnelValues values{};
   std::string visibility;  // term of the registry
@@ -101,9 +103,15 @@ struct ChooseOptions {
 /// height-correlated Smith masking; trilinear filtering; F0 by the exact quadrature. The budget holds for F
 /// at any angle and for every pixel of rendered spheres (of textures: at levels of detail from twice
 /// magnified to eight mips down), for all that was chosen together.
-/// Throws Error for data without a colour or without n and k, and where the spectrum is known and no
-/// candidate stays within the budget.
+/// Throws Error for data without a colour or without n and k. Where no form of F stays within the budget, the
+/// closest one is chosen and `met` says so; the rest is then chosen within what that one misses.
 Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs);
+
+/// The largest error of all that was chosen together: at any angle or in any pixel. Of a choice that is not
+/// `met`, the least that can be reached.
+double largest_error(const Choice& choice);
+/// Of a choice that is not `met`: what is the least that can be reached, and what is exact.
+std::string unmet_remark(const Choice& choice);
 
 /// Levels of compression are lossless: the cheapest in time is taken, errors are 0.
 std::vector<Candidate> png_levels(const CostTable& costs);

@@ -52,7 +52,31 @@ std::string png_line(const CostTable& costs) {
   return out;
 }
 
+// With three digits and not below `value`: a budget of that much is met.
+std::string rounded_up(double value) {
+  if (!(value > 0)) return number(value, 3);
+  const double step = std::pow(10, std::floor(std::log10(value)) - 2);
+  return number(std::ceil(value / step) * step, 3);
+}
+
 }  // namespace
+
+double largest_error(const Choice& choice) {
+  return std::max({choice.fresnel_error, choice.picture_error, choice.method_error});
+}
+
+std::string unmet_remark(const Choice& choice) {
+  const std::string unit(name(choice.unit));
+  std::string out;
+  append(out, choice.material, ": no form of F stays within ", number(choice.budget, 6), " ", unit,
+         "; the least that can be reached is ", rounded_up(largest_error(choice)), " (", choice.fresnel->id,
+         "), which was taken; exact is ");
+  if (choice.library.empty())
+    append(out, "a material of the library, whose F is known at every nanometre: a colour says no more");
+  else
+    append(out, "F at every nanometre: etak render ", choice.library, " --reference");
+  return out;
+}
 
 std::string choice_text(const std::vector<Choice>& choices, const CostTable& costs, std::string_view scene) {
   if (choices.empty()) return {};
@@ -72,7 +96,7 @@ std::string choice_text(const std::vector<Choice>& choices, const CostTable& cos
            filter_cell(each.textured ? std::string(name(each.filter)) : "-") +
            cell(each.method.empty() ? "-" : each.method, 18) + cell(number(each.picture_error, 3), 11) +
            cell(number(each.fresnel_error, 3), 9) + saving(each.everything_ns, each.chosen_ns) +
-           (each.met ? "" : ", over the budget: the closest that F0 alone can feed") + "\n";
+           (each.met ? "" : ", over the budget: the least that can be reached") + "\n";
   if (choices.size() == 1) {
     const Choice& one = choices[0];
     append(out, "\nlooked at, cheapest first, with the largest error in ", name(one.unit),

@@ -13,6 +13,7 @@
 #include "core/material/library.h"
 #include "core/report/choose.h"
 #include "core/report/error_time.h"
+#include "core/report/made_pages.h"
 #include "core/report/measure.h"
 
 namespace etak {
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::size_t count = 4096;
 constexpr std::size_t rounds = 200;
+constexpr int png_side = 128;
 constexpr double seconds_a_case =
     0.4;  // 2 ms a repeat: a burst of others lasts longer, so some repeats miss it
 
@@ -79,31 +81,31 @@ void add_textures(std::vector<TimedCase>& cases) {
                          keep(&texel);
                        }
                      }});
-  // A file has a fixed part, which a texture's size hides.
-  const auto picture = some_texture(256, 64);
+  // Larger than the window that deflate looks back in.
+  const auto pages = std::make_shared<const std::vector<MadePage>>(made_pages(png_side));
   for (const auto& [level, id] :
        {std::pair{PngLevel::fast, "png/fast"}, std::pair{PngLevel::small, "png/small"},
         std::pair{PngLevel::smallest, "png/smallest"}})
-    cases.push_back({id, picture->pixel_count(), [picture, level = level] {
+    cases.push_back({id, pages->size() * png_side * png_side, [pages, level = level] {
                        PngOptions options;
                        options.level = level;
                        std::size_t bytes = 0;
-                       write_png({{picture->width, picture->height, 4, 8},
-                                  picture->values.data(),
-                                  static_cast<std::size_t>(picture->width) * 4},
-                                 options, [&](std::string_view part) { bytes += part.size(); });
+                       for (const MadePage& page : *pages)
+                         write_png({{png_side, png_side, 4, 8}, page.pixels.values.data(), png_side * 4},
+                                   options, [&](std::string_view part) { bytes += part.size(); });
                        keep(&bytes);
                      }});
 }
 
 }  // namespace
 
-CostTable measure_costs(std::string_view header) {
+CostTable measure_costs(std::string_view header,
+                        const std::function<void(std::size_t done, std::size_t all)>& progress) {
   CostTable costs;
   costs.header = std::string(header) + "; least of " + std::to_string(rounds) + " interleaved repeats";
   const auto library = MaterialLibrary::builtin();
   const Material gold = *library.find("gold"), water = *library.find("water");
-  constexpr TimingOptions timing{rounds, seconds_a_case};
+  const TimingOptions timing{rounds, seconds_a_case, progress};
 
   std::vector<TimedCase> cases;
   const auto cosines = random_floats(count, 0, 1);

@@ -80,6 +80,7 @@ struct TimedCase {
 struct TimingOptions {
   std::size_t repeats = 31;     // interleaved, in an order that changes from round to round
   double seconds_a_case = 0.2;  // of each case, over all repeats
+  std::function<void(std::size_t done, std::size_t all)> progress = {};  // told before each repeat
 };
 
 /// One RunTime per case, ratios to the first. Through Google Benchmark (target etak::report_run); single

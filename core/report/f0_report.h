@@ -50,9 +50,16 @@ void append_f0_csv(std::string& out, std::string_view path, const F0Result& resu
 /// The flags field of the CSV, also used by the table.
 std::string flags_text(const F0Result& result);
 
-/// Fixed-width table for people. With `color`, a 24-bit swatch before each row. Below it the meaning of the
-/// flags that occur; the policy is the last line.
-std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool color);
+/// Fixed-width table for people. With `color`, a 24-bit swatch before each row.
+///   line_width   columns of the terminal: wider rows go on in a line below; 0: rows are never broken
+std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool color,
+                     std::size_t line_width = 0);
+
+/// What a table leaves unsaid: the meaning of the flags that occur, and the policy as the last line.
+std::string f0_legend(std::span<const F0Row> rows, const F0Options& options, std::size_t line_width = 0);
+
+/// The choices that move a result most, in a few words: "D65, 1931-2deg observer, linear srgb".
+std::string short_policy(const F0Options& options);
 
 /// {"schema": "etak-f0/1", "policy": {...}, "results": [...]} as resources/schema/f0.schema.json describes,
 /// two-space indented, numbers as the shortest text that reads back equal.

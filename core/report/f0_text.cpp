@@ -145,12 +145,25 @@ Cells cells_of(const F0Row& row, Extra extra) {
   return cells;
 }
 
+constexpr std::size_t swatch_width = 6;  // with the blanks behind it
+constexpr std::size_t fold_indent = 4;
+
+// A row that is wider than `most` columns (0: any width) goes on in a line below, indented; all rows break at
+// the same columns but for the last one, which is as long as it is.
 void append_line(std::string& out, const Cells& cells, std::span<const Column> columns,
-                 std::span<const std::size_t> width) {
+                 std::span<const std::size_t> width, std::size_t most, std::size_t at) {
   std::size_t owed = 0;  // blanks are written only before something, so that no line ends in them
   for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t taken = i + 1 < cells.size() ? width[i] : display_width(cells[i]);
+    if (i > 0 && most > 0 && at + 2 + taken > most && at > fold_indent && taken > 0) {
+      out += '\n';
+      owed = at = fold_indent;
+    } else if (i > 0) {
+      owed += 2;
+      at += 2;
+    }
+    at += taken;
     const std::size_t padding = width[i] - display_width(cells[i]);
-    if (i > 0) owed += 2;
     if (columns[i].right) owed += padding;
     if (!cells[i].empty()) {
       out.append(owed, ' ').append(cells[i]);
@@ -169,18 +182,6 @@ void append_swatch(std::string& out, const F0Result& result) {
   const auto& c = result.srgb8;
   append(out, "\x1b[48;2;", std::to_string(c.r), ';', std::to_string(c.g));
   append(out, ';', std::to_string(c.b), "m    \x1b[0m  ");
-}
-
-void append_legend(std::string& out, std::span<const F0Row> rows) {
-  Flags seen;
-  for (const F0Row& row : rows) seen |= row.result.flags;
-  if (seen.none()) return;
-  std::size_t width = 0;
-  seen.for_each([&](Flag flag) { width = std::max(width, name(flag).size()); });
-  out += '\n';
-  seen.for_each([&](Flag flag) {
-    out.append(name(flag)).append(width - name(flag).size() + 2, ' ').append(meaning(flag)).append(1, '\n');
-  });
 }
 
 template <class Color, class Value>
@@ -252,7 +253,8 @@ void append_f0_csv(std::string& out, std::string_view path, const F0Result& resu
   append(out, ',', kind, '\n');
 }
 
-std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool color) {
+std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool color,
+                     std::size_t line_width) {
   const bool is_xyz = !options.custom_space && options.space == RgbSpace::xyz;
   const std::array<std::string, 3> channel =
       is_xyz ? std::array<std::string, 3>{"X", "Y", "Z"} : std::array<std::string, 3>{"r", "g", "b"};
@@ -276,11 +278,8 @@ std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (color && i == 0) out += "      ";
     if (color && i > 0) append_swatch(out, rows[i - 1].result);
-    append_line(out, lines[i], columns, width);
+    append_line(out, lines[i], columns, width, line_width, color ? swatch_width : 0);
   }
-  append_legend(out, rows);
-  if (!rows.empty()) out += '\n';
-  append(out, policy(options), '\n');
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/number.h"
 #include "core/image/png.h"
 #include "core/report/error_time.h"
+#include "core/report/made_pages.h"
 #include "core/report/measure.h"
 
 namespace etak {
@@ -20,7 +21,7 @@ using Sizes = std::vector<RectSize>;
 
 constexpr int efforts[] = {1, 3, 10, 30, 100, 300, 1000, 3000};
 constexpr int most_quick_effort = 300, default_effort = 100;
-constexpr int page_side = 1024, quick_page_side = 512;
+constexpr int page_side = most_page_side, quick_page_side = 512;
 // All repeats of a table's rows together, in seconds; rows that take long are repeated less often.
 constexpr double quick_seconds = 2.5, full_seconds = 60;
 constexpr std::size_t fewest_repeats = 3;
@@ -113,99 +114,9 @@ RectLayout packed(const RectSet& set, int effort, unsigned threads) {
   return pack_rects(set.sizes, options);
 }
 
-// ---- pages
+// ---- tables
 
-// Each a page of 1024 x 1024, or its left upper part of `side` x `side`.
-
-// Noise over a page, linear between `cells` x `cells` points, in [0, 1].
-class ValueNoise {
- public:
-  ValueNoise(int cells, std::uint64_t seed) : cells_(cells) {
-    Random random(seed);
-    values_.resize(static_cast<std::size_t>(cells + 2) * static_cast<std::size_t>(cells + 2));
-    for (double& value : values_) value = random.uniform();
-  }
-  double at(int x, int y) const {
-    const double u = double(x) / page_side * cells_, v = double(y) / page_side * cells_;
-    const int i = static_cast<int>(u), j = static_cast<int>(v);
-    const double s = u - i, t = v - j;
-    return (value(i, j) * (1 - s) + value(i + 1, j) * s) * (1 - t) +
-           (value(i, j + 1) * (1 - s) + value(i + 1, j + 1) * s) * t;
-  }
-
- private:
-  double value(int i, int j) const {
-    return values_[static_cast<std::size_t>(j) * static_cast<std::size_t>(cells_ + 2) +
-                   static_cast<std::size_t>(i)];
-  }
-  int cells_;
-  std::vector<double> values_;
-};
-
-std::uint8_t code(double value) {
-  return to_code(static_cast<float>(value));
-}
-
-// Stone: four octaves of noise and grain; nothing to see through.
-Image8 stone_page(int side) {
-  const ValueNoise noise[] = {{8, 21}, {32, 22}, {128, 23}, {512, 24}};
-  Random grain(25);
-  Image8 page(side, side, 4, 255);
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      double level = 0.04 * (grain.uniform() - 0.5), share = 0.5;
-      for (const ValueNoise& octave : noise) level += share * octave.at(x, y), share /= 2;
-      const double tint[] = {0.8, 0.72, 0.6};
-      for (std::size_t c = 0; c < 3; ++c) page.at(x, y)[c] = code(tint[c] * level);
-    }
-  return page;
-}
-
-// Sprites: shaded discs on nothing.
-Image8 sprite_page(int side) {
-  constexpr int cell = 128;
-  Image8 page(side, side, 4);
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      const int column = x / cell, row = y / cell;
-      const double u = (x % cell + 0.5) / (cell / 2.0) - 1, v = (y % cell + 0.5) / (cell / 2.0) - 1;
-      const double radius = 0.55 + 0.05 * ((column + 3 * row) % 8), r = std::hypot(u, v) / radius;
-      const double cover = std::clamp((1 - r) * radius * cell / 2 + 0.5, 0.0, 1.0);
-      if (cover == 0) continue;
-      const double light = 0.25 + 0.75 * std::sqrt(std::max(0.0, 1 - r * r));
-      for (std::size_t c = 0; c < 3; ++c)
-        page.at(x, y)[c] = code(light * (0.3 + 0.1 * double((column * (int(c) + 1) + row) % 8)));
-      page.at(x, y)[3] = code(cover);
-    }
-  return page;
-}
-
-// F0 and gloss: materials in patches, F0 one colour each, scratches in the gloss.
-Image8 material_page(int side) {
-  const ValueNoise where(6, 31), scratches(340, 32);
-  const std::array<std::array<double, 4>, 5> materials{{{0.22, 0.22, 0.22, 0.4},
-                                                        {1.0, 0.86, 0.57, 0.8},
-                                                        {0.95, 0.93, 0.88, 0.7},
-                                                        {0.22, 0.22, 0.22, 0.75},
-                                                        {0.77, 0.78, 0.78, 0.6}}};
-  Image8 page(side, side, 4);
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x) {
-      const auto which = static_cast<std::size_t>(where.at(x, y) * 4.999);
-      const auto pixel = page.at(x, y);
-      for (std::size_t c = 0; c < 3; ++c) pixel[c] = code(materials[which][c]);
-      pixel[3] = code(materials[which][3] + 0.15 * (scratches.at(x, y) - 0.5));
-    }
-  return page;
-}
-
-struct Page {
-  const char* id;
-  const char* title;
-  Image8 pixels;
-};
-
-std::string png_of(const Page& page, PngLevel level, unsigned threads) {
+std::string png_of(const MadePage& page, PngLevel level, unsigned threads) {
   PngOptions options;
   options.level = level;
   options.threads = threads;
@@ -215,8 +126,6 @@ std::string png_of(const Page& page, PngLevel level, unsigned threads) {
                     static_cast<std::size_t>(page.pixels.width) * static_cast<std::size_t>(channels)},
                    options);
 }
-
-// ---- tables
 
 // As many repeats as fit; `once` is what one round over all cases took.
 std::vector<RunTime> timed(const std::vector<TimedCase>& cases, double once, const ReportOptions& options) {
@@ -302,16 +211,14 @@ constexpr std::array levels{Level{"fast", "fast", PngLevel::fast}, Level{"small"
 
 ErrorTimeTable codec_table(const ReportOptions& options) {
   const int side = options.full ? page_side : quick_page_side;
-  auto pages = std::make_shared<std::vector<Page>>();
-  pages->push_back({"stone", "stone", stone_page(side)});
-  pages->push_back({"sprites", "sprites", sprite_page(side)});
-  pages->push_back({"materials", "F0 and gloss", material_page(side)});
+  const auto pages = std::make_shared<const std::vector<MadePage>>(made_pages(side));
   ErrorTimeTable table;
   table.id = "png";
   table.title = "Pages: levels of PNG";
   table.metrics = {{"bytes_ratio", "bytes against smallest, mean", ""}};
-  for (const Page& page : *pages) table.metrics.push_back({std::string("ratio_") + page.id, page.title, ""});
-  for (const Page& page : *pages)
+  for (const MadePage& page : *pages)
+    table.metrics.push_back({std::string("ratio_") + page.id, page.title, ""});
+  for (const MadePage& page : *pages)
     table.metrics.push_back({std::string("bits_") + page.id, page.title, "bits per pixel"});
   table.time_unit = "ms per page";
   table.title += " (" + std::to_string(side) + " x " + std::to_string(side) + ")";
@@ -321,12 +228,12 @@ ErrorTimeTable codec_table(const ReportOptions& options) {
   double once = 0;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     once += seconds_of([&] {
-      for (const Page& page : *pages)
+      for (const MadePage& page : *pages)
         bytes[i].push_back(double(png_of(page, levels[i].level, options.threads).size()));
     });
     cases.push_back(
         {levels[i].id, pages->size(), [pages, level = levels[i].level, threads = options.threads] {
-           for (const Page& page : *pages) {
+           for (const MadePage& page : *pages) {
              const std::string png = png_of(page, level, threads);
              keep(png.data());
            }

@@ -61,8 +61,17 @@ std::vector<RunTime> time_cases(std::span<const TimedCase> cases, const TimingOp
         ->MinTime(seconds_a_repeat)
         ->UseRealTime();
   };
+  // The library begins each case with a few calls more, which find how often a repeat goes round.
+  std::vector<std::size_t> calls(cases.size());
+  std::size_t done = 0;
+  const auto tell = [&](std::size_t i) {
+    if (!options.progress) return;
+    done += calls[i]++ < options.repeats;
+    options.progress(done, options.repeats * cases.size());
+  };
   for (std::size_t i = 0; i < cases.size(); ++i)
-    enlist(std::to_string(i), [&body = cases[i].body](benchmark::State& state) {
+    enlist(std::to_string(i), [&, i, &body = cases[i].body](benchmark::State& state) {
+      tell(i);
       for ([[maybe_unused]] auto _ : state) body();
     });
   if (empty_loop_ns != nullptr)

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/number.h"
 #include "core/scene/gltf_write_json.inc"
 #include "core/scene/uv_use.h"
 
@@ -161,7 +162,7 @@ class Primitive {
     fail_uv(uvs, "a triangle in none of the islands");
   }
   [[noreturn]] void fail_uv(const std::array<Uv, 3>& uvs, const std::string& what) const {
-    node().fail(what + ", from UV " + std::to_string(uvs[0][0]) + " " + std::to_string(uvs[0][1]),
+    node().fail(what + ", from UV " + number(uvs[0][0], 6) + " " + number(uvs[0][1], 6),
                 "each triangle inside one island");
   }
 

@@ -22,6 +22,7 @@ struct NoToml {};
 #include "core/validate/config.h"
 #include "core/validate/rules.h"
 #include "core/validate/suppress.h"
+#include "core/validate/user_config.h"
 
 namespace etak {
 namespace {
@@ -293,23 +294,39 @@ constexpr Key top_keys[] = {{"profile", read_profile}, {"transfer", read_transfe
                             {"alpha", read_alpha},     {"roles", read_roles},       {"rules", read_rules},
                             {"zone", read_zone},       {"allow", read_allow}};
 
+toml::table document_of(std::string_view text, std::string_view file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw Error::at_line(file, error.source().begin.line, printable(error.description(), 200),
+                         "a TOML document");
+  } catch (const NoToml&) {
+    throw Error::at(file, "a table or key that cannot be read", "a TOML document");
+  }
+}
+
 }  // namespace
 
 ValidateConfig parse_config(std::string_view text, std::string_view file) {
-  const toml::table table = [&] {
-    try {
-      return toml::parse(text, file);
-    } catch (const toml::parse_error& error) {
-      throw Error::at_line(file, error.source().begin.line, printable(error.description(), 200),
-                           "a TOML document");
-    } catch (const NoToml&) {
-      throw Error::at(file, "a table or key that cannot be read", "a TOML document");
-    }
-  }();
+  const toml::table table = document_of(text, file);
   ValidateConfig out;
   // "on" in [rules] depends on the profile, and a table's keys come in the order of their names.
   if (const toml::node* profile = table.get("profile")) read_profile({*profile, file, "profile"}, out);
   read_keys(table, file, "", top_keys, out);
+  return out;
+}
+
+UserConfig parse_user_config(std::string_view text, std::string_view file) {
+  UserConfig out;
+  const toml::table table = document_of(text, file);
+  for (const auto& [key, value] : table) {
+    if (key.str() != "force")
+      throw Error::at_line(file, key.source().begin.line, "unknown key \"" + printable(key.str()) + '"',
+                           "force");
+    const auto* force = value.as_boolean();
+    if (force == nullptr) Node{value, file, "force"}.fail_value("true or false");
+    out.force = force->get();
+  }
   return out;
 }
 

@@ -42,6 +42,11 @@ Json artifact(const std::string& path) {
   return {{"uri", uri(path)}, {"uriBaseId", "%SRCROOT%"}};
 }
 
+// No server stands behind these names, as behind those of the schemas: `etak explain ETK101` does.
+std::string rule_address(const Rule& rule) {
+  return "urn:etak:rule:" + std::string(rule.id);
+}
+
 Json rule_json(const Rule& rule) {
   Json out = Json::object();
   out["id"] = rule.id;
@@ -49,10 +54,13 @@ Json rule_json(const Rule& rule) {
   out["shortDescription"] = {{"text", rule.title}};
   out["fullDescription"] = {{"text", rule.what}};
   const std::string text = std::string(rule.what) + "\n\n" + std::string(rule.why) +
-                           "\n\nExample: " + std::string(rule.example) + "\n\nFix: " + std::string(rule.fix);
+                           "\n\nExample: " + std::string(rule.example) + "\n\nFix: " + std::string(rule.fix) +
+                           "\n\nMore: etak explain " + std::string(rule.id);
   std::string markdown = std::string(rule.what) + "\n\n**Why.** " + std::string(rule.why);
   markdown += "\n\n**Example.** " + std::string(rule.example) + "\n\n**Fix.** " + std::string(rule.fix);
   markdown += "\n\n**Source.** " + std::string(rule.source);
+  markdown += "\n\nMore: `etak explain " + std::string(rule.id) + "`";
+  out["helpUri"] = rule_address(rule);
   out["help"] = {{"text", text}, {"markdown", markdown}};
   out["defaultConfiguration"] = {{"enabled", rule.severity != Severity::off},
                                  {"level", rule.severity == Severity::off ? "none" : level(rule.severity)}};
@@ -135,8 +143,11 @@ std::string validation_sarif(const ValidationReport& report, const OutputOptions
   Json rule_rows = Json::array();
   for (const Rule* rule : rules()) rule_rows.push_back(rule_json(*rule));
   Json run = Json::object();
-  run["tool"] = {
-      {"driver", {{"name", "etak"}, {"version", options.version}, {"rules", std::move(rule_rows)}}}};
+  run["tool"] = {{"driver",
+                  {{"name", "etak"},
+                   {"version", options.version},
+                   {"informationUri", "urn:etak:validator"},
+                   {"rules", std::move(rule_rows)}}}};
   run["invocations"] = Json::array({{{"executionSuccessful", !report.incomplete},
                                      {"toolExecutionNotifications", std::move(notifications)}}});
   run["columnKind"] = "utf16CodeUnits";

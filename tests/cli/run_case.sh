@@ -19,12 +19,15 @@ ETAK_SOURCE=$(dirname "$matcher")/../..
 LC_ALL=C
 export ETAK_SHARED ETAK_FOLDER ETAK_SOURCE PATH LC_ALL
 unset NO_COLOR ETAK_LIBRARY OCIO || true
+unset CLICOLOR CLICOLOR_FORCE COLUMNS ETAK_FORCE || true
 
 scratch=$(mktemp -d -t etak-cli.XXXXXX)
 trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
 cp -R "$case" "$scratch/case"
 chmod -R u+w "$scratch/case"
 cd "$scratch/case"
+XDG_CONFIG_HOME=$scratch/config  # not the user's own
+export XDG_CONFIG_HOME
 
 status=0
 sh -eu ./cmd >"$scratch/stdout" 2>"$scratch/stderr" </dev/null || status=$?

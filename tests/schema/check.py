@@ -90,6 +90,14 @@ for verb, variants in calls.items():
     for options in variants:
         check(validator, json.loads(run(verb, *options, "--format", "json")), f"{verb} {options}")
 check(schema("eval"), json.loads(run("eval", "f0", "n=1.5", "k=0", "--format", "json")), "eval f0")
+# found 1.21: the table of rules has a schema, and tools that read it get every rule.
+rules = schema("rules")
+table = json.loads(run("validate", "--list-rules", "--format", "json"))
+check(rules, table, "validate --list-rules")
+every = json.loads(run("explain", "ETK", "--format", "json"))
+check(rules, every, "explain ETK")
+assert every == table
+check(rules, json.loads(run("explain", "ETK101", "--format", "json")), "explain ETK101")
 check(schema("functions"), json.loads(run("eval", "--list", "--format", "json")), "eval --list")
 
 if os.path.exists(os.path.join(os.path.dirname(etak), "etak-image")) and "etak_image_io" in sys.argv[3:]:
@@ -121,6 +129,14 @@ def run_where_built(*arguments):
     assert done.returncode in (0, 1), (arguments, done.stderr)
     return done.stdout
 
+
+# found 1.16: every line of progress follows its schema.
+done = subprocess.run([etak, "f0", "--all", "--format", "csv", "--progress", "json"], check=True, capture_output=True,
+                      text=True)
+lines = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]
+assert lines and lines[-1]["ended"] and lines[-1]["done"] == lines[-1]["total"], lines
+for line in lines:
+    check(schema("progress"), line, "f0 --progress json")
 
 text = run_where_built("choose", "gold", "water", "--format", "json")
 if text is not None:

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/base/number.h"
-#include "core/spectrum/integration.h"
+#include "core/material/coverage.h"
 #include "core/validate/rules/rows.h"
 #include "core/validate/rules/spectral.h"
 
@@ -16,15 +16,17 @@ void check(RuleCheck& check) {
   for (const SpectralRows& rows : material->datasets) {
     const double first = first_nm(rows), last = last_nm(rows);
     if (first <= 0 || (first <= 380 && last >= 780)) continue;
-    const bool core = first <= 400 && last >= 700;
-    const double missing = 1 - weight_inside(Viewing{}, first, last)[1];
+    const double held = luminous_coverage(first, last);
+    const bool refused = !covers_enough(held);
     Finding& finding = check.report();
     finding.pointer = rows.pointer;
-    if (core) finding.severity = check.at_most(Severity::warning);
+    // Nobody gets the colour of another dataset without naming it, and etak f0 refuses it then.
+    if (!refused || !rows.preferred) finding.severity = check.at_most(refused ? Severity::warning : Severity::info);
     finding.value = number(first, 5) + " to " + number(last, 5) + " nm";
-    finding.limit = core ? "380 to 780 nm" : "400 to 700 nm";
+    finding.limit = refused ? percent(least_coverage) + " of the luminous weight" : "380 to 780 nm";
     finding.message = "dataset \"" + rows.id + "\" covers " + finding.value + "; " +
-                      percent(std::max(0.0, missing)) + " of the luminous weight is outside";
+                      percent(std::max(0.0, 1 - held)) + " of the luminous weight is outside" +
+                      (refused ? ", too much for a colour" : "");
   }
 }
 
@@ -38,11 +40,12 @@ constinit const Rule etk601_coverage{
     Severity::error,
     {Need::material},
     {},
-    "8 of 147 pages of refractiveindex.info fall short; Filament's tool takes short data in "
-    "silence (etak)",
-    "The data do not cover 400 to 700 nm (error), or not 380 to 780 nm (warning, with the "
-    "share of the luminous weight that is missing).",
-    "What is not there is guessed by holding the end values.",
+    "etak f0 refuses the same data, by the same limit; Filament's tool takes short data in silence (etak)",
+    "The data hold less than 95 % of the luminous weight, so that etak f0 gives no colour for them (error; of a dataset beside "
+    "the preferred one a warning), or more, but not all of 380 to 780 nm (a remark, with the share that is missing).",
+    "What is not there is guessed by holding the end values. Past 95 % that moves a colour by less than "
+    "instruments differ; "
+    "below, it is a guess.",
     "An infrared measurement used for a colour.",
     "Use another dataset, or complete the table.",
     &check};

@@ -186,7 +186,7 @@ TEST_CASE("a bad number is refused with its line") {
   CHECK(contains(row("500,,0"), "t.csv:3: \"\""));
   CHECK(contains(row("500,1"), "t.csv:3: 2 columns; expected 3"));
   CHECK(contains(row("500,1,0,0"), "t.csv:3: 4 columns; expected 3"));
-  CHECK(contains(row("500,0,0"), "t.csv:3: n = 0"));
+  CHECK(contains(row("500,0,0"), "t.csv:3: n = 0 with k = 0; expected n above 0, or k above 0"));
   CHECK(contains(row("500,-1,0"), "t.csv:3: n = -1"));
   CHECK(contains(row("500,1,-1e-9"), "t.csv:3: k = -1e-09"));
   CHECK(contains(row("-500,1,0"), "t.csv:3: wavelength -500"));

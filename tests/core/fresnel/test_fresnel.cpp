@@ -169,6 +169,43 @@ TEST_CASE("total reflection is total") {
   CHECK(f64::fresnel_exact(0.5, 1e-8, c) == Approx(by_complex_double(0.5, 1e-8, c)).epsilon(1e-14));
 }
 
+TEST_CASE("found 1.20: a metal without loss reflects everything, and n near 0 nearly so") {
+  const double angles[] = {1.0, 0.999999, 0.9, 0.5, 1.0 / 7, 1e-3, 1e-8, 0.0};
+  for (const double k : {1e-300, 1e-20, 1e-8, 1e-3, 0.5, 1.0, 5.0, 1e3, 1e6}) {
+    INFO("k " << k);
+    CHECK(f64::f0(0, k) == 1);
+    CHECK(f64::absorptance0(0, k) == 0);
+    for (const double c : angles) {
+      INFO("cos " << c);
+      for (const double n : {0.0, 1e-300, 1e-150, 1e-40, 1e-20}) {
+        CHECK(f64::fresnel_exact(n, k, c) == Approx(1).epsilon(1e-15).margin(0));
+        CHECK(f32::fresnel_exact(static_cast<float>(n), static_cast<float>(k), static_cast<float>(c)) ==
+              Approx(1).epsilon(2e-7).margin(0));
+      }
+    }
+  }
+  // Without k, n near 0 is all but total reflection: 1 - 4 n head on.
+  for (const double n : {1e-300, 1e-40, 1e-17, 1e-12, 1e-9, 1e-6, 1e-4, 0.009}) {
+    INFO("n " << n);
+    CHECK(f64::fresnel_exact(n, 0, 1) == Approx(by_complex_double(std::max(n, 1e-30), 0, 1)).epsilon(1e-14));
+    CHECK(f32::fresnel_exact(static_cast<float>(n), 0, 1) ==
+          Approx(by_complex_double(std::max(n, 1e-30), 0, 1)).epsilon(2e-6));
+  }
+}
+
+TEST_CASE("found 1.20: for n below 0.01 the exact form agrees with complex arithmetic") {
+  std::mt19937_64 random(20);
+  std::uniform_real_distribution<double> log_n(-9, -2), log_k(-6, 2), uniform(0, 1);
+  for (int i = 0; i < 20000; ++i) {
+    const double n = std::pow(10, log_n(random)), k = i % 4 == 0 ? 0 : std::pow(10, log_k(random));
+    const double c = i % 2 ? uniform(random) : std::pow(10, -6 * uniform(random));
+    // At the critical angle the last digit of c weighs as much as all of n.
+    if (std::abs(n * n - k * k - (1 - c) * (1 + c)) < 1e-3 * ((1 - c) * (1 + c) + k * k)) continue;
+    INFO("n " << n << " k " << k << " cos " << c);
+    REQUIRE(f64::fresnel_exact(n, k, c) == Approx(by_complex_double(n, k, c)).epsilon(2e-14));
+  }
+}
+
 TEST_CASE("Schlick's approximation has the right ends") {
   for (const double f0 : {0.0, 0.04, 0.5, 1.0, 1.022}) {
     CHECK(f64::f_schlick(f0, 1) == f0);

@@ -276,12 +276,13 @@ TEST_CASE("values outside their domain are refused with their JSON pointer") {
   CHECK(contains(complaint(with("duplicate-wavelength", "duplicated")), "#/datasets/0/flags"));
   CHECK(contains(complaint(with("\"quantity\": \"n,k\"", "\"quantity\": \"n\"")), "#/datasets/0"));
   CHECK(contains(complaint(with("[0.3, 0.9]", "[0.3, 0.8]")), "#/datasets/0/valid_range"));
-  SECTION("n at or below zero, k below zero, numbers beyond a double") {
-    for (const auto* row : {"[0.5876, 0, 3.6]", "[0.5876, -0.2, 3.6]", "[0.5876, 0.2, -1e-9]",
-                            "[0.5876, 1e5, 3.6]", "[0.5876, 0.2, 1e7]"}) {
+  SECTION("n below zero, or at zero without k, k below zero, numbers beyond a double") {
+    for (const auto* row :
+         {"[0.5876, -0.2, 3.6]", "[0.5876, 0.2, -1e-9]", "[0.5876, 1e5, 3.6]", "[0.5876, 0.2, 1e7]"}) {
       INFO(row);
       CHECK(contains(complaint(with("[0.5876, 0.2, 3.6]", row)), "#/datasets/0/rows/1"));
     }
+    CHECK(contains(complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, 0, 0]")), "n = 0 with k = 0 at 587.6 nm"));
     CHECK(!complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, 0.2, 1e999]")).empty());
     CHECK(!complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, NaN, 3.6]")).empty());
     CHECK(!complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, Infinity, 3.6]")).empty());

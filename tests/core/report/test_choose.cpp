@@ -229,8 +229,36 @@ TEST_CASE("a smaller budget never takes a cheaper form") {
   }
 }
 
-TEST_CASE("a budget that nothing meets, and a material without n and k, are errors") {
-  CHECK_THROWS_AS(chosen("gold", 1e-6), Error);
+TEST_CASE("found 1.11: a budget that nothing meets gives the closest, and says how close and what is exact") {
+  for (const double budget : {0.0, 1e-6}) {
+    const Choice choice = chosen("gold", budget);
+    CHECK(!choice.met);
+    CHECK(largest_error(choice) > 0.1);
+    CHECK(largest_error(choice) < 1);
+    for (const Candidate& each : choice.fresnel_candidates) {
+      INFO(each.id);
+      CHECK(!each.within);
+      CHECK(each.error >= choice.fresnel_error);
+    }
+    const std::string remark = unmet_remark(choice);
+    CHECK(remark.starts_with("gold: no form of F stays within " + std::string(budget == 0 ? "0" : "1e-06") +
+                             " ΔE2000"));
+    CHECK(contains(remark, "etak render gold/"));
+    CHECK(remark.size() < 250);
+    // What the remark names is reached when it is asked for.
+    const std::size_t at = remark.find("reached is ") + 11;
+    const Choice again = chosen("gold", std::stod(remark.substr(at)));
+    CHECK(again.met);
+    CHECK(largest_error(again) <= again.budget);
+  }
+  const Choice codes =
+      chosen(library_subject(*MaterialLibrary::builtin().find("gold"),
+                             MaterialLibrary::builtin().find("gold")->preferred_dataset(), 0.75),
+             0, ErrorUnit::codes);
+  CHECK(largest_error(codes) >= (codes.met ? 0 : 1));
+}
+
+TEST_CASE("a material without n and k is an error") {
   CHECK_THROWS_AS(chosen("brick"), Error);
 }
 

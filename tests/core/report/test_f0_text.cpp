@@ -170,14 +170,38 @@ TEST_CASE("table columns start in the same place in every row, whatever letters 
   }
 }
 
-TEST_CASE("the table ends with the policy, above it the meaning of every flag that occurs and of no other") {
-  const std::string table = f0_table(sample_rows(), {}, false);
+TEST_CASE(
+    "found 1.21: below a table, for who asks, stand the flags that occur, no others, and the policy last") {
+  CHECK_FALSE(contains(f0_table(sample_rows(), {}, false), policy({})));
+  CHECK_FALSE(contains(f0_table(sample_rows(), {}, false), meaning(Flag::extrapolated)));
+  const std::string table = f0_table(sample_rows(), {}, false) + f0_legend(sample_rows(), {});
   CHECK(table.ends_with("\n" + policy({}) + "\n"));
   CHECK(contains(table, "\nextrapolated "));
   CHECK(contains(table, meaning(Flag::extrapolated)));
   CHECK(contains(table, meaning(Flag::out_of_gamut)));
   CHECK_FALSE(contains(table, meaning(Flag::gap)));
   CHECK(contains(table, "refused: data cover 0.3"));
+}
+
+TEST_CASE("found 1.21: a table and its legend keep to the width of the terminal") {
+  for (const bool color : {false, true})
+    for (const std::size_t width : {80u, 100u, 120u}) {
+      INFO(width << ' ' << color);
+      const std::string narrow =
+          f0_table(sample_rows(), {}, color, width) + f0_legend(sample_rows(), {}, width);
+      std::string plain, joined;
+      for (std::size_t i = 0; i < narrow.size(); ++i) {
+        if (narrow[i] == '\x1b') i = narrow.find('m', i) + 1;
+        plain += narrow[i];
+      }
+      for (const auto& line : split(plain, '\n')) {
+        INFO(line);
+        // A word that is longer than a line stands alone, behind the indent.
+        CHECK((display_width(line) <= width || line.find(' ', line.find_first_not_of(' ')) == line.npos));
+      }
+      CHECK(contains(plain, "#"));
+    }
+  CHECK(f0_table(sample_rows(), {}, false, 1000) == f0_table(sample_rows(), {}, false));
 }
 
 TEST_CASE("swatches are in the table only when colour is wanted, and none for a refused row") {

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/output_target.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "core/base/descriptor.h"
+#include "core/base/output_folder.h"
+
+namespace etak {
+namespace {
+
+// Where a symbolic link leads, so that the link stays and its target is replaced.
+std::string behind_links(const std::string& path) {
+  std::error_code failure;
+  const auto target = std::filesystem::canonical(path, failure);
+  return failure ? path : target.string();
+}
+
+}  // namespace
+
+Error exists_already(const std::string& path) {
+  return Error::at(path, "exists already", "a new name, or --force to replace it");
+}
+
+FileTarget file_target(const std::string& path, bool overwrite) {
+  FileTarget out;
+  struct stat info {};
+  out.exists = ::stat(path.c_str(), &info) == 0;
+  out.mode = info.st_mode;
+  if (out.exists && S_ISDIR(info.st_mode)) throw Error::at(path, "is a folder", "a file to write");
+  out.is_device = out.exists && !S_ISREG(info.st_mode);
+  if (out.exists && !out.is_device && !overwrite) throw exists_already(path);
+  out.path = out.exists ? behind_links(path) : path;
+  return out;
+}
+
+void check_file_target(const std::string& path, bool overwrite) {
+  const FileTarget target = file_target(path, overwrite);
+  if (target.is_device) return;
+  std::string temporary = target.path + ".tmp-XXXXXX";
+  const Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
+  if (!file) throw Error::at(path, std::string("cannot be written: ") + std::strerror(errno));
+  ::unlink(temporary.c_str());
+}
+
+void check_folder_target(const std::string& path, std::span<const std::string> names, bool overwrite) {
+  // Made beside the target and removed with the object.
+  const OutputFolder probe(path, overwrite);
+  if (overwrite) return;
+  struct stat info {};
+  for (const std::string& name : names)
+    if (::stat((path + "/" + name).c_str(), &info) == 0) throw exists_already(path + "/" + name);
+}
+
+}  // namespace etak
