@@ -25,7 +25,9 @@ struct OpaqueRow {
 };
 constexpr std::array opaque_rows{
     OpaqueRow{"blood", "liu-2019-whole",
-              "its cells scatter and absorb light, of which the dataset, n alone, says nothing"}};
+              "its cells scatter and absorb light, of which the dataset, n alone, says nothing"},
+    OpaqueRow{"adipose_tissue", "yanina-2019",
+              "tissue scatters light, of which the dataset, n alone, says nothing"}};
 
 const Quadrature& daylight() {
   static const Quadrature q = make_quadrature(Method::nm1, Viewing{});

@@ -18,7 +18,7 @@ namespace etak {
 ///             by its k; one whose dataset has no k over half of the visible weight. Its colour then is by
 ///             the least absorbing k of the material's other datasets, where that lets half pass too (films
 ///             absorb more than bodies). Conductors, semiconductors, `surface` data, dielectrics of which
-///             only the reflectance is known, and blood, whose cells no n and k tell, are not.
+///             only the reflectance is known, and blood and fat, whose cells no n and k tell, are not.
 ///   reason    why it is or is not, for people
 ///   color     what D65 becomes over `depth_m` by exp(-4 pi k depth / wavelength), linear; white where
 ///             depth_m is 0

@@ -46,7 +46,8 @@ TEST_CASE(
     INFO(id << ": " << preferred(id).reason);
     CHECK(preferred(id).clear);
   }
-  for (const char* id : {"gold", "silicon", "office_paper", "soot", "blood", "rhodamine", "polyimide"}) {
+  for (const char* id : {"gold", "silicon", "office_paper", "soot", "blood", "adipose_tissue", "liver",
+                         "rhodamine", "polyimide"}) {
     INFO(id << ": " << preferred(id).reason);
     CHECK(!preferred(id).clear);
     CHECK(!preferred(id).reason.empty());
