@@ -22,6 +22,8 @@ namespace {
 
 constexpr std::size_t much = std::size_t{1} << 20;
 
+// Each test has a name of its own: what the user has named stays named as long as the process lives, and
+// folders of other tests may have had the same path.
 std::string named_pipe(const TempFolder& folder, const char* name) {
   const std::string path = folder.file(name);
   REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
@@ -40,17 +42,17 @@ std::thread writer(const std::string& path, std::string bytes) {
 
 TEST_CASE("found 1.08: a pipe that the user named is read as often as a file, by any spelling of its path") {
   const TempFolder folder;
-  const std::string path = named_pipe(folder, "pipe.csv");
+  const std::string path = named_pipe(folder, "named.csv");
   CHECK(accept_input(path) == path);
   CHECK(is_pipe_input(path));
   std::string bytes(300000, 'x');
   bytes += "end";
   std::thread other = writer(path, bytes);
   CHECK(read_head(path, 5) == "xxxxx");
-  CHECK(read_head(folder.path() + "/./pipe.csv", 5) == "xxxxx");
+  CHECK(read_head(folder.path() + "/./named.csv", 5) == "xxxxx");
   CHECK(read_file(path) == bytes);
   CHECK(read_file(folder.path() + "/../" + folder.path().substr(folder.path().rfind('/') + 1) +
-                  "/pipe.csv") == bytes);
+                  "/named.csv") == bytes);
   const OpenedInput opened = open_input(path, much);
   CHECK(opened.size == bytes.size());
   CHECK(::lseek(opened.file.get(), 0, SEEK_CUR) == 0);
@@ -60,7 +62,7 @@ TEST_CASE("found 1.08: a pipe that the user named is read as often as a file, by
 
 TEST_CASE("found 1.08: a pipe that nobody named is refused without being opened") {
   const TempFolder folder;
-  const std::string path = named_pipe(folder, "pipe.csv");
+  const std::string path = named_pipe(folder, "unnamed.csv");
   CHECK_FALSE(is_pipe_input(path));
   const std::string message = error_of([&] { (void)read_file(path); });
   CHECK(contains(message, path + ": is a pipe"));
@@ -72,7 +74,7 @@ TEST_CASE("found 1.08: a pipe that nobody named is refused without being opened"
 
 TEST_CASE("found 1.08: a pipe without a writer is waited for no longer than asked") {
   const TempFolder folder;
-  const std::string path = named_pipe(folder, "pipe.csv");
+  const std::string path = named_pipe(folder, "silent.csv");
   (void)accept_input(path);
   set_input_timeout(0.1);
   const auto begin = std::chrono::steady_clock::now();
