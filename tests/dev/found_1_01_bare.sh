@@ -1,0 +1,19 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# found_1_01_bare.sh SOURCE SCRATCH: what ./dev demo builds needs no package of the tests and is none of them. (./dev fresh
+# demo is the whole proof; it takes minutes, and root.)
+set -eu
+source=$1 scratch=$2
+rm -rf "$scratch"
+cmake -S "$source" -B "$scratch" -G Ninja -DCMAKE_BUILD_TYPE=Release -DETAK_BUILD_TESTS=OFF \
+  -DCMAKE_DISABLE_FIND_PACKAGE_Catch2=ON -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON >"$scratch.log" 2>&1 || {
+  cat "$scratch.log"
+  exit 1
+}
+ninja -C "$scratch" -t inputs etak-programs >"$scratch.inputs"
+grep -q 'core/material/f0' "$scratch.inputs" || { echo "the program's sources are not among what is built"; exit 1; }
+if grep -n 'tests/' "$scratch.inputs"; then echo "the demo builds parts of the tests"; exit 1; fi
+sed -n '/^demo()/,/^}/p' "$source/dev" >"$scratch.demo"
+grep -q 'configure OFF' "$scratch.demo" || { echo "./dev demo configures the tests"; exit 1; }
+if grep -n 'test_packages' "$scratch.demo"; then echo "./dev demo installs packages of the tests"; exit 1; fi
+rm -rf "$scratch" "$scratch.log" "$scratch.inputs" "$scratch.demo"
