@@ -150,11 +150,4 @@ Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::
   return out;
 }
 
-std::string skipped_remark(const std::vector<std::string>& skipped) {
-  if (skipped.empty()) return {};
-  std::string out = printable(skipped.front(), 200);
-  if (skipped.size() > 1) out += " and " + std::to_string(skipped.size() - 1) + " more";
-  return out + ": skipped, because pipes, sockets and devices are read only where they are named";
-}
-
 }  // namespace etak::cli

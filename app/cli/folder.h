@@ -33,7 +33,4 @@ struct Folder {
 Folder list_folder(const std::string& path, unsigned threads,
                    bool (*keep)(std::string_view name) = has_known_kind);
 
-/// What is said of a folder's entries that are no files; empty where there are none.
-std::string skipped_remark(const std::vector<std::string>& skipped);
-
 }  // namespace etak::cli

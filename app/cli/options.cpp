@@ -10,7 +10,9 @@
 
 #include "app/cli/custom_space.h"
 #include "app/cli/file_options.h"
+#include "app/cli/output.h"
 #include "core/base/error.h"
+#include "core/base/input.h"
 #include "core/base/number.h"
 #include "core/material/names.h"
 
@@ -62,9 +64,11 @@ OutsideMedium outside_medium(const std::string& text, Library& library) {
 const MaterialLibrary& Library::get() {
   if (library_) return *library_;
   MaterialLibrary library = MaterialLibrary::builtin();
+  std::vector<std::string> skipped;
   if (const char* paths = std::getenv("ETAK_LIBRARY"))
-    for (const std::string& folder : split(paths, ':')) library.add_folder(folder);
-  for (const std::string& folder : folders) library.add_folder(folder);
+    for (const std::string& folder : split(paths, ':')) library.add_folder(folder, &skipped);
+  for (const std::string& folder : folders) library.add_folder(folder, &skipped);
+  if (!skipped.empty()) complain(skipped_remark(skipped));
   return library_.emplace(std::move(library));
 }
 

@@ -152,9 +152,14 @@ std::string json_form(const MaterialReport& report, const F0Options& options) {
   std::vector<F0Row> rows;
   for (std::size_t i = 0; i < report.results.size(); ++i) {
     const Dataset& dataset = material.datasets[i];
-    rows.push_back({material.id + "/" + dataset.id, material.name, material.material_class, dataset.id,
-                    one_line(dataset.citation), report.results[i], std::string(name(dataset.origin)),
-                    doubt(material, dataset)});
+    rows.push_back({.path = material.id + "/" + dataset.id,
+                    .name = material.name,
+                    .material_class = material.material_class,
+                    .dataset = dataset.id,
+                    .source = one_line(dataset.citation),
+                    .result = report.results[i],
+                    .kind = std::string(name(dataset.origin)),
+                    .doubt = doubt(material, dataset)});
   }
   const Spread range = spread(report);
   const auto linear = [](const LinearRgb& c) {

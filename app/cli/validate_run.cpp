@@ -13,6 +13,7 @@
 #include "app/cli/validate_plan.h"
 #include "app/cli/validate_targets.h"
 #include "core/base/error.h"
+#include "core/base/input.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
 #include "core/base/output_target.h"

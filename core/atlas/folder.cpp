@@ -63,7 +63,8 @@ bool split(const std::string& file, const Pattern& pattern, std::string& name, s
 
 }  // namespace
 
-AtlasManifest manifest_of_folder(const std::string& folder, const std::string& pattern_text) {
+AtlasManifest manifest_of_folder(const std::string& folder, const std::string& pattern_text,
+                                 std::vector<std::string>* skipped) {
   const Pattern pattern = parse_pattern(pattern_text);
   std::error_code failure;
   std::map<std::string, ManifestMaterial> found;
@@ -72,6 +73,10 @@ AtlasManifest manifest_of_folder(const std::string& folder, const std::string& p
   for (const auto& entry : files) {
     std::string name, role;
     if (!split(entry.path().filename().string(), pattern, name, role)) continue;
+    if (!entry.is_regular_file(failure) && entry.exists(failure)) {
+      if (skipped != nullptr) skipped->push_back(entry.path().string());
+      continue;
+    }
     ManifestMaterial& material = found[name];
     material.name = name;
     material.place = (fs::path(folder) / name).string();

@@ -73,6 +73,8 @@ AtlasManifest parse_manifest(std::string_view text, const std::string& file);
 /// The materials of a folder whose files follow a pattern such as "{name}_{role}.png". Roles: diffuse,
 /// specular, gloss, roughness, alpha, basecolor, metallic, normal. Files that do not match are left alone;
 /// a folder in which none does is an Error. Sorted by name.
-AtlasManifest manifest_of_folder(const std::string& folder, const std::string& pattern);
+///   skipped   where given, gets the paths that match and are no regular files, such as pipes
+AtlasManifest manifest_of_folder(const std::string& folder, const std::string& pattern,
+                                 std::vector<std::string>* skipped = nullptr);
 
 }  // namespace etak

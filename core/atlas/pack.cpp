@@ -19,6 +19,7 @@
 #include "core/atlas/page_stream.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/input.h"
 #include "core/base/output_target.h"
 
 namespace etak {
@@ -113,9 +114,12 @@ class Packing {
     if (project_ != nullptr) {
       take_project(*project_);
     } else if (fs::is_directory(input_, failure)) {
-      inputs_ =
-          resolve_manifest(with_methods(manifest_of_folder(input_, options_.pattern), variants()), library_,
-                           options_.gloss, options_.door, options_.open_space, options_.spaces);
+      std::vector<std::string> skipped;
+      AtlasManifest manifest = manifest_of_folder(input_, options_.pattern, &skipped);
+      inputs_ = resolve_manifest(with_methods(std::move(manifest), variants()), library_, options_.gloss,
+                                 options_.door, options_.open_space, options_.spaces);
+      std::sort(skipped.begin(), skipped.end());
+      if (!skipped.empty()) inputs_.remarks.push_back(skipped_remark(skipped));
       inputs_.settings += options_.pattern;
     } else if (is_gltf_file(input_)) {
       scene_ = std::make_unique<ScenePack>(input_, options_);

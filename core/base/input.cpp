@@ -289,6 +289,13 @@ std::string accept_input(const std::string& typed) {
   return typed;
 }
 
+std::string skipped_remark(const std::vector<std::string>& skipped) {
+  if (skipped.empty()) return {};
+  std::string out = printable(skipped.front(), 200);
+  if (skipped.size() > 1) out += " and " + std::to_string(skipped.size() - 1) + " more";
+  return out + ": skipped, because pipes, sockets and devices are read only where they are named";
+}
+
 std::string typed_input(const std::string& path) {
   if (path == stdin_name) return "-";
   if (!has_name_of_descriptor(path)) return path;

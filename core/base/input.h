@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/descriptor.h"
 
@@ -31,6 +32,10 @@ std::string typed_input(const std::string& path);
 /// Whether `path` is an accepted pipe, or standard input or a descriptor whatever lies behind it: its name
 /// tells no kind and it lies in no folder.
 bool is_pipe_input(const std::string& path);
+
+/// What is said of what a search of a folder came by and left alone, since it is no regular file; empty where there
+/// is nothing of the kind.
+std::string skipped_remark(const std::vector<std::string>& skipped);
 
 /// How long a pipe may be without its first byte, in seconds (default 60); standard input waits without
 /// limit.

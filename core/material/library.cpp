@@ -27,15 +27,18 @@ std::string_view builtin_blob() {
   return {etak_library_begin, static_cast<std::size_t>(etak_library_end - etak_library_begin)};
 }
 
-std::vector<std::string> json_files(const std::string& folder) {
+std::vector<std::string> json_files(const std::string& folder, std::vector<std::string>* skipped) {
   std::error_code status;
   std::vector<std::string> files;
   fs::recursive_directory_iterator it(folder, status);
   if (status) throw Error::at(folder, "cannot be opened: " + status.message(), "a folder of material files");
   for (const fs::recursive_directory_iterator end; it != end; it.increment(status)) {
     if (status) throw Error::at(folder, "cannot be read: " + status.message());
-    if (it->path().extension() == ".json" && it->is_regular_file(status))
+    if (it->path().extension() != ".json" || it->is_directory(status)) continue;
+    if (it->is_regular_file(status))
       files.push_back(it->path().string());
+    else if (skipped != nullptr)
+      skipped->push_back(it->path().string());
   }
   if (files.empty()) throw Error::at(folder, "no *.json", "material files");
   std::sort(files.begin(), files.end());
@@ -88,9 +91,9 @@ void MaterialLibrary::insert(Entry entry) {
   entries_.insert(entries_.begin() + index, std::move(entry));
 }
 
-void MaterialLibrary::add_folder(const std::string& folder) {
+void MaterialLibrary::add_folder(const std::string& folder, std::vector<std::string>* skipped) {
   std::vector<std::pair<std::string, std::string>> seen;  // id, file
-  for (const std::string& file : json_files(folder)) {
+  for (const std::string& file : json_files(folder, skipped)) {
     Material material = parse_material(read_file(file), file);
     const auto twin =
         std::find_if(seen.begin(), seen.end(), [&](const auto& s) { return s.first == material.id; });

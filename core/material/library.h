@@ -38,7 +38,8 @@ class MaterialLibrary {
   /// Adds every *.json below `folder`, in path order; a material whose id is known already replaces the old
   /// one. Throws Error for an unreadable or broken file, for a folder without any, and for an id twice in the
   /// folder.
-  void add_folder(const std::string& folder);
+  ///   skipped   where given, gets the paths of what is called *.json and is no regular file, such as a pipe
+  void add_folder(const std::string& folder, std::vector<std::string>* skipped = nullptr);
 
   /// Lays one material over what is there, as add_folder() does.
   void add(Material material);
