@@ -5,7 +5,9 @@
 
 #include "core/atlas/project_pictures.h"
 #include "core/base/error.h"
+#include "core/material/appearance.h"
 #include "core/material/json.h"
+#include "core/material/names.h"
 #include "core/validate/engine.h"
 #include "core/validate/material_evidence.h"
 #include "core/validate/rules.h"
@@ -25,6 +27,14 @@ Finding told(std::string_view rule, Severity severity, const std::string& messag
   return out;
 }
 
+// Whether the black diffuse colour of a dielectric is right, because light goes through its body.
+bool is_clear_body(const ProjectMaterial& material, const MaterialLibrary& library) {
+  if (!material.measured || material.diffuse != LinearRgb{}) return false;
+  const auto record = library.find(material.measured->material);
+  return record &&
+         clarity(*record, dataset_named(*record, material.measured->dataset, record->id)).clear;
+}
+
 CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary& library,
                          const PictureDoor& door, const Settings& settings, std::size_t most_texels,
                          unsigned threads) {
@@ -40,7 +50,13 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
     target.manifest.transparent = material.alpha_mode == AlphaMode::blend;
   }
   if (material.measured) target.manifest.material = material.measured->material;
-  const MaterialPair pair = pictures_of(material, library, door, most_texels);
+  MaterialPair pair = pictures_of(material, library, door, most_texels);
+  if (!has_textures(material)) {
+    // One alpha for all hides no texel: F0 is drawn whatever the body lets through.
+    std::vector<std::uint8_t>& texels = pair.diffuse_alpha.values;
+    for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
+    if (is_clear_body(material, library)) own.rules["ETK202"].severity = Severity::off;
+  }
   return check_pictures(target, {&pair.diffuse_alpha, &pair.specular_gloss, nullptr}, own, threads);
 }
 
