@@ -8,7 +8,8 @@
 namespace etak::cli {
 
 /// The spaces that need no config, for messages.
-inline constexpr const char* built_in_spaces = "srgb (also Rec.709, linear), acescg, rec2020, display-p3 or xyz";
+inline constexpr const char* built_in_spaces =
+    "srgb (also Rec.709, linear), acescg, rec2020, display-p3 or xyz";
 
 /// The colour space `name` of an OpenColorIO config ("" : $OCIO, else the one that ships with etak). Throws
 /// Error. Two bodies share this declaration. In etak-image (ocio_full.cpp) it opens the space. In etak

@@ -17,7 +17,8 @@ bool has_known_kind(std::string_view path);
 ///   root         folder the shown paths are relative to, with a '/' at its end
 ///   files        whole paths, sorted byte by byte
 ///   unreadable   one message per subfolder that could not be read
-///   skipped      whole paths, sorted, of what `keep` would have listed but is no file: pipes, sockets, devices
+///   skipped      whole paths, sorted, of what `keep` would have listed but is no file: pipes, sockets and
+///                devices
 struct Folder {
   std::string root;
   bool is_database = false;  // a tree of the refractiveindex.info database: root is its data folder

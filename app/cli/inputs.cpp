@@ -203,10 +203,11 @@ Material material_from_table(std::string_view text, const std::string& path, con
 }  // namespace
 
 void add_input_options(CLI::App& verb, InputArguments& arguments) {
-  reads_file(verb.add_option("INPUT", arguments.names,
-                             "material (gold), dataset (gold/ID, its unique beginning, or gold/* for all), file "
-                             "(.yml page, .json material, .csv .tsv .txt .dat table), folder, pipe, or - for "
-                             "standard input"))
+  reads_file(
+      verb.add_option("INPUT", arguments.names,
+                      "material (gold), dataset (gold/ID, its unique beginning, or gold/* for all), file "
+                      "(.yml page, .json material, .csv .tsv .txt .dat table), folder, pipe, or - for "
+                      "standard input"))
       ->type_name("");
   verb.add_option("--stdin-format", arguments.stdin_format,
                   "what - and pipes without an ending hold; auto: told by the first bytes")

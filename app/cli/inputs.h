@@ -58,8 +58,8 @@ std::vector<std::string> alias_remarks(const std::vector<Input>& inputs);
 /// Names in a list file, "-" for standard input: between NUL bytes when there is one, else between line ends.
 std::vector<std::string> listed_names(const std::string& path);
 
-/// Whether the input is a .txt or .dat file that a folder search came by and that holds prose (a licence, a list
-/// of changes) instead of a table.
+/// Whether the input is a .txt or .dat file that a folder search came by and that holds prose (a licence, a
+/// list of changes) instead of a table.
 ///   head   the first content_head bytes, or more
 bool is_prose(const Input& input, std::string_view head);
 

@@ -96,7 +96,8 @@ void add_compute_options(CLI::App& verb, ComputeArguments& arguments) {
       "of the estimated error of X, Y and Z, for --integration auto (default 1e-5)")
       ->type_name("NUMBER");
   add("--space", arguments.space,
-      "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any case, or a "
+      "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any case, or "
+      "a "
       "colour space of an OpenColorIO config");
   reads_file(
       add("--ocio", arguments.ocio, "OpenColorIO config to look --space up in (else $OCIO, else etak's own)"))
@@ -133,7 +134,8 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library) {
   // all of their names but etak's own.
   auto built_in = arguments.ocio.empty() ? rgb_space_named(arguments.space) : std::nullopt;
   const char* const config = std::getenv("OCIO");
-  if (built_in && config != nullptr && *config != '\0' && arguments.space != name(*built_in)) built_in.reset();
+  if (built_in && config != nullptr && *config != '\0' && arguments.space != name(*built_in))
+    built_in.reset();
   if (built_in)
     out.space = *built_in;
   else if (!arguments.space.empty())

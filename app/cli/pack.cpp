@@ -213,7 +213,8 @@ void add_pack(CLI::App& app, Verb& chosen) {
   reads_file(verb.add_option("input", arguments->input,
                              "manifest or project (.json), glTF scene (.gltf, .glb), or folder of pictures"))
       ->type_name("INPUT");
-  verb.add_option("-o,--output,--out", arguments->out, "folder to write; --out is its older name")->type_name("DIR");
+  verb.add_option("-o,--output,--out", arguments->out, "folder to write; --out is its older name")
+      ->type_name("DIR");
   add_layout_options(verb, *arguments);
   add_leave_out_options(verb, *arguments);
   add_content_options(verb, *arguments);

@@ -275,8 +275,8 @@ void add_scene_options(CLI::App& verb, SceneArguments& arguments) {
   rgb("--diffuse", arguments.diffuse, "diffuse colour, linear; conductors and semiconductors stay black");
   add_roughness_options(verb, arguments.rough, "of the surface");
   verb.add_option("--opacity", arguments.opacity, "of the body, 0 to 1")->capture_default_str();
-  reads_file(verb.add_option("--lights", arguments.lights,
-                             "light setup; default three lights and two hemispheres"))
+  reads_file(
+      verb.add_option("--lights", arguments.lights, "light setup; default three lights and two hemispheres"))
       ->type_name("FILE");
   reads_file(verb.add_option("--env", arguments.environment,
                              "environment: lat-long HDR or EXR picture, or studio (etak's own); without "

@@ -181,9 +181,10 @@ void add_shader(CLI::App& app, Verb& chosen) {
                              "a material of what etak choose found: its Fresnel form, masking and numbers"))
       ->type_name("FILE");
   verb.add_option("--material", arguments->material, "which of the choice or the layout")->type_name("NAME");
-  reads_file(verb.add_option("--layout", arguments->layout,
-                             "layout.json of etak pack: values that vary come from its textures, the rest are "
-                             "uniforms"))
+  reads_file(
+      verb.add_option("--layout", arguments->layout,
+                      "layout.json of etak pack: values that vary come from its textures, the rest are "
+                      "uniforms"))
       ->type_name("FILE");
   reads_file(verb.add_option("--defines", arguments->defines,
                              "what is fetched from the two textures, as etak pack lists it: a file with a "

@@ -38,8 +38,8 @@ void add_rule_options(CLI::App& verb, ValidateArguments& a) {
   add("--ignore", a.choice.ignore, "without these rules; goes last");
   verb.add_flag("--list-rules", a.list_rules, "print the rule table and stop (--format text or json)")
       ->group("Rules");
-  reads_file(verb.add_option("--config", a.config,
-                             "configuration (default: etak.toml of the first folder upwards)"))
+  reads_file(
+      verb.add_option("--config", a.config, "configuration (default: etak.toml of the first folder upwards)"))
       ->type_name("FILE")
       ->group("Rules");
   verb.add_flag("--no-config", a.no_config, "look for no etak.toml")->group("Rules");
@@ -56,8 +56,7 @@ void add_verdict_options(CLI::App& verb, ValidateArguments& a) {
   verb.add_flag("--exit-zero", a.exit_zero,
                 "exit status 0 in spite of findings; what could not be checked stays 2")
       ->group(group);
-  reads_file(
-      verb.add_option("--baseline", a.baseline, "findings of this file are known and do not count"))
+  reads_file(verb.add_option("--baseline", a.baseline, "findings of this file are known and do not count"))
       ->type_name("FILE")
       ->group(group);
   verb.add_option("--write-baseline", a.write_baseline, "record all findings as known")
@@ -80,8 +79,7 @@ void add_validate(CLI::App& app, Verb& chosen) {
                              "files, folders and pipes: texture pairs, metal-rough sets, atlas layouts, glTF "
                              "scenes, material files, spectra; - is standard input"))
       ->type_name("PATH...");
-  reads_file(
-      verb.add_option("--files-from", a.files_from, "file with one path a line; - is standard input"))
+  reads_file(verb.add_option("--files-from", a.files_from, "file with one path a line; - is standard input"))
       ->type_name("FILE");
   add_allow_empty_option(verb, a.allow_empty);
   verb.add_option("--role", a.role,

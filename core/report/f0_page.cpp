@@ -82,10 +82,11 @@ void append_spectrum_gradient(std::string& out) {
 
 void append_head(std::string& out, std::span<const MaterialReport> materials,
                  std::span<const F0PageGroup> groups, const F0Options& options) {
-  std::size_t datasets = 0, refused = 0, inside = 0;
+  std::size_t datasets = 0, refused = 0, inside = 0, surfaces = 0;
   for (const MaterialReport& report : materials) {
     datasets += report.material.datasets.size();
     const F0Result& result = preferred_result(report);
+    if (!gives_f0(report.material.material_class)) ++surfaces;
     if (result.refused())
       ++refused;
     else if (result.zone == Zone::inside)  // never of a surface
@@ -100,8 +101,11 @@ void append_head(std::string& out, std::span<const MaterialReport> materials,
   out +=
       "<header><h1>F0 of real materials</h1>\n<p class=\"lead\">Reflectance at normal incidence (F0) and at "
       "81.8° (F82, cosine 1/7) of ";
-  append(out, std::to_string(materials.size()), " materials, from ", std::to_string(datasets));
-  append(out, " published datasets. ", std::to_string(inside), " lie in the forbidden zone; ");
+  append(out, std::to_string(materials.size() - surfaces), " materials");
+  if (surfaces > 0)
+    append(out, ", and the diffuse colour of ", std::to_string(surfaces), " measured surfaces");
+  append(out, ", from ", std::to_string(datasets), " published datasets. ", std::to_string(inside),
+         " lie in the forbidden zone; ");
   append(out, std::to_string(refused), refused == 1 ? " is" : " are",
          " listed without F0, with the reason.</p>\n");
   append(out, "<p class=\"policy\"><b>Policy.</b> ", escape_html(policy(options)),

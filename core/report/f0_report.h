@@ -19,8 +19,8 @@ struct F0Row {
   std::string source;          // citation in one line; empty when unknown
   F0Result result;
   std::string alias_note = {};  // what must be said of the name that was asked for; may be empty
-  std::string kind = {};   // of the dataset: "measured", "fit", "computed"; empty when unknown
-  std::string doubt = {};  // why the dataset is doubtful; empty: it is not, or that is unknown
+  std::string kind = {};        // of the dataset: "measured", "fit", "computed"; empty when unknown
+  std::string doubt = {};       // why the dataset is doubtful; empty: it is not, or that is unknown
 };
 
 /// A library material with the results of all its datasets, for pages and `etak show`.

@@ -22,7 +22,8 @@ constexpr std::size_t page = 4096;
 MappedFile::MappedFile(const std::string& path) {
   {
     const auto [file, size] = open_input(path, largest);
-    void* const at = size > read_up_to ? ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.get(), 0) : MAP_FAILED;
+    void* const at =
+        size > read_up_to ? ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.get(), 0) : MAP_FAILED;
     if (at != MAP_FAILED) {
       ::madvise(at, size, MADV_SEQUENTIAL);
       bytes_ = {static_cast<const char*>(at), size};

@@ -31,8 +31,7 @@ Finding told(std::string_view rule, Severity severity, const std::string& messag
 bool is_clear_body(const ProjectMaterial& material, const MaterialLibrary& library) {
   if (!material.measured || material.diffuse != LinearRgb{}) return false;
   const auto record = library.find(material.measured->material);
-  return record &&
-         clarity(*record, dataset_named(*record, material.measured->dataset, record->id)).clear;
+  return record && clarity(*record, dataset_named(*record, material.measured->dataset, record->id)).clear;
 }
 
 CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary& library,

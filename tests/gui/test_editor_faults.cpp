@@ -182,7 +182,8 @@ class EditorFaults : public QObject {
       const int round = std::stoi(read_file(folder.filePath(QStringLiteral("round")).toStdString()));
       QVERIFY2(last.materials[0].gloss == gloss_of_round(round) ||
                    last.materials[0].gloss == gloss_of_round(round - 1),
-               qPrintable(QStringLiteral("gloss %1 after edit %2").arg(double{last.materials[0].gloss}).arg(round)));
+               qPrintable(
+                   QStringLiteral("gloss %1 after edit %2").arg(double{last.materials[0].gloss}).arg(round)));
       QVERIFY(!QFile::exists(window.autosave().file()) || asked == 1);
     }
   }

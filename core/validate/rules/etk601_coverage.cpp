@@ -21,7 +21,8 @@ void check(RuleCheck& check) {
     Finding& finding = check.report();
     finding.pointer = rows.pointer;
     // Nobody gets the colour of another dataset without naming it, and etak f0 refuses it then.
-    if (!refused || !rows.preferred) finding.severity = check.at_most(refused ? Severity::warning : Severity::info);
+    if (!refused || !rows.preferred)
+      finding.severity = check.at_most(refused ? Severity::warning : Severity::info);
     finding.value = number(first, 5) + " to " + number(last, 5) + " nm";
     finding.limit = refused ? percent(least_coverage) + " of the luminous weight" : "380 to 780 nm";
     finding.message = "dataset \"" + rows.id + "\" covers " + finding.value + "; " +
@@ -41,8 +42,10 @@ constinit const Rule etk601_coverage{
     {Need::material},
     {},
     "etak f0 refuses the same data, by the same limit; Filament's tool takes short data in silence (etak)",
-    "The data hold less than 95 % of the luminous weight, so that etak f0 gives no colour for them (error; of a dataset beside "
-    "the preferred one a warning), or more, but not all of 380 to 780 nm (a remark, with the share that is missing).",
+    "The data hold less than 95 % of the luminous weight, so that etak f0 gives no colour for them (error; "
+    "of a dataset beside "
+    "the preferred one a warning), or more, but not all of 380 to 780 nm (a remark, with the share that is "
+    "missing).",
     "What is not there is guessed by holding the end values. Past 95 % that moves a colour by less than "
     "instruments differ; "
     "below, it is a guess.",

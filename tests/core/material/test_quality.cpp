@@ -144,7 +144,8 @@ TEST_CASE("found 1.03: the reason is read, written and kept in the built-in libr
   CHECK(contains(text, R"("doubtful": "read from a \"small\" figure",)"));
   CHECK((parse_material(text, "m.json") == m));
   const std::string blob = encode_library({m}, {});
-  CHECK(decode_material(blob, decode_index(blob).materials.at(0).offset).datasets[0].doubtful == m.datasets[0].doubtful);
+  CHECK(decode_material(blob, decode_index(blob).materials.at(0).offset).datasets[0].doubtful ==
+        m.datasets[0].doubtful);
   std::string empty = text;
   empty.replace(empty.find("read from"), std::string("read from a \\\"small\\\" figure").size(), "");
   CHECK(contains(error_of([&] { (void)parse_material(empty, "m.json"); }),

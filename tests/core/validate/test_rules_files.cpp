@@ -260,9 +260,10 @@ TEST_CASE("found 1.17: short data are an error where F0 is refused, and a remark
     std::string rows;
     for (const double nm : {first, 500.0, 550.0, last})
       rows += (rows.empty() ? "[" : ", [") + number(nm, 6) + ", 1.5]";
-    spit(folder.file("m.json"),
+    spit(
+        folder.file("m.json"),
         R"({"schema": "etak-material/1", "datasets": [{"id": "x", "unit": "nm", "columns": ["wavelength", "n"], "rows": [)" +
-        rows + "]}]}");
+            rows + "]}]}");
     const CheckedFile file = check(single(FileRole::material, folder.file("m.json"), "m.json"), {});
     const Finding* found = find(file, "ETK601");
     return found == nullptr ? Severity::off : found->severity;
