@@ -13,6 +13,7 @@
 #include "core/base/number.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/yaml_lines.h"
+#include "core/material/medium.h"
 
 namespace etak {
 namespace {
@@ -353,17 +354,17 @@ std::string find_axis(std::string_view page, const PageText& text) {
   return {};
 }
 
-// Rows with n <= 0 that parse_rii_page() let pass are used nowhere in 360..830 nm, and no material may hold
-// them.
-void drop_non_positive(Spectrum& n) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < n.size(); ++i) {
-    if (n.value[i] <= 0) continue;
-    n.wavelength_nm[kept] = n.wavelength_nm[i];
-    n.value[kept++] = n.value[i];
+// Rows that parse_rii_page() let pass although they tell of no medium (n below 0, or n = k = 0) are used
+// nowhere in 360..830 nm, and no material may hold them.
+void drop_no_medium(OpticalConstants& optics) {
+  const Spectrum& all = std::get<Spectrum>(optics.n);
+  Spectrum kept;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all.value[i] < 0 || no_medium_in_row(optics, i)) continue;
+    kept.wavelength_nm.push_back(all.wavelength_nm[i]);
+    kept.value.push_back(all.value[i]);
   }
-  n.wavelength_nm.resize(kept);
-  n.value.resize(kept);
+  optics.n = std::move(kept);
 }
 
 }  // namespace
@@ -385,7 +386,11 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   dataset.origin = page.flags.has(Flag::computed)                             ? Origin::computed
                    : std::holds_alternative<DispersionFormula>(page.optics.n) ? Origin::fit
                                                                               : Origin::measured;
-  if (auto* n = std::get_if<Spectrum>(&page.optics.n)) drop_non_positive(*n);
+  if (std::holds_alternative<Spectrum>(page.optics.n)) {
+    drop_no_medium(page.optics);
+    if (std::get<Spectrum>(page.optics.n).empty())
+      throw Error::at(path, "no row with n above 0", "at least one");
+  }
   dataset.optics = std::move(page.optics);
   dataset.flags = page.flags;
   dataset.flags.clear(Flag::computed);  // the origin says it

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/exchange/table.h"
+#include "core/material/medium.h"
 
 using namespace etak;
 
@@ -33,7 +34,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto& constants = std::get<OpticalConstants>(table.optics);
   validate(std::get<Spectrum>(constants.n), "n");
-  for (const double n : std::get<Spectrum>(constants.n).value) assert(n > 0);
+  for (const double n : std::get<Spectrum>(constants.n).value) assert(n >= 0);
+  assert(!no_medium_at(constants));
   if (!constants.k) return 0;
   validate(*constants.k, "k");
   for (const double k : constants.k->value) assert(k >= 0);

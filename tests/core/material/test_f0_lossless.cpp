@@ -45,6 +45,12 @@ TEST_CASE("found 1.20: rows with n = 0 are read where k is above 0, whoever wrot
                  page);
   CHECK(contains(page.refusal, "n = 0 at 360 nm"));
 
+  // As a material the page keeps its rows, and is written and read back.
+  const std::string lossless =
+      "REFERENCES: x\nDATA:\n  - type: tabulated nk\n    data: |\n        0.40 0. 351e-3\n";
+  const Material material = material_from_rii_page(lossless, "main/X - x/nk/Author.yml", "x");
+  CHECK(parse_material(format_material(material), "written") == material);
+
   OpticalConstants optics{Spectrum{{400, 500, 600}, {1, 0, 0}}, Spectrum{{400, 450, 550}, {0, 0, 2}}};
   CHECK(!no_medium_at(optics));  // k is 1 at 500 nm, on the line between its own rows
   optics.k = Spectrum{{550, 600}, {0, 2}};
