@@ -7,24 +7,13 @@
 #include "core/material/blob.h"
 #include "core/material/json.h"
 #include "core/material/library.h"
+#include "tests/core/material/library_support.h"
 #include "tests/support.h"
 
 using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-const MaterialLibrary& library() {
-  static const MaterialLibrary built_in = MaterialLibrary::builtin();
-  return built_in;
-}
-
-Material material(const std::string& id) {
-  const auto found = library().find(id);
-  INFO(id);
-  REQUIRE(found);
-  return *found;
-}
 
 // A reflectance of `level` at every wavelength, on `rows` samples in 400..700 nm and one far on either side.
 Dataset flat(const std::string& id, double level, std::size_t rows = 31) {

@@ -8,24 +8,13 @@
 #include "core/color/delta_e.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
+#include "tests/core/material/library_support.h"
 #include "tests/support.h"
 
 using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-const MaterialLibrary& library() {
-  static const MaterialLibrary built_in = MaterialLibrary::builtin();
-  return built_in;
-}
-
-Material material(const std::string& id) {
-  const auto found = library().find(id);
-  INFO(id);
-  REQUIRE(found);
-  return *found;
-}
 
 F0Result solve(const Optics& optics, const F0Options& options = {}) {
   return F0Solver(options).solve(optics);
