@@ -10,6 +10,7 @@
 #include "app/cli/usage.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
+#include "core/base/signals.h"
 
 namespace etak::cli {
 namespace {
@@ -71,6 +72,7 @@ int run(int argc, char** argv) {
 }  // namespace etak::cli
 
 int main(int argc, char** argv) {
+  etak::end_by_signals();
   try {
     return etak::cli::run(argc, argv);
   } catch (const etak::Error& error) {

@@ -12,23 +12,30 @@
 
 #include "app/cli/output_form.h"
 #include "app/cli/replace.h"
+#include "core/base/descriptor.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/base/json_text.h"
+#include "core/base/output_file.h"
 
 namespace etak::cli {
 namespace {
 
-// False with errno set when the bytes could not be written whole.
-bool write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t wrote = ::write(descriptor, bytes.data(), bytes.size());
-    if (wrote < 0 && errno == EINTR) continue;
-    if (wrote < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(wrote));
-  }
-  return true;
+void write_standard_output(std::string_view bytes) {
+  if (!write_all(STDOUT_FILENO, bytes))
+    throw Error::at("<stdout>", std::string("cannot be written: ") + std::strerror(errno));
 }
+
+// Written while the others are made ready: whoever reads the pipe may take his time.
+class StandardOutput : public Output {
+ public:
+  explicit StandardOutput(std::string bytes) : bytes_(std::move(bytes)) {}
+
+ private:
+  void prepare() override { write_standard_output(bytes_); }
+  void place() override {}
+
+  std::string bytes_;
+};
 
 std::size_t characters(std::string_view text) {
   std::size_t count = 0;
@@ -75,10 +82,14 @@ bool use_color(const OutputArguments& arguments) {
   return ::isatty(STDOUT_FILENO) != 0 && variable("CLICOLOR") != "0" && variable("TERM") != "dumb";
 }
 
+std::unique_ptr<Output> output(const OutputArguments& arguments, std::string bytes) {
+  if (is_standard_output(arguments)) return std::make_unique<StandardOutput>(std::move(bytes));
+  return std::make_unique<OutputFile>(arguments.file, bytes, may_replace(arguments.force));
+}
+
 void write_output(const OutputArguments& arguments, std::string_view bytes) {
-  if (!is_standard_output(arguments)) return write_file(arguments.file, bytes, may_replace(arguments.force));
-  if (!write_all(STDOUT_FILENO, bytes))
-    throw Error::at("<stdout>", std::string("cannot be written: ") + std::strerror(errno));
+  if (is_standard_output(arguments)) return write_standard_output(bytes);
+  OutputFile(arguments.file, bytes, may_replace(arguments.force)).commit();
 }
 
 void complain(std::string_view message) {

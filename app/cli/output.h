@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/csv.h"
+#include "core/base/output.h"
 
 namespace CLI {
 class App;
@@ -39,7 +41,12 @@ bool is_standard_output(const OutputArguments& arguments);
 /// unless CLICOLOR=0 or TERM=dumb.
 bool use_color(const OutputArguments& arguments);
 
-/// Writes the data of the run: atomically to the file of -o, else to standard output. Throws Error.
+/// The data of the run, for the file of -o or standard output. Throws Error. Among several outputs it comes
+/// last: what a pipe has taken cannot be taken back, so the others are ready by then, and where it takes
+/// nothing they are not put in place.
+std::unique_ptr<Output> output(const OutputArguments& arguments, std::string bytes);
+
+/// The same, written at once.
 void write_output(const OutputArguments& arguments, std::string_view bytes);
 
 /// One line on standard error, "etak: " before it.

@@ -27,8 +27,7 @@ class PackFindings {
   /// Has every page checked before it is written, unless --no-validate says otherwise.
   void attach(PackOptions& options);
 
-  /// Puts the findings into the report; not where nothing was packed because all was up to date: then there
-  /// were none that fail.
+  /// Puts the findings into the report of what was packed.
   void finish(PackReport& report);
 
   /// What was found; null when nothing was checked.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/pack_jobs.h"
 
-#include <signal.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -83,37 +81,15 @@ int pack_batch(const PackArguments& line) {
   return status;
 }
 
-namespace {
-
-// Holds signals back as long as it lives, from threads that begin meanwhile too.
-class SignalsHeld {
- public:
-  explicit SignalsHeld(const sigset_t& signals) { ::pthread_sigmask(SIG_BLOCK, &signals, &before_); }
-  ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
- private:
-  sigset_t before_;
-};
-
-}  // namespace
-
 int pack_watch(PackArguments& arguments) {
   if (is_pipe_input(arguments.input))
     throw Error::at("--watch", arguments.input + " is a pipe, which never changes", "a file or a folder");
   // -u: a file that was touched but not changed costs a hash and no new atlas.
   arguments.update = true;
-  sigset_t ends;
-  ::sigemptyset(&ends);
-  ::sigaddset(&ends, SIGINT);
-  ::sigaddset(&ends, SIGTERM);
   for (Stamps last;;) {
     const Stamps now = stamps(arguments.input, arguments.out);
     if (now != last) {
       last = now;
-      // Whoever ends the watch finds no half-made folder: the signal waits until the atlas is in place.
-      const SignalsHeld held(ends);
       try {
         pack_once(arguments);
       } catch (const Error& error) {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/output_file.h"
 #include "core/image/png.h"
 #include "core/report/validation_pictures.h"
 
@@ -78,8 +78,14 @@ void PackPage::attach(PackOptions& options) {
   };
 }
 
-void PackPage::write(const PackReport& report, const ValidationReport* findings) {
-  if (arguments_.page_report.empty() || report.up_to_date) return;
+bool is_in_atlas_folder(const PackArguments& arguments) {
+  const auto folder = [](const std::filesystem::path& path) { return path.lexically_normal().parent_path(); };
+  return folder(arguments.page_report) == folder(std::filesystem::path(arguments.out) / "");
+}
+
+std::unique_ptr<Output> PackPage::output(const PackReport& report, const ValidationReport* findings,
+                                         OutputFolder* folder) {
+  if (arguments_.page_report.empty()) return nullptr;
   data_.title = "Atlas of " + std::filesystem::path(report.input).lexically_normal().filename().string();
   data_.left_out = report.left_out.lines;
   data_.before = report.left_out.before;
@@ -90,7 +96,10 @@ void PackPage::write(const PackReport& report, const ValidationReport* findings)
     if (equals == link.npos || equals == 0) throw Error::at("--page-link", printable(link), "TEXT=TARGET");
     data_.links.emplace_back(link.substr(0, equals), link.substr(equals + 1));
   }
-  write_file(arguments_.page_report, atlas_page(data_), true);
+  if (folder == nullptr || !is_in_atlas_folder(arguments_))
+    return std::make_unique<OutputFile>(arguments_.page_report, atlas_page(data_), true);
+  folder->write(std::filesystem::path(arguments_.page_report).filename().string(), atlas_page(data_));
+  return nullptr;
 }
 
 }  // namespace etak::cli

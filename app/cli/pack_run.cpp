@@ -190,13 +190,11 @@ PackOptions pack_options(const PackArguments& a) {
   return out;
 }
 
-// Its folder may be the atlas's own, which packing makes.
 void check_page_report(const PackArguments& a) {
   if (a.page_report.empty()) return;
   std::error_code failure;
-  const auto folder = std::filesystem::path(a.page_report).lexically_normal().parent_path();
-  const bool of_the_atlas = folder == (std::filesystem::path(a.out) / "").lexically_normal().parent_path();
-  if (!of_the_atlas || std::filesystem::exists(folder, failure)) check_file_target(a.page_report, true);
+  if (!is_in_atlas_folder(a) || std::filesystem::exists(a.out, failure))
+    check_file_target(a.page_report, true);
 }
 
 int pack_once(PackArguments& a) {
@@ -215,10 +213,12 @@ int pack_once(PackArguments& a) {
   shown.progress = a.progress;
   std::optional<Progress> progress(std::in_place, shown, 0, "pack");
   options.progress = [&](std::size_t done, std::size_t all) { progress->set(done, all); };
-  PackReport report = pack(a.input, a.out, options, a.library.get());
+  options.beside = [&](PackReport& report, OutputFolder* folder) {
+    findings.finish(report);
+    return page.output(report, findings.report(), folder);
+  };
+  const PackReport report = pack(a.input, a.out, options, a.library.get());
   progress.reset();
-  findings.finish(report);
-  page.write(report, findings.report());
   say(a, report, findings);
   if (findings.incomplete()) return exit_failure;
   return findings.failed() ? exit_findings : exit_ok;

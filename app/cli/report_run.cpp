@@ -51,7 +51,7 @@ void check_report_folder(const ReportArguments& arguments, const std::vector<Fam
     };
     if (name.ends_with(".svg") && std::any_of(entries.begin(), entries.end(), is_plot)) names.push_back(name);
   }
-  check_folder_target(arguments.folder, names, arguments.force);
+  check_folder_target(arguments.folder, names, arguments.force ? Replace::anything : Replace::nothing);
 }
 
 #ifdef ETAK_HAS_GL
@@ -114,7 +114,7 @@ int measure(ReportArguments& arguments) {
   }
   const auto stability = stability_cases(evaluate);
 
-  OutputFolder folder(arguments.folder, arguments.force);
+  OutputFolder folder(arguments.folder, arguments.force ? Replace::anything : Replace::nothing);
   folder.write("report.html", error_time_page(header, families, stability_html(stability)));
   folder.write("report.json", error_time_json(header, families));
   folder.write("report.csv", error_time_csv(header, families));

@@ -9,8 +9,8 @@
 #include <span>
 
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/output_folder.h"
 #include "core/base/parallel.h"
 #include "core/image/png.h"
 #include "core/report/validation_pictures.h"
@@ -146,20 +146,22 @@ std::vector<std::size_t> with_places(const ValidationReport& report,
 }  // namespace
 
 void check_mask_folder(const std::string& folder) {
+  namespace fs = std::filesystem;
   std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (!std::filesystem::is_directory(folder))
+  const fs::path above = (fs::path(folder) / "").parent_path().parent_path();
+  if (!above.empty()) fs::create_directories(above, failure);
+  if (fs::exists(folder, failure) && !fs::is_directory(folder, failure))
     throw Error::at("--mask", printable(folder, 200) + " is no folder", "a folder");
+  check_folder_target(folder, {}, Replace::files);
 }
 
-std::size_t write_masks(const ValidationReport& report, const std::vector<const CheckTarget*>& targets,
-                        const Settings& settings, const std::string& folder, unsigned threads) {
-  check_mask_folder(folder);
+std::unique_ptr<Output> masks(const ValidationReport& report, const std::vector<const CheckTarget*>& targets,
+                              const Settings& settings, const std::string& folder, unsigned threads) {
+  auto out = std::make_unique<OutputFolder>(folder, Replace::files);
   // Names are given out in the report's order, so that they do not depend on the threads.
   const auto wanted = with_places(report, targets);
   std::set<std::string> taken;
   std::vector<std::vector<std::string>> names(wanted.size());
-  std::size_t count = 0;
   for (std::size_t w = 0; w < wanted.size(); ++w)
     for (const Finding& finding : report.files[wanted[w]].findings) {
       std::string& name = names[w].emplace_back();
@@ -167,7 +169,6 @@ std::size_t write_masks(const ValidationReport& report, const std::vector<const 
       name = file_name(finding);
       for (int number = 2; !taken.insert(name).second; ++number)
         name = file_name(finding) + '.' + std::to_string(number);
-      ++count;
     }
   parallel_chunks(wanted.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t w = begin; w < end; ++w) {
@@ -181,11 +182,11 @@ std::size_t write_masks(const ValidationReport& report, const std::vector<const 
         const Image8& picture = is_about_a(finding, target, *pictures) ? pictures->a : pictures->b;
         if (picture.pixel_count() == 0) continue;
         const Image8 marks = marks_of(finding, target, *pictures, picture, settings);
-        write_file(folder + '/' + names[w][i] + ".png", png_of(mask_picture(picture, marks)), true);
+        out->write(names[w][i] + ".png", png_of(mask_picture(picture, marks)));
       }
     }
   });
-  return count;
+  return out;
 }
 
 namespace {

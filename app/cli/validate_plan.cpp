@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/output_file.h"
 #include "core/validate/baseline.h"
 #include "core/validate/nearest.h"
 #include "core/validate/rules.h"
@@ -106,7 +107,8 @@ std::string today_of(const ValidateArguments& arguments) {
 
 }  // namespace
 
-void take_out_known(ValidationReport& report, const ValidateArguments& arguments, const ValidatePlan& plan) {
+std::unique_ptr<Output> take_out_known(ValidationReport& report, const ValidateArguments& arguments,
+                                       const ValidatePlan& plan) {
   const Settings& settings = plan.config.settings;
   if (!settings.allow.empty()) {
     const std::string label = relative_label(plan.config_file, plan.root);
@@ -123,15 +125,17 @@ void take_out_known(ValidationReport& report, const ValidateArguments& arguments
     const std::string today = today_of(arguments);
     apply_allowances(report, settings.allow, {today, label, severity_of(unused, settings), whole, is_active});
   }
+  std::unique_ptr<Output> written;
   std::vector<KnownDefect> known;
   if (!arguments.baseline.empty()) known = read_baseline(read_file(arguments.baseline), arguments.baseline);
   if (!arguments.write_baseline.empty()) {
     known = baseline_of(report);
-    write_file(arguments.write_baseline, baseline_json(known), true);
+    written = std::make_unique<OutputFile>(arguments.write_baseline, baseline_json(known), true);
     remark(arguments.output,
            arguments.write_baseline + ": " + std::to_string(known.size()) + " findings recorded");
   }
   mark_known(report, known);
+  return written;
 }
 
 }  // namespace etak::cli

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "app/cli/validate.h"
+#include "core/base/output.h"
 #include "core/validate/config.h"
 #include "core/validate/finding.h"
 
@@ -23,7 +25,9 @@ void use_asked_library(Library& library);
 /// line, which wins. Throws Error.
 ValidatePlan validate_plan(const ValidateArguments& arguments);
 
-/// Marks what [[allow]] entries and the baseline know, and writes the baseline that is asked for.
-void take_out_known(ValidationReport& report, const ValidateArguments& arguments, const ValidatePlan& plan);
+/// Marks what [[allow]] entries and the baseline know. Returns the baseline that is asked for, to be put in
+/// place with the other outputs of the run; null where none is.
+std::unique_ptr<Output> take_out_known(ValidationReport& report, const ValidateArguments& arguments,
+                                       const ValidatePlan& plan);
 
 }  // namespace etak::cli

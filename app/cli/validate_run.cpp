@@ -198,16 +198,19 @@ int check_files(ValidateArguments& arguments) {
   std::move(found.failed.begin(), found.failed.end(), std::back_inserter(files));
   if (files.empty()) remark(arguments.output, "no file of a kind that etak validate checks was found");
   ValidationReport report = report_of(std::move(files), settings);
-  take_out_known(report, arguments, plan);
+  const std::unique_ptr<Output> baseline = take_out_known(report, arguments, plan);
   report = report_of(std::move(report.files), settings);
   report.settings_hash = settings_hash(settings);
   if (arguments.max_warnings && report.warnings > *arguments.max_warnings) report.passed = false;
   const auto targets = targets_behind(report, found);
   // Only this form tells it, and reading all files once more takes its time.
   if (arguments.output.format == "json") add_hashes(report, targets, thread_count(arguments.threads));
+  std::unique_ptr<Output> marks;
   if (!arguments.mask_folder.empty())
-    write_masks(report, targets, settings, arguments.mask_folder, thread_count(arguments.threads));
-  write_output(arguments.output, form_of(report, arguments, plan, targets));
+    marks = masks(report, targets, settings, arguments.mask_folder, thread_count(arguments.threads));
+  const std::unique_ptr<Output> said = output(arguments.output, form_of(report, arguments, plan, targets));
+  Output* const outputs[] = {marks.get(), baseline.get(), said.get()};
+  put_in_place(outputs);
   if (arguments.stats)
     tell_stats(report, found, from_cache, std::chrono::duration<double>(Clock::now() - start).count());
   if (report.incomplete) return exit_failure;

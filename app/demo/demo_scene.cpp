@@ -51,7 +51,7 @@ Image8 water_and_gloss(const Image8& gloss) {
 }  // namespace
 
 void write_demo_scene(const std::string& path, bool overwrite) {
-  OutputFolder out(path, overwrite);
+  OutputFolder out(path, overwrite ? Replace::anything : Replace::nothing);
   const auto colour = [&](const char* name, const Image8& image) { out.write(name, png(image, true)); };
   const auto plain = [&](const char* name, const Image8& image) { out.write(name, png(image, false)); };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/files.h"
 
+#include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -162,6 +163,19 @@ QString save_project(const Project& project, const QString& path) {
     return QString::fromUtf8(error.what());
   } catch (const std::bad_alloc&) {
     return path + QStringLiteral(": not enough memory");
+  }
+}
+
+QString save_png(const QImage& picture, const QString& path) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
+    return QObject::tr("%1: the picture could not be encoded").arg(path);
+  try {
+    write_file(path.toStdString(), bytes.toStdString(), true);
+    return {};
+  } catch (const Error& error) {
+    return QString::fromUtf8(error.what());
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QImage>
 #include <QString>
 #include <QStringList>
 #include <memory>
@@ -39,6 +40,9 @@ Opened import_files(const QStringList& paths, const MaterialLibrary& library);
 /// Writes the project; the message of what went wrong, empty for none. The file is replaced at once or not at
 /// all.
 QString save_project(const Project& project, const QString& path);
+
+/// The same of a picture, as PNG.
+QString save_png(const QImage& picture, const QString& path);
 
 /// A material of the library as one of a project.
 ProjectMaterial material_of(const Material& record);

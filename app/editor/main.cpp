@@ -11,6 +11,7 @@
 #include "app/editor/start_time.h"
 #include "app/editor/theme.h"
 #include "app/editor/window.h"
+#include "core/base/signals.h"
 
 namespace {
 
@@ -39,6 +40,7 @@ void time_start(etak::editor::Window& window) {
 
 int main(int argc, char** argv) {
   using namespace etak::editor;
+  etak::end_by_signals();
   QStringList arguments;
   for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
   const Options options = parse_options(arguments);

@@ -10,7 +10,6 @@
 #include <QPainter>
 #include <QPixmap>
 #include <QPlainTextEdit>
-#include <QSaveFile>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QThread>
@@ -21,6 +20,7 @@
 #include <map>
 
 #include "app/editor/curves/curves_panel.h"
+#include "app/editor/files.h"
 #include "app/editor/findings_panel.h"
 #include "app/editor/inspector.h"
 #include "app/editor/library_panel.h"
@@ -228,14 +228,9 @@ int take_screenshot(Window& window, const Options& options) {
     std::fprintf(stderr, "etak-editor: %s\n", qPrintable(problem));
     return 2;
   }
-  QSaveFile file(options.screenshot);
-  if (!file.open(QIODevice::WriteOnly) || !picture_of(window).toImage().save(&file, "PNG") ||
-      !file.commit()) {
-    std::fprintf(stderr, "etak-editor: %s: %s\n", qPrintable(options.screenshot),
-                 qPrintable(file.errorString()));
-    return 2;
-  }
-  return 0;
+  const QString error = save_png(picture_of(window).toImage(), options.screenshot);
+  if (!error.isEmpty()) std::fprintf(stderr, "etak-editor: %s\n", qPrintable(error));
+  return error.isEmpty() ? 0 : 2;
 }
 
 }  // namespace etak::editor

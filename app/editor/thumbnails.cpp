@@ -3,9 +3,9 @@
 
 #include <QCryptographicHash>
 #include <QDir>
-#include <QSaveFile>
 
 #include "app/editor/background.h"
+#include "app/editor/files.h"
 #include "core/base/error.h"
 #include "core/brdf/models.h"
 #include "core/render/cpu_renderer.h"
@@ -50,10 +50,7 @@ QImage made(const Thumbnails::Subject& subject, Shape shape, int side, const QSt
     }
     const QImage out = drawn(subject.surface(), shape, side);
     // A cache that cannot be written is no reason to complain.
-    if (!file.isEmpty() && QDir().mkpath(folder)) {
-      QSaveFile save(file);
-      if (save.open(QIODevice::WriteOnly) && out.save(&save, "PNG")) save.commit();
-    }
+    if (!file.isEmpty() && QDir().mkpath(folder)) (void)save_png(out, file);
     return out;
   } catch (const Error&) {
     QImage none(side, side, QImage::Format_RGB888);

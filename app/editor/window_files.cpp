@@ -209,12 +209,12 @@ void Window::save_picture() {
                                                     QStringLiteral("picture.png"), tr("PNG (*.png)"));
   if (file.isEmpty()) return;
   in_background(
-      io_, this, [file, picture = viewport_->grab_picture()] { return picture.save(file, "PNG"); },
-      [this, file](bool well) {
-        if (well)
+      io_, this, [file, picture = viewport_->grab_picture()] { return save_png(picture, file); },
+      [this, file](const QString& error) {
+        if (error.isEmpty())
           tell(tr("Saved %1").arg(file));
         else
-          show_problems(tr("The picture was not saved"), {file});
+          show_problems(tr("The picture was not saved"), {error});
       });
 }
 

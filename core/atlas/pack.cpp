@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <stdexcept>
 
 #include "core/atlas/apply_variants.h"
 #include "core/atlas/compose.h"
@@ -67,9 +68,12 @@ class Packing {
     if (!options_.previous.empty()) previous_ = parse_layout(read_file(options_.previous), options_.previous);
     for (report_.passes = 1;; ++report_.passes) {
       timed("layout", [&] { decision_->decide(previous_ ? &*previous_ : nullptr); });
-      if (make_pages() || report_.passes == most_passes) break;
+      if (make_pages()) break;
+      folder_.reset();
+      if (report_.passes == most_passes) throw std::logic_error("the layout does not settle");
     }
     finish();
+    put_all_in_place();
     return std::move(report_);
   }
 
@@ -167,7 +171,7 @@ class Packing {
 
   // Before the work: whether the folder can be made or changed, and files that are not ours stay.
   void check_place(const std::vector<std::string>& names) const {
-    check_folder_target(output_, {}, true);
+    check_folder_target(output_, {}, may_replace());
     for (const std::string& name : names) refuse_stranger(name);
   }
 
@@ -188,10 +192,13 @@ class Packing {
 
   // ---- pages
 
+  // Files of an earlier atlas are replaced; which others may be says refuse_stranger().
+  Replace may_replace() const { return options_.overwrite ? Replace::anything : Replace::files; }
+
   // False: what the texels taught changes the layout, and nothing was kept.
   bool make_pages() {
-    std::optional<OutputFolder> folder;
-    if (!options_.dry_run) folder.emplace(output_, true);
+    std::optional<OutputFolder>& folder = folder_;
+    if (!options_.dry_run) folder.emplace(output_, may_replace());
     ComposeOptions compose;
     compose.threads = options_.threads;
     compose.bleed = options_.bleed;
@@ -256,7 +263,7 @@ class Packing {
       layout_.content_hash =
           content_hash_.empty() ? content_hash(options_, inputs_, scene_.get()) : content_hash_;
     });
-    if (folder) timed("commit", [&] { commit(*folder); });
+    if (folder) complete(*folder);
     return true;
   }
 
@@ -308,7 +315,7 @@ class Packing {
       if (holds_floats(format)) write_float_page(folder, p, page, format, options_.door);
   }
 
-  void commit(OutputFolder& folder) {
+  void complete(OutputFolder& folder) {
     if (scene_)
       for (const std::string& name :
            scene_->write_scene(folder, layout_, plan(), regions(), decision_->left_out()))
@@ -321,8 +328,15 @@ class Packing {
     for (const std::string& name : files) refuse_stranger(name);
     for (const std::string& name : owned_)
       if (!files.contains(name)) folder.remove_old(name);
-    folder.commit();
     report_.files.assign(files.begin(), files.end());
+  }
+
+  void put_all_in_place() {
+    const std::unique_ptr<Output> beside =
+        options_.beside ? options_.beside(report_, folder_ ? &*folder_ : nullptr) : nullptr;
+    // What lies in the old folder before the exchange comes along, and what is put there after it is lost.
+    Output* const outputs[] = {beside.get(), folder_ ? &*folder_ : nullptr};
+    timed("commit", [&] { put_in_place(outputs); });
   }
 
   // ---- report
@@ -369,6 +383,7 @@ class Packing {
   std::string content_hash_;
   bool good_ = true;  // what options_.check_page says of all pages
   std::vector<Learned> learned_;
+  std::optional<OutputFolder> folder_;    // whole, and not in place yet; none in a dry run
   std::optional<PackDecision> decision_;  // from the inputs on
   AtlasLayout layout_;
 };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -17,6 +18,7 @@
 #include "core/atlas/project.h"
 #include "core/atlas/sources.h"
 #include "core/atlas/variant.h"
+#include "core/base/output_folder.h"
 #include "core/material/library.h"
 
 namespace etak {
@@ -28,6 +30,8 @@ using PageCheck = std::function<bool(const AtlasLayout&, int page, const PagePix
 /// The same of PNG files that are written but not yet in place.
 using WrittenPageCheck =
     std::function<bool(const AtlasLayout&, int page, const std::function<std::string(Texture)>& path)>;
+
+struct PackReport;
 
 struct PackOptions {
   // input
@@ -78,6 +82,10 @@ struct PackOptions {
   // In place of it for pages that are never whole in memory; without this one, check_page makes them whole.
   WrittenPageCheck check_written_page;
   std::string check_settings;  // what the check goes by: part of the settings
+  // Asked when all files of the atlas are on the disk and none is in place, also in a dry run. What it gives
+  // (or null) is put in place together with the atlas; it may write files into the folder as well, which is
+  // null in a dry run.
+  std::function<std::unique_ptr<Output>(PackReport&, OutputFolder*)> beside;
 };
 
 /// Thrown by pack() when PackOptions::cancelled said so: the folder is as it was.

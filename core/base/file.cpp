@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 
-#include "core/base/descriptor.h"
 #include "core/base/error.h"
 #include "core/base/input.h"
-#include "core/base/output_target.h"
+#include "core/base/output_file.h"
 
 namespace etak {
 namespace {
@@ -56,29 +53,7 @@ std::string read_file(const std::string& path, std::size_t most) {
 }
 
 void write_file(const std::string& path, std::string_view bytes, bool overwrite) {
-  const FileTarget target = file_target(path, overwrite);
-  if (target.is_device) {
-    // A rename would put a file in its place.
-    Descriptor device(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-    if (device.get() < 0 || !write_all(device.get(), bytes) || !device.close())
-      throw Error::at(path, "cannot be written: " + reason());
-    return;
-  }
-  std::string temporary = target.path + ".tmp-XXXXXX";
-  Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (file.get() < 0) throw Error::at(path, "cannot be written: " + reason());
-  const auto fail = [&](const char* what) {
-    const std::string why = reason();
-    ::unlink(temporary.c_str());
-    throw Error::at(path, std::string(what) + ": " + why);
-  };
-  if (!write_all(file.get(), bytes)) fail("cannot be written");
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  if (::fchmod(file.get(), (target.exists ? target.mode : 0666 & ~mask) & 07777) != 0)
-    fail("cannot be written");
-  if (::fsync(file.get()) != 0 || !file.close()) fail("cannot be written");
-  if (::rename(temporary.c_str(), target.path.c_str()) != 0) fail("cannot be put in place");
+  OutputFile(path, bytes, overwrite).commit();
 }
 
 }  // namespace etak

@@ -16,10 +16,8 @@ inline constexpr std::size_t max_text_bytes = std::size_t{256} << 20;
 void read_file(const std::string& path, std::string& out, std::size_t most = max_text_bytes);
 std::string read_file(const std::string& path, std::size_t most = max_text_bytes);
 
-/// Writes `bytes` to a temporary beside `path`, flushes it to disk and renames it over `path`, so that a
-/// reader sees the old file or the new one and never a part. Throws Error when `path` exists and `overwrite`
-/// is false, or on any failure; the temporary is removed. A symbolic link stays and its target is replaced; a
-/// device or pipe (/dev/stdout) is written to.
+/// Writes `bytes` so that a reader sees the old file or the new one and never a part (output_file.h). Throws
+/// Error when `path` exists and `overwrite` is false, or on any failure; nothing is left then.
 void write_file(const std::string& path, std::string_view bytes, bool overwrite);
 
 }  // namespace etak

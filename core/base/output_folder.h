@@ -6,6 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/output.h"
+#include "core/base/output_target.h"
+
 namespace etak {
 
 /// Whether `name` is the name of a file in a folder and of nothing elsewhere: not empty, no '/', no NUL,
@@ -15,26 +18,21 @@ bool is_plain_file_name(std::string_view name);
 
 /// A folder of files that belong together (textures and their layout): all of them appear at once or none,
 /// and an old set stays whole until then, even when the process is killed.
-///   How: everything is written to a new folder ".NAME.etak-XXXXXX" beside the target, then the two are
-///   exchanged in one step (renameat2 RENAME_EXCHANGE; a plain rename when the target is not there yet).
-///   Files of the target that the new set does not replace and the caller did not name to remove_old move
-///   along as they are (hard links; folders are moved). Where that cannot be, the files are renamed into the
-///   target one by one, "layout*.json" last: each file is then whole at any time, but a process killed
-///   between two renames leaves a mixed set, in which the layout is the old one. It cannot be where the file
-///   system has no exchange or no hard links; where the target is a mount point; where its parent cannot be
-///   written (the new folder is then made in the target); and where the target holds the working folder,
-///   which a shell would lose.
+///   How: everything is written to a new folder beside the target (temporary.h), then the two are exchanged
+///   in one step (renameat2 RENAME_EXCHANGE; a plain rename when the target is not there yet). Files of the
+///   target that the new set does not replace and the caller did not name to remove_old move along as they
+///   are (hard links; folders are moved). Where that cannot be, the files are renamed into the target one by
+///   one, "layout*.json" last: each file is then whole at any time, but a process killed between two renames
+///   leaves a mixed set, in which the layout is the old one. It cannot be where the file system has no
+///   exchange or no hard links; where the target is a mount point; where its parent cannot be written (the
+///   new folder is then made in the target); and where the target holds the working folder, which a shell
+///   would lose.
 /// A symbolic link to a folder stays, and the folder it leads to is the target.
-class OutputFolder {
+class OutputFolder : public Output {
  public:
-  /// Creates the new folder. The parents of `path` must exist. Remains of killed runs for the same target are
-  /// removed; runs that live are known by a lock (flock) on theirs.
-  ///   overwrite   false: a file of this set that the target already has is an Error, told at commit
-  OutputFolder(const std::string& path, bool overwrite);
-  /// Removes what was not committed.
-  ~OutputFolder();
-  OutputFolder(const OutputFolder&) = delete;
-  OutputFolder& operator=(const OutputFolder&) = delete;
+  /// Creates the new folder. The parents of `path` must exist. Throws Error.
+  OutputFolder(const std::string& path, Replace replace);
+  ~OutputFolder() override;
 
   /// A new file "name" (no '/'), written by calling `body` with a sink for its bytes. It goes on to the disk
   /// while others are made; commit() waits for that. Throws Error, also for a full disk; what `body` throws
@@ -70,10 +68,11 @@ class OutputFolder {
   /// (is_plain_file_name): such names come from layouts that others have written.
   void remove_old(const std::string& name);
 
-  /// Flushes to disk and puts the set in place. Throws Error; the target is then as it was. Once.
-  void commit();
-
  private:
+  void prepare() override;
+  void place() override;
+  void tidy() override;
+
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "core/base/descriptor.h"
 #include "core/base/output_folder.h"
+#include "core/base/temporary.h"
 
 namespace etak {
 namespace {
@@ -37,23 +37,33 @@ FileTarget file_target(const std::string& path, bool overwrite) {
   if (out.exists && S_ISDIR(info.st_mode)) throw Error::at(path, "is a folder", "a file to write");
   out.is_device = out.exists && !S_ISREG(info.st_mode);
   if (out.exists && !out.is_device && !overwrite) throw exists_already(path);
-  out.path = out.exists ? behind_links(path) : path;
+  const std::filesystem::path whole = out.exists ? behind_links(path) : path;
+  out.folder = whole.parent_path().string();
+  out.name = whole.filename().string();
+  if (out.name.empty()) throw Error::at(path.empty() ? "\"\"" : path, "is no file's name", "a file to write");
+  return out;
+}
+
+Descriptor open_folder_of(const FileTarget& target) {
+  const char* const path = target.folder.empty() ? "." : target.folder.c_str();
+  Descriptor out(::open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // Of a folder that may not be read, files can be made all the same.
+  if (!out && errno == EACCES) out = Descriptor(::open(path, O_PATH | O_DIRECTORY | O_CLOEXEC));
   return out;
 }
 
 void check_file_target(const std::string& path, bool overwrite) {
   const FileTarget target = file_target(path, overwrite);
   if (target.is_device) return;
-  std::string temporary = target.path + ".tmp-XXXXXX";
-  const Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (!file) throw Error::at(path, std::string("cannot be written: ") + std::strerror(errno));
-  ::unlink(temporary.c_str());
+  const Descriptor folder = open_folder_of(target);
+  if (!folder || !Temporary(folder.get(), target.name, Temporary::Kind::file))
+    throw Error::at(path, std::string("cannot be written: ") + std::strerror(errno));
 }
 
-void check_folder_target(const std::string& path, std::span<const std::string> names, bool overwrite) {
+void check_folder_target(const std::string& path, std::span<const std::string> names, Replace replace) {
   // Made beside the target and removed with the object.
-  const OutputFolder probe(path, overwrite);
-  if (overwrite) return;
+  const OutputFolder probe(path, replace);
+  if (replace != Replace::nothing) return;
   struct stat info {};
   for (const std::string& name : names)
     if (::stat((path + "/" + name).c_str(), &info) == 0) throw exists_already(path + "/" + name);

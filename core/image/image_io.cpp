@@ -161,6 +161,8 @@ std::string encoded(const std::string& label, const Pixels<Value>& image, const 
     if (!output || !output->supports("ioproxy"))
       throw Error::at(label, std::string("this OpenImageIO cannot write ") + format);
     spec[unassociated] = 1;
+    // Where no time is given OpenImageIO takes the clock's, and no two runs write the same bytes.
+    spec["DateTime"] = "1970:01:01 00:00:00";
     output->set_ioproxy(&memory);
     if (!output->open(std::string("etak.") + format, spec) ||
         !output->write_image(memory_type, image.values.data()) || !output->close())

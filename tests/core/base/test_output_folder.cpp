@@ -38,7 +38,7 @@ Files all_in(const std::string& folder) {
 }
 
 void put(const std::string& folder, const Files& files, bool overwrite = true) {
-  OutputFolder out(folder, overwrite);
+  OutputFolder out(folder, overwrite ? Replace::files : Replace::nothing);
   for (const auto& [name, bytes] : files) out.write(name, bytes);
   out.commit();
 }
@@ -65,7 +65,7 @@ TEST_CASE("nothing is seen before the commit, everything after, and nothing stay
   const test::TempFolder folder;
   const std::string target = folder.file("out");
   {
-    OutputFolder out(target, false);
+    OutputFolder out(target, Replace::nothing);
     out.write("a.png", "aa");
     out.write("b.png", [](const auto& sink) {
       for (int i = 0; i < 100000; ++i) sink("0123456789");
@@ -88,7 +88,7 @@ TEST_CASE("without a commit the target is as it was") {
   const std::string target = folder.file("out");
   put(target, {{"a", "1"}});
   {
-    OutputFolder out(target, true);
+    OutputFolder out(target, Replace::files);
     out.write("a", "2");
     out.write("b", "2");
   }
@@ -108,7 +108,7 @@ TEST_CASE("strangers move along, links and folders too; old files that are named
   REQUIRE(::stat((target + "/notes.txt").c_str(), &before) == 0);
   REQUIRE(::chmod(target.c_str(), 0750) == 0);
   {
-    OutputFolder out(target, true);
+    OutputFolder out(target, Replace::files);
     out.write("layout.json", "2");
     out.write("page0.png", "2");
     out.remove_old("page1.png");
@@ -137,7 +137,7 @@ TEST_CASE("found 4.01: a name that leads out of the folder is neither written no
   put(target, {{"layout.json", "1"}});
   test::spit(folder.file("victim"), "precious");
   {
-    OutputFolder out(target, true);
+    OutputFolder out(target, Replace::files);
     for (const std::string& name :
          {std::string("../victim"), folder.file("victim"), std::string(".."), std::string()}) {
       CHECK_THROWS_AS(out.remove_old(name), Error);
@@ -182,7 +182,7 @@ TEST_CASE("names stay in the folder, are written once, and do not replace folder
   const test::TempFolder folder;
   const std::string target = folder.file("out");
   fs::create_directories(target + "/sub");
-  OutputFolder out(target, true);
+  OutputFolder out(target, Replace::files);
   for (const char* name : {"", ".", "..", "a/b", "../a", "/a"})
     CHECK(test::contains(test::error_of([&] { out.write(name, "x"); }), "cannot hold a file named"));
   out.write("a", "1");
@@ -194,7 +194,7 @@ TEST_CASE("names stay in the folder, are written once, and do not replace folder
 
 TEST_CASE("what the writer of a file throws comes out, and the file can be written again") {
   const test::TempFolder folder;
-  OutputFolder out(folder.file("out"), false);
+  OutputFolder out(folder.file("out"), Replace::nothing);
   CHECK_THROWS_AS(out.write("a",
                             [](const auto& sink) {
                               sink("half");
@@ -210,7 +210,7 @@ TEST_CASE("a file can be written piece by piece, and is gone when it is not clos
   const test::TempFolder folder;
   const std::string target = folder.file("out");
   {
-    OutputFolder out(target, false);
+    OutputFolder out(target, Replace::nothing);
     const auto kept = out.open("kept");
     const std::string large(200'000, 'x');
     kept->add("head");
@@ -228,7 +228,7 @@ TEST_CASE("a file can be written piece by piece, and is gone when it is not clos
 
 TEST_CASE("files are written from several threads") {
   const test::TempFolder folder;
-  OutputFolder out(folder.file("out"), false);
+  OutputFolder out(folder.file("out"), Replace::nothing);
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t)
     threads.emplace_back([&, t] {
@@ -264,7 +264,7 @@ TEST_CASE("below a parent that cannot be written an old target is filled in plac
     if (::geteuid() == 0 && ::seteuid(65534) != 0) ::_exit(0);
     const std::string target = folder.file("parent/out");
     put(target, {{"layout.json", "1"}, {"a", "1"}, {"old", "1"}});
-    OutputFolder out(target, true);
+    OutputFolder out(target, Replace::files);
     out.write("layout.json", "2");
     out.write("a", "2");
     out.remove_old("old");
@@ -306,7 +306,7 @@ TEST_CASE("remains of killed runs go, those of live runs stay, and folders in th
   test::spit(folder.file(".out.etak-abcdef/inner/x"), "a stranger's");
   fs::create_directories(folder.file(".out.etak-not-one-of-ours"));
   fs::create_directories(folder.file(".other.etak-abcdef"));
-  OutputFolder alive(target, true);
+  OutputFolder alive(target, Replace::files);
   alive.write("a", "alive");
   put(target, {{"a", "2"}});
   CHECK(!fs::exists(folder.file(".out.etak-abcdef")));

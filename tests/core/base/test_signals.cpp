@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/signals.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/output_folder.h"
+#include "core/base/temporary.h"
+#include "tests/support.h"
+
+namespace etak {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Runs `act` in a process of its own, which handles signals; its status as waitpid() gives it.
+int in_child(const std::function<void()>& act) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    end_by_signals();
+    try {
+      act();
+    } catch (const Error&) {
+      ::_exit(2);
+    }
+    ::_exit(0);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+bool died_of(int status, int number) {
+  return WIFSIGNALED(status) && WTERMSIG(status) == number;
+}
+
+}  // namespace
+
+TEST_CASE("found 4.09: a signal that ends the program takes what is half-made with it") {
+  const test::TempFolder folder;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    const int status = in_child([&] {
+      const Descriptor open(::open(folder.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+      const Temporary file(open.get(), "a", Temporary::Kind::file);
+      OutputFolder set(folder.file("set"), Replace::nothing);
+      for (int i = 0; i < 300; ++i) set.write("a file of the set, number " + std::to_string(i), "1");
+      ::raise(number);
+      ::_exit(3);
+    });
+    CHECK(died_of(status, number));
+    CHECK(fs::is_empty(folder.path()));
+  }
+}
+
+TEST_CASE("a signal waits for what holds it, in any thread, and nothing new begins then") {
+  const test::TempFolder folder;
+  const int status = in_child([&] {
+    std::thread other;
+    {
+      const SignalsHeld held;
+      ::raise(SIGTERM);
+      other = std::thread([&] {
+        write_file(folder.file("too late"), "x", false);
+        ::_exit(3);
+      });
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      test::spit(folder.file("in time"), "x");
+    }
+    ::_exit(4);
+  });
+  CHECK(died_of(status, SIGTERM));
+  CHECK(fs::exists(folder.file("in time")));
+  CHECK(!fs::exists(folder.file("too late")));
+}
+
+TEST_CASE("threads that go on writing into a folder do not keep a signal from removing it") {
+  const test::TempFolder folder;
+  const int status = in_child([&] {
+    OutputFolder set(folder.file("set"), Replace::nothing);
+    std::vector<std::thread> writers;
+    for (int t = 0; t < 3; ++t)
+      writers.emplace_back([&, t] {
+        for (int i = 0;; ++i) set.write(std::to_string(t) + '-' + std::to_string(i), "x");
+      });
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ::kill(::getpid(), SIGINT);
+    for (std::thread& writer : writers) writer.join();
+  });
+  CHECK(died_of(status, SIGINT));
+  CHECK(fs::is_empty(folder.path()));
+}
+
+TEST_CASE("a signal that was ignored from the start stays so") {
+  const auto before = std::signal(SIGHUP, SIG_IGN);
+  const int status = in_child([] { ::raise(SIGHUP); });
+  std::signal(SIGHUP, before);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+}
+
+TEST_CASE("found 4.09: a file beyond the limit of its size is an error") {
+  const test::TempFolder folder;
+  const int status = in_child([&] {
+    const rlimit small{1000, 1000};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+    write_file(folder.file("a"), std::string(100000, 'x'), false);
+  });
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 2);
+  CHECK(fs::is_empty(folder.path()));
+}
+
+}  // namespace etak
