@@ -5,7 +5,6 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "app/cli/options.h"
 #include "app/cli/output.h"
 #include "core/atlas/rects.h"
+#include "core/atlas/rects_text.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
@@ -24,45 +24,7 @@ namespace etak::cli {
 namespace {
 
 constexpr int exit_not_offered = 3;
-constexpr int largest_side = 1 << 22;
-
-std::optional<int> whole_number(std::string_view text) {
-  int value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-std::string_view next_word(std::string_view& rest) {
-  const std::size_t begin = rest.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return rest = {};
-  const std::size_t end = std::min(rest.find_first_of(" \t\r", begin), rest.size());
-  const std::string_view word = rest.substr(begin, end - begin);
-  rest.remove_prefix(end);
-  return word;
-}
-
-std::vector<RectSize> read_rects(const std::string& path) {
-  const std::string text = read_file(path);
-  std::vector<RectSize> out;
-  std::string_view rest = text;
-  for (std::size_t line = 1; !rest.empty(); ++line) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    std::string_view words = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    const std::string_view whole = words;
-    const std::string_view first = next_word(words);
-    if (first.empty() || first.front() == '#') continue;
-    const std::optional<int> w = whole_number(first), h = whole_number(next_word(words));
-    if (!w || !h || !next_word(words).empty())
-      throw Error::at_line(path, line, "'" + printable(whole) + "'", "two whole numbers, width and height");
-    if (*w < 1 || *h < 1 || *w > largest_side || *h > largest_side)
-      throw Error::at_line(path, line, "'" + printable(whole) + "'",
-                           "sides of 1 to " + std::to_string(largest_side));
-    out.push_back({*w, *h});
-  }
-  return out;
-}
+constexpr int largest_side = largest_rect_side;
 
 // The form and side that --mode names; none for a mode that is not offered.
 std::optional<RectOptions> options_of(const std::string& mode, int pad) {
@@ -151,7 +113,7 @@ int pack_rects_command(const PackRectsArguments& a) {
   options->effort = a.effort;
   options->threads = thread_count(a.threads);
 
-  std::vector<RectSize> sizes = read_rects(a.in);
+  std::vector<RectSize> sizes = parse_rects(read_file(a.in), a.in);
   for (RectSize& size : sizes) size = {size.width + a.pad, size.height + a.pad};
   const auto begin = std::chrono::steady_clock::now();
   const RectLayout layout = pack_rects(sizes, *options);

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cost table's file (resources/costs.json) and the JSON form of choices
-// (resources/schema/choose.schema.json).
+// The JSON form of choices (resources/schema/choose.schema.json).
 #include <cmath>
 
-#include "core/base/json_node.inc"
 #include "core/base/json_text.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/report/choose.h"
-#include "core/report/costs_file.h"
 
 namespace etak {
 namespace {
 
-constexpr std::string_view costs_schema = "etak-costs/1", choose_schema = "etak-choose/2";
-constexpr int cost_digits = 3;
+constexpr std::string_view choose_schema = "etak-choose/2";
 
 std::string candidates_json(const std::vector<Candidate>& candidates) {
   std::string out;
@@ -35,38 +31,6 @@ std::string values_json(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-CostTable parse_costs(std::string_view text, std::string_view file) {
-  const Json document = parse_json_strictly(text, file, 4, "a cost table");
-  const JsonNode root{document, file, ""};
-  root.expect_object({"schema", "header", "ns"});
-  if (root.at("schema").text() != costs_schema)
-    root.at("schema").fail_type('"' + std::string(costs_schema) + '"');
-  CostTable out;
-  out.header = root.at("header").text();
-  const JsonNode ns = root.at("ns");
-  ns.expect_object();
-  for (const auto& [key, value] : ns.value.items()) {
-    const double cost = ns.at(key).number();
-    if (!(cost > 0)) ns.at(key).fail_type("a time above 0");
-    out.ns[key] = cost;
-  }
-  return out;
-}
-
-const CostTable& shipped_costs() {
-  static const CostTable table = parse_costs(costs_file, "<built-in cost table>");
-  return table;
-}
-
-std::string format_costs(const CostTable& costs) {
-  std::string rows;
-  for (const auto& [id, ns] : costs.ns)
-    append(rows, rows.empty() ? "\n    " : ",\n    ", json(id), ": ", number(ns, cost_digits));
-  const JsonMember members[] = {
-      {"schema", json(costs_schema)}, {"header", json(costs.header)}, {"ns", "{" + rows + "\n  }"}};
-  return json_object(members, 0) + "\n";
-}
 
 std::string choice_json(const std::vector<Choice>& choices, const CostTable& costs, std::string_view scene) {
   std::string rows;

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/eval_csv.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/base/csv.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+
+namespace etak::cli {
+namespace {
+
+constexpr int digits = 17;
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == text.npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+struct CsvRow {
+  std::size_t line;
+  std::vector<std::string> fields;
+};
+
+// RFC 4180: fields in quotes may hold commas, line ends and doubled quotes. Empty lines are skipped.
+std::vector<CsvRow> csv_rows(std::string_view text, std::string_view file) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  std::vector<CsvRow> rows;
+  CsvRow row{1, {}};
+  std::string field;
+  std::size_t line = 1;
+  bool quoted = false, was_quoted = false;
+  const auto end_row = [&] {
+    if (!row.fields.empty() || !field.empty() || was_quoted) {
+      row.fields.push_back(std::move(field));
+      rows.push_back(std::move(row));
+    }
+    row = {line + 1, {}};
+    field.clear();
+    was_quoted = false;
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '"' && i + 1 < text.size() && text[i + 1] == '"')
+        field += text[++i];
+      else if (c == '"')
+        quoted = false;
+      else
+        field += c;
+      line += c == '\n';
+    } else if (c == '"' && field.empty()) {
+      quoted = was_quoted = true;
+    } else if (c == ',') {
+      row.fields.push_back(std::move(field));
+      field.clear();
+      was_quoted = false;
+    } else if (c == '\n') {
+      end_row();
+      ++line;
+    } else if (c != '\r' || (i + 1 < text.size() && text[i + 1] != '\n')) {
+      field += c;
+    }
+  }
+  if (quoted) throw Error::at_line(file, row.line, "a quote that is not closed", "\"");
+  end_row();
+  return rows;
+}
+
+std::size_t column(const CsvRow& header, std::string_view name, std::string_view file) {
+  const auto is_it = [&](const std::string& field) { return trimmed(field) == name; };
+  const auto found = std::find_if(header.fields.begin(), header.fields.end(), is_it);
+  if (found == header.fields.end())
+    throw Error::at_line(file, header.line, "no column \"" + std::string(name) + "\"", "id,function,inputs");
+  if (std::find_if(found + 1, header.fields.end(), is_it) != header.fields.end())
+    throw Error::at_line(file, header.line, "two columns \"" + std::string(name) + "\"", "one");
+  return static_cast<std::size_t>(found - header.fields.begin());
+}
+
+double evaluate_row(const std::string& function, std::string_view inputs, std::string_view place) {
+  std::vector<NamedText> named;
+  while (!inputs.empty()) {
+    const std::size_t end = std::min(inputs.find(';'), inputs.size());
+    if (const auto part = inputs.substr(0, end); part.find_first_not_of(" \t") != part.npos)
+      named.push_back(split_input(part, place));
+    inputs.remove_prefix(std::min(end + 1, inputs.size()));
+  }
+  return evaluate(function_named(function, place), named, place);
+}
+
+}  // namespace
+
+const Function& function_named(std::string_view id, std::string_view place) {
+  const Function* found = find_function(trimmed(id));
+  const std::string at = place.empty() ? "function" : std::string(place) + ": function";
+  if (!found) throw Error::at(at, printable(id), "one of those that etak eval --list names");
+  return *found;
+}
+
+CsvAnswers answer_csv(std::string_view text, const std::string& file,
+                      const std::function<void(std::string_view)>& refuse) {
+  const std::vector<CsvRow> rows = csv_rows(text, file);
+  if (rows.empty()) throw Error::at(file, "no rows", "a header id,function,inputs and rows");
+  const std::size_t id = column(rows[0], "id", file), function = column(rows[0], "function", file),
+                    inputs = column(rows[0], "inputs", file);
+  CsvAnswers out{"id,value\n", rows.size() - 1, 0};
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const CsvRow& row = rows[i];
+    const std::string place = file + ':' + std::to_string(row.line);
+    const auto field = [&](std::size_t at) {
+      return at < row.fields.size() ? row.fields[at] : std::string();
+    };
+    out.text += csv_field(field(id)) + ',';
+    try {
+      if (function >= row.fields.size())
+        throw Error::at(place, std::to_string(row.fields.size()) + " fields", "id,function,inputs");
+      append_number(out.text, evaluate_row(field(function), field(inputs), place), digits);
+    } catch (const Error& e) {
+      refuse(e.what());
+      out.text += "error";
+      ++out.refused;
+    }
+    out.text += '\n';
+  }
+  return out;
+}
+
+}  // namespace etak::cli
