@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever the texels, and whatever a layout says of them: the rules answer, alike for one thread and for
-// three, and never with an internal error. Up to the first NUL an input is a layout; then come a byte for the
-// settings, two for the picture's sides, and texels, which repeat to the end of the picture.
+// Whatever the texels, and whatever a layout says of them: the rules answer, and never with an internal
+// error. Up to the first NUL an input is a layout; then come a byte for the settings, two for the picture's
+// sides, and texels, which repeat to the end of the picture. Pictures are small and one thread checks them,
+// because what finds something is many inputs; that several threads find the same, and the pictures of
+// regions, are asked of a few inputs.
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -16,6 +18,8 @@
 using namespace etak;
 
 namespace {
+
+constexpr int least_side = 4, most_side = 16;
 
 Image8 picture(int width, int height, int channels, std::string_view bytes, std::size_t from) {
   Image8 out(width, height, channels);
@@ -32,18 +36,23 @@ void check_all(const CheckTarget& target, std::string_view rest) {
   if ((byte(0) & 4) != 0) settings.alpha_is_transparency = true;
   settings.zone.erode = 1 + 2 * ((byte(0) >> 3) % 3);
   const bool metal_rough = (byte(0) & 64) != 0;
-  const int width = 1 + byte(1) % 96, height = 1 + byte(2) % 96;
+  const int width = least_side + byte(1) % (most_side - least_side + 1),
+            height = least_side + byte(2) % (most_side - least_side + 1);
   const std::string_view texels = rest.substr(std::min<std::size_t>(3, rest.size()));
   const Image8 a = picture(width, height, 4, texels, 0),
                b = picture(width, height, 4, texels, texels.size() / 2),
                metallic = picture(width, height, 1, texels, 7);
   const PicturesInMemory pictures{&a, &b, metal_rough ? &metallic : nullptr};
-  const CheckedFile one = check_pictures(target, pictures, settings, 1),
-                    three = check_pictures(target, pictures, settings, 3);
-  assert(one.findings == three.findings && one.counts == three.counts);
+  const CheckedFile one = check_pictures(target, pictures, settings, 1);
   assert(std::ranges::none_of(one.findings, [](const Finding& f) { return f.rule == "ETK901"; }));
-  const Image8 regions = region_picture(RegionKind::zone, pictures, target, settings);
-  assert(regions.width == width && regions.height == height);
+  if (byte(0) == 0xff) {
+    const CheckedFile three = check_pictures(target, pictures, settings, 3);
+    assert(one.findings == three.findings && one.counts == three.counts);
+  }
+  if ((byte(0) & 0xf8) == 0x80) {
+    const Image8 regions = region_picture(RegionKind::zone, pictures, target, settings);
+    assert(regions.width == width && regions.height == height);
+  }
 }
 
 }  // namespace
@@ -56,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const auto targets =
         targets_of_layout_text(std::string(input.substr(0, end)), "layout.json", "layout.json");
-    for (std::size_t i = 0; i < std::min<std::size_t>(targets.size(), 3); ++i) check_all(targets[i], rest);
+    for (std::size_t i = 0; i < std::min<std::size_t>(targets.size(), 2); ++i) check_all(targets[i], rest);
     return 0;
   } catch (const Error&) {
     // no layout: the pictures alone

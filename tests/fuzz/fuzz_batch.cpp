@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whatever the bytes: the reader of job files (etak pack --batch) answers with an Error or with jobs that say
+// what is packed and where to.
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "app/cli/pack_jobs.h"
+#include "core/base/error.h"
+
+using namespace etak;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::vector<char> bytes(data, data + size);
+  std::vector<cli::PackArguments> jobs;
+  try {
+    jobs = cli::parse_jobs({bytes.data(), bytes.size()}, "folder/jobs.json", cli::PackArguments());
+  } catch (const Error&) {
+    return 0;
+  }
+  assert(!jobs.empty());
+  for (const cli::PackArguments& job : jobs) {
+    assert(!job.input.empty() && !job.out.empty());
+    assert(job.page >= 1 && job.page <= 16384 && job.effort >= 1 && job.zstd >= 0 && job.zstd <= 22);
+    assert(job.batch.empty());
+  }
+  return 0;
+}
