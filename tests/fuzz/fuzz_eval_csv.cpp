@@ -26,6 +26,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   assert(answers.refused == reasons && reasons <= answers.rows);
   assert(answers.text.starts_with("id,value\n") && answers.text.back() == '\n');
+  // Where no id is quoted, a line is an id without commas and a value.
+  if (answers.text.find('"') != std::string::npos) return 0;
   for (const char* word : {",nan\n", ",-nan\n", ",inf\n", ",-inf\n"})
     assert(answers.text.find(word) == std::string::npos);
   return 0;

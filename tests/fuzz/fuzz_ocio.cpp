@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     part = rest.substr(0, end);
     rest.erase(0, std::min(end + 1, rest.size()));
   }
-  const auto& [text, space, display, view] = parts;
+  const std::string &text = parts[0], &space = parts[1], &display = parts[2], &view = parts[3];
   // A file that is in memory alone, under a name of this process, so that nothing of it stays.
   static const int file = memfd_create("config.ocio", 0);
   static const std::string path = "/proc/self/fd/" + std::to_string(file);

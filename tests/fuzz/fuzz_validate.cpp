@@ -45,11 +45,11 @@ void check_all(const CheckTarget& target, std::string_view rest) {
   const PicturesInMemory pictures{&a, &b, metal_rough ? &metallic : nullptr};
   const CheckedFile one = check_pictures(target, pictures, settings, 1);
   assert(std::ranges::none_of(one.findings, [](const Finding& f) { return f.rule == "ETK901"; }));
-  if (byte(0) == 0xff) {
+  if (byte(0) == 0xff && byte(1) % 16 == 7) {
     const CheckedFile three = check_pictures(target, pictures, settings, 3);
     assert(one.findings == three.findings && one.counts == three.counts);
   }
-  if ((byte(0) & 0xf8) == 0x80) {
+  if ((byte(0) & 0x80) != 0 && byte(1) % 16 == 3) {
     const Image8 regions = region_picture(RegionKind::zone, pictures, target, settings);
     assert(regions.width == width && regions.height == height);
   }

@@ -11,7 +11,7 @@ from inputs import mutate, png, png_checksums, write_manifest
 from tally import content, run
 
 OLD = b"the old file\n"
-BATCH = 32
+BATCH = 96
 
 
 def seeds_of(corpus, *doors):
@@ -67,7 +67,7 @@ def changed_files(soak, tally, deadline):
     write_manifest(good, random, 16, 1)
     # Programs that load the picture libraries take twenty times as long to start: they get fewer runs of one file.
     slow = {"config", "baseline", "costs", "batch", "scene", "manifest"}
-    names = [name for name in kinds for _ in range(1 if name in slow else 4)]
+    names = [name for name in kinds for _ in range(1 if name in slow else 5)]
     done = 0
     while not soak.over(deadline):
         kind = random.choice(names)

@@ -3,7 +3,7 @@
 """soak.py BUILD MINUTES [--only NAME,...] [--seed N]: everything that looks for what breaks etak, and one table of it.
 
 BUILD holds release, fuzz and tsan; the last two may be missing, and their rows are then left out or say so. The fuzz
-targets run on one core and the harnesses on another, each lane for MINUTES. What is found stays in BUILD/soak with the
+targets run beside the harnesses, which come one after the other; both for MINUTES. What is found stays in BUILD/soak with the
 input that made it. Ends with 1 where any count but that of runs is not 0."""
 import argparse
 import os

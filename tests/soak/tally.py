@@ -100,7 +100,7 @@ class Tally:
 
     def judge(self, result, allowed=(0, 1, 2), files=None, told=False):
         """Counts the run, and what of its end is wrong. True where nothing is.
-        told  whether the report that it writes says why its status is 2, so that standard error need not"""
+        told  whether a report that went to a file says why the status is 2; else the run has to say it"""
         with self.lock:
             self.runs += 1
         if result.hung:
@@ -111,7 +111,7 @@ class Tally:
             self.fault("crashes", f"ended by signal {result.status - 128}", result, files)
         elif result.status not in allowed:
             self.fault("exits", f"status {result.status}, expected one of {sorted(allowed)}", result, files)
-        elif result.status == 2 and not told and not result.err.strip():
+        elif result.status == 2 and not told and not (result.err + result.out).strip():
             self.fault("exits", "status 2 without a word", result, files)
         else:
             return True
