@@ -20,6 +20,18 @@ Severity severity(const ValidateConfig& config, const char* id) {
 
 }  // namespace
 
+TEST_CASE(
+    "found 4.14: letters of any alphabet outside of strings are refused, and in strings they are text") {
+  for (const char* letter : {"\xC2\xA1", "\xC3\x9F", "\xC6\x92", "\xD0\x96", "\xD2\x99", "\xE4\xB8\x80"}) {
+    CHECK(problem("zone" + std::string(letter) + " = 1\n").starts_with("etak.toml:1: "));
+    CHECK(problem("[zone]\nlow = 0.2 " + std::string(letter) + "\n").starts_with("etak.toml:2: "));
+    CHECK(problem("[zone]\nlow = [1979-05-27T0" + std::string(letter)).starts_with("etak.toml:2: "));
+    const ValidateConfig config =
+        parse_config("[roles]\ndiffuse = \"" + std::string(letter) + "*\"", "etak.toml");
+    CHECK(config.roles.at(0).pattern == letter + std::string("*"));
+  }
+}
+
 TEST_CASE("the configuration of the documentation is read whole") {
   const ValidateConfig config = parse_config(R"toml(
 profile  = "default"
