@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Files changed at random through every verb that reads, and command lines changed at random.
 
-Whatever the file says: no crash, no hang, status 0, 1 or 2, a word on standard error for 2, and a file of -o that is the
-old one or a whole new one."""
+Whatever the file says: no crash, no hang, status 0, 1 or 2, a word for 2, and a file of -o that is the old one or a
+whole new one."""
 import json
 import re
 import shutil
@@ -15,7 +15,7 @@ BATCH = 96
 
 
 def seeds_of(corpus, *doors):
-    return [path.read_bytes() for door in doors for path in sorted((corpus / door).iterdir()) if path.is_file()]
+    return [path.read_bytes() for door in doors for path in sorted((corpus / door).iterdir())]
 
 
 def changed_files(soak, tally, deadline):
@@ -27,8 +27,10 @@ def changed_files(soak, tally, deadline):
     # kind: seeds, the ending of a file's name, files a run takes, and the command for their names
     json_out = ["--force", "-o", "out.json"]
     kinds = {
-        "material": (seeds_of(corpus, "material"), ".json", BATCH, lambda n: ["f0", *n, "--format", "json", *json_out]),
-        "page": (seeds_of(corpus, "rii_page"), ".yml", BATCH, lambda n: ["f0", *n, "--format", "json", *json_out]),
+        "material": (seeds_of(corpus, "material"), ".json", BATCH,
+                     lambda n: ["f0", *n, "--format", "json", *json_out]),
+        "page": (seeds_of(corpus, "rii_page"), ".yml", BATCH,
+                 lambda n: ["f0", *n, "--format", "json", *json_out]),
         "table": (seeds_of(corpus, "table"), ".csv", BATCH, lambda n: ["f0", *n, "--unit", "nm", *json_out]),
         "import": (seeds_of(corpus, "rii_page", "table"), ".yml", 1, lambda n: ["import", *n, *json_out]),
         "export": (seeds_of(corpus, "material"), ".json", 1,
@@ -44,7 +46,8 @@ def changed_files(soak, tally, deadline):
         "validate": (seeds_of(corpus, "material"), ".json", BATCH,
                      lambda n: ["validate", ".", "--no-config", "--exit-zero", "--format", "json", *json_out]),
         "config": (seeds_of(corpus, "toml"), ".toml", 1,
-                   lambda n: ["validate", "../good", "--config", *n, "--exit-zero", "--format", "json", *json_out]),
+                   lambda n: ["validate", "../good", "--config", *n, "--exit-zero", "--format", "json",
+                              *json_out]),
         "baseline": (seeds_of(corpus, "baseline"), ".json", 1,
                      lambda n: ["validate", "../good", "--no-config", "--baseline", *n, "--exit-zero",
                                 "--format", "json", *json_out]),
@@ -65,7 +68,7 @@ def changed_files(soak, tally, deadline):
     }
     good = soak.folder("files") / ".." / "good"
     write_manifest(good, random, 16, 1)
-    # Programs that load the picture libraries take twenty times as long to start: they get fewer runs of one file.
+    # Programs that pack and check take many times as long to start: they get fewer runs of one file.
     slow = {"config", "baseline", "costs", "batch", "scene", "manifest"}
     names = [name for name in kinds for _ in range(1 if name in slow else 5)]
     done = 0
@@ -108,15 +111,17 @@ def is_json(data):
 
 
 # Verbs without those that measure for minutes, and options that wait or measure.
-VERBS = ["f0", "list", "show", "nearest", "import", "export", "eval", "models", "pack", "render", "shader", "stability",
-         "choose", "validate", "explain", "help"]
+VERBS = ["f0", "list", "show", "nearest", "import", "export", "eval", "models", "pack", "render", "shader",
+         "stability", "choose", "validate", "explain", "help"]
 LONG = {"--watch", "--measure", "--write-costs", "--full", "--reference", "--all", "--sheet", "--stdin-format"}
 # Where a large number is an honest order for much work.
-SMALL = {"--size", "--spp", "--frames", "--effort", "--light-samples", "--page", "--jobs", "--threads", "--count"}
-VALUES = ["0", "1", "-1", "0.5", "1e999", "nan", "inf", "99999999999999999999", "gold", "", " ", "x" * 300, "a.json",
-          "t.csv", "p.yml", "m.json", "s.gltf", "in", "none", "..", ".", "-", "--", "json", "auto", "D65", "srgb", "#ff00",
-          "#ffe29b", "1,2", "0.1,0.2,0.3", "\u202e", "\x1b[31m", "\n", "a=b", "=1", "*", "{name}", "ETK1", "/dev/null", "png",
-          "gltf", "nm", b"\xff\xfe", "1:2", "pages:64", "f82", "ggx-f82", "schlick", "water"]
+SMALL = {"--size", "--spp", "--frames", "--effort", "--light-samples", "--page", "--jobs", "--threads",
+         "--count"}
+VALUES = ["0", "1", "-1", "0.5", "1e999", "nan", "inf", "99999999999999999999", "gold", "", " ", "x" * 300,
+          "a.json", "t.csv", "p.yml", "m.json", "s.gltf", "in", "none", "..", ".", "-", "--", "json", "auto", "D65",
+          "srgb", "#ff00", "#ffe29b", "1,2", "0.1,0.2,0.3", "\u202e", "\x1b[31m", "\n", "a=b", "=1", "*", "{name}",
+          "ETK1", "/dev/null", "png", "gltf", "nm", b"\xff\xfe", "1:2", "pages:64", "f82", "ggx-f82", "schlick",
+          "water"]
 
 
 def command_lines(soak, tally, deadline):
@@ -128,8 +133,9 @@ def command_lines(soak, tally, deadline):
         good.mkdir(exist_ok=True)
         shutil.copy(corpus / source, good / name)
     write_manifest(good / "in", random, 8, 1)
-    options = {verb: sorted(set(re.findall(r"--[a-z0-9][a-z0-9-]*", run([etak, verb, "--help"]).out)) - LONG)
-               for verb in VERBS}
+    helps = {verb: run([etak, verb, "--help"]).out for verb in VERBS}
+    options = {verb: sorted(set(re.findall(r"--[a-z0-9][a-z0-9-]*", text)) - LONG)
+               for verb, text in helps.items()}
     words = sorted({word for each in options.values() for word in each})
     while not soak.over(deadline):
         shutil.rmtree(work, ignore_errors=True)
@@ -146,7 +152,8 @@ def command_lines(soak, tally, deadline):
             line += random.choice([[option, value], [option], [value], [os_join(option, value)]])
         result = run([etak, *line], cwd=work, env=soak.environment)
         # 3 is how bare rectangles say that a mode is not offered.
-        tally.judge(result, (0, 1, 2, 3) if "--rects" in line else (0, 1, 2), work)
+        reported = verb == "validate" and any(option in line for option in ("-o", "--output"))
+        tally.judge(result, (0, 1, 2, 3) if "--rects" in line else (0, 1, 2), work, told=reported)
         tally.no_leftovers(work, result)
 
 

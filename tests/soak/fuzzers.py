@@ -19,7 +19,8 @@ def fuzz(soak, program, seconds):
     found.mkdir(parents=True, exist_ok=True)
     finds.mkdir(parents=True, exist_ok=True)
     command = [program, f"-max_total_time={seconds}", "-max_len=4096", "-timeout=10", "-rss_limit_mb=3000",
-               "-entropic=0", "-print_final_stats=1", f"-seed={soak.seed}", f"-artifact_prefix={finds}/", found, soak.corpus / door]
+               "-entropic=0", "-print_final_stats=1", f"-seed={soak.seed}", f"-artifact_prefix={finds}/", found,
+               soak.corpus / door]
     begin = time.monotonic()
     # As ctest has it: see tests/fuzz/CMakeLists.txt.
     env = dict(soak.environment, ASAN_OPTIONS="malloc_context_size=0:quarantine_size_mb=4")

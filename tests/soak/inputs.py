@@ -47,9 +47,9 @@ def write_manifest(folder, random, side=64, materials=3):
     return path
 
 
-MAGIC = [b"0", b"-1", b"1e999", b"NaN", b"null", b"{}", b"[]", b"\"\"", b"\\u0000", b"\x00", b"\xff\xfe", b"\xef\xbb\xbf",
-         b"4294967296", b"-2147483649", b"9" * 40, b"[" * 80, b"../../x", b"/dev/zero", b"\x1b[2J", b"\n", b",", b":",
-         b"\xe2\x80\xae", b"true", b"1e-320", b"\x7f\xff\xff\xff", b"\xff\xff\xff\xff"]
+MAGIC = [b"0", b"-1", b"1e999", b"NaN", b"null", b"{}", b"[]", b"\"\"", b"\\u0000", b"\x00", b"\xff\xfe",
+         b"\xef\xbb\xbf", b"4294967296", b"-2147483649", b"9" * 40, b"[" * 80, b"../../x", b"/dev/zero", b"\x1b[2J",
+         b"\n", b",", b":", b"\xe2\x80\xae", b"true", b"1e-320", b"\x7f\xff\xff\xff", b"\xff\xff\xff\xff"]
 
 
 def mutate(data, random, others=()):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs that are ended from outside: killed, interrupted, out of resources, overtaken by others, or robbed of an input.
 
-What they were writing is the old set or the new one, never a mixture. INT, TERM, HUP and a file-size limit leave nothing
-behind; what a kill leaves is gone once the next run to the same target has ended."""
+What they were writing is the old set or the new one, never a mixture. INT, TERM, HUP and a file-size limit leave
+nothing behind; what a kill leaves is gone once the next run to the same target has ended."""
 import functools
 import os
 import resource
@@ -59,8 +59,8 @@ def targets(soak, name):
 
 
 def interrupted(soak, command, folder, number, wait, before=None):
-    """Runs `command` and sends it signal `number` after `wait` seconds. The result, and whether the signal came in time;
-    hung where the program lived on for more than GRACE_SECONDS."""
+    """Runs `command` and sends it signal `number` after `wait` seconds. The result, whose seconds are those that the
+    program lived on, and when the signal was sent; None where the program had ended before."""
     child = subprocess.Popen([soak.etak, *command], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                              stderr=subprocess.PIPE, env=soak.environment, preexec_fn=before)
     try:

@@ -42,8 +42,8 @@ def clock_jumps(soak, tally, deadline):
     def jump():
         while not stop.is_set():
             new = now.with_suffix(".new")
-            new.write_text(random.choice(("@1970-01-02 00:00:00", "@2038-01-19 03:14:07", "@2099-12-31 23:59:59 x1000",
-                                          "-20y", "+3h", "@2001-09-09 01:46:40")) + "\n")
+            new.write_text(random.choice(("@1970-01-02 00:00:00", "@2038-01-19 03:14:07", "-20y", "+3h",
+                                          "@2099-12-31 23:59:59 x1000", "@2001-09-09 01:46:40")) + "\n")
             new.replace(now)
             time.sleep(random.uniform(0, 0.05))
 
@@ -56,7 +56,8 @@ def clock_jumps(soak, tally, deadline):
             zone = random.choice(("UTC", "Asia/Kathmandu", "Pacific/Apia", "America/St_Johns"))
             plain = key not in right
             shutil.rmtree(work / out, ignore_errors=True) if (work / out).is_dir() else (work / out).unlink(True)
-            result = run([soak.etak, *command], cwd=work, limit=30, env=soak.environment if plain else dict(env, TZ=zone))
+            result = run([soak.etak, *command], cwd=work, limit=30,
+                         env=soak.environment if plain else dict(env, TZ=zone))
             if not tally.judge(result, (0,)):
                 continue
             made = content(work / out)
@@ -88,7 +89,8 @@ def many_files(soak, tally, deadline):
     shutil.copy(soak.corpus / "material" / "nk.json", material)
     (work / "list").write_text(f"{material}\n" * MANY)
     (work / "nothing").write_text("".join(f"none/m{i}.json\n" for i in range(MANY)))
-    commands = [["validate", "textures", "--no-config", "--exit-zero", "--format", "json", "--force", "-q", "-o", "v.json"],
+    commands = [["validate", "textures", "--no-config", "--exit-zero", "--format", "json", "--force", "-q",
+                 "-o", "v.json"],
                 ["f0", "--files-from", "list", "--format", "csv", "--force", "-q", "-o", "f.csv"],
                 ["f0", "--files-from", "nothing", "--format", "csv", "--force", "-q", "-o", "n.csv"],
                 ["validate", "--files-from", "nothing", "--no-config", "-q"]]

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""soak.py BUILD MINUTES [--only NAME,...] [--seed N]: everything that looks for what breaks etak, and one table of it.
+"""soak.py BUILD MINUTES [--only NAME,...] [--seed N]: all that looks for what breaks etak, and one table of it.
 
 BUILD holds release, fuzz and tsan; the last two may be missing, and their rows are then left out or say so. The fuzz
-targets run beside the harnesses, which come one after the other; both for MINUTES. What is found stays in BUILD/soak with the
-input that made it. Ends with 1 where any count but that of runs is not 0."""
+targets run beside the harnesses, which come one after the other; both for MINUTES. What is found stays in BUILD/soak
+with the input that made it. Ends with 1 where any count but that of runs is not 0."""
 import argparse
 import os
 import random
@@ -26,13 +26,13 @@ from tally import Tally, table
 HARNESSES = [
     ("changed files", files.changed_files, 26),
     ("command lines", files.command_lines, 10),
-    ("KILL", interrupts.kills, 12),
+    ("KILL", interrupts.kills, 14),
     ("INT TERM HUP", interrupts.signals, 10),
     ("limits and XFSZ", interrupts.limits, 8),
     ("racing writers", interrupts.racing_writers, 7),
     ("shrinking files", interrupts.shrinking_files, 5),
     ("watch", interrupts.watch, 5),
-    ("clock jumps", others.clock_jumps, 4),
+    ("clock jumps", others.clock_jumps, 3),
     ("threads", race_hunt.threads, 5),
     ("editor's threads", race_hunt.editor, 4),
     ("many files", others.many_files, 4),
