@@ -17,11 +17,12 @@ namespace {
 
 char** program_arguments = nullptr;
 
-// Folder of the running program, with '/'.
+// Folder of the running program, from the root and with '/' at its end; empty where the system does not tell.
+// Never the working folder in its place: what lies there under a companion's name may be anybody's.
 std::string program_folder() {
   std::array<char, PATH_MAX> path{};
   const ssize_t length = ::readlink("/proc/self/exe", path.data(), path.size());
-  if (length <= 0) return "./";
+  if (length <= 0 || path[0] != '/' || static_cast<std::size_t>(length) == path.size()) return {};
   const std::string whole(path.data(), static_cast<std::size_t>(length));
   return whole.substr(0, whole.rfind('/') + 1);
 }
@@ -39,6 +40,9 @@ void become_image_program(const std::string& place, const std::string& found, co
 void become_companion(const std::string& companion, const std::string& place, const std::string& found,
                       const std::string& expected) {
   const std::string here = program_folder();
+  if (here.empty())
+    throw Error::at(place, companion + " is needed, and the folder of etak, where it lies, cannot be told",
+                    "a readable /proc/self/exe");
   // Beside etak in a build tree, in libexec where installed.
   const std::array candidates{here + companion, here + (ETAK_LIBEXEC_FROM_BIN "/") + companion};
   for (const std::string& candidate : candidates) {
