@@ -2,14 +2,10 @@
 #include "core/atlas/page_memory.h"
 
 #include <sys/mman.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <new>
 
-#include "core/base/error.h"
-#include "core/base/input.h"
+#include "core/base/steady_file.h"
 
 namespace etak {
 namespace {
@@ -37,19 +33,17 @@ PageMemory::~PageMemory() {
 
 void FileBytes::load(const std::string& path) {
   size_ = 0;
-  const auto [file, size] = open_input(path, largest_file);
+  const SteadyFile file(path, largest_file);
+  const std::size_t size = file.size();
   // Past the end lie some zero bytes that a reader's vector loads may touch.
   if (memory_.size() < size + 64) {
     memory_ = PageMemory();  // the old one first: both at once would count twice
     memory_ = PageMemory(size + 64);
   }
-  while (size_ < size) {
-    const ssize_t got = ::read(file.get(), memory_.data() + size_, size - size_);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw Error::at(path, std::string("cannot be read: ") + std::strerror(errno));
-    if (got == 0) break;
-    size_ += static_cast<std::size_t>(got);
-  }
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters
+  file.read(0, reinterpret_cast<char*>(memory_.data()), size);
+  file.check_unchanged();
+  size_ = size;
 }
 
 }  // namespace etak

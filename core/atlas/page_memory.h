@@ -34,7 +34,7 @@ class PageMemory {
 /// The whole bytes of a picture file; the memory is used again for the next one.
 class FileBytes {
  public:
-  /// Throws Error naming the path; at most 4 GiB.
+  /// Throws Error naming the path, also where the file changes while it is read; at most 4 GiB.
   void load(const std::string& path);
   std::string_view view() const {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters

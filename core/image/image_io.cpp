@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/input.h"
+#include "core/base/steady_file.h"
 #include "core/image/picture_bytes.h"
 
 namespace etak {
@@ -31,11 +32,32 @@ std::string one_line(const std::string& text) {
   return printable(out, 200);
 }
 
-// OpenImageIO's reader, over bytes in memory or a file. The reader looks at the bytes as long as it lives.
+// A file as OpenImageIO's readers ask for it. They are handed this and no path, so that what they read is
+// what etak has opened and looked at, and nothing is mapped into memory.
+class ProxyOfFile : public OIIO::Filesystem::IOProxy {
+ public:
+  explicit ProxyOfFile(const SteadyFile& file) : IOProxy(file.path(), Read), file_(file) {}
+  const char* proxytype() const override { return "etak"; }
+  std::size_t size() const override { return file_.size(); }
+  std::size_t read(void* to, std::size_t count) override {
+    const std::size_t got = pread(to, count, m_pos);
+    m_pos += static_cast<std::int64_t>(got);
+    return got;
+  }
+  std::size_t pread(void* to, std::size_t count, std::int64_t at) override {
+    return at < 0 ? 0 : file_.read_what_is_there(static_cast<std::size_t>(at), static_cast<char*>(to), count);
+  }
+
+ private:
+  const SteadyFile& file_;
+};
+
+// OpenImageIO's reader, over bytes in memory or a file. The reader looks at them as long as it lives.
 struct Input {
-  std::unique_ptr<std::string> kept;  // the file, where it was read whole
+  std::unique_ptr<SteadyFile> file;   // where there is one
+  std::unique_ptr<std::string> kept;  // its bytes, where it was read whole
   std::string_view bytes;             // those or the caller's; empty where the reader reads the file
-  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;
+  std::unique_ptr<OIIO::Filesystem::IOProxy> proxy;
   std::unique_ptr<OIIO::ImageInput> reader;
 };
 
@@ -58,22 +80,24 @@ void check_spec(const OIIO::ImageSpec& spec, const std::string& label) {
       throw Error::at(label, "holds CMYK colours", "grey or RGB");
 }
 
-// By the format's name, so that no other reader is tried on foreign bytes. With bytes of none: `label` is
-// opened.
+// By the format's name, so that no other reader is tried on foreign bytes. Without bytes the file is read
+// piece by piece.
 void open_reader(Input& input, const std::string& format, const std::string& label) {
   input.reader = OIIO::ImageInput::create(format);
   if (!input.reader) fail_no_picture(label, one_line(OIIO::geterror()));
-  if (!input.bytes.empty()) {
+  if (!input.reader->supports("ioproxy"))
+    fail_no_picture(label, "OpenImageIO reads " + format + " only from files it opens itself");
+  if (input.bytes.empty()) {
+    input.proxy = std::make_unique<ProxyOfFile>(*input.file);
+  } else {
     // Before the decoder, which fills up what it does not find.
     check_whole(input.bytes, format, label);
-    if (!input.reader->supports("ioproxy"))
-      fail_no_picture(label, "OpenImageIO reads " + format + " only from files");
-    input.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(input.bytes.data(), input.bytes.size());
-    input.reader->set_ioproxy(input.memory.get());
+    input.proxy = std::make_unique<OIIO::Filesystem::IOMemReader>(input.bytes.data(), input.bytes.size());
   }
+  input.reader->set_ioproxy(input.proxy.get());
   OIIO::ImageSpec config, spec;
   config[unassociated] = 1;
-  if (!input.reader->open(input.bytes.empty() ? label : "etak." + format, spec, config))
+  if (!input.reader->open("etak." + format, spec, config))
     fail_no_picture(label, one_line(input.reader->geterror()));
 }
 
@@ -90,26 +114,38 @@ Input open_bytes(std::string_view bytes, const std::string& label) {
 
 // Formats that can be large, and whose decoders notice an early end, are read piece by piece; formats that
 // are not known by their first bytes are left to OpenImageIO, which goes by the ending and then tries all.
-Input open_path(const std::string& path) {
-  const std::string head = read_head(path, 32);
+void open_file(Input& out, const std::string& path) {
+  std::string head(std::min<std::size_t>(out.file->size(), 32), '\0');
+  out.file->read(0, head.data(), head.size());
   if (head.empty()) throw Error::at(path, "is empty", "a picture");
   const std::string format = picture_format(head, path);
-  const bool pipe = is_pipe_input(path);
-  Input out;
   if (format.empty()) {
-    if (pipe) fail_no_picture(path, "its first bytes are those of no known format");
+    if (is_pipe_input(path)) fail_no_picture(path, "its first bytes are those of no known format");
+    out.proxy = std::make_unique<ProxyOfFile>(*out.file);
     OIIO::ImageSpec config;
     config[unassociated] = 1;
-    out.reader = OIIO::ImageInput::open(path, &config);
+    out.reader = OIIO::ImageInput::open(path, &config, out.proxy.get());
     if (!out.reader) fail_no_picture(path, one_line(OIIO::geterror()));
   } else {
-    if (pipe || (format != "openexr" && format != "tiff")) {
-      out.kept = std::make_unique<std::string>(read_file(path, std::size_t{1} << 31));
+    if (format != "openexr" && format != "tiff") {
+      out.kept = std::make_unique<std::string>(out.file->all());
       out.bytes = *out.kept;
     }
     open_reader(out, format, path);
   }
   check_spec(out.reader->spec(), path);
+}
+
+// Calls use(input) and looks afterwards whether the file has stayed as it was.
+template <class Use>
+auto with_file(const std::string& path, Use use) {
+  Input input;
+  input.file = std::make_unique<SteadyFile>(path, largest_picture_bytes);
+  auto out = input.file->told_as_change([&] {
+    open_file(input, path);
+    return use(input);
+  });
+  input.file->check_unchanged();
   return out;
 }
 
@@ -141,13 +177,14 @@ Pixels<Value> read_pixels(const Input& input, const std::string& label, OIIO::Ty
 
 template <class Value>
 Pixels<Value> read_codes(const std::string& path, int bits, OIIO::TypeDesc type) {
-  const Input input = open_path(path);
-  const ImageInfo info = info_of(input);
-  if (info.bits != bits || info.floating)
-    throw Error::at(
-        path, "holds values of " + std::to_string(info.bits) + " bits" + (info.floating ? " (float)" : ""),
-        std::to_string(bits) + " bits");
-  return read_pixels<Value>(input, path, type);
+  return with_file(path, [&](const Input& input) {
+    const ImageInfo info = info_of(input);
+    if (info.bits != bits || info.floating)
+      throw Error::at(
+          path, "holds values of " + std::to_string(info.bits) + " bits" + (info.floating ? " (float)" : ""),
+          std::to_string(bits) + " bits");
+    return read_pixels<Value>(input, path, type);
+  });
 }
 
 // The whole file, made in memory.
@@ -189,11 +226,12 @@ void write_tiff_of(const std::string& path, const Pixels<Value>& image, OIIO::Ty
 }  // namespace
 
 ImageInfo read_image_info(const std::string& path) {
-  return info_of(open_path(path));
+  return with_file(path, info_of);
 }
 
 Image read_image(const std::string& path) {
-  return read_pixels<float>(open_path(path), path, OIIO::TypeFloat);
+  return with_file(path,
+                   [&](const Input& input) { return read_pixels<float>(input, path, OIIO::TypeFloat); });
 }
 
 Image8 read_image8(const std::string& path) {
@@ -220,7 +258,7 @@ AnyImage read_any(const Input& input, const std::string& label) {
 }  // namespace
 
 AnyImage read_any_image(const std::string& path) {
-  return read_any(open_path(path), path);
+  return with_file(path, [&](const Input& input) { return read_any(input, path); });
 }
 
 AnyImage read_any_image(std::string_view bytes, const std::string& label) {

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "core/base/file.h"
-#include "core/base/input.h"
+#include "core/base/steady_file.h"
 #include "core/image/image_io.h"
 #include "core/image/picture_bytes.h"
 #include "core/image/png.h"
@@ -83,7 +82,7 @@ LoadedImage load_picture(std::string_view bytes, const std::string& label) {
 
 LoadedImage load_picture(const std::string& path) {
   if (picture_format(read_head(path, 8), path) != "png") return from_oiio(read_any_image(path));
-  return load_picture(read_file(path, std::size_t{1} << 31), path);
+  return load_picture(SteadyFile(path, largest_picture_bytes).all(), path);
 }
 
 }  // namespace etak

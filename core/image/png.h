@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/steady_file.h"
 #include "core/image/image.h"
 
 namespace etak {
@@ -40,6 +41,8 @@ class PngReader {
   ///   path    for messages
   /// Throws Error for a PNG of ours that is broken: bad chunk, checksum, size above max_image_side.
   static std::optional<PngReader> open(std::string_view bytes, std::string_view path);
+  /// The same of a file that is read as its rows are asked for; it must outlive the reader.
+  static std::optional<PngReader> open(ByteSource& file, std::string_view path);
   PngReader(PngReader&&) noexcept;
   PngReader& operator=(PngReader&&) noexcept;
   ~PngReader();

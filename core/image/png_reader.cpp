@@ -35,20 +35,41 @@ std::span<const std::uint8_t> octets(std::string_view bytes) {
 
 struct Chunk {
   std::size_t start = 0;  // of its length field
-  std::string_view type, data;
-  std::uint32_t checksum = 0;
+  std::size_t size = 0;   // of its data
+  std::string type;
 
-  std::size_t end() const { return start + chunk_overhead + data.size(); }
+  std::size_t data() const { return start + 8; }
+  std::size_t end() const { return start + chunk_overhead + size; }
   bool critical() const { return (static_cast<unsigned char>(type[0]) & 32) == 0; }
 };
 
 // The chunk at `start`; nullopt when it is not whole.
-std::optional<Chunk> chunk_at(std::string_view bytes, std::size_t start) {
+std::optional<Chunk> chunk_at(ByteSource& bytes, std::size_t start) {
   if (start > bytes.size() || bytes.size() - start < chunk_overhead) return std::nullopt;
-  const std::size_t size = big_endian(bytes, start);
+  const std::string_view head = bytes.view(start, 8);
+  const std::size_t size = big_endian(head, 0);
   if (size > bytes.size() - start - chunk_overhead) return std::nullopt;
-  return Chunk{start, bytes.substr(start + 4, 4), bytes.substr(start + 8, size),
-               big_endian(bytes, start + 8 + size)};
+  return Chunk{start, size, std::string(head.substr(4))};
+}
+
+bool has_signature(ByteSource& bytes) {
+  return bytes.size() >= signature.size() && bytes.view(0, signature.size()) == signature;
+}
+
+std::uint32_t stored_checksum(ByteSource& bytes, const Chunk& chunk) {
+  return big_endian(bytes.view(chunk.end() - 4, 4), 0);
+}
+
+// That of type and data, in pieces: a chunk may be as long as the file.
+std::uint32_t checksum(ByteSource& bytes, const Chunk& chunk) {
+  std::uint32_t out = 0;
+  for (std::size_t at = chunk.start + 4, left = chunk.size + 4; left > 0;) {
+    const std::size_t take = std::min(left, input_bytes);
+    out = crc32_of(out, octets(bytes.view(at, take)));
+    at += take;
+    left -= take;
+  }
+  return out;
 }
 
 struct Header {
@@ -82,7 +103,8 @@ bool valid(const Header& h) {
 }  // namespace
 
 struct PngReader::State {
-  std::string_view bytes;
+  std::unique_ptr<ByteSource> own;  // where the reader was given bytes in memory
+  ByteSource* bytes = nullptr;
   std::string path;
   PngInfo info;
   std::size_t row_bytes = 0;
@@ -124,10 +146,10 @@ struct PngReader::State {
 };
 
 Chunk PngReader::State::next_chunk(std::size_t start) const {
-  const std::optional<Chunk> chunk = chunk_at(bytes, start);
+  const std::optional<Chunk> chunk = chunk_at(*bytes, start);
   if (!chunk)
-    fail("ends at byte " + std::to_string(bytes.size()) + ", in the PNG chunk that begins at byte " +
-         std::to_string(std::min(start, bytes.size())));
+    fail("ends at byte " + std::to_string(bytes->size()) + ", in the PNG chunk that begins at byte " +
+         std::to_string(std::min(start, bytes->size())));
   for (const char c : chunk->type)
     if (const int letter = c & ~32; letter < 'A' || letter > 'Z') fail(*chunk, "has no valid type");
   return *chunk;
@@ -135,8 +157,7 @@ Chunk PngReader::State::next_chunk(std::size_t start) const {
 
 Chunk PngReader::State::checked_chunk(std::size_t start) const {
   const Chunk chunk = next_chunk(start);
-  if (chunk.type != "IDAT" &&
-      crc32_of(0, octets(bytes.substr(start + 4, 4 + chunk.data.size()))) != chunk.checksum)
+  if (chunk.type != "IDAT" && checksum(*bytes, chunk) != stored_checksum(*bytes, chunk))
     fail(chunk, "has a wrong checksum");
   return chunk;
 }
@@ -145,10 +166,10 @@ Chunk PngReader::State::checked_chunk(std::size_t start) const {
 bool PngReader::State::read_header() {
   const Chunk chunk = checked_chunk(signature.size());
   if (chunk.type != "IHDR") fail(chunk, "comes first, where IHDR belongs");
-  if (chunk.data.size() != 13) fail(chunk, "is not 13 bytes long");
-  const auto byte = [&](std::size_t i) { return int{static_cast<std::uint8_t>(chunk.data[i])}; };
-  const Header h{
-      big_endian(chunk.data, 0), big_endian(chunk.data, 4), byte(8), byte(9), byte(10), byte(11), byte(12)};
+  if (chunk.size != 13) fail(chunk, "is not 13 bytes long");
+  const std::string data(bytes->view(chunk.data(), chunk.size));
+  const auto byte = [&](std::size_t i) { return int{static_cast<std::uint8_t>(data[i])}; };
+  const Header h{big_endian(data, 0), big_endian(data, 4), byte(8), byte(9), byte(10), byte(11), byte(12)};
   if (!valid(h))
     fail("PNG header with bit depth " + std::to_string(h.bits) + ", colour type " + std::to_string(h.colour) +
              ", compression " + std::to_string(h.compression) + ", filter " + std::to_string(h.filter) +
@@ -162,8 +183,8 @@ bool PngReader::State::read_header() {
   row_bytes = std::size_t{h.width} * static_cast<std::size_t>(info.channels * info.bits / 8);
   data_left = (row_bytes + 1) * h.height;
   // Before any memory is taken: no deflate stream of this length can hold so much.
-  if (data_left / deflate_at_most > bytes.size())
-    fail("holds " + std::to_string(bytes.size()) + " bytes, too few for its " + std::to_string(h.width) +
+  if (data_left / deflate_at_most > bytes->size())
+    fail("holds " + std::to_string(bytes->size()) + " bytes, too few for its " + std::to_string(h.width) +
          " x " + std::to_string(h.height) + " pixels");
   return true;
 }
@@ -179,7 +200,7 @@ bool PngReader::State::read_until_idat() {
     if (chunk.type == "tRNS") return false;
     if (chunk.type == "PLTE") {
       // A palette suggested for displays of few colours.
-      if (palette || info.channels < 3 || chunk.data.size() % 3 != 0 || chunk.data.size() > 768)
+      if (palette || info.channels < 3 || chunk.size % 3 != 0 || chunk.size > 768)
         fail(chunk, "is no palette that belongs here");
       palette = true;
     } else if (chunk.critical()) {
@@ -197,7 +218,7 @@ void PngReader::State::begin_idat(const Chunk& chunk) {
 
 // Another chunk of image data is begun where one follows.
 void PngReader::State::end_idat() {
-  if (idat_checksum != idat.checksum) fail(idat, "has a wrong checksum");
+  if (idat_checksum != stored_checksum(*bytes, idat)) fail(idat, "has a wrong checksum");
   const Chunk next = checked_chunk(idat.end());
   if (next.type == "IDAT")
     begin_idat(next);
@@ -210,12 +231,12 @@ void PngReader::State::end_idat() {
 void PngReader::State::gather_input() {
   std::size_t size = 0;
   while (size < input.size() && !idat_over) {
-    const std::size_t take = std::min(input.size() - size, idat.data.size() - idat_taken);
-    std::copy_n(octets(idat.data).data() + idat_taken, take, input.data() + size);
+    const std::size_t take = std::min(input.size() - size, idat.size - idat_taken);
+    std::copy_n(octets(bytes->view(idat.data() + idat_taken, take)).data(), take, input.data() + size);
     idat_checksum = crc32_of(idat_checksum, std::span(input).subspan(size, take));
     size += take;
     idat_taken += take;
-    if (idat_taken < idat.data.size()) break;
+    if (idat_taken < idat.size) break;
     end_idat();
   }
   inflater.feed(std::span(input).first(size));
@@ -266,13 +287,13 @@ void PngReader::State::finish() {
 void PngReader::State::finish_chunks() {
   // What is left of the image data: empty chunks at most.
   while (!idat_over) {
-    if (idat_taken < idat.data.size()) fail("image data goes on behind its end");
+    if (idat_taken < idat.size) fail("image data goes on behind its end");
     end_idat();
   }
   for (std::size_t at = idat.end();;) {
     const Chunk chunk = checked_chunk(at);
     if (chunk.type == "IEND") {
-      if (!chunk.data.empty()) fail(chunk, "is not empty");
+      if (chunk.size != 0) fail(chunk, "is not empty");
       return;
     }
     if (chunk.critical()) fail(chunk, "has no place behind the image data");
@@ -281,9 +302,16 @@ void PngReader::State::finish_chunks() {
 }
 
 std::optional<PngReader> PngReader::open(std::string_view bytes, std::string_view path) {
-  if (!bytes.starts_with(signature)) return std::nullopt;
+  auto own = std::make_unique<BytesInMemory>(bytes);
+  std::optional<PngReader> out = open(*own, path);
+  if (out) out->state_->own = std::move(own);
+  return out;
+}
+
+std::optional<PngReader> PngReader::open(ByteSource& bytes, std::string_view path) {
+  if (!has_signature(bytes)) return std::nullopt;
   auto state = std::make_unique<State>();
-  state->bytes = bytes;
+  state->bytes = &bytes;
   state->path = path;
   if (!state->read_header() || !state->read_until_idat()) return std::nullopt;
   const std::size_t row = state->row_bytes + 1;
@@ -360,23 +388,26 @@ std::optional<Image16> read_png16(std::string_view bytes, std::string_view path)
   return read_whole<std::uint16_t>(bytes, path);
 }
 
-PngColour png_colour(std::string_view bytes) {
+PngColour png_colour(std::string_view in_memory) {
   PngColour out;
-  if (!bytes.starts_with(signature)) return out;
+  BytesInMemory bytes(in_memory);
+  if (!has_signature(bytes)) return out;
   for (auto chunk = chunk_at(bytes, signature.size()); chunk && chunk->type != "IDAT";
        chunk = chunk_at(bytes, chunk->end())) {
     if (chunk->type == "sRGB") out.srgb = true;
     if (chunk->type == "iCCP") out.icc_profile = true;
-    if (chunk->type == "gAMA" && chunk->data.size() == 4) out.gamma = big_endian(chunk->data, 0) / 1e5;
+    if (chunk->type == "gAMA" && chunk->size == 4)
+      out.gamma = big_endian(bytes.view(chunk->data(), 4), 0) / 1e5;
   }
   return out;
 }
 
-void check_png_chunks(std::string_view bytes, std::string_view path) {
+void check_png_chunks(std::string_view in_memory, std::string_view path) {
+  BytesInMemory bytes(in_memory);
   for (std::size_t at = signature.size();;) {
     const std::optional<Chunk> chunk = chunk_at(bytes, at);
     if (!chunk) throw Error::at(path, "is cut short", "a whole picture file");
-    if (crc32_of(0, octets(bytes.substr(at + 4, 4 + chunk->data.size()))) != chunk->checksum)
+    if (checksum(bytes, *chunk) != stored_checksum(bytes, *chunk))
       throw Error::at(
           path,
           "PNG chunk " + printable(chunk->type) + " at byte " + std::to_string(at) + " has a wrong checksum",

@@ -5,17 +5,19 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/steady_file.h"
 #include "core/color/srgb.h"
 #include "core/image/load.h"
 #include "core/image/png.h"
-#include "core/validate/mapped_file.h"
 
 namespace etak {
 
 namespace {
 
 constexpr std::string_view png_signature("\x89PNG\r\n\x1a\n", 8);
+constexpr std::size_t largest = std::size_t{1} << 32;
 
 std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -31,13 +33,15 @@ std::string gamma_name(double gamma) {
 }
 
 // What the chunks before the first IDAT say; nothing is trusted but lengths that fit.
-void read_png_chunks(std::string_view bytes, TextureHeader& header) {
-  if (!bytes.starts_with(png_signature)) return;
+void read_png_chunks(ByteSource& bytes, TextureHeader& header) {
+  if (bytes.size() < 8 || bytes.view(0, 8) != png_signature) return;
   for (std::size_t at = 8; at + 12 <= bytes.size();) {
-    const std::size_t length = big_endian(bytes, at);
-    const std::string_view type = bytes.substr(at + 4, 4);
+    const std::string head(bytes.view(at, 8));
+    const std::size_t length = big_endian(head, 0);
+    const std::string_view type = std::string_view(head).substr(4);
     if (type == "IDAT" || length > bytes.size() - at - 12) return;
-    const std::string_view data = bytes.substr(at + 8, length);
+    // No more than the longest name of a colour profile.
+    const std::string_view data = bytes.view(at + 8, std::min<std::size_t>(length, 80));
     if (type == "IHDR" && length == 13) {
       header.palette = data[9] == 3;
       header.bits = std::max<int>(8, static_cast<std::uint8_t>(data[8]));
@@ -72,12 +76,19 @@ std::uint8_t rounded(std::uint16_t value) {
 
 class PngRowSource : public RowSource {
  public:
-  PngRowSource(std::unique_ptr<MappedFile> file, PngReader reader, TextureHeader header)
+  PngRowSource(std::unique_ptr<SteadyFile> file, PngReader reader, TextureHeader header)
       : file_(std::move(file)), reader_(std::move(reader)), header_(std::move(header)) {}
 
   const TextureHeader& header() const override { return header_; }
 
   void read_rows(std::uint8_t* rgba, std::size_t stride, int count) override {
+    file_->told_as_change([&] { convert_rows(rgba, stride, count); });
+    rows_ += count;
+    if (rows_ == reader_.info().height) file_->check_unchanged();
+  }
+
+ private:
+  void convert_rows(std::uint8_t* rgba, std::size_t stride, int count) {
     const PngInfo& info = reader_.info();
     const auto width = static_cast<std::size_t>(info.width),
                channels = static_cast<std::size_t>(info.channels);
@@ -99,14 +110,9 @@ class PngRowSource : public RowSource {
         }
       }
     }
-    rows_ += count;
-    // How far the reader has come in the file is about how far it has come in the picture.
-    const double share = static_cast<double>(rows_) / info.height;
-    file_->drop_front(static_cast<std::size_t>(0.9 * share * static_cast<double>(file_->bytes().size())));
   }
 
- private:
-  std::unique_ptr<MappedFile> file_;
+  std::unique_ptr<SteadyFile> file_;
   PngReader reader_;
   TextureHeader header_;
   std::vector<std::uint8_t> buffer_;
@@ -168,7 +174,7 @@ TextureHeader header_of(const LoadedImage& image) {
   return header;
 }
 
-TextureHeader header_of(const PngInfo& info, std::string_view bytes) {
+TextureHeader header_of(const PngInfo& info, ByteSource& bytes) {
   TextureHeader header;
   header.width = info.width;
   header.height = info.height;
@@ -179,53 +185,61 @@ TextureHeader header_of(const PngInfo& info, std::string_view bytes) {
   return header;
 }
 
+std::unique_ptr<SteadyFile> open_file(const std::string& path) {
+  auto file = std::make_unique<SteadyFile>(path, largest);
+  if (file->size() == 0) throw Error::at(path, "an empty file", "a picture");
+  return file;
+}
+
 // Takes the file over where it is PNG.
-std::unique_ptr<RowSource> rows_of_png(std::unique_ptr<MappedFile>& file, const std::string& path) {
-  auto reader = PngReader::open(file->bytes(), path);
+std::unique_ptr<RowSource> rows_of_png(std::unique_ptr<SteadyFile>& file, const std::string& path) {
+  auto reader = file->told_as_change([&] { return PngReader::open(*file, path); });
   if (!reader) return nullptr;
-  TextureHeader header = header_of(reader->info(), file->bytes());
+  TextureHeader header = header_of(reader->info(), *file);
   return std::make_unique<PngRowSource>(std::move(file), std::move(*reader), std::move(header));
+}
+
+// A picture that is decoded at once, and its header.
+std::pair<LoadedImage, TextureHeader> load_whole(std::string_view bytes, const std::string& label) {
+  LoadedImage image = load_picture(bytes, label);
+  TextureHeader header = header_of(image);
+  BytesInMemory source(bytes);
+  read_png_chunks(source, header);
+  return {std::move(image), std::move(header)};
 }
 
 }  // namespace
 
 std::unique_ptr<RowSource> open_rows(const std::string& path) {
-  auto file = std::make_unique<MappedFile>(path);
+  auto file = open_file(path);
   return rows_of_png(file, path);
 }
 
 std::unique_ptr<RowSource> open_picture(const std::string& path) {
-  auto file = std::make_unique<MappedFile>(path);
+  auto file = open_file(path);
   if (auto rows = rows_of_png(file, path)) return rows;
-  LoadedImage image = load_picture(file->bytes(), path);
-  TextureHeader header = header_of(image);
-  read_png_chunks(file->bytes(), header);
+  auto [image, header] = load_whole(file->all(), path);
   return std::make_unique<LoadedRowSource>(std::move(image), std::move(header));
 }
 
 TextureHeader read_texture_header(const std::string& path, std::string_view bytes, const std::string& label) {
-  std::unique_ptr<MappedFile> file;
-  if (bytes.empty()) {
-    file = std::make_unique<MappedFile>(path);
-    bytes = file->bytes();
+  if (!bytes.empty()) {
+    BytesInMemory source(bytes);
+    if (const auto reader = PngReader::open(source, label)) return header_of(reader->info(), source);
+    return load_whole(bytes, label).second;
   }
-  if (const auto reader = PngReader::open(bytes, label)) return header_of(reader->info(), bytes);
-  const LoadedImage image = load_picture(bytes, label);
-  TextureHeader header = header_of(image);
-  read_png_chunks(bytes, header);
-  return header;
+  const auto file = open_file(path);
+  return file->told_as_change([&] {
+    if (const auto reader = PngReader::open(*file, label)) return header_of(reader->info(), *file);
+    return load_whole(file->all(), label).second;
+  });
 }
 
 Image8 load_codes(const std::string& path, std::string_view bytes, const std::string& label,
                   TextureHeader& header) {
-  std::unique_ptr<MappedFile> file;
-  if (bytes.empty()) {
-    file = std::make_unique<MappedFile>(path);
-    bytes = file->bytes();
-  }
-  LoadedImage image = load_picture(bytes, label);
-  header = header_of(image);
-  read_png_chunks(bytes, header);
+  auto [image, read_header] =
+      bytes.empty() ? load_whole(open_file(path)->all(), label) : load_whole(bytes, label);
+  header = std::move(read_header);
   if (auto* codes = std::get_if<Image8>(&image.pixels)) return std::move(*codes);
   Image8 out(image.width(), image.height(), image.channels());
   if (const auto* wide = std::get_if<Image16>(&image.pixels)) {
