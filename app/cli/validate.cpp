@@ -99,6 +99,11 @@ void add_validate(CLI::App& app, Verb& chosen) {
   verb.add_flag("--stats", a.stats, "say on standard error what was read, left out and how long it took");
   verb.add_option("--cache", a.cache_folder, "keep results here and do not check the same files again")
       ->type_name("DIR");
+  reads_file(
+      verb.add_option("--cache-key", a.cache_key,
+                      "secret of at least 16 bytes: entries of the cache that were written without it do "
+                      "not count"))
+      ->type_name("FILE");
   add_library_options(verb, a.library);
   add_progress_option(verb, a.output.progress);
   add_thread_option(verb, a.threads);

@@ -25,7 +25,7 @@ struct ValidateArguments {
   std::optional<std::size_t> max_warnings;
   bool allow_empty = false;  // of files_from
   bool exit_zero = false, list_rules = false, stats = false;
-  std::string baseline, write_baseline, mask_folder, cache_folder;
+  std::string baseline, write_baseline, mask_folder, cache_folder, cache_key;
   unsigned threads = 0;
   Library library;
   OutputArguments output;

@@ -1,57 +1,84 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/validate_cache.h"
 
+#include <fcntl.h>
+#include <sys/random.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <vector>
 
-#include "core/atlas/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/input.h"
 #include "core/base/number.h"
+#include "core/validate/sha256.h"
 
 namespace etak::cli {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr std::string_view format_name = "etak-result/2 ";
+constexpr std::size_t largest_entry = std::size_t{64} << 20;
+constexpr std::size_t shortest_key = 16, longest_key = 4096;
 
-// Length and hash of a file's bytes; empty when it cannot be read.
-std::string fingerprint_of_file(const std::string& path) {
-  try {
-    const OpenedInput input = open_input(path, SIZE_MAX);
-    ContentHash hash;
-    // Pieces of a multiple of 32 bytes, as ContentHash asks; one buffer per thread.
-    thread_local std::vector<char> buffer(std::size_t{1} << 20);
-    for (std::size_t filled = 0;;) {
-      const ssize_t got = ::read(input.file.get(), buffer.data() + filled, buffer.size() - filled);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) return {};
-      filled += static_cast<std::size_t>(got);
-      if (got != 0 && filled < buffer.size()) continue;
-      hash.add(buffer.data(), filled);
-      filled = 0;
-      if (got == 0) return hash.hex();
-    }
-  } catch (const Error&) {
-    return {};
-  }
+// A rebuilt etak may judge differently under the same version number.
+std::string program_fingerprint() {
+  return std::string(ETAK_VERSION) + ' ' + sha256_of_file("/proc/self/exe");
 }
 
-std::string program_fingerprint() {
-  // A rebuilt etak may judge differently under the same version number.
-  std::error_code failure;
-  const auto size = fs::file_size("/proc/self/exe", failure);
-  const auto time = fs::last_write_time("/proc/self/exe", failure);
-  return failure ? std::string(ETAK_VERSION)
-                 : std::string(ETAK_VERSION) + ' ' + std::to_string(size) + ' ' +
-                       std::to_string(time.time_since_epoch().count());
+// What the system says of the files: it changes with their content.
+std::string stamps_of(const std::vector<std::string>& paths) {
+  std::string out;
+  for (const std::string& path : paths) {
+    struct stat info {};
+    // What came from a pipe is kept in memory and stays as it is.
+    if (!is_pipe_input(path) && ::stat(path.c_str(), &info) != 0) out += "none";
+    for (const std::int64_t part :
+         {static_cast<std::int64_t>(info.st_dev), static_cast<std::int64_t>(info.st_ino),
+          static_cast<std::int64_t>(info.st_size), static_cast<std::int64_t>(info.st_mtim.tv_sec),
+          static_cast<std::int64_t>(info.st_mtim.tv_nsec), static_cast<std::int64_t>(info.st_ctim.tv_sec),
+          static_cast<std::int64_t>(info.st_ctim.tv_nsec)})
+      out += ' ' + std::to_string(part);
+    out += '\n';
+  }
+  return out;
+}
+
+// A name that nobody can guess, so that nobody can have put something under it.
+std::string random_name() {
+  std::array<unsigned char, 16> random{};
+  if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size())) return {};
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string out = ".new-";
+  for (const unsigned char byte : random) {
+    out += digits[byte >> 4];
+    out += digits[byte & 15];
+  }
+  return out;
+}
+
+// The whole of an open file; nothing when it is no regular one, too long, or not to be read.
+std::optional<std::string> read_entry(const Descriptor& file) {
+  struct stat info {};
+  if (!file || ::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode)) return std::nullopt;
+  std::string out(1, '\0');
+  for (std::size_t filled = 0;;) {
+    const ssize_t got = ::read(file.get(), out.data() + filled, out.size() - filled);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0 || filled > largest_entry) return std::nullopt;
+    filled += static_cast<std::size_t>(got);
+    if (got == 0) {
+      out.resize(filled);
+      return out;
+    }
+    if (filled == out.size())
+      out.resize(std::max(2 * filled, static_cast<std::size_t>(std::max<off_t>(info.st_size, 0)) + 1));
+  }
 }
 
 void add_manifest(std::string& text, const Manifest& manifest) {
@@ -68,58 +95,88 @@ void add_manifest(std::string& text, const Manifest& manifest) {
 
 }  // namespace
 
-ResultCache::ResultCache(const std::string& folder, const std::string& settings)
-    : folder_(folder), settings_(settings + '\n' + program_fingerprint()) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (!fs::is_directory(folder))
-    throw Error::at("--cache", printable(folder, 200) + " is no folder", "a folder");
+std::string read_cache_key(const std::string& path) {
+  std::string out = read_file(path, longest_key);
+  if (out.size() < shortest_key)
+    throw Error::at(path, "a key of " + std::to_string(out.size()) + " bytes",
+                    "at least " + std::to_string(shortest_key) + " bytes, best of head -c 32 /dev/urandom");
+  return out;
 }
 
-std::string ResultCache::key_of(const FoundTarget& found) const {
+ResultCache::ResultCache(const std::string& folder, const std::string& settings, std::string key)
+    : settings_(settings + '\n' + program_fingerprint()), key_(std::move(key)) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  folder_ = Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder_) throw Error::at("--cache", printable(folder, 200) + " is no folder", "a folder");
+}
+
+CacheKey ResultCache::key_of(const FoundTarget& found) const {
+  CacheKey out;
+  // Before the bytes are read, so that a file that is written meanwhile counts as changed.
+  out.stamps = stamps_of(found.depends);
   std::string text = settings_ + '\n' + found.target.label + '\n';
   for (const TargetFile& file : found.target.files)
     text += file.label + '\n' + std::string(name(file.role)) + (file.guessed ? " guessed\n" : "\n");
   add_manifest(text, found.target.manifest);
   for (const std::string& path : found.depends) {
-    const std::string fingerprint = fingerprint_of_file(path);
-    if (fingerprint.empty()) return {};
+    const std::string fingerprint = sha256_of_file(path);
+    if (fingerprint.empty()) return out;
     text += fingerprint + '\n';
   }
-  ContentHash hash;
-  hash.add(text);
-  return hash.hex();
+  out.digest = sha256(text);
+  return out;
 }
 
-std::string ResultCache::entry(const std::string& key) const {
-  return folder_ + '/' + key.substr(0, 2) + '/' + key.substr(2) + ".json";
+std::string ResultCache::seal_of(const std::string& digest, std::string_view text) const {
+  std::string sealed = std::string(format_name) + digest + '\n';
+  sealed += text;
+  return key_.empty() ? sha256(sealed) : hmac_sha256(key_, sealed);
 }
 
-std::optional<CheckedFile> ResultCache::find(const std::string& key) const {
-  if (key.empty()) return std::nullopt;
-  try {
-    return read_cache_text(read_file(entry(key)));
-  } catch (const Error&) {
+// The folder of an entry. No link is followed: whoever can write to the cache could lead a writer elsewhere.
+Descriptor ResultCache::folder_of(const std::string& digest) const {
+  return Descriptor(
+      ::openat(folder_.get(), digest.substr(0, 2).c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+}
+
+std::string ResultCache::name_of(const std::string& digest) {
+  return digest.substr(2) + ".json";
+}
+
+std::optional<CheckedFile> ResultCache::find(const CacheKey& key) const {
+  if (key.digest.empty()) return std::nullopt;
+  const Descriptor folder = folder_of(key.digest);
+  if (!folder) return std::nullopt;
+  const auto entry = read_entry(Descriptor(
+      ::openat(folder.get(), name_of(key.digest).c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)));
+  if (!entry) return std::nullopt;
+  const std::string_view all = *entry;
+  const std::size_t end = std::min(all.find('\n'), all.size());
+  const std::string_view text = all.substr(std::min(end + 1, all.size()));
+  if (!all.starts_with(format_name) ||
+      !same_digest(all.substr(format_name.size(), end - format_name.size()), seal_of(key.digest, text)))
     return std::nullopt;
-  }
+  return read_cache_text(std::string(text));
 }
 
-void ResultCache::keep(const std::string& key, const CheckedFile& file) const {
-  if (key.empty() || file.unreadable) return;
+void ResultCache::keep(const CacheKey& key, const FoundTarget& found, const CheckedFile& file) const {
+  if (key.digest.empty() || file.unreadable || stamps_of(found.depends) != key.stamps) return;
   const std::string text = cache_text(file);
-  if (text.empty()) return;
+  const std::string name = name_of(key.digest), temporary = random_name();
+  if (text.empty() || temporary.empty()) return;
+  (void)::mkdirat(folder_.get(), key.digest.substr(0, 2).c_str(), 0777);
+  const Descriptor folder = folder_of(key.digest);
+  if (!folder) return;
   // Not write_file(): a result that is lost in a power cut is only computed again, and flushing thousands of
   // files takes longer than that. The rename keeps other runs from seeing a part.
-  static std::atomic<unsigned> count{0};
-  const std::string path = entry(key);
-  const std::string temporary = path + '.' + std::to_string(::getpid()) + '.' + std::to_string(count++);
-  std::error_code failure;
-  fs::create_directories(fs::path(path).parent_path(), failure);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(temporary.c_str(), "wb"), std::fclose);
-  bool whole = out && std::fwrite(text.data(), 1, text.size(), out.get()) == text.size();
-  whole = whole && std::fflush(out.get()) == 0;
-  if (whole) fs::rename(temporary, path, failure);
-  if (!whole || failure) fs::remove(temporary, failure);
+  Descriptor out(
+      ::openat(folder.get(), temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (!out) return;
+  const bool whole =
+      write_all(out.get(), std::string(format_name) + seal_of(key.digest, text) + '\n' + text) && out.close();
+  if (!whole || ::renameat(folder.get(), temporary.c_str(), folder.get(), name.c_str()) != 0)
+    (void)::unlinkat(folder.get(), temporary.c_str(), 0);
 }
 
 }  // namespace etak::cli

@@ -72,10 +72,11 @@ std::vector<CheckedFile> checked(const FoundTargets& found, const ValidateArgume
   const unsigned threads = thread_count(arguments.threads);
   std::vector<CheckedFile> out(found.targets.size());
   std::vector<char> known(found.targets.size());
-  std::vector<std::string> keys(found.targets.size());
+  std::vector<CacheKey> keys(found.targets.size());
   std::optional<ResultCache> cache;
   if (!arguments.cache_folder.empty()) {
-    cache.emplace(arguments.cache_folder, settings_hash(settings));
+    cache.emplace(arguments.cache_folder, settings_hash(settings),
+                  arguments.cache_key.empty() ? "" : read_cache_key(arguments.cache_key));
     parallel_chunks(found.targets.size(), threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
         keys[i] = cache->key_of(found.targets[i]);
@@ -103,7 +104,7 @@ std::vector<CheckedFile> checked(const FoundTargets& found, const ValidateArgume
                     for (std::size_t l = begin; l < end; ++l) {
                       const std::size_t i = left[l];
                       out[i] = check(found.targets[i].target, settings, inner);
-                      if (cache) cache->keep(keys[i], out[i]);
+                      if (cache) cache->keep(keys[i], found.targets[i], out[i]);
                     }
                     progress.advance(end - begin, worker);
                   });
@@ -187,6 +188,8 @@ int check_files(ValidateArguments& arguments) {
     throw Error::at("etak validate", "nothing to check", "files, folders or --files-from");
   if (!arguments.today.empty() && !is_date(arguments.today))
     throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
+  if (!arguments.cache_key.empty() && arguments.cache_folder.empty())
+    throw Error::at("--cache-key", "no --cache", "--cache DIR with it");
   check_targets(arguments);
   use_asked_library(arguments.library);
   const ValidatePlan plan = validate_plan(arguments);

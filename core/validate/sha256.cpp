@@ -75,17 +75,60 @@ void Sha256::add(std::string_view bytes) {
   rest_size_ = count;
 }
 
-std::string Sha256::finish() {
+std::string Sha256::finish_bytes() {
   const std::uint64_t bits = 8 * length_;
   std::string end(1, '\x80');
   end.append((119 - length_ % 64) % 64, '\0');
   for (int shift = 56; shift >= 0; shift -= 8) end += static_cast<char>(bits >> shift & 255);
   add(end);
-  constexpr std::string_view digits = "0123456789abcdef";
   std::string out;
   for (const std::uint32_t word : state_)
-    for (int shift = 28; shift >= 0; shift -= 4) out += digits[word >> shift & 15];
+    for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(word >> shift & 255);
   return out;
+}
+
+std::string Sha256::finish() {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string out;
+  for (const char c : finish_bytes()) {
+    const auto byte = static_cast<std::uint8_t>(c);
+    out += digits[byte >> 4];
+    out += digits[byte & 15];
+  }
+  return out;
+}
+
+std::string sha256(std::string_view bytes) {
+  Sha256 hash;
+  hash.add(bytes);
+  return hash.finish();
+}
+
+std::string hmac_sha256(std::string_view key, std::string_view bytes) {
+  constexpr std::size_t block = 64;
+  std::string padded(key);
+  if (padded.size() > block) {
+    Sha256 hash;
+    hash.add(key);
+    padded = hash.finish_bytes();
+  }
+  padded.resize(block, '\0');
+  const auto keyed = [&](int pad, std::string_view text) {
+    std::string start = padded;
+    for (char& c : start) c = static_cast<char>(c ^ pad);
+    Sha256 hash;
+    hash.add(start);
+    hash.add(text);
+    return hash;
+  };
+  return keyed(0x5c, keyed(0x36, bytes).finish_bytes()).finish();
+}
+
+bool same_digest(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  unsigned char differing = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) differing |= static_cast<unsigned char>(a[i] ^ b[i]);
+  return differing == 0;
 }
 
 std::string sha256_of_file(const std::string& path) {

@@ -10,13 +10,16 @@
 namespace etak {
 
 /// SHA-256 (FIPS 180-4): tells in a report which bytes were judged, so that others can check it with their
-/// own tools.
+/// own tools, and tells in a cache which bytes a result belongs to, also against somebody who makes
+/// collisions on purpose.
 class Sha256 {
  public:
   void add(std::string_view bytes);
 
-  /// 64 hexadecimal digits of all that was added; the last call.
+  /// 64 hexadecimal digits of all that was added; this or finish_bytes() is the last call.
   std::string finish();
+  /// The same as 32 bytes.
+  std::string finish_bytes();
 
  private:
   void block(const std::uint8_t* bytes);
@@ -28,7 +31,16 @@ class Sha256 {
   std::uint64_t length_ = 0;
 };
 
+std::string sha256(std::string_view bytes);
+
 /// Of a whole file; empty when it cannot be read.
 std::string sha256_of_file(const std::string& path);
+
+/// HMAC-SHA-256 (RFC 2104) of `bytes`: 64 hexadecimal digits that nobody can make without the key.
+///   key   of any length; 32 random bytes are enough
+std::string hmac_sha256(std::string_view key, std::string_view bytes);
+
+/// Whether two digests are equal, in a time that does not tell how much of them is.
+bool same_digest(std::string_view a, std::string_view b);
 
 }  // namespace etak
