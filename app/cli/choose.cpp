@@ -35,6 +35,7 @@ void add_choose(CLI::App& app, Verb& chosen) {
       ->type_name("FILE");
   verb->add_flag("--write-costs", arguments->write_costs, "write the cost table itself, measured here");
   add_library_options(*verb, arguments->library);
+  add_follow_links(*verb);
   add_thread_option(*verb, arguments->threads);
   add_output_options(*verb, arguments->output, {"text", "json"});
   add_progress_option(*verb, arguments->output.progress);

@@ -6,11 +6,18 @@
 #include <CLI/Formatter.hpp>
 
 #include "core/base/input.h"
+#include "core/base/links.h"
 
 namespace etak::cli {
 
 CLI::Option* reads_file(CLI::Option* option) {
   return option->transform(accept_input, "");
+}
+
+void add_follow_links(CLI::App& verb) {
+  verb.add_flag_callback(
+      "--follow-links", [] { set_follow_links(true); },
+      "follow links that lead out of the folder of a scene, manifest, layout or search");
 }
 
 void add_input_timeout(CLI::App& app) {

@@ -12,6 +12,9 @@ namespace etak::cli {
 /// /dev/stdin among them (core/base/input.h). A second standard input on the line throws Error.
 CLI::Option* reads_file(CLI::Option* option);
 
+/// Adds --follow-links to a verb that reads what scenes, manifests and folders name (core/base/links.h).
+void add_follow_links(CLI::App& verb);
+
 /// Adds --input-timeout to every verb of `app`.
 void add_input_timeout(CLI::App& app);
 

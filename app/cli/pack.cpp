@@ -200,6 +200,7 @@ void add_run_options(CLI::App& verb, PackArguments& a) {
       ->type_name("SIZE")
       ->group(group);
   verb.add_flag("--watch", a.watch, "pack again whenever an input changes, until interrupted")->group(group);
+  add_follow_links(verb);
   add_thread_option(verb, a.threads);
   verb.add_flag("-q,--quiet", a.quiet, "no remarks and no progress; errors still appear");
   add_progress_option(verb, a.progress);

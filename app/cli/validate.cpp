@@ -104,6 +104,7 @@ void add_validate(CLI::App& app, Verb& chosen) {
                       "secret of at least 16 bytes: entries of the cache that were written without it do "
                       "not count"))
       ->type_name("FILE");
+  add_follow_links(verb);
   add_library_options(verb, a.library);
   add_progress_option(verb, a.output.progress);
   add_thread_option(verb, a.threads);

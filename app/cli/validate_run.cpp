@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/input.h"
+#include "core/base/links.h"
 #include "core/base/number.h"
 #include "core/base/output_target.h"
 #include "core/base/parallel.h"
@@ -75,7 +76,7 @@ std::vector<CheckedFile> checked(const FoundTargets& found, const ValidateArgume
   std::vector<CacheKey> keys(found.targets.size());
   std::optional<ResultCache> cache;
   if (!arguments.cache_folder.empty()) {
-    cache.emplace(arguments.cache_folder, settings_hash(settings),
+    cache.emplace(arguments.cache_folder, settings_hash(settings) + (follows_links() ? " links" : ""),
                   arguments.cache_key.empty() ? "" : read_cache_key(arguments.cache_key));
     parallel_chunks(found.targets.size(), threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {

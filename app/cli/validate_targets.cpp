@@ -12,6 +12,7 @@
 #include "app/cli/folder.h"
 #include "core/base/error.h"
 #include "core/base/input.h"
+#include "core/base/links.h"
 #include "core/base/parallel.h"
 #include "core/validate/files.h"
 #include "core/validate/rules.h"
@@ -47,6 +48,7 @@ enum class Named { by_hand, by_folder_or_list, as_companion };
 struct Candidate {
   std::string path;
   Named named = Named::by_hand;
+  std::string searched;  // the folder whose search found it; else empty
 };
 
 // A picture with the role its name gives, and the name without that.
@@ -94,13 +96,19 @@ bool looks_like_spectrum(const std::string& path) {
   return false;
 }
 
+// Throws Error where a link leads from `folder` out to `path`, which was found there and which nobody named.
+void check_links(const std::string& folder, const std::string& path) {
+  (void)path_beside(folder, fs::path(path).lexically_relative(folder.empty() ? "." : folder).string());
+}
+
 class Finder {
  public:
   explicit Finder(const TargetRequest& request) : request_(request) {}
 
   FoundTargets find() {
     for (const std::string& path : request_.paths) add_path(path);
-    for (const std::string& path : request_.listed) candidates_.push_back({path, Named::by_folder_or_list});
+    for (const std::string& path : request_.listed)
+      candidates_.push_back({path, Named::by_folder_or_list, {}});
     drop_doubles();
     classify();
     group_pictures();
@@ -117,6 +125,8 @@ class Finder {
   }
 
   void fail(const std::string& path, const std::string& message) {
+    // What a search has found may be come by again as a companion.
+    if (!failed_.insert(path).second) return;
     const std::string text = label(path);
     CheckedFile file;
     file.path = text;
@@ -135,7 +145,7 @@ class Finder {
       return fail(path, failure && failure != std::errc::no_such_file_or_directory
                             ? "cannot be read: " + failure.message()
                             : "there is no such file");
-    candidates_.push_back({path, Named::by_hand});
+    candidates_.push_back({path, Named::by_hand, {}});
   }
 
   void add_folder(const std::string& path) {
@@ -150,7 +160,9 @@ class Finder {
       fail(message.substr(0, reason), "the folder" + message.substr(std::min(message.size(), reason + 1)));
     }
     std::move(folder.skipped.begin(), folder.skipped.end(), std::back_inserter(out_.no_files));
-    for (std::string& file : folder.files) candidates_.push_back({std::move(file), Named::by_folder_or_list});
+    for (std::string& file : folder.files)
+      candidates_.push_back(
+          {std::move(file), Named::by_folder_or_list, fs::path(path).lexically_normal().string()});
   }
 
   // A file that was named twice is checked once; named by hand wins.
@@ -182,6 +194,8 @@ class Finder {
                           if (kinds[i] == FileRole::spectrum && candidate.named != Named::by_hand &&
                               !looks_like_spectrum(candidate.path))
                             kinds[i].reset();
+                          if (kinds[i] && !candidate.searched.empty())
+                            check_links(candidate.searched, candidate.path);
                         } catch (const Error& error) {
                           if (!missing[i]) failures[i] = error.what();
                         }
@@ -304,6 +318,12 @@ class Finder {
         if (path.ends_with(".json") || (at->exists(gone) && !at->is_regular_file(gone))) continue;
         const auto kind = etak::file_kind(path);
         if (!kind || !is_picture(*kind)) continue;
+        try {
+          check_links(folder, path);
+        } catch (const Error& error) {
+          fail(path, error.what());
+          continue;
+        }
         picture->companion = true;
         pictures_.push_back(std::move(*picture));
       }
@@ -338,7 +358,8 @@ class Finder {
       for (std::size_t i = 0; i < same.size(); ++i)
         if (same[i].role == FileRole::metallic || same[i].role == FileRole::roughness) {
           used[i] = 1;
-          if (!same[i].companion) skip({same[i].path, same[i].named}, "there is no base colour beside it");
+          if (!same[i].companion)
+            skip({same[i].path, same[i].named, {}}, "there is no base colour beside it");
         }
     const auto take = [&](std::initializer_list<FileRole> roles) {
       std::vector<const Picture*> members;
@@ -374,7 +395,7 @@ class Finder {
   const TargetRequest& request_;
   std::vector<Candidate> candidates_;
   std::vector<Picture> pictures_;
-  std::unordered_set<std::string> claimed_;  // by a scene or a layout
+  std::unordered_set<std::string> claimed_, failed_;  // by a scene or a layout
   FoundTargets out_;
 };
 

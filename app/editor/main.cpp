@@ -11,6 +11,7 @@
 #include "app/editor/start_time.h"
 #include "app/editor/theme.h"
 #include "app/editor/window.h"
+#include "core/base/links.h"
 #include "core/base/signals.h"
 
 namespace {
@@ -62,6 +63,9 @@ int main(int argc, char** argv) {
   const Theme remembered =
       theme_named(picture ? QString() : QSettings().value(QStringLiteral("theme")).toString());
   apply_theme(application, options.theme.value_or(remembered));
+
+  // The pictures of a project are those that its author chose in this editor, links among them.
+  etak::set_follow_links(true);
 
   // A screenshot neither sees nor leaves anything of the user's.
   QTemporaryDir own;

@@ -5,6 +5,7 @@
 
 #include "core/atlas/manifest.h"
 #include "core/base/error.h"
+#include "core/base/links.h"
 
 namespace etak {
 namespace {
@@ -77,13 +78,14 @@ AtlasManifest manifest_of_folder(const std::string& folder, const std::string& p
       if (skipped != nullptr) skipped->push_back(entry.path().string());
       continue;
     }
+    const std::string path = path_beside(folder, entry.path().filename().string());
     ManifestMaterial& material = found[name];
     material.name = name;
     material.place = (fs::path(folder) / name).string();
     if (role == "normal")
-      material.normal = entry.path().string();
+      material.normal = path;
     else
-      *source_of(material, role) = ImageSource{entry.path().string(), "", ""};
+      *source_of(material, role) = ImageSource{path, "", ""};
   }
   if (found.empty())
     throw Error::at(folder, "no file follows the pattern " + printable(pattern_text, 80), pattern_form);

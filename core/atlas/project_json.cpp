@@ -67,7 +67,7 @@ class Reader {
       const JsonNode lights = node.at("lights");
       out.lights = parse_lights(lights.value.dump(), std::string(node.file) + '#' + lights.pointer);
       if (!out.lights.environment.empty() && out.lights.environment != "studio")
-        out.lights.environment = (folder_ / out.lights.environment).string();
+        out.lights.environment = path_beside(folder_.string(), out.lights.environment);
     }
     if (node.has("environment_turn_deg"))
       out.environment_turn_deg = ranged(node.at("environment_turn_deg"), -360, 360);

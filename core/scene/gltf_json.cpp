@@ -6,6 +6,7 @@
 
 #include "core/base/file.h"
 #include "core/base/input.h"
+#include "core/base/links.h"
 #include "core/exchange/content_kind.h"
 #include "core/scene/glb.h"
 #include "core/scene/uri.h"
@@ -42,7 +43,7 @@ void check_head(const GltfDocument& document) {
 }
 
 std::string beside(std::string_view scene, const std::string& file) {
-  return (std::filesystem::path(scene).parent_path() / file).string();
+  return path_beside(std::filesystem::path(scene).parent_path().string(), file);
 }
 
 std::vector<std::string> buffers_of(const GltfDocument& document,

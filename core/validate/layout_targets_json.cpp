@@ -7,6 +7,7 @@
 #include "core/atlas/channels.h"
 #include "core/base/file.h"
 #include "core/base/json_node.inc"
+#include "core/base/links.h"
 #include "core/image/image.h"
 #include "core/validate/files.h"
 #include "core/validate/flat_rows.h"
@@ -16,7 +17,8 @@ namespace etak {
 namespace {
 
 std::string beside(const std::string& path, const std::string& name) {
-  return (std::filesystem::path(path).parent_path() / name).lexically_normal().generic_string();
+  const std::filesystem::path whole = path_beside(std::filesystem::path(path).parent_path().string(), name);
+  return whole.lexically_normal().generic_string();
 }
 
 // Only what the rules ask for is read: layouts of other programs may hold less and more than etak's.
