@@ -16,6 +16,7 @@
 #include "core/base/input.h"
 #include "core/color/colorspace.h"
 #include "core/color/ocio_config.h"
+#include "core/color/ocio_files.inc"
 
 namespace etak {
 namespace {
@@ -58,21 +59,18 @@ OpenConfig open_config(const std::string& asked) {
       std::istringstream text{std::string(ocio_config_text)};
       return {ocio::Config::CreateFromStream(text), builtin_ocio_config};
     }
-    if (is_pipe_input(path)) {
-      // No folder is known: the tables that the config names are looked for in the working folder.
-      std::istringstream text{read_file(path, max_config_bytes)};
-      const auto config = ocio::Config::CreateFromStream(text)->createEditableCopy();
-      std::error_code failure;
-      config->setWorkingDir(std::filesystem::current_path(failure).c_str());
-      return {config, path};
-    }
-    // OpenColorIO opens the file itself, to find what lies beside it.
+    namespace fs = std::filesystem;
     std::error_code failure;
-    if (!std::filesystem::is_regular_file(path, failure))
+    const bool pipe = is_pipe_input(path);
+    if (!pipe && !fs::exists(path, failure))
       throw Error::at(path, "no such file", "an OpenColorIO config (--ocio or $OCIO)");
-    if (std::filesystem::file_size(path, failure) > max_config_bytes || failure)
-      throw Error::at(path, "too large for an OpenColorIO config", "at most 16 MB");
-    return {ocio::Config::CreateFromFile(path.c_str()), path};
+    std::istringstream text{read_file(path, max_config_bytes)};
+    const auto config = ocio::Config::CreateFromStream(text)->createEditableCopy();
+    // The tables that the config names lie beside it; for a pipe in the working folder.
+    const fs::path folder = pipe ? fs::path() : fs::path(path).parent_path();
+    config->setWorkingDir((folder.empty() ? fs::current_path(failure) : folder).c_str());
+    ConfigFiles(*config, path).check();
+    return {config, path};
   } catch (const ocio::Exception& e) {
     throw Error::at(path.empty() ? builtin_ocio_config : path,
                     "not readable as an OpenColorIO config (" + one_line(e.what()) + ")");
