@@ -3,6 +3,10 @@
 
 #include <unistd.h>
 
+#ifdef ETAK_SHA256_X86
+#include <cpuid.h>
+#endif
+
 #include <algorithm>
 #include <bit>
 #include <cerrno>
@@ -11,11 +15,11 @@
 
 #include "core/base/error.h"
 #include "core/base/input.h"
+#include "core/validate/sha256_blocks.h"
 
 namespace etak {
-namespace {
 
-constexpr std::array<std::uint32_t, 64> round_constants{
+const std::array<std::uint32_t, 64> sha256_constants{
     0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
     0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
     0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
@@ -25,9 +29,9 @@ constexpr std::array<std::uint32_t, 64> round_constants{
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-}  // namespace
+namespace {
 
-void Sha256::block(const std::uint8_t* bytes) {
+void add_block(std::array<std::uint32_t, 8>& state, const std::uint8_t* bytes) {
   std::array<std::uint32_t, 64> w;
   for (std::size_t i = 0; i < 16; ++i)
     w[i] = std::uint32_t{bytes[4 * i]} << 24 | std::uint32_t{bytes[4 * i + 1]} << 16 |
@@ -37,10 +41,10 @@ void Sha256::block(const std::uint8_t* bytes) {
     const std::uint32_t s1 = std::rotr(w[i - 2], 17) ^ std::rotr(w[i - 2], 19) ^ (w[i - 2] >> 10);
     w[i] = w[i - 16] + s0 + w[i - 7] + s1;
   }
-  auto [a, b, c, d, e, f, g, h] = state_;
+  auto [a, b, c, d, e, f, g, h] = state;
   for (std::size_t i = 0; i < 64; ++i) {
     const std::uint32_t s1 = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
-    const std::uint32_t t1 = h + s1 + ((e & f) ^ (~e & g)) + round_constants[i] + w[i];
+    const std::uint32_t t1 = h + s1 + ((e & f) ^ (~e & g)) + sha256_constants[i] + w[i];
     const std::uint32_t s0 = std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22);
     const std::uint32_t t2 = s0 + ((a & b) ^ (a & c) ^ (b & c));
     h = g;
@@ -53,8 +57,39 @@ void Sha256::block(const std::uint8_t* bytes) {
     a = t1 + t2;
   }
   const std::array<std::uint32_t, 8> sum{a, b, c, d, e, f, g, h};
-  for (std::size_t i = 0; i < 8; ++i) state_[i] += sum[i];
+  for (std::size_t i = 0; i < 8; ++i) state[i] += sum[i];
 }
+
+}  // namespace
+
+void sha256_blocks_plain(std::array<std::uint32_t, 8>& state, const std::uint8_t* bytes, std::size_t blocks) {
+  for (; blocks > 0; --blocks, bytes += 64) add_block(state, bytes);
+}
+
+#ifndef ETAK_SHA256_X86
+void sha256_blocks_x86(std::array<std::uint32_t, 8>& state, const std::uint8_t* bytes, std::size_t blocks) {
+  sha256_blocks_plain(state, bytes, blocks);
+}
+#endif
+
+bool has_sha256_x86() {
+#ifdef ETAK_SHA256_X86
+  unsigned a = 0, b = 0, c = 0, d = 0;
+  const bool sse4 = __get_cpuid(1, &a, &b, &c, &d) != 0 && (c & bit_SSE4_1) != 0 && (c & bit_SSSE3) != 0;
+  return sse4 && __get_cpuid_count(7, 0, &a, &b, &c, &d) != 0 && (b & bit_SHA) != 0;
+#else
+  return false;
+#endif
+}
+
+namespace {
+
+void add_blocks(std::array<std::uint32_t, 8>& state, const std::uint8_t* bytes, std::size_t blocks) {
+  static const bool fast = has_sha256_x86();
+  (fast ? sha256_blocks_x86 : sha256_blocks_plain)(state, bytes, blocks);
+}
+
+}  // namespace
 
 void Sha256::add(std::string_view bytes) {
   length_ += bytes.size();
@@ -67,10 +102,12 @@ void Sha256::add(std::string_view bytes) {
     from += part;
     count -= part;
     if (rest_size_ < rest_.size()) return;
-    block(rest_.data());
+    add_blocks(state_, rest_.data(), 1);
     rest_size_ = 0;
   }
-  for (; count >= rest_.size(); from += rest_.size(), count -= rest_.size()) block(from);
+  add_blocks(state_, from, count / rest_.size());
+  from += count - count % rest_.size();
+  count %= rest_.size();
   std::copy_n(from, count, rest_.begin());
   rest_size_ = count;
 }

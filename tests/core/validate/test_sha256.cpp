@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 #include <string>
+#include <vector>
+
+#include "core/validate/sha256_blocks.h"
 
 using namespace etak;
 
@@ -24,6 +27,21 @@ TEST_CASE("SHA-256 is the same however the bytes are cut into pieces") {
     for (std::size_t at = 0; at < bytes.size(); at += piece)
       hash.add(std::string_view(bytes).substr(at, piece));
     REQUIRE(hash.finish() == whole);
+  }
+}
+
+TEST_CASE("the processor's instructions for SHA-256 give what the plain loop gives") {
+  if (!has_sha256_x86()) {
+    WARN("this processor has no SHA instructions");
+    return;
+  }
+  std::vector<std::uint8_t> bytes(64 * 9);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * i + i / 3);
+  for (std::size_t blocks = 0; blocks <= 9; ++blocks) {
+    std::array<std::uint32_t, 8> plain{1, 2, 3, 4, 0x80000005, 6, 0xfffffff7, 8}, fast = plain;
+    sha256_blocks_plain(plain, bytes.data(), blocks);
+    sha256_blocks_x86(fast, bytes.data(), blocks);
+    CHECK(fast == plain);
   }
 }
 
