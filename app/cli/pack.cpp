@@ -167,7 +167,8 @@ void add_output_group(CLI::App& verb, PackArguments& a) {
                   "HTML page to write: textures, layout, what was left out, findings")
       ->type_name("FILE")
       ->group(group);
-  verb.add_option("--page-link", a.page_links, "a link in the head of that page; may be given again")
+  verb.add_option("--page-link", a.page_links,
+                  "a link in the head of that page, relative, http or https; may be given again")
       ->type_name("TEXT=TARGET")
       ->allow_extra_args(false)
       ->group(group);

@@ -60,7 +60,33 @@ AtlasPagePictures pictures_of(const AtlasPage& page, const PagePixels& pixels) {
   return out;
 }
 
+// Whether a page may link to `target`: a relative reference, http or https. Other schemes run scripts
+// (javascript:, data:) or reach into the reader's machine (file:), and so does a host without a scheme on a
+// page that is opened as a file.
+bool is_page_target(const std::string& target) {
+  std::string front = target.substr(0, 8);
+  for (char& c : front)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (front.starts_with("http://") || front.starts_with("https://")) return true;
+  const auto slash = [](char c) { return c == '/' || c == '\\'; };
+  if (target.size() > 1 && slash(target[0]) && slash(target[1])) return false;
+  return target.find(':') >= target.find_first_of("/?#");
+}
+
+std::pair<std::string, std::string> page_link(const std::string& link) {
+  const std::size_t equals = link.find('=');
+  if (equals == link.npos || equals == 0) throw Error::at("--page-link", printable(link), "TEXT=TARGET");
+  std::pair<std::string, std::string> out{link.substr(0, equals), link.substr(equals + 1)};
+  if (!is_page_target(out.second))
+    throw Error::at("--page-link", printable(link), "a TARGET that is relative, http: or https:");
+  return out;
+}
+
 }  // namespace
+
+PackPage::PackPage(const PackArguments& arguments) : arguments_(arguments) {
+  for (const std::string& link : arguments.page_links) data_.links.push_back(page_link(link));
+}
 
 void PackPage::attach(PackOptions& options) {
   if (arguments_.page_report.empty()) return;
@@ -91,11 +117,6 @@ std::unique_ptr<Output> PackPage::output(const PackReport& report, const Validat
   data_.before = report.left_out.before;
   data_.after = report.left_out.after;
   data_.findings = findings;
-  for (const std::string& link : arguments_.page_links) {
-    const std::size_t equals = link.find('=');
-    if (equals == link.npos || equals == 0) throw Error::at("--page-link", printable(link), "TEXT=TARGET");
-    data_.links.emplace_back(link.substr(0, equals), link.substr(equals + 1));
-  }
   if (folder == nullptr || !is_in_atlas_folder(arguments_))
     return std::make_unique<OutputFile>(arguments_.page_report, atlas_page(data_), true);
   folder->write(std::filesystem::path(arguments_.page_report).filename().string(), atlas_page(data_));

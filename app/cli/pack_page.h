@@ -16,7 +16,8 @@ bool is_in_atlas_folder(const PackArguments& arguments);
 /// --page-report: an HTML page of the atlas, with small pictures of its pages taken while they are in memory.
 class PackPage {
  public:
-  explicit PackPage(const PackArguments& arguments) : arguments_(arguments) {}
+  /// Throws Error for a --page-link that is none.
+  explicit PackPage(const PackArguments& arguments);
 
   /// Looks at every page, after whatever checks it.
   void attach(PackOptions& options);
