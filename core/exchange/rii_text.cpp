@@ -303,6 +303,13 @@ std::string_view page_path(std::string_view path) {
   return at == path.npos ? path : path.substr(at + root.size());
 }
 
+// The page's name in a citation, from its place. A path from the root of the file system tells of this
+// machine, not of the page, of which only the file's name is then sure.
+std::string page_name(std::string_view place) {
+  if (place.starts_with('/')) place.remove_prefix(place.rfind('/') + 1);
+  return readable(place.substr(0, place.rfind(".yml")));
+}
+
 std::string_view stem(std::string_view path) {
   path.remove_prefix(path.rfind('/') + 1);  // npos + 1 is 0
   return path.substr(0, path.rfind('.'));
@@ -399,7 +406,7 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   dataset.note = plain(words.text.comments);
   dataset.citation = parse_citation(words.text.references);
   dataset.citation.licence = "CC0-1.0";
-  dataset.citation.via = "refractiveindex.info " + readable(place.substr(0, place.rfind(".yml")));
+  dataset.citation.via = "refractiveindex.info " + page_name(place);
   if (dataset.citation.title.empty()) dataset.citation.title = dataset.citation.via;
   dataset.id = identifier(stem(place), '-');
   const std::string year = std::to_string(dataset.citation.year);
