@@ -29,12 +29,14 @@ static_assert(OCIO_VERSION_HEX >= 0x02000000, "OpenColorIO 2.0 brought the inter
 // Larger than any config of the ACES series by a factor of fifty.
 constexpr std::uintmax_t max_config_bytes = 16u << 20;
 
+constexpr std::string_view usable = "transforms and tables that OpenColorIO can use";
+
 struct OpenConfig {
   Config config;
   std::string label;
 };
 
-// OpenColorIO's messages may span lines; etak's are one line.
+// The descriptions of spaces may span lines; etak's are one line.
 std::string one_line(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -46,6 +48,26 @@ std::string one_line(const std::string& text) {
   }
   while (!out.empty() && (out.back() == ' ' || out.back() == '.')) out.pop_back();
   return printable(out, 300);
+}
+
+// OpenColorIO tells what failed inside of it ("stoi"). What a reader of the message can use of that is the
+// table that a transform names and the line, where it gives them: ", in its table 'luts/film.cube', at line
+// 3".
+std::string where(std::string_view text) {
+  std::string out;
+  constexpr std::string_view table = "transform file '", line = "ine ";
+  if (const std::size_t at = text.find(table); at != text.npos) {
+    const std::string_view name = text.substr(at + table.size());
+    out += ", in its table '" + printable(name.substr(0, name.find('\'')), 200) + "'";
+  }
+  for (std::size_t at = text.find(line); at != text.npos; at = text.find(line, at + 1)) {
+    if (at == 0 || (text[at - 1] != 'l' && text[at - 1] != 'L')) continue;
+    std::string_view number = text.substr(at + line.size());
+    if (number.starts_with('(')) number.remove_prefix(1);
+    number = number.substr(0, std::min(number.find_first_not_of("0123456789"), number.size()));
+    if (!number.empty()) return out + ", at line " + std::string(number);
+  }
+  return out;
 }
 
 OpenConfig open_config(const std::string& asked) {
@@ -73,7 +95,8 @@ OpenConfig open_config(const std::string& asked) {
     return {config, path};
   } catch (const ocio::Exception& e) {
     throw Error::at(path.empty() ? builtin_ocio_config : path,
-                    "not readable as an OpenColorIO config (" + one_line(e.what()) + ")");
+                    "cannot be read as an OpenColorIO config" + where(e.what()),
+                    "a config of OpenColorIO 1 or 2, as ociocheck accepts it");
   }
 }
 
@@ -177,8 +200,8 @@ ocio::ConstColorSpaceRcPtr colour_space(const OpenConfig& open, const std::strin
 }
 
 [[noreturn]] void cannot_be_used(const OpenConfig& open, const std::string& space, const ocio::Exception& e) {
-  throw Error::at(open.label,
-                  "space \"" + printable(space, 80) + "\" cannot be used (" + one_line(e.what()) + ")");
+  throw Error::at(open.label, "space \"" + printable(space, 80) + "\" cannot be used" + where(e.what()),
+                  usable);
 }
 
 }  // namespace
@@ -313,8 +336,10 @@ OcioDisplay OcioDisplay::open(const std::string& config, const std::string& disp
     state.processor = state.whole->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
     return OcioDisplay(std::make_shared<const State>(std::move(state)));
   } catch (const ocio::Exception& e) {
-    throw Error::at(open.label, "display \"" + printable(display, 80) + "\" with view \"" +
-                                    printable(view, 80) + "\" cannot be used (" + one_line(e.what()) + ")");
+    throw Error::at(open.label,
+                    "display \"" + printable(display, 80) + "\" with view \"" + printable(view, 80) +
+                        "\" cannot be used" + where(e.what()),
+                    usable);
   }
 }
 
@@ -384,8 +409,8 @@ OcioShader OcioDisplay::shader() const {
     out.text = text.str();
     return out;
   } catch (const ocio::Exception& e) {
-    throw Error::at("display \"" + printable(state_->display, 80) + "\"",
-                    "has no shader (" + one_line(e.what()) + ")");
+    throw Error::at("display \"" + printable(state_->display, 80) + "\"", "has no shader" + where(e.what()),
+                    usable);
   }
 }
 
@@ -410,7 +435,7 @@ std::vector<OcioDisplayInfo> ocio_displays(const std::string& config) {
     }
     return out;
   } catch (const ocio::Exception& e) {
-    throw Error::at(open.label, "displays cannot be listed (" + one_line(e.what()) + ")");
+    throw Error::at(open.label, "displays cannot be listed" + where(e.what()), usable);
   }
 }
 

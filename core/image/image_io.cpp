@@ -18,20 +18,6 @@ namespace {
 constexpr const char* unassociated = "oiio:UnassociatedAlpha";
 constexpr float largest_half = 65504;
 
-// OpenImageIO's messages may span lines; etak's are one line.
-std::string one_line(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const bool blank = c == '\n' || c == '\r' || c == '\t' || c == ' ';
-    if (!blank)
-      out += c;
-    else if (!out.empty() && out.back() != ' ')
-      out += ' ';
-  }
-  while (!out.empty() && (out.back() == ' ' || out.back() == '.')) out.pop_back();
-  return printable(out, 200);
-}
-
 // A file as OpenImageIO's readers ask for it. They are handed this and no path, so that what they read is
 // what etak has opened and looked at, and nothing is mapped into memory.
 class ProxyOfFile : public OIIO::Filesystem::IOProxy {
@@ -84,9 +70,12 @@ void check_spec(const OIIO::ImageSpec& spec, const std::string& label) {
 // piece by piece.
 void open_reader(Input& input, const std::string& format, const std::string& label) {
   input.reader = OIIO::ImageInput::create(format);
-  if (!input.reader) fail_no_picture(label, one_line(OIIO::geterror()));
+  if (!input.reader) {
+    (void)OIIO::geterror();
+    fail_no_picture(label, "this OpenImageIO has no reader of " + format);
+  }
   if (!input.reader->supports("ioproxy"))
-    fail_no_picture(label, "OpenImageIO reads " + format + " only from files it opens itself");
+    fail_no_picture(label, "OpenImageIO reads " + format + " only from files that it opens itself");
   if (input.bytes.empty()) {
     input.proxy = std::make_unique<ProxyOfFile>(*input.file);
   } else {
@@ -97,8 +86,11 @@ void open_reader(Input& input, const std::string& format, const std::string& lab
   input.reader->set_ioproxy(input.proxy.get());
   OIIO::ImageSpec config, spec;
   config[unassociated] = 1;
-  if (!input.reader->open("etak." + format, spec, config))
-    fail_no_picture(label, one_line(input.reader->geterror()));
+  if (!input.reader->open("etak." + format, spec, config)) {
+    // Its text tells of the decoder's insides; one that nobody takes is printed at the end of the program.
+    (void)input.reader->geterror();
+    fail_no_picture(label, "its " + format + " header is damaged or of a form that is not read");
+  }
 }
 
 Input open_bytes(std::string_view bytes, const std::string& label) {
@@ -125,7 +117,10 @@ void open_file(Input& out, const std::string& path) {
     OIIO::ImageSpec config;
     config[unassociated] = 1;
     out.reader = OIIO::ImageInput::open(path, &config, out.proxy.get());
-    if (!out.reader) fail_no_picture(path, one_line(OIIO::geterror()));
+    if (!out.reader) {
+      (void)OIIO::geterror();
+      fail_no_picture(path, "its first bytes are those of no known format");
+    }
   } else {
     if (format != "openexr" && format != "tiff") {
       out.kept = std::make_unique<std::string>(out.file->all());
@@ -170,8 +165,11 @@ Pixels<Value> read_pixels(const Input& input, const std::string& label, OIIO::Ty
   const OIIO::ImageSpec spec = input.reader->spec();
   Pixels<Value> image(spec.width, spec.height, spec.nchannels);
   const bool good = input.reader->read_image(0, 0, 0, spec.nchannels, type, image.values.data());
-  if (!good || input.reader->has_error())
-    throw Error::at(label, "is damaged (" + one_line(input.reader->geterror()) + ")");
+  if (!good || input.reader->has_error()) {
+    (void)input.reader->geterror();
+    throw Error::at(label, "is damaged",
+                    std::string("whole and valid data of format ") + input.reader->format_name());
+  }
   return image;
 }
 
@@ -203,7 +201,10 @@ std::string encoded(const std::string& label, const Pixels<Value>& image, const 
     output->set_ioproxy(&memory);
     if (!output->open(std::string("etak.") + format, spec) ||
         !output->write_image(memory_type, image.values.data()) || !output->close())
-      throw Error::at(label, "cannot be encoded (" + one_line(output->geterror()) + ")");
+      throw Error::at(label,
+                      std::string("cannot be encoded as ") + format + ", at " + std::to_string(image.width) +
+                          " x " + std::to_string(image.height) + " pixels",
+                      "a size and values that the format can hold");
   }
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};

@@ -118,7 +118,7 @@ bool is_lossy(std::string_view bytes, std::string_view format, std::string_view 
 }
 
 void check_whole(std::string_view bytes, std::string_view format, std::string_view label) {
-  if (format == "png") check_png_chunks(bytes, label);
+  if (format == "png") check_png(bytes, label);
   if (format == "jpeg") check_jpeg(bytes, label);
   if (format == "webp") check_webp(bytes, label);
 }

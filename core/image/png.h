@@ -55,6 +55,7 @@ class PngReader {
   void read_rows(std::uint8_t* out, std::size_t stride, int count);
 
  private:
+  friend void check_png(std::string_view bytes, std::string_view path);
   struct State;
   explicit PngReader(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
@@ -133,8 +134,8 @@ struct PngColour {
 };
 PngColour png_colour(std::string_view bytes);
 
-/// Throws Error when a PNG file of any form is cut short: goes through its chunks up to IEND and their
-/// checksums.
-void check_png_chunks(std::string_view bytes, std::string_view path);
+/// Throws Error when a PNG file of any form is cut short or damaged: goes through its chunks up to IEND and
+/// their checksums, and inflates its image data. Decoders of others then have nothing left to complain of.
+void check_png(std::string_view bytes, std::string_view path);
 
 }  // namespace etak

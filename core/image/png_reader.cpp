@@ -135,6 +135,7 @@ struct PngReader::State {
 
   Chunk next_chunk(std::size_t start) const;
   Chunk checked_chunk(std::size_t start) const;
+  Header header() const;
   bool read_header();
   bool read_until_idat();
   void begin_idat(const Chunk& chunk);
@@ -143,6 +144,7 @@ struct PngReader::State {
   void fill();
   void finish();
   void finish_chunks();
+  void check_rows(std::size_t rows, std::size_t length);
 };
 
 Chunk PngReader::State::next_chunk(std::size_t start) const {
@@ -162,8 +164,7 @@ Chunk PngReader::State::checked_chunk(std::size_t start) const {
   return chunk;
 }
 
-// False for forms that are not read here.
-bool PngReader::State::read_header() {
+Header PngReader::State::header() const {
   const Chunk chunk = checked_chunk(signature.size());
   if (chunk.type != "IHDR") fail(chunk, "comes first, where IHDR belongs");
   if (chunk.size != 13) fail(chunk, "is not 13 bytes long");
@@ -178,6 +179,12 @@ bool PngReader::State::read_header() {
   if (h.width < 1 || h.height < 1 || h.width > max_image_side || h.height > max_image_side)
     fail("is " + std::to_string(h.width) + " x " + std::to_string(h.height) + " pixels",
          "1 to " + std::to_string(max_image_side) + " on a side");
+  return h;
+}
+
+// False for forms that are not read here.
+bool PngReader::State::read_header() {
+  const Header h = header();
   if (h.colour == 3 || h.bits < 8 || h.interlace != 0) return false;
   info = {static_cast<int>(h.width), static_cast<int>(h.height), channels_of(h.colour), h.bits};
   row_bytes = std::size_t{h.width} * static_cast<std::size_t>(info.channels * info.bits / 8);
@@ -301,6 +308,32 @@ void PngReader::State::finish_chunks() {
   }
 }
 
+// Goes over rows of `length` bytes each, with the filter's number before them.
+void PngReader::State::check_rows(std::size_t rows, std::size_t length) {
+  std::size_t in_row = 0;
+  for (std::size_t row = 0; row < rows;) {
+    std::size_t written = 0;
+    const std::size_t room = std::min(filtered.size(), length + 1 - in_row);
+    const Inflater::Status status = inflater.read(std::span(filtered).first(room), written);
+    if (written > 0 && in_row == 0 && filtered[0] > 4)
+      fail("a row of its image data has filter " + std::to_string(int{filtered[0]}), "0 to 4");
+    in_row += written;
+    if (in_row > length) {
+      in_row = 0;
+      ++row;
+    }
+    if (status == Inflater::Status::damaged) fail(std::string("image data is damaged: ") + inflater.what());
+    if (status == Inflater::Status::ended) {
+      if (row < rows) fail("image data ends before the last of its rows");
+      return;
+    }
+    if (status == Inflater::Status::hungry && row < rows) {
+      if (idat_over) fail("image data is cut short");
+      gather_input();
+    }
+  }
+}
+
 std::optional<PngReader> PngReader::open(std::string_view bytes, std::string_view path) {
   auto own = std::make_unique<BytesInMemory>(bytes);
   std::optional<PngReader> out = open(*own, path);
@@ -402,7 +435,7 @@ PngColour png_colour(std::string_view in_memory) {
   return out;
 }
 
-void check_png_chunks(std::string_view in_memory, std::string_view path) {
+void check_png(std::string_view in_memory, std::string_view path) {
   BytesInMemory bytes(in_memory);
   for (std::size_t at = signature.size();;) {
     const std::optional<Chunk> chunk = chunk_at(bytes, at);
@@ -412,8 +445,43 @@ void check_png_chunks(std::string_view in_memory, std::string_view path) {
           path,
           "PNG chunk " + printable(chunk->type) + " at byte " + std::to_string(at) + " has a wrong checksum",
           "an undamaged PNG");
-    if (chunk->type == "IEND") return;
+    if (chunk->type == "IEND") break;
     at = chunk->end();
+  }
+  PngReader::State s;
+  s.bytes = &bytes;
+  s.path = path;
+  const Header h = s.header();
+  bool palette = false;
+  std::size_t at = signature.size() + chunk_overhead + 13;
+  for (Chunk chunk = s.checked_chunk(at); chunk.type != "IDAT"; chunk = s.checked_chunk(at)) {
+    if (chunk.type == "IEND") s.fail("holds no image data");
+    palette |= chunk.type == "PLTE";
+    at = chunk.end();
+  }
+  if (h.colour == 3 && !palette) s.fail("holds codes of a palette before any palette");
+  s.info = {static_cast<int>(h.width), static_cast<int>(h.height), channels_of(h.colour), h.bits};
+  s.begin_idat(s.next_chunk(at));
+  s.input.resize(std::min(input_bytes, bytes.size()));
+  s.filtered.resize(filtered_bytes);
+  // First column and row of each pass, and the steps to the next. Interlaced pictures have the first seven,
+  // others the last.
+  struct Pass {
+    std::uint32_t x, y, dx, dy;
+  };
+  constexpr std::array<Pass, 8> passes{{{0, 0, 8, 8},
+                                        {4, 0, 8, 8},
+                                        {0, 4, 4, 8},
+                                        {2, 0, 4, 4},
+                                        {0, 2, 2, 4},
+                                        {1, 0, 2, 2},
+                                        {0, 1, 1, 2},
+                                        {0, 0, 1, 1}}};
+  const auto bits = static_cast<std::size_t>(channels_of(h.colour) * h.bits);
+  for (const Pass& pass : h.interlace != 0 ? std::span(passes).first(7) : std::span(passes).last(1)) {
+    if (pass.x >= h.width || pass.y >= h.height) continue;
+    const std::size_t columns = (h.width - pass.x + pass.dx - 1) / pass.dx;
+    s.check_rows((h.height - pass.y + pass.dy - 1) / pass.dy, (columns * bits + 7) / 8);
   }
 }
 
