@@ -3,6 +3,8 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <exception>
+#include <filesystem>
+#include <new>
 
 #include "app/cli/custom_space.h"
 #include "app/cli/file_options.h"
@@ -56,7 +58,10 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) {  // --help, which may have nowhere to go like all other output
+      write_output({}, app.help());
+      return exit_ok;
+    }
     complain(message_of(app, error));
     return exit_failure;
   }
@@ -68,6 +73,29 @@ int run(int argc, char** argv) {
   return verb();
 }
 
+// What no reader of files foresaw: memory for something that the line names. Its largest file is the likely
+// reason.
+std::string out_of_memory(int argc, char** argv) {
+  std::string largest;
+  std::uintmax_t most = 0;
+  for (int i = 1; i < argc; ++i) {
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(argv[i], failure)) continue;
+    const std::uintmax_t size = std::filesystem::file_size(argv[i], failure);
+    if (failure || size < most) continue;
+    largest = argv[i];
+    most = size;
+  }
+  if (largest.empty())
+    return Error::at(argc > 1 ? std::string("etak ") + argv[1] : "etak", "needs more memory than there is",
+                     "fewer or smaller inputs at once")
+        .what();
+  return Error::at(largest,
+                   "needs more memory than there is, for a file of " + std::to_string(most) + " bytes",
+                   "a smaller file, or more memory")
+      .what();
+}
+
 }  // namespace
 }  // namespace etak::cli
 
@@ -77,8 +105,16 @@ int main(int argc, char** argv) {
     return etak::cli::run(argc, argv);
   } catch (const etak::Error& error) {
     etak::cli::complain(error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    etak::cli::complain(etak::Error::at(etak::printable(error.path1().string(), 200), error.code().message(),
+                                        "a file or folder that can be reached")
+                            .what());
+  } catch (const std::bad_alloc&) {
+    etak::cli::complain(etak::cli::out_of_memory(argc, argv));
   } catch (const std::exception& error) {
-    etak::cli::complain(std::string("internal error: ") + error.what());
+    // A mistake of etak: the text is the library's own, for a report of it.
+    const std::string verb = argc > 1 ? std::string(" ") + argv[1] : "";
+    etak::cli::complain("etak" + verb + ": internal error (" + error.what() + ")");
   }
   return etak::cli::exit_failure;
 }
