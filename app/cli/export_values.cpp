@@ -71,10 +71,10 @@ std::string export_table(const std::vector<ExportedValues>& all) {
   std::string out;
   for (const ExportedValues& each : all) {
     const ExportSurface& s = each.surface;
-    out += (out.empty() ? "" : "\n") + s.name + " (" + s.id + "/" + each.dataset + "), " +
+    out += (out.empty() ? "" : "\n") + line_text(s.name + " (" + s.id + "/" + each.dataset + "), ") +
            std::string(name(s.kind)) + (s.gloss.held() ? "" : ", gloss " + number(double{s.gloss}, 6)) +
            ", alpha " + number(s.gloss.alpha(), 4) + ", roughness " + number(s.gloss.roughness(), 4) + '\n';
-    for (const std::string& note : s.notes) out += "  note: " + note + '\n';
+    for (const std::string& note : s.notes) out += "  note: " + line_text(note) + '\n';
     for (const EngineValues& values : each.targets) {
       bool first = true;
       for (const EngineField& f : values.fields) {
@@ -84,7 +84,7 @@ std::string export_table(const std::vector<ExportedValues>& all) {
       }
       const std::string indent = "  " + std::string(target_width, ' ') + "  ";
       for (const Change& change : values.changes) out += indent + "changed: " + one_line(change) + '\n';
-      for (const std::string& note : values.notes) out += indent + "note: " + note + '\n';
+      for (const std::string& note : values.notes) out += indent + "note: " + line_text(note) + '\n';
     }
   }
   return out;
@@ -105,7 +105,7 @@ std::string export_csv(const std::vector<ExportedValues>& all) {
   for (const ExportedValues& each : all)
     for (const EngineValues& values : each.targets) {
       const std::string head =
-          each.surface.id + ',' + csv_field(each.dataset) + ',' + std::string(values.target) + ',';
+          csv_field(each.surface.id) + ',' + csv_field(each.dataset) + ',' + std::string(values.target) + ',';
       const auto row = [&](const std::string& field, const std::string& text,
                            const std::vector<double>& numbers) {
         out += head + csv_field(field) + ',' + csv_field(text);

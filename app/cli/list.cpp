@@ -54,9 +54,9 @@ bool fits(const CatalogueEntry& entry, const ListArguments& arguments) {
 std::string table(const std::vector<const CatalogueEntry*>& entries, bool color) {
   std::size_t id_width = 2, name_width = 4, class_width = 5;
   for (const CatalogueEntry* entry : entries) {
-    id_width = std::max(id_width, entry->material.id.size());
-    name_width = std::max(name_width, entry->material.name.size());
-    class_width = std::max(class_width, entry->material.material_class.size());
+    id_width = std::max(id_width, cell_width(entry->material.id));
+    name_width = std::max(name_width, cell_width(entry->material.name));
+    class_width = std::max(class_width, cell_width(entry->material.material_class));
   }
   const std::string gap = "  ";
   std::string out = (color ? "   " : "") + padded("id", id_width) + gap + padded("name", name_width) + gap +
@@ -70,7 +70,7 @@ std::string table(const std::vector<const CatalogueEntry*>& entries, bool color)
            padded(material.material_class, class_width) + gap +
            padded(std::to_string(material.datasets.size()), 8) + gap;
     if (result.refused())
-      out += "refused: " + result.refusal + '\n';
+      out += "refused: " + line_text(result.refusal) + '\n';
     else
       out += hex(result.srgb8) + gap + padded(number(result.luminance, 4), 6) + gap +
              padded(result.zone ? name(*result.zone) : "-", 6) + gap + quality_text(*entry) + '\n';
@@ -84,9 +84,10 @@ std::string csv(const std::vector<const CatalogueEntry*>& entries) {
     const Material& material = entry->material;
     const F0Result& result = entry->result;
     const bool good = !result.refused();
-    out += material.id + ',' + csv_field(material.name) + ',' + material.material_class + ',' +
-           std::to_string(material.datasets.size()) + ',' + material.preferred_dataset().id + ',' +
-           (good ? hex(result.srgb8) : "") + ',' + (good ? number(result.luminance, 9) : "") + ',' +
+    out += csv_field(material.id) + ',' + csv_field(material.name) + ',' +
+           csv_field(material.material_class) + ',' + std::to_string(material.datasets.size()) + ',' +
+           csv_field(material.preferred_dataset().id) + ',' + (good ? hex(result.srgb8) : "") + ',' +
+           (good ? number(result.luminance, 9) : "") + ',' +
            (result.zone ? std::string(name(*result.zone)) : "") + ',' + csv_field(result.refusal) + ',' +
            std::string(name(material.preferred_dataset().origin)) + ',' + flag_names(*entry) + '\n';
   }

@@ -33,16 +33,16 @@ std::string remark_text(const NameAnswer& answer) {
 std::string names_table(std::span<const NameAnswer> answers) {
   std::size_t asked = 4, answered = 6, by = 2, kind = 4;
   for (const NameAnswer& each : answers) {
-    asked = std::max(asked, display_width(each.asked));
-    answered = std::max(answered, answer_text(each).size());
+    asked = std::max(asked, cell_width(each.asked));
+    answered = std::max(answered, cell_width(answer_text(each)));
     if (!each.material) continue;
     by = std::max(by, name(each.by).size());
-    kind = std::max(kind, what(*each.material).size());
+    kind = std::max(kind, cell_width(what(*each.material)));
   }
   const auto line = [&](const std::string& a, const std::string& b, const std::string& c,
                         const std::string& d, const std::string& e) {
     std::string text = padded(a, asked) + "  " + padded(b, answered) + "  " + padded(c, by) + "  " +
-                       padded(d, kind) + "  " + e;
+                       padded(d, kind) + "  " + line_text(e);
     text.erase(text.find_last_not_of(' ') + 1);
     return text + '\n';
   };
@@ -53,10 +53,10 @@ std::string names_table(std::span<const NameAnswer> answers) {
   return out;
 }
 
-// '|' would end a cell.
+// '|' would end a cell, and '<' begin HTML.
 std::string cell(const std::string& text) {
   std::string out;
-  for (const char c : text) append(out, c == '|' ? "\\|" : std::string(1, c));
+  for (const char c : line_text(text)) append(out, c == '|' ? "\\|" : c == '<' ? "&lt;" : std::string(1, c));
   return out;
 }
 
@@ -66,7 +66,7 @@ std::string names_markdown(std::span<const NameAnswer> answers) {
     const std::string answer =
         each.material ? "`" + each.material->id + "` " + each.material->name : answer_text(each);
     append(out, "| ", cell(each.asked), " | ", cell(answer), " | ",
-           each.material ? what(*each.material) : "");
+           each.material ? cell(what(*each.material)) : "");
     append(out, " | ", cell(remark_text(each)), " |\n");
   }
   return out;
@@ -76,8 +76,9 @@ std::string names_csv(std::span<const NameAnswer> answers) {
   std::string out = "asked,answer,by,name,class,note,near,refusal\n";
   for (const NameAnswer& each : answers) {
     const Material* const m = each.material ? &*each.material : nullptr;
-    append(out, csv_field(each.asked), ",", m ? m->id : "", ",", m ? name(each.by) : "", ",");
-    append(out, m ? csv_field(m->name) : "", ",", m ? m->material_class : "", ",", csv_field(each.note), ",");
+    append(out, csv_field(each.asked), ",", m ? csv_field(m->id) : "", ",", m ? name(each.by) : "", ",");
+    append(out, m ? csv_field(m->name) : "", ",", m ? csv_field(m->material_class) : "", ",");
+    append(out, csv_field(each.note), ",");
     append(out, csv_field(each.near), ",", csv_field(each.refusal), "\n");
   }
   return out;

@@ -95,9 +95,9 @@ std::vector<Match> matches(const std::vector<CatalogueEntry>& entries, const Nea
 std::string table(const std::vector<Match>& found, bool color) {
   std::size_t id_width = 2, name_width = 4, class_width = 5;
   for (const Match& match : found) {
-    id_width = std::max(id_width, match.entry->material.id.size());
-    name_width = std::max(name_width, match.entry->material.name.size());
-    class_width = std::max(class_width, match.entry->material.material_class.size());
+    id_width = std::max(id_width, cell_width(match.entry->material.id));
+    name_width = std::max(name_width, cell_width(match.entry->material.name));
+    class_width = std::max(class_width, cell_width(match.entry->material.material_class));
   }
   std::string out = std::string(color ? "   " : "") + "dE2000  sRGB     " + padded("id", id_width) + "  " +
                     padded("name", name_width) + "  " + padded("class", class_width) + "  quality\n";
@@ -116,8 +116,8 @@ std::string csv(const std::vector<Match>& found) {
   std::string out = "delta_e2000,hex,id,name,class,kind,flags\n";
   for (const Match& match : found) {
     const Material& material = match.entry->material;
-    out += number(match.delta_e, 9) + ',' + hex(match.entry->result.srgb8) + ',' + material.id + ',' +
-           csv_field(material.name) + ',' + material.material_class + ',' +
+    out += number(match.delta_e, 9) + ',' + hex(match.entry->result.srgb8) + ',' + csv_field(material.id) +
+           ',' + csv_field(material.name) + ',' + csv_field(material.material_class) + ',' +
            std::string(name(material.preferred_dataset().origin)) + ',' + flag_names(*match.entry) + '\n';
   }
   return out;

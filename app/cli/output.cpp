@@ -37,12 +37,6 @@ class StandardOutput : public Output {
   std::string bytes_;
 };
 
-std::size_t characters(std::string_view text) {
-  std::size_t count = 0;
-  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  return count;
-}
-
 }  // namespace
 
 bool is_standard_output(const OutputArguments& arguments) {
@@ -94,7 +88,7 @@ void write_output(const OutputArguments& arguments, std::string_view bytes) {
 
 void complain(std::string_view message) {
   // A lost message on standard error has nowhere left to be reported.
-  (void)write_all(STDERR_FILENO, "etak: " + std::string(message) + "\n");
+  (void)write_all(STDERR_FILENO, "etak: " + line_text(message) + "\n");
 }
 
 void remark(const OutputArguments& arguments, std::string_view message) {
@@ -107,13 +101,6 @@ std::string swatch(int r, int g, int b) {
 
 std::string json_string(std::string_view text) {
   return json(text);
-}
-
-std::string padded(std::string_view text, std::size_t width) {
-  std::string out(text);
-  const std::size_t have = characters(text);
-  if (have < width) out.append(width - have, ' ');
-  return out;
 }
 
 }  // namespace etak::cli

@@ -9,6 +9,7 @@
 
 #include "core/base/csv.h"
 #include "core/base/output.h"
+#include "core/base/text.h"
 
 namespace CLI {
 class App;
@@ -49,7 +50,7 @@ std::unique_ptr<Output> output(const OutputArguments& arguments, std::string byt
 /// The same, written at once.
 void write_output(const OutputArguments& arguments, std::string_view bytes);
 
-/// One line on standard error, "etak: " before it.
+/// One line on standard error, "etak: " before it: line_text(), for messages name files, options and keys.
 void complain(std::string_view message);
 
 /// The same for remarks that -q silences.
@@ -60,8 +61,5 @@ std::string swatch(int r, int g, int b);
 
 /// `text` as a JSON string with its quotes.
 std::string json_string(std::string_view text);
-
-/// `text` padded with blanks to `width` characters (UTF-8 sequences count once).
-std::string padded(std::string_view text, std::size_t width);
 
 }  // namespace etak::cli

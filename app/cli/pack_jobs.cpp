@@ -70,7 +70,7 @@ int pack_batch(const PackArguments& line) {
     job.progress = "none";  // one line at a time: that of all jobs
     progress.stage(job.out);
     try {
-      if (line.report == "text" && !line.quiet) write_output({}, job.out + ":\n");
+      if (line.report == "text" && !line.quiet) write_output({}, line_text(job.out) + ":\n");
       status = std::max(status, pack_once(job));
     } catch (const Error& error) {
       complain(error.what());

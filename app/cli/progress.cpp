@@ -22,9 +22,7 @@ constexpr std::size_t bar_width = 30;
 
 // The front of `text` that fits.
 std::string cut(std::string_view text, std::size_t columns) {
-  std::string out = valid_utf8(text);
-  for (char& c : out)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+  std::string out = line_text(text);
   while (!out.empty() && display_width(out) > columns) {
     out.pop_back();
     while (!out.empty() && valid_utf8(out) != out) out.pop_back();  // the rest of a character

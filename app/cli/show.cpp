@@ -82,14 +82,15 @@ void append_dataset(std::string& out, const Material& material, std::size_t inde
                     bool color) {
   const Dataset& dataset = material.datasets[index];
   const auto line = [&](const char* what, const std::string& text) {
-    if (!text.empty()) out += "    " + padded(what, 10) + text + '\n';
+    if (!text.empty()) out += "    " + padded(what, 10) + line_text(text) + '\n';
   };
-  out += "\n  " + dataset.id + (index == material.preferred ? "  (preferred)" : "") + '\n';
+  out += "\n  " + line_text(dataset.id) + (index == material.preferred ? "  (preferred)" : "") + '\n';
   if (result.refused()) {
     line("refused", result.refusal);
   } else {
-    line("F0", three(result.linear) + "   8 bit " + three(result.srgb8) + "   " + hex(result.srgb8) +
-                   (color ? " " + swatch(result.srgb8.r, result.srgb8.g, result.srgb8.b) : ""));
+    out += "    " + padded("F0", 10) + three(result.linear) + "   8 bit " + three(result.srgb8) + "   " +
+           hex(result.srgb8) + (color ? " " + swatch(result.srgb8.r, result.srgb8.g, result.srgb8.b) : "") +
+           '\n';
     line("Y", number(result.luminance, 5) + zone_text(result));
     if (result.f82 && result.f82_tint) line("F82", three(*result.f82) + "   tint " + three(*result.f82_tint));
   }
@@ -113,9 +114,9 @@ std::string text_form(const MaterialReport& report, const std::vector<Input>& in
     });
   };
   const Material& material = report.material;
-  std::string out = material.name + " (" + material.id + "), " + material.material_class + '\n';
+  std::string out = line_text(material.name + " (" + material.id + "), " + material.material_class) + '\n';
   const auto line = [&](const char* what, const std::string& text) {
-    if (!text.empty()) out += "  " + padded(what, 11) + text + '\n';
+    if (!text.empty()) out += "  " + padded(what, 11) + line_text(text) + '\n';
   };
   line("aliases", joined(material.aliases, ", "));
   for (const AliasNote& each : material.alias_notes) line("", each.alias + ": " + each.note);
@@ -133,7 +134,7 @@ std::string text_form(const MaterialReport& report, const std::vector<Input>& in
   }
   for (std::size_t i = 0; i < report.results.size(); ++i)
     if (listed(material.datasets[i])) append_dataset(out, material, i, report.results[i], color);
-  return out + "\nF0: " + policy(options) + '\n';
+  return out + "\nF0: " + line_text(policy(options)) + '\n';
 }
 
 // A JSON document made by another function, as a member of a larger one.

@@ -19,12 +19,6 @@ std::string count(std::uint64_t value) {
   return std::to_string(value);
 }
 
-std::string left(std::string text, std::size_t width) {
-  const std::size_t have = display_width(text);
-  if (have < width) text.append(width - have, ' ');
-  return text;
-}
-
 std::string right(const std::string& text, std::size_t width) {
   const std::size_t have = display_width(text);
   return have < width ? std::string(width - have, ' ') + text : text;
@@ -76,7 +70,7 @@ std::string pages_text(const PackReport& r) {
 }  // namespace
 
 std::string report_text(const PackReport& r, bool stages) {
-  if (r.up_to_date) return r.output + ": up to date\n";
+  if (r.up_to_date) return line_text(r.output) + ": up to date\n";
   std::string out = std::to_string(r.materials) + (r.materials == 1 ? " material, " : " materials, ") +
                     std::to_string(r.regions) + (r.regions == 1 ? " region" : " regions") + " on " +
                     std::to_string(r.pages.size()) + (r.pages.size() == 1 ? " page" : " pages");
@@ -85,11 +79,12 @@ std::string report_text(const PackReport& r, bool stages) {
          ", page waste " + count(r.waste_texels) + "; gloss is " + std::string(name(r.gloss)) + "\n";
   if (r.inset) out += "no gutters: UVs must stay inside by each region's inset (layout.json)\n";
   if (!r.left_out.lines.empty()) {
-    out += "\n" + left("left out", 12) + right("texels", 10) + right("channels", 11) + right("bytes", 10) +
+    out += "\n" + padded("left out", 12) + right("texels", 10) + right("channels", 11) + right("bytes", 10) +
            right("error", 7) + "  what\n";
     for (const LeaveOutLine& line : r.left_out.lines)
-      out += left(line.what, 12) + right(count(line.texels), 10) + right(count(line.channel_texels), 11) +
-             right(count(line.bytes), 10) + right(number(line.error, 3), 7) + "  " + line.detail + "\n";
+      out += padded(line.what, 12) + right(count(line.texels), 10) + right(count(line.channel_texels), 11) +
+             right(count(line.bytes), 10) + right(number(line.error, 3), 7) + "  " + line_text(line.detail) +
+             "\n";
   }
   const TexelAccount &before = r.left_out.before, &after = r.left_out.after;
   // Two counts of level 0: a byte for each channel that varies, and the four of each RGBA texel.
@@ -97,12 +92,12 @@ std::string report_text(const PackReport& r, bool stages) {
          fixed(percent(after.channel_texels, before.channel_texels), 1) + " % by channel, " +
          fixed(percent(after.texels, before.texels), 1) + " % as RGBA texels\n";
   for (const ReducedRegion& each : r.reduced)
-    out += each.material + ": " + std::to_string(each.width) + "x" + std::to_string(each.height) +
+    out += line_text(each.material) + ": " + std::to_string(each.width) + "x" + std::to_string(each.height) +
            " stored as " + std::to_string(each.stored_width) + "x" + std::to_string(each.stored_height) +
            ", dE " + number(each.delta_e, 3) + ", " + number(each.seen_delta_e, 3) + " of what is seen\n";
   if (stages)
     for (const PackStage& stage : r.stages)
-      out += left(stage.name, 18) + right(fixed(1000 * stage.seconds, 1), 9) + " ms\n";
+      out += padded(stage.name, 18) + right(fixed(1000 * stage.seconds, 1), 9) + " ms\n";
   return out;
 }
 

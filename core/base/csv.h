@@ -6,15 +6,11 @@
 
 namespace etak {
 
-/// A field of a CSV row (RFC 4180): quoted where it holds a comma, a quote or a line break.
-inline std::string csv_field(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out += '"';
-}
+/// A text field of a CSV row (RFC 4180), for programs and spreadsheets; numbers are written without it. The
+/// field is line_text() of `text`, so a row is one line, in quotes where it holds a comma or a quote. Where
+/// it begins with `=`, `+`, `-` or `@` and is no number, an apostrophe comes first: a spreadsheet would take
+/// it for a formula.
+std::string csv_field(std::string_view text);
+void append_csv_field(std::string& out, std::string_view text);
 
 }  // namespace etak

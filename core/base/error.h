@@ -23,7 +23,7 @@ class Error : public std::runtime_error {
                        std::string_view expected = {});
 };
 
-/// For quoting foreign bytes in a message: control and non-UTF-8 bytes escaped, cut after `most` bytes.
+/// For quoting foreign bytes in a message: line_text() of text.h, cut after `most` bytes.
 std::string printable(std::string_view bytes, std::size_t most = 40);
 
 }  // namespace etak

@@ -27,7 +27,8 @@ std::string json(std::string_view text) {
     else
       out += c;
   }
-  return out += '"';
+  out += '"';
+  return quiet_json(std::move(out));
 }
 
 std::string json(const char* text) {

@@ -12,7 +12,7 @@ namespace etak {
 // wants.
 
 std::string json(double value);           // "null" for NaN and infinity, which JSON does not have
-std::string json(std::string_view text);  // quoted, made valid UTF-8
+std::string json(std::string_view text);  // quoted, valid UTF-8, quiet_json() of text.h
 std::string json(const char* text);
 std::string json(bool value);
 std::string json(std::size_t value);

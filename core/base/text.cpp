@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -38,6 +39,31 @@ bool is_wide(std::uint32_t c) {
          (c >= 0xF900 && c < 0xFB00) || (c >= 0xFF00 && c < 0xFF61) || c >= 0x1F300;
 }
 
+// What a terminal acts on, or what makes a reader see other text than the bytes say. The marks of direction
+// are those that Unicode's UAX #9 lists.
+bool is_active(std::uint32_t c) {
+  return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x61C || c == 0x200E || c == 0x200F ||
+         (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF;
+}
+
+constexpr std::string_view hex_digits = "0123456789abcdef";
+
+void append_x(std::string& out, char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  append(out, "\\x", hex_digits[byte >> 4], hex_digits[byte & 15]);
+}
+
+void append_u(std::string& out, std::uint32_t c) {
+  out += "\\u";
+  for (int shift = 12; shift >= 0; shift -= 4) out += hex_digits[c >> shift & 15];
+}
+
+// Whether a command of a build service begins at text[i].
+bool begins_command(std::string_view text, std::size_t i) {
+  const std::string_view two = text.substr(i, 2);
+  return two == "##" || (two == "::" && (i == 0 || text[i - 1] == ' '));
+}
+
 }  // namespace
 
 std::string valid_utf8(std::string_view text) {
@@ -55,6 +81,50 @@ std::string valid_utf8(std::string_view text) {
   return out;
 }
 
+std::string line_text(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const CodePoint point = decode(text.substr(i));
+    if (point.length <= 1 && (point.length == 0 || is_active(point.value) || begins_command(text, i)))
+      append_x(out, text[i]);
+    else if (is_active(point.value))
+      append_u(out, point.value);
+    else
+      out += text.substr(i, point.length);
+    i += point.length ? point.length : 1;
+  }
+  return out;
+}
+
+std::string quiet_json(std::string text) {
+  const auto suspect = [](char c) { return static_cast<unsigned char>(c) >= 0x7F; };
+  if (std::none_of(text.begin(), text.end(), suspect) && text.find("##") == text.npos) return text;
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const CodePoint point = decode(std::string_view(text).substr(i));
+    const std::size_t length = point.length ? point.length : 1;
+    if ((point.value >= 0x7F && is_active(point.value)) || text.compare(i, 2, "##") == 0)
+      append_u(out, point.value);
+    else
+      out.append(text, i, length);
+    i += length;
+  }
+  return out;
+}
+
+std::string padded(std::string_view text, std::size_t width) {
+  std::string out = line_text(text);
+  const std::size_t have = display_width(out);
+  if (have < width) out.append(width - have, ' ');
+  return out;
+}
+
+std::size_t cell_width(std::string_view text) {
+  return display_width(line_text(text));
+}
+
 std::size_t display_width(std::string_view text) {
   std::size_t width = 0;
   while (!text.empty()) {
@@ -67,8 +137,11 @@ std::size_t display_width(std::string_view text) {
 }
 
 std::string escape_html(std::string_view text) {
+  std::string blank(text);
+  for (char& c : blank)
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
   std::string out;
-  for (const char c : valid_utf8(text)) {
+  for (const char c : line_text(blank)) {
     switch (c) {
       case '&':
         out += "&amp;";
@@ -86,7 +159,7 @@ std::string escape_html(std::string_view text) {
         out += "&#39;";
         break;
       default:
-        out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
+        out += c;
     }
   }
   return out;

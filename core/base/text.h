@@ -23,11 +23,31 @@ void append(std::string& out, const Parts&... parts) {
 /// hold anything, JSON and HTML may not.
 std::string valid_utf8(std::string_view text);
 
+/// `text` as a part of one line that a person, a terminal or the log of a build reads; what it is made of
+/// came from outside. What would act there instead of being read is shown by its number: bytes that are
+/// control characters or no UTF-8 as `\x1b`, control characters above 127, marks that turn the direction of
+/// writing and separators of lines as `\u202e`. Build services take a line that begins with `::` and a `##`
+/// anywhere for a command, so the first character of a `::` that begins a word, and of every `##`, is shown
+/// as `\x3a`, `\x23`. All other text stays as it is, and so does what this function has made.
+std::string line_text(std::string_view text);
+
+/// `text`, a JSON document or value, with the characters that line_text() would show by their number written
+/// as JSON's own escapes: a reader gets the same strings, and a terminal or log nothing to act on. Line ends
+/// between the values stay.
+std::string quiet_json(std::string text);
+
+/// A cell of a text table: line_text() with blanks behind it up to `width` columns.
+std::string padded(std::string_view text, std::size_t width);
+
+/// Columns of such a cell without padding.
+std::size_t cell_width(std::string_view text);
+
 /// Columns a terminal gives to UTF-8 text: one per code point, none for combining marks, two for East Asian
 /// wide ones (told apart by block, which is good enough for names).
 std::size_t display_width(std::string_view text);
 
-/// `text` with the five characters that mean something in HTML and XML escaped, and made valid UTF-8.
+/// `text` for HTML, SVG and other XML, in content or a quoted attribute: the five characters that mean
+/// something there are escaped, line ends and tabs become blanks, and the rest is as line_text() has it.
 std::string escape_html(std::string_view text);
 
 /// `value` with a fixed number of decimals, at most 30; never "-0"; from 1e15 on as number(value, 6).

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_node.inc"
+#include "core/base/json_text.h"
 #include "core/base/number.h"
 #include "core/material/dispersion.h"
 #include "core/material/medium.h"
@@ -186,7 +187,7 @@ class Writer {
   void line(int indent, std::string_view text) {
     out_.append(static_cast<std::size_t>(indent), ' ').append(text).push_back('\n');
   }
-  static std::string quoted(const std::string& text) { return Json(text).dump(); }
+  static std::string quoted(const std::string& text) { return json(text); }
   static std::string list(const std::vector<std::string>& items) {
     std::string out = "[";
     for (const auto& item : items) out.append(out.size() > 1 ? ", " : "").append(quoted(item));

@@ -9,9 +9,8 @@
 namespace etak {
 namespace {
 
-std::string cell(std::string text, std::size_t width) {
-  text.append(width - std::min(width, display_width(text)), ' ');
-  return text + "  ";
+std::string cell(std::string_view text, std::size_t width) {
+  return padded(text, width) + "  ";
 }
 
 std::string looked_at(const std::vector<Candidate>& candidates) {
@@ -83,17 +82,17 @@ std::string choice_text(const std::vector<Choice>& choices, const CostTable& cos
   std::size_t widest = 8, pixels = 0;
   bool textured = false;
   for (const Choice& each : choices) {
-    widest = std::max(widest, display_width(each.material));
+    widest = std::max(widest, cell_width(each.material));
     pixels += each.pixels;
     textured = textured || each.textured;
   }
-  const auto filter_cell = [&](std::string text) { return textured ? cell(std::move(text), 11) : ""; };
+  const auto filter_cell = [&](std::string_view text) { return textured ? cell(text, 11) : ""; };
   std::string out = cell("material", widest) + cell("fresnel", 18) + cell("masking", 24) +
                     filter_cell("filter") + cell("integration", 18) + cell("worst pixel", 11) +
                     cell("any angle", 9) + "ns, everything -> chosen\n";
   for (const Choice& each : choices)
-    out += cell(each.material, widest) + cell(std::string(each.fresnel->id), 18) + cell(each.visibility, 24) +
-           filter_cell(each.textured ? std::string(name(each.filter)) : "-") +
+    out += cell(each.material, widest) + cell(each.fresnel->id, 18) + cell(each.visibility, 24) +
+           filter_cell(each.textured ? name(each.filter) : "-") +
            cell(each.method.empty() ? "-" : each.method, 18) + cell(number(each.picture_error, 3), 11) +
            cell(number(each.fresnel_error, 3), 9) + saving(each.everything_ns, each.chosen_ns) +
            (each.met ? "" : ", over the budget: the least that can be reached") + "\n";
@@ -105,7 +104,8 @@ std::string choice_text(const std::vector<Choice>& choices, const CostTable& cos
     if (one.textured) append(out, "\n  filter       ", looked_at(one.filter_candidates));
     if (!one.method.empty()) append(out, "\n  integration  ", looked_at(one.method_candidates));
     append(out, "\n");
-    if (scene.empty()) append(out, "\nshader: etak shader ", one.material, " --model ", one.model, "\n");
+    if (scene.empty())
+      append(out, "\nshader: etak shader ", line_text(one.material), " --model ", one.model, "\n");
   }
   append(
       out, "\nsaved: ", saved(choices), "\nbudget ", number(choices[0].budget, 6), " ", name(choices[0].unit),
@@ -114,7 +114,7 @@ std::string choice_text(const std::vector<Choice>& choices, const CostTable& cos
       "exact for dielectrics, Schlick for metals), GGX, Smith masking by height, trilinear "
       "textures, exact integration\n");
   if (textured) append(out, png_line(costs), "\n");
-  append(out, "costs: ", costs.header, "\n");
+  append(out, "costs: ", line_text(costs.header), "\n");
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/csv.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/color/srgb.h"
@@ -54,20 +55,6 @@ void append_code(std::string& out, std::uint8_t code) {
   out += static_cast<char>('0' + code % 10);
 }
 
-// RFC 4180: quotes around a field that holds a separator, a quote or a line end; quotes inside doubled.
-void append_field(std::string& out, std::string_view field) {
-  if (field.find_first_of(",\"\r\n") == std::string_view::npos) {
-    out += field;
-    return;
-  }
-  out += '"';
-  for (const char c : field) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  out += '"';
-}
-
 // ---- flags
 
 void append_gamut(std::string& out, const F0Result& result) {
@@ -85,14 +72,6 @@ void append_gamut(std::string& out, const F0Result& result) {
 }
 
 // ---- table
-
-// File names may hold anything; a table row stays one row.
-std::string one_row(std::string_view text) {
-  std::string out = valid_utf8(text);
-  for (char& c : out)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  return out;
-}
 
 struct Column {
   std::string title;
@@ -115,12 +94,12 @@ struct Extra {
 
 void append_last_cells(Cells& cells, const F0Row& row, Extra extra) {
   if (extra.kind) cells.push_back(row.kind.empty() ? "-" : row.kind);
-  cells.push_back(one_row(flags_text(row.result)));
+  cells.push_back(line_text(flags_text(row.result)));
 }
 
 Cells cells_of(const F0Row& row, Extra extra) {
   const F0Result& r = row.result;
-  Cells cells{one_row(row.path)};
+  Cells cells{line_text(row.path)};
   if (r.refused()) {
     cells.resize(extra.integration ? 11 : 10, "-");
     append_last_cells(cells, row, extra);
@@ -226,10 +205,10 @@ std::string flags_text(const F0Result& result) {
 }
 
 void append_f0_csv(std::string& out, std::string_view path, const F0Result& result, std::string_view kind) {
-  append_field(out, path);
+  append_csv_field(out, path);
   if (result.refused()) {
     out += ",,,,,,,,,,,,,";
-    append_field(out, flags_text(result));
+    append_csv_field(out, flags_text(result));
     append(out, ',', kind, '\n');
     return;
   }
@@ -249,7 +228,7 @@ void append_f0_csv(std::string& out, std::string_view path, const F0Result& resu
   else
     out += ",,,";
   append(out, ',', result.zone ? name(*result.zone) : "", ',');
-  if (!result.flags.none()) append_field(out, flags_text(result));
+  if (!result.flags.none()) append_csv_field(out, flags_text(result));
   append(out, ',', kind, '\n');
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "core/base/csv.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
 
@@ -120,18 +121,11 @@ std::string svg_file(const LinePlot& plot, bool dark) {
          "\n</g>\n</svg>\n";
 }
 
-std::string csv_title(std::string_view text) {
-  if (text.find_first_of(",\"\n\r") == text.npos) return std::string(text);
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
-}
-
 std::string csv(const LinePlot& plot) {
   std::set<double> grid;
-  std::string out = csv_title(plot.x.label);
+  std::string out = csv_field(plot.x.label);
   for (const PlotCurve& curve : plot.curves) {
-    out += ',' + csv_title(curve.title);
+    out += ',' + csv_field(curve.title);
     grid.insert(curve.x.begin(), curve.x.end());
   }
   out += '\n';

@@ -45,7 +45,5 @@ std::string svg_legend(const std::vector<PlotKey>& keys, double left, double top
 /// The head of an SVG file with its style sheet.
 std::string svg_head(double width, double height, std::string_view title, std::string_view description,
                      bool dark);
-/// A CSV field, quoted where it has to be.
-std::string csv_title(std::string_view text);
 
 }  // namespace etak

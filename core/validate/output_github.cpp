@@ -2,12 +2,13 @@
 #include <array>
 #include <map>
 
+#include "core/base/text.h"
 #include "core/validate/output_formats.h"
 
 namespace etak {
 namespace {
 
-// The escapes of GitHub's workflow commands: a property also ends at ':' and ','.
+// The escapes of GitHub's workflow commands, in line_text(): a property also ends at ':' and ','.
 std::string escaped(std::string_view text, bool property) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string out;
@@ -21,7 +22,7 @@ std::string escaped(std::string_view text, bool property) {
       out += c;
     }
   }
-  return out;
+  return line_text(out);
 }
 
 struct Level {

@@ -2,6 +2,7 @@
 // The JSON form, as resources/schema/validation.schema.json describes it.
 #include <nlohmann/json.hpp>
 
+#include "core/base/text.h"
 #include "core/validate/output_formats.h"
 
 namespace etak {
@@ -68,7 +69,7 @@ Json file_json(const CheckedFile& file) {
 }
 
 std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+  return quiet_json(json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 // The files one after the other, as an array's elements two levels deep: a document of all of them at once

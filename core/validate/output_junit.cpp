@@ -41,7 +41,7 @@ Case test_case(const CheckedFile& file, const Family& family, Severity fail_on) 
   std::string failures, errors, others, first_failure, first_error;
   for (const Finding& finding : file.findings) {
     if (finding.rule.size() < 4 || finding.rule[3] != family.digit) continue;
-    const std::string line = line_of(finding) + '\n';
+    const std::string line = escape_html(line_of(finding)) + '\n';
     if (counts(finding) && is_unreadable(finding)) {
       if (errors.empty()) first_error = finding.rule + ' ' + sentence_of(finding);
       errors += line;
@@ -62,12 +62,10 @@ Case test_case(const CheckedFile& file, const Family& family, Severity fail_on) 
   }
   out.text += ">\n";
   if (!errors.empty())
-    out.text +=
-        "      <error message=\"" + escape_html(first_error) + "\">" + escape_html(errors) + "</error>\n";
+    out.text += "      <error message=\"" + escape_html(first_error) + "\">" + errors + "</error>\n";
   if (!failures.empty())
-    out.text += "      <failure message=\"" + escape_html(first_failure) + "\">" + escape_html(failures) +
-                "</failure>\n";
-  if (!others.empty()) out.text += "      <system-out>" + escape_html(others) + "</system-out>\n";
+    out.text += "      <failure message=\"" + escape_html(first_failure) + "\">" + failures + "</failure>\n";
+  if (!others.empty()) out.text += "      <system-out>" + others + "</system-out>\n";
   out.text += "    </testcase>\n";
   return out;
 }

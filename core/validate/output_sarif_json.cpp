@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/text.h"
 #include "core/validate/output_formats.h"
 #include "core/validate/rules.h"
 
@@ -156,7 +157,7 @@ std::string validation_sarif(const ValidationReport& report, const OutputOptions
   out["$schema"] = schema_address;
   out["version"] = "2.1.0";
   out["runs"] = Json::array({std::move(run)});
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return quiet_json(out.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace etak

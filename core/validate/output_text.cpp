@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/base/input.h"
+#include "core/base/text.h"
 #include "core/validate/output_formats.h"
 
 namespace etak {
@@ -10,11 +11,6 @@ namespace {
 
 std::string counted(std::size_t count, std::string_view one) {
   return grouped(count) + ' ' + std::string(one) + (count == 1 ? "" : "s");
-}
-
-// Control characters would break the line, or a terminal.
-void append_line_text(std::string& out, std::string_view text) {
-  for (const char c : text) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
 }
 
 std::string_view color_of(Severity severity) {
@@ -105,17 +101,17 @@ std::string validation_text(const ValidationReport& report, bool color) {
   for (const CheckedFile& file : report.files)
     for (const Finding& finding : file.findings) {
       if (!counts(finding)) continue;
-      append_line_text(out, place_of(finding));
+      out += line_text(place_of(finding));
       out += ' ';
       if (color) out += color_of(finding.severity);
       out += name(finding.severity);
       if (color) out += "\x1b[0m";
       out += ' ' + finding.rule + ' ' + finding.slug + ": ";
-      append_line_text(out, sentence_of(finding));
+      out += line_text(sentence_of(finding));
       out += '.';
       if (!finding.fix.empty()) {
         out += " Fix: ";
-        append_line_text(out, finding.fix);
+        out += line_text(finding.fix);
         if (!finding.fix.ends_with('.')) out += '.';
       }
       out += '\n';

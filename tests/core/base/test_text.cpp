@@ -3,6 +3,11 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/base/csv.h"
+#include "core/base/error.h"
+#include "core/base/json_text.h"
 
 using namespace etak;
 
@@ -16,4 +21,56 @@ TEST_CASE("found 1.11: numbers with fixed decimals stay short, however large the
   CHECK(fixed(std::numeric_limits<double>::lowest(), 4) == "-1.79769e+308");
   CHECK(fixed(std::numeric_limits<double>::infinity(), 4) == "inf");
   CHECK(fixed(std::numeric_limits<double>::quiet_NaN(), 4) == "nan");
+}
+
+TEST_CASE("found 4.06: a line shows by its number what a terminal or a build would act on") {
+  CHECK(line_text("gold, \"fine\" \\ 100 % <b>") == "gold, \"fine\" \\ 100 % <b>");
+  CHECK(line_text("Å µm 金 🙂 a\u00A0b") == "Å µm 金 🙂 a\u00A0b");
+  CHECK(line_text(std::string_view("\0\x1b]0;t\x07\r\n\t\x7f", 11)) ==
+        "\\x00\\x1b]0;t\\x07\\x0d\\x0a\\x09\\x7f");
+  CHECK(line_text("\u0080\u009b\u009f\u202a\u202e\u2066\u2069\u200e\u200f\u061c\u2028\u2029") ==
+        "\\u0080\\u009b\\u009f\\u202a\\u202e\\u2066\\u2069\\u200e\\u200f\\u061c\\u2028\\u2029");
+  CHECK(line_text("a\xff\xc3") == "a\\xff\\xc3");
+  CHECK(line_text("::error::x ::y std::z") == "\\x3a:error::x \\x3a:y std::z");
+  CHECK(line_text("a ##[error] ### #1") == "a \\x23#[error] \\x23\\x23# #1");
+  for (const char* text : {"\x1b\n::error", "###", "\xff\u202e", " :: "})
+    CHECK(line_text(line_text(text)) == line_text(text));
+  CHECK(printable("\u202e::") == "\\u202e::");
+  CHECK(printable("aÅb", 2) == "aÅ...");
+}
+
+TEST_CASE("found 4.06: JSON holds the true text and no character that acts") {
+  for (const std::string text : {"\x1b\x7f\u009b\u202e\n::error", "##[error] \\ \" Å 金", "\u2028\u2066"}) {
+    const std::string written = json(text);
+    CHECK(nlohmann::json::parse(written) == text);
+    CHECK(line_text(written) == written);
+    const std::string document = quiet_json(nlohmann::json{{text, {text, 1}}}.dump(2));
+    CHECK(nlohmann::json::parse(document)[text][0] == text);
+    CHECK(document.find_first_of("\x1b\x7f") == document.npos);
+    CHECK(document.find("\u202e") == document.npos);
+    CHECK(document.find("##") == document.npos);
+  }
+  CHECK(quiet_json("{\n  \"a\": \"Å\"\n}") == "{\n  \"a\": \"Å\"\n}");
+}
+
+TEST_CASE("found 4.06: a text cell of CSV is no formula and one line; numbers stay numbers") {
+  CHECK(csv_field("gold") == "gold");
+  CHECK(csv_field("a,b") == "\"a,b\"");
+  CHECK(csv_field("a\"b") == "\"a\"\"b\"");
+  CHECK(csv_field("=1+1") == "'=1+1");
+  CHECK(csv_field("@a,b") == "\"'@a,b\"");
+  CHECK(csv_field("+cmd|x") == "'+cmd|x");
+  CHECK(csv_field("-1+1") == "'-1+1");
+  CHECK(csv_field("-1.5e-3") == "-1.5e-3");
+  CHECK(csv_field("+2") == "+2");
+  CHECK(csv_field("-") == "-");
+  CHECK(csv_field("\t=1\n") == "\\x09=1\\x0a");
+  CHECK(csv_field("") == "");
+}
+
+TEST_CASE("found 4.06: text in HTML neither ends its element nor acts on a terminal that shows the page") {
+  CHECK(escape_html("<script>\"'&") == "&lt;script&gt;&quot;&#39;&amp;");
+  CHECK(escape_html("a\n::b\tc\x1b\u202e") == "a \\x3a:b c\\x1b\\u202e");
+  CHECK(padded("\nÅ", 7) == "\\x0aÅ  ");
+  CHECK(cell_width("\nÅ") == 5);
 }

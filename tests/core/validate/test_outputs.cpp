@@ -207,7 +207,7 @@ TEST_CASE("CSV is RFC 4180: every row has the header's fields, whatever the name
     messages.insert(row[message]);
   }
   CHECK(tiles.contains("hinge, \"left\""));
-  CHECK(messages.contains("50 % <of> it & more,\nsecond line"));
+  CHECK(messages.contains("50 % <of> it & more,\\x0asecond line"));
 }
 
 TEST_CASE("JUnit is well-formed; errors are failures, unreadable files are errors, the rest is output") {
