@@ -2,7 +2,6 @@
 #include "app/cli/validate_cache.h"
 
 #include <fcntl.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,6 +16,7 @@
 #include "core/base/file.h"
 #include "core/base/input.h"
 #include "core/base/number.h"
+#include "core/base/temporary.h"
 #include "core/validate/sha256.h"
 
 namespace etak::cli {
@@ -45,19 +45,6 @@ std::string stamps_of(const std::vector<std::string>& paths) {
           static_cast<std::int64_t>(info.st_ctim.tv_nsec)})
       out += ' ' + std::to_string(part);
     out += '\n';
-  }
-  return out;
-}
-
-// A name that nobody can guess, so that nobody can have put something under it.
-std::string random_name() {
-  std::array<unsigned char, 16> random{};
-  if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size())) return {};
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string out = ".new-";
-  for (const unsigned char byte : random) {
-    out += digits[byte >> 4];
-    out += digits[byte & 15];
   }
   return out;
 }
@@ -163,20 +150,19 @@ std::optional<CheckedFile> ResultCache::find(const CacheKey& key) const {
 void ResultCache::keep(const CacheKey& key, const FoundTarget& found, const CheckedFile& file) const {
   if (key.digest.empty() || file.unreadable || stamps_of(found.depends) != key.stamps) return;
   const std::string text = cache_text(file);
-  const std::string name = name_of(key.digest), temporary = random_name();
-  if (text.empty() || temporary.empty()) return;
+  if (text.empty()) return;
+  const std::string name = name_of(key.digest);
   (void)::mkdirat(folder_.get(), key.digest.substr(0, 2).c_str(), 0777);
   const Descriptor folder = folder_of(key.digest);
   if (!folder) return;
   // Not write_file(): a result that is lost in a power cut is only computed again, and flushing thousands of
   // files takes longer than that. The rename keeps other runs from seeing a part.
-  Descriptor out(
-      ::openat(folder.get(), temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-  if (!out) return;
-  const bool whole =
-      write_all(out.get(), std::string(format_name) + seal_of(key.digest, text) + '\n' + text) && out.close();
-  if (!whole || ::renameat(folder.get(), temporary.c_str(), folder.get(), name.c_str()) != 0)
-    (void)::unlinkat(folder.get(), temporary.c_str(), 0);
+  Temporary out(folder.get(), name, Temporary::Kind::file);
+  if (out &&
+      write_all(out.open().get(), std::string(format_name) + seal_of(key.digest, text) + '\n' + text) &&
+      ::fchmod(out.open().get(), mode_of_new_file()) == 0 &&
+      ::renameat(folder.get(), out.name().c_str(), folder.get(), name.c_str()) == 0)
+    (void)out.keep();
 }
 
 }  // namespace etak::cli

@@ -29,9 +29,7 @@ OutputFile::OutputFile(const std::string& path, std::string_view bytes, bool ove
   temporary_ = Temporary(folder_.get(), target_.name, Temporary::Kind::file);
   if (!temporary_) fail("cannot be written");
   const int file = temporary_.open().get();
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  const mode_t mode = (target_.exists ? target_.mode : 0666 & ~mask) & 07777;
+  const mode_t mode = target_.exists ? target_.mode & 07777 : mode_of_new_file();
   if (!write_all(file, bytes) || ::fchmod(file, mode) != 0 || ::fsync(file) != 0) fail("cannot be written");
 }
 

@@ -283,12 +283,10 @@ void OutputFolder::State::exchange() {
   };
   struct stat old {};
   const Descriptor target = open_target();
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
   const bool there = target && ::fstat(target.get(), &old) == 0;
   // Mode and owner of the old folder; who may not give it away keeps it.
   if (there) (void)!::fchown(made_folder(), old.st_uid, old.st_gid);
-  if (::fchmod(made_folder(), there ? old.st_mode & 07777 : 0777 & ~mask) != 0)
+  if (::fchmod(made_folder(), there ? old.st_mode & 07777 : mode_of_new_folder()) != 0)
     fail("cannot be put in place");
 
   if (!there) {

@@ -116,6 +116,28 @@ std::vector<std::string> names_in(int folder) {
   return out;
 }
 
+namespace {
+
+// The system tells the mask only in exchange for another, which other threads would see: asked once.
+mode_t user_mask() {
+  static const mode_t mask = [] {
+    const mode_t found = ::umask(0);
+    ::umask(found);
+    return found;
+  }();
+  return mask;
+}
+
+}  // namespace
+
+mode_t mode_of_new_file() {
+  return 0666 & ~user_mask();
+}
+
+mode_t mode_of_new_folder() {
+  return 0777 & ~user_mask();
+}
+
 FolderLock::FolderLock(int folder, std::chrono::milliseconds most) {
   const auto end = std::chrono::steady_clock::now() + most;
   auto pause = 1ms;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <sys/types.h>
+
 #include <chrono>
 #include <string>
 #include <string_view>
@@ -16,6 +18,10 @@ Descriptor open_folder(int at, const std::string& name);
 bool is_folder(int at, const std::string& name);
 /// What the open folder holds, in the order of bytes, without "." and "..".
 std::vector<std::string> names_in(int folder);
+
+/// What the user's mask leaves of 0666 and 0777, the modes that new files and folders usually have.
+mode_t mode_of_new_file();
+mode_t mode_of_new_folder();
 
 /// The lock (flock) of an open folder, which etak's runs hold for moments while they make and place files in
 /// it. Whoever may read a folder can hold its lock for ever, so nobody waits for it without a limit.

@@ -1,0 +1,29 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# found_4_14_hardening.sh PROGRAM...: each is built with the hardening flags of a distribution.
+set -eu
+command -v readelf >/dev/null && command -v objdump >/dev/null || { echo "no readelf or objdump here"; exit 77; }
+failed=0
+expect() { # PROGRAM WHAT PATTERN TEXT
+  grep -q "$3" "$4" || { echo "$1: $2 is missing"; failed=1; }
+}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+for program; do
+  readelf -hldW "$program" >"$scratch/elf"
+  readelf --dyn-syms -W "$program" >"$scratch/symbols"
+  objdump -d --no-show-raw-insn --disassemble=main "$program" >"$scratch/main"
+  expect "$program" "a position-independent program" 'FLAGS_1.*PIE' "$scratch/elf"
+  expect "$program" "RELRO" 'GNU_RELRO' "$scratch/elf"
+  expect "$program" "binding of all symbols at the start" 'BIND_NOW\|FLAGS_1.*NOW' "$scratch/elf"
+  expect "$program" "the stack protector" '__stack_chk_fail' "$scratch/symbols"
+  expect "$program" "_FORTIFY_SOURCE" '__[a-z]*_chk@' "$scratch/symbols"
+  case $(uname -m) in
+    x86_64) expect "$program" "control-flow protection" 'endbr64' "$scratch/main" ;;
+  esac
+  if readelf -lW "$program" | grep 'GNU_STACK' | grep -q 'RWE'; then
+    echo "$program: its stack can be executed"
+    failed=1
+  fi
+done
+exit $failed
