@@ -163,6 +163,50 @@ TEST_CASE("what the sink throws comes out for any number of threads") {
     }
 }
 
+namespace {
+
+// Each look at it spoils what the one before has given.
+class ForgetfulBytes : public ByteSource {
+ public:
+  explicit ForgetfulBytes(std::string bytes) : bytes_(std::move(bytes)) {}
+  std::size_t size() const override { return bytes_.size(); }
+  std::string_view view(std::size_t at, std::size_t count) override {
+    REQUIRE(at + count <= bytes_.size());
+    before_ = std::move(now_);
+    std::fill(before_.begin(), before_.end(), '\xA5');
+    return now_ = bytes_.substr(at, count);
+  }
+
+ private:
+  std::string bytes_, before_, now_;
+};
+
+}  // namespace
+
+TEST_CASE("found 4.03: a file is read as rows are asked for, whatever the size of its chunks") {
+  const Image8 image = picture<std::uint8_t>(301, 267, 4);
+  const std::string bytes = png_bytes(rows_of(image), {});
+  std::string data;
+  for (std::size_t at = 33; at + 12 < bytes.size();) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < 4; ++i) size = size << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+    if (bytes.substr(at + 4, 4) == "IDAT") data += bytes.substr(at + 8, size);
+    at += 12 + size;
+  }
+  for (const std::size_t piece : {std::size_t{1}, std::size_t{7}, std::size_t{8192}, data.size()}) {
+    // A long chunk before the image data is looked at in pieces too.
+    std::string file = bytes.substr(0, 33) + test::png_chunk("teSt", std::string(200000, 'x'));
+    for (std::size_t at = 0; at < data.size(); at += piece)
+      file += test::png_chunk("IDAT", data.substr(at, piece));
+    ForgetfulBytes source(file + test::png_chunk("IEND", ""));
+    auto reader = PngReader::open(source, "t.png");
+    REQUIRE(reader);
+    std::vector<std::uint8_t> out(image.values.size());
+    reader->read_rows(out.data(), 301 * 4, 267);
+    CHECK(out == image.values);
+  }
+}
+
 TEST_CASE("rows can be read a few at a time, and nothing beside them is written") {
   const Image8 image = picture<std::uint8_t>(101, 67, 3);
   const std::string bytes = png_bytes(rows_of(image), {});
