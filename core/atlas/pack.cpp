@@ -22,6 +22,7 @@
 #include "core/base/file.h"
 #include "core/base/input.h"
 #include "core/base/output_target.h"
+#include "core/base/steady_file.h"
 
 namespace etak {
 namespace {
@@ -52,6 +53,8 @@ class Packing {
 
   PackReport run() {
     timed("inputs", [&] { read_inputs(); });
+    for (const std::string& file : input_files(options_, inputs_, scene_.get()))
+      stamps_.emplace_back(file, stamp_of(file));
     timed("earlier result", [&] { look_at_target(); });
     if (options_.update && up_to_date()) {
       report_.up_to_date = true;
@@ -262,6 +265,7 @@ class Packing {
       layout_.settings_hash = good_ ? settings_hash(options_, inputs_) : not_good;
       layout_.content_hash =
           content_hash_.empty() ? content_hash(options_, inputs_, scene_.get()) : content_hash_;
+      check_inputs_unchanged();
     });
     if (folder) complete(*folder);
     return true;
@@ -301,6 +305,14 @@ class Packing {
                       "a page of " + std::to_string(page.width) + " x " + std::to_string(page.height) +
                           " takes " + std::to_string((bytes >> 20) + 1) + " MiB",
                       "more memory, or a smaller --page");
+  }
+
+  // Files are read more than once: for their header, their texels, and their hash. A picture that is exported
+  // anew meanwhile would make pages of two states, or a hash of another one than the pages hold.
+  void check_inputs_unchanged() const {
+    for (const auto& [file, stamp] : stamps_)
+      if (stamp_of(file) != stamp)
+        throw Error::at(file, "changed while the atlas was made", "a file that stays as it is");
   }
 
   bool writes_floats() const {
@@ -381,7 +393,8 @@ class Packing {
   std::optional<AtlasLayout> old_, previous_;
   std::vector<std::string> owned_;
   std::string content_hash_;
-  bool good_ = true;  // what options_.check_page says of all pages
+  std::vector<std::pair<std::string, FileStamp>> stamps_;  // of the inputs when they were first looked at
+  bool good_ = true;                                       // what options_.check_page says of all pages
   std::vector<Learned> learned_;
   std::optional<OutputFolder> folder_;    // whole, and not in place yet; none in a dry run
   std::optional<PackDecision> decision_;  // from the inputs on

@@ -40,7 +40,8 @@ std::string settings_hash(const PackOptions& options, const PackInputs& inputs) 
   return hash.hex();
 }
 
-std::string content_hash(const PackOptions& options, const PackInputs& inputs, const ScenePack* scene) {
+std::vector<std::string> input_files(const PackOptions& options, const PackInputs& inputs,
+                                     const ScenePack* scene) {
   std::vector<std::string> files;
   for (const PackInput& m : inputs.materials) {
     files.insert(files.end(), m.files.begin(), m.files.end());
@@ -50,6 +51,11 @@ std::string content_hash(const PackOptions& options, const PackInputs& inputs, c
   if (!options.space_config.empty()) files.push_back(options.space_config);
   std::sort(files.begin(), files.end());
   files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
+std::string content_hash(const PackOptions& options, const PackInputs& inputs, const ScenePack* scene) {
+  const std::vector<std::string> files = input_files(options, inputs, scene);
   std::vector<std::string> hashes(files.size());
   std::vector<FileBytes> memory(options.threads);
   parallel_chunks(files.size(), options.threads, 1, [&](std::size_t begin, std::size_t, unsigned worker) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/atlas/sources.h"
 
@@ -15,8 +16,12 @@ class ScenePack;
 /// Of everything but the bytes of the files.
 std::string settings_hash(const PackOptions& options, const PackInputs& inputs);
 
-/// Of the bytes of all files that are read, whatever they are called.
+/// All files that are read, sorted.
 ///   scene   null: no glTF
+std::vector<std::string> input_files(const PackOptions& options, const PackInputs& inputs,
+                                     const ScenePack* scene);
+
+/// Of the bytes of input_files(), whatever they are called.
 std::string content_hash(const PackOptions& options, const PackInputs& inputs, const ScenePack* scene);
 
 }  // namespace etak

@@ -19,16 +19,25 @@ std::string bytes(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " byte" : " bytes");
 }
 
+FileStamp stamp(const struct stat& info) {
+  return {info.st_dev, info.st_ino, static_cast<std::uint64_t>(info.st_size), info.st_mtim.tv_sec,
+          info.st_mtim.tv_nsec};
+}
+
 }  // namespace
+
+FileStamp stamp_of(const std::string& path) {
+  struct stat info {};
+  if (is_pipe_input(path) || ::stat(path.c_str(), &info) != 0) return {};
+  return stamp(info);
+}
 
 SteadyFile::SteadyFile(const std::string& path, std::size_t most)
     : path_(path), input_(open_input(path, most)) {
   struct stat info {};
   if (::fstat(input_.file.get(), &info) != 0)
     throw Error::at(path, std::string("cannot be read: ") + std::strerror(errno));
-  changed_ = info.st_mtim;
-  device_ = info.st_dev;
-  inode_ = info.st_ino;
+  stamp_ = stamp(info);
 }
 
 std::size_t SteadyFile::read_what_is_there(std::size_t at, char* to, std::size_t count) const noexcept {
@@ -76,11 +85,10 @@ void SteadyFile::check_unchanged() const {
   const auto size_now = static_cast<std::size_t>(now.st_size);
   if (size_now != size())
     throw Error::at(path_, "changed while it was read, found " + bytes(size_now), bytes(size()));
-  if (now.st_mtim.tv_sec != changed_.tv_sec || now.st_mtim.tv_nsec != changed_.tv_nsec)
-    throw Error::at(path_, "changed while it was read", "a file that stays as it is");
-  // What came from a pipe is kept in memory and has no name of its own.
+  if (stamp(now) != stamp_) throw Error::at(path_, "changed while it was read", "a file that stays as it is");
+  // What came from a pipe has no name of its own.
   if (is_pipe_input(path_)) return;
-  if (::stat(path_.c_str(), &now) != 0 || now.st_dev != device_ || now.st_ino != inode_)
+  if (const FileStamp named = stamp_of(path_); named.device != stamp_.device || named.inode != stamp_.inode)
     throw Error::at(path_, "was replaced while it was read", "a file that stays as it is");
 }
 

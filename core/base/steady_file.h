@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <ctime>
-#include <memory>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
-
-#include <sys/types.h>
 
 #include "core/base/input.h"
 
@@ -32,6 +30,17 @@ class BytesInMemory : public ByteSource {
  private:
   std::string_view bytes_;
 };
+
+/// What tells one state of a file from another: the file itself, its size, and its time of change.
+struct FileStamp {
+  std::uint64_t device = 0, inode = 0, size = 0;
+  std::int64_t seconds = 0, nanoseconds = 0;
+  friend bool operator==(const FileStamp&, const FileStamp&) = default;
+};
+
+/// That of the file behind `path`; zeros where there is none, and for what came from a pipe, which is kept in
+/// memory and stays as it is.
+FileStamp stamp_of(const std::string& path);
 
 /// A file that must stay as it is while it is read, such as a picture that another program may be exporting
 /// anew. It is read and never mapped into memory: a mapped file that somebody shortens ends the program.
@@ -76,9 +85,7 @@ class SteadyFile : public ByteSource {
  private:
   std::string path_;
   OpenedInput input_;
-  timespec changed_{};
-  dev_t device_{};
-  ino_t inode_{};
+  FileStamp stamp_;
   std::string window_;
   std::size_t window_at_ = 0;
 };

@@ -563,3 +563,23 @@ TEST_CASE("the gutter repeats what was bled, of converted pictures too") {
       }
   }
 }
+
+TEST_CASE(
+    "found 4.03: a picture that is exported anew while the atlas is made is told, and nothing is written") {
+  const TempFolder folder;
+  add_material(folder, "a", 32, 32, 1);
+  const std::string picture = folder.file("a_diffuse.png");
+  fs::last_write_time(picture, fs::file_time_type{});
+  PackOptions options;
+  bool change = true;
+  // Called when the pixels of a page are whole, and so after the picture was read.
+  options.check_page = [&](const AtlasLayout&, int page, const PagePixels&) {
+    if (change && page == 0) save(picture, noise(32, 32, 3, 77));
+    return true;
+  };
+  CHECK(fault(folder, manifest({entry("a")}), options) ==
+        picture + ": changed while the atlas was made; expected a file that stays as it is");
+  CHECK_FALSE(fs::exists(folder.file("out")));
+  change = false;
+  CHECK(fault(folder, manifest({entry("a")}), options).empty());
+}
