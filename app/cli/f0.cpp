@@ -6,6 +6,8 @@
 #include <CLI/Formatter.hpp>
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <set>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -31,6 +33,7 @@ namespace {
 
 struct F0Arguments {
   InputArguments inputs;
+  std::string files_from;
   ComputeArguments compute;
   TableArguments tables;
   OutputArguments output;
@@ -112,24 +115,6 @@ void answer_one(const Input& input, const F0Job& job, const std::string& format,
   }
 }
 
-std::string joined(std::vector<Chunk>& chunks, const OutputArguments& output, const F0Options& options,
-                   bool legend) {
-  const std::string& format = output.format;
-  std::string out = format == "csv" ? f0_csv_header() : std::string();
-  std::vector<F0Row> rows;
-  for (Chunk& chunk : chunks) {
-    out += chunk.text;
-    std::move(chunk.rows.begin(), chunk.rows.end(), std::back_inserter(rows));
-  }
-  if (format == "json") return f0_json(rows, options);
-  if (format == "table") {
-    const std::size_t columns = is_standard_output(output) ? columns_of(STDOUT_FILENO) : 0;
-    const std::string table = f0_table(rows, options, use_color(output), columns);
-    return legend ? table + f0_legend(rows, options, columns) : table;
-  }
-  return out;
-}
-
 // What the HTML form shows of one input; a material without datasets where there is nothing to show.
 MaterialReport html_report(const Input& input, const F0Job& job, F0Worker& worker, Tally& tally) {
   Outcome outcome;
@@ -180,8 +165,8 @@ std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what;
 }
 
-void print_remarks(const F0Arguments& arguments, const std::vector<Input>& inputs, const Tally& tally) {
-  if (inputs.size() < 2) return;
+void print_remarks(const F0Arguments& arguments, std::size_t inputs, const Tally& tally) {
+  if (inputs < 2) return;
   std::string text = counted(tally.answered, "answered");
   if (tally.refused > 0) text += ", " + counted(tally.refused, "of them refused (the flags say why)");
   if (tally.nonlinear > 0) text += "; " + counted(tally.nonlinear, "n2 files are no pages");
@@ -222,18 +207,127 @@ void keep_freed_memory() {
 #endif
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// A run takes the names of the line at once and those of a list in batches, so that what a list of a million
+// names leaves in memory is what is printed at the end: the lines or the rows of its answers.
+class F0Run {
+ public:
+  F0Run(F0Arguments& arguments, const F0Job& job, unsigned threads)
+      : arguments_(arguments), job_(job), workers_(threads) {
+    if (arguments.output.format == "csv") text_ = f0_csv_header();
+  }
+
+  int answer_all() {
+    const auto begin = Clock::now();
+    std::optional<ListedNames> list;
+    if (!arguments_.files_from.empty()) list.emplace(arguments_.files_from);
+    InputArguments batch = arguments_.inputs;
+    {
+      Progress progress(arguments_.output, 0, "f0");
+      // The page of all materials is made of all inputs together.
+      const std::size_t most = is_html() ? static_cast<std::size_t>(-1) : batch_names;
+      std::size_t names_left = list ? list->count() : 0;
+      for (bool first = true;; first = false) {
+        std::vector<std::string> listed;
+        if (list) listed = list->take(most);
+        if (!first && listed.empty()) break;
+        names_left -= std::min(names_left, listed.size());
+        for (std::string& name : listed)
+          batch.names.push_back(name == "-" ? accept_input(name) : std::move(name));
+        answer(batch, names_left, progress);
+        batch.names.clear();
+        batch.all = false;
+      }
+    }
+    if (inputs_ == 0 && !arguments_.allow_empty) throw empty_list(arguments_.files_from);
+    if (tally_.rows == 0 && tally_.failed == 0 && inputs_ > 0)
+      throw Error::at(
+          arguments_.inputs.names.empty() ? arguments_.files_from : arguments_.inputs.names.front(),
+          "holds no page of n and k", "a page, table or material file");
+    print();
+    hint_at_policy(arguments_, job_.solver.options());
+    print_remarks(arguments_, inputs_, tally_);
+    for (const F0Worker& worker : workers_) times_ += worker.times;
+    if (arguments_.stats) print_stats(times_, find_seconds_, seconds_since(begin), inputs_, threads());
+    if (tally_.failed > 0) return exit_failure;
+    return tally_.refused_by_name > 0 ? exit_findings : exit_ok;
+  }
+
+ private:
+  static constexpr std::size_t batch_names = 1024;
+
+  bool is_html() const { return arguments_.output.format == "html"; }
+  unsigned threads() const { return static_cast<unsigned>(workers_.size()); }
+
+  //   names_left   of the list behind this batch
+  void answer(const InputArguments& batch, std::size_t names_left, Progress& progress) {
+    const auto begin = Clock::now();
+    std::vector<std::string> remarks;
+    const std::vector<Input> inputs = find_inputs(batch, arguments_.library, threads(), &remarks);
+    for (const std::string& each : alias_remarks(inputs))
+      if (told_.insert(each).second) remarks.push_back(each);
+    find_seconds_ += seconds_since(begin);
+    progress.set(inputs_, inputs_ + inputs.size() + names_left);
+    inputs_ += inputs.size();
+    std::vector<Chunk> chunks(is_html() ? 1 : (inputs.size() + chunk_inputs - 1) / chunk_inputs);
+    if (is_html())
+      chunks[0].text = html(inputs, job_, workers_, chunks[0].errors, chunks[0].tally);
+    else
+      parallel_chunks(inputs.size(), threads(), chunk_inputs,
+                      [&](std::size_t first, std::size_t last, unsigned worker) {
+                        for (std::size_t i = first; i < last; ++i)
+                          answer_one(inputs[i], job_, arguments_.output.format, workers_[worker],
+                                     chunks[first / chunk_inputs]);
+                        progress.advance(last - first, worker);
+                      });
+    progress.take_away();
+    for (const std::string& each : remarks) remark(arguments_.output, each);
+    for (Chunk& chunk : chunks) {
+      tally_ += chunk.tally;
+      for (const std::string& error : chunk.errors) complain(error);
+      text_ += chunk.text;
+      std::move(chunk.rows.begin(), chunk.rows.end(), std::back_inserter(rows_));
+    }
+  }
+
+  void print() {
+    const auto begin = Clock::now();
+    const OutputArguments& output = arguments_.output;
+    const F0Options& options = job_.solver.options();
+    if (output.format == "json") text_ = f0_json(rows_, options);
+    if (output.format == "table") {
+      const std::size_t columns = is_standard_output(output) ? columns_of(STDOUT_FILENO) : 0;
+      text_ = f0_table(rows_, options, use_color(output), columns);
+      if (arguments_.verbose && !output.quiet) text_ += f0_legend(rows_, options, columns);
+    }
+    // Where nothing could be read there is nothing to say, and no file to replace an older, better one.
+    if (tally_.rows > 0 || inputs_ == 0) write_output(output, text_);
+    times_.print += seconds_since(begin);
+  }
+
+  F0Arguments& arguments_;
+  const F0Job& job_;
+  std::vector<F0Worker> workers_;
+  Tally tally_;
+  StageTimes times_;
+  double find_seconds_ = 0;
+  std::size_t inputs_ = 0;      // found so far
+  std::set<std::string> told_;  // remarks on names, each once
+  std::string text_;            // of forms made of lines
+  std::vector<F0Row> rows_;     // of the others
+};
+
 int run(F0Arguments& arguments) {
-  using Clock = std::chrono::steady_clock;
-  const auto seconds_since = [](Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-  };
-  const auto begin = Clock::now();
   const OutputArguments& output = arguments.output;
   check_output(output);
-  const bool is_html = output.format == "html";
-  if (arguments.inputs.names.empty() && arguments.inputs.files_from.empty() && !arguments.inputs.all)
+  if (arguments.inputs.names.empty() && arguments.files_from.empty() && !arguments.inputs.all)
     throw Error::at("etak f0", "no input", "a material, file or folder, - for standard input, or --all");
-  if (is_html && (arguments.axis_average || !arguments.inputs.dataset.empty()))
+  if (output.format == "html" && (arguments.axis_average || !arguments.inputs.dataset.empty()))
     throw Error::at("--format html", "shows every dataset of a material",
                     "no --dataset and no --axis-average");
   // A bad --library is the call's mistake even where no name is looked up.
@@ -242,56 +336,8 @@ int run(F0Arguments& arguments) {
   const bool with_source = output.format != "csv";
   const F0Job job{solver, table_options(arguments.tables), arguments.axis_average, with_source,
                   arguments.stats};
-  const unsigned threads = thread_count(arguments.threads);
   keep_freed_memory();
-  std::vector<std::string> remarks;
-  const std::vector<Input> inputs = find_inputs(arguments.inputs, arguments.library, threads, &remarks);
-  for (const std::string& each : remarks) remark(output, each);
-  const double find = seconds_since(begin);
-  for (const std::string& each : alias_remarks(inputs)) remark(output, each);
-  if (inputs.empty() && !arguments.allow_empty) throw empty_list(arguments.inputs.files_from);
-
-  Tally tally;
-  std::vector<std::string> errors;
-  StageTimes times;
-  std::string text;
-  std::vector<F0Worker> workers(threads);
-  if (is_html) {
-    text = html(inputs, job, workers, errors, tally);
-  } else {
-    std::vector<Chunk> chunks((inputs.size() + chunk_inputs - 1) / chunk_inputs);
-    {
-      Progress progress(output, inputs.size(), "f0");
-      parallel_chunks(
-          inputs.size(), threads, chunk_inputs, [&](std::size_t first, std::size_t last, unsigned worker) {
-            for (std::size_t i = first; i < last; ++i)
-              answer_one(inputs[i], job, output.format, workers[worker], chunks[first / chunk_inputs]);
-            progress.advance(last - first, worker);
-          });
-    }
-    for (const F0Worker& worker : workers) times += worker.times;
-    for (Chunk& chunk : chunks) {
-      tally += chunk.tally;
-      std::move(chunk.errors.begin(), chunk.errors.end(), std::back_inserter(errors));
-    }
-    const auto print_begin = Clock::now();
-    text = joined(chunks, output, solver.options(), arguments.verbose && !output.quiet);
-    times.print += seconds_since(print_begin);
-  }
-  for (const std::string& error : errors) complain(error);
-  if (tally.rows == 0 && errors.empty() && !inputs.empty())
-    throw Error::at(
-        arguments.inputs.names.empty() ? arguments.inputs.files_from : arguments.inputs.names.front(),
-        "holds no page of n and k", "a page, table or material file");
-  const auto write_begin = Clock::now();
-  // Where nothing could be read there is nothing to say, and no file to replace an older, better one.
-  if (tally.rows > 0 || inputs.empty()) write_output(output, text);
-  times.print += seconds_since(write_begin);
-  hint_at_policy(arguments, solver.options());
-  print_remarks(arguments, inputs, tally);
-  if (arguments.stats) print_stats(times, find, seconds_since(begin), inputs.size(), threads);
-  if (tally.failed > 0) return exit_failure;
-  return tally.refused_by_name > 0 ? exit_findings : exit_ok;
+  return F0Run(arguments, job, thread_count(arguments.threads)).answer_all();
 }
 
 }  // namespace
@@ -300,7 +346,7 @@ void add_f0(CLI::App& app, Verb& chosen) {
   const auto arguments = std::make_shared<F0Arguments>();
   CLI::App& verb = *app.add_subcommand("f0", "reflectance at normal incidence as a colour");
   add_input_options(verb, arguments->inputs);
-  reads_file(verb.add_option("--files-from", arguments->inputs.files_from,
+  reads_file(verb.add_option("--files-from", arguments->files_from,
                              "read more inputs from LIST, one per line or NUL-separated"))
       ->type_name("LIST");
   add_allow_empty_option(verb, arguments->allow_empty);

@@ -12,6 +12,7 @@
 #include "app/cli/folder.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/memory.h"
 #include "core/exchange/content_kind.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/table.h"
@@ -222,13 +223,6 @@ void add_all_datasets_option(CLI::App& verb, InputArguments& arguments) {
 
 std::vector<Input> find_inputs(const InputArguments& arguments, Library& library, unsigned threads,
                                std::vector<std::string>* remarks) {
-  std::vector<std::string> names = arguments.names;
-  if (!arguments.files_from.empty()) {
-    std::vector<std::string> more = listed_names(arguments.files_from);
-    for (std::string& name : more)
-      if (name == "-") name = accept_input(name);
-    names.insert(names.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  }
   std::vector<Input> out;
   if (arguments.all) {
     const MaterialLibrary& known = library.get();
@@ -236,7 +230,7 @@ std::vector<Input> find_inputs(const InputArguments& arguments, Library& library
       add_datasets(known.at(i), {}, arguments, known.ids()[i], {}, out);
     for (Input& input : out) input.from_folder = true;
   }
-  for (const std::string& name : names) {
+  for (const std::string& name : arguments.names) {
     try {
       const std::size_t first = out.size();
       add_name(name, arguments, library, threads, remarks, out);
@@ -248,18 +242,24 @@ std::vector<Input> find_inputs(const InputArguments& arguments, Library& library
   return out;
 }
 
-std::vector<std::string> listed_names(const std::string& path) {
-  const std::string text = read_file(path);
-  const char separator = text.find('\0') != std::string::npos ? '\0' : '\n';
+ListedNames::ListedNames(const std::string& path)
+    : text_(read_file(path)), separator_(text_.find('\0') != std::string::npos ? '\0' : '\n') {}
+
+std::vector<std::string> ListedNames::take(std::size_t most) {
   std::vector<std::string> out;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    std::string name = text.substr(begin, end - begin);
-    if (separator == '\n' && name.ends_with('\r')) name.pop_back();
+  while (out.size() < most && at_ < text_.size()) {
+    const std::size_t end = std::min(text_.find(separator_, at_), text_.size());
+    std::string name = text_.substr(at_, end - at_);
+    if (separator_ == '\n' && name.ends_with('\r')) name.pop_back();
     if (!name.empty()) out.push_back(std::move(name));
-    begin = end + 1;
+    at_ = end + 1;
   }
   return out;
+}
+
+std::size_t ListedNames::count() const {
+  const bool open_end = !text_.empty() && text_.back() != separator_;
+  return static_cast<std::size_t>(std::count(text_.begin(), text_.end(), separator_)) + (open_end ? 1 : 0);
 }
 
 std::vector<std::string> alias_remarks(const std::vector<Input>& inputs) {
@@ -300,9 +300,13 @@ Material read_material(const Input& input, const TableOptions& tables, std::stri
   if (input.kind == Input::Kind::material) return *input.material;
   const std::string& name = input.path;
   const std::string text = read_file(name);
-  if (input.kind == Input::Kind::page) return material_from_rii_page(text, name, id);
-  if (input.kind == Input::Kind::table) return material_from_table(text, name, tables, id);
-  return parse_material(text, name);
+  return with_memory_for(
+      name, [&] { return mebibytes(text.size()) + " of text"; },
+      [&] {
+        if (input.kind == Input::Kind::page) return material_from_rii_page(text, name, id);
+        if (input.kind == Input::Kind::table) return material_from_table(text, name, tables, id);
+        return parse_material(text, name);
+      });
 }
 
 }  // namespace etak::cli

@@ -35,14 +35,13 @@ struct Input {
 
 struct InputArguments {
   std::vector<std::string> names;
-  std::string files_from;
   std::string stdin_format = "auto";
   std::string dataset;
   bool all = false;
   bool all_datasets = false;  // of each material, not the preferred one alone
 };
 
-/// Adds INPUT... and --stdin-format; --files-from, --dataset and --all belong to `etak f0`.
+/// Adds INPUT... and --stdin-format; --dataset and --all belong to `etak f0`.
 void add_input_options(CLI::App& verb, InputArguments& arguments);
 void add_all_datasets_option(CLI::App& verb, InputArguments& arguments);
 
@@ -55,8 +54,25 @@ std::vector<Input> find_inputs(const InputArguments& arguments, Library& library
 /// What must be said of the names asked for, each once, as "steel: AISI 316 ...".
 std::vector<std::string> alias_remarks(const std::vector<Input>& inputs);
 
-/// Names in a list file, "-" for standard input: between NUL bytes when there is one, else between line ends.
-std::vector<std::string> listed_names(const std::string& path);
+/// The names in a list file, "-" for standard input: between NUL bytes when there is one, else between line
+/// ends. Handed out in their order, so that a run over a million of them holds the text of the list and the
+/// names at hand, and nothing else.
+class ListedNames {
+ public:
+  /// Throws Error where the list cannot be read.
+  explicit ListedNames(const std::string& path);
+
+  /// The next names, at most so many; none at the end of the list.
+  std::vector<std::string> take(std::size_t most = static_cast<std::size_t>(-1));
+
+  /// Names and empty lines of the whole list.
+  std::size_t count() const;
+
+ private:
+  std::string text_;
+  char separator_;
+  std::size_t at_ = 0;
+};
 
 /// Whether the input is a .txt or .dat file that a folder search came by and that holds prose (a licence, a
 /// list of changes) instead of a table.

@@ -130,7 +130,7 @@ int list_names(ListArguments& arguments) {
     throw Error::at("etak list", "names beside --class, --search or --zone", "one of the two");
   std::vector<std::string> names = arguments.names;
   if (!arguments.names_from.empty()) {
-    const std::vector<std::string> more = listed_names(arguments.names_from);
+    const std::vector<std::string> more = ListedNames(arguments.names_from).take();
     names.insert(names.end(), more.begin(), more.end());
   }
   if (names.empty()) throw Error::at(arguments.names_from, "holds no name", "a name a line");

@@ -23,10 +23,7 @@ constexpr std::size_t bar_width = 30;
 // The front of `text` that fits.
 std::string cut(std::string_view text, std::size_t columns) {
   std::string out = line_text(text);
-  while (!out.empty() && display_width(out) > columns) {
-    out.pop_back();
-    while (!out.empty() && valid_utf8(out) != out) out.pop_back();  // the rest of a character
-  }
+  out.resize(front_of(out, columns).size());
   return out;
 }
 
@@ -54,6 +51,10 @@ Progress::Progress(const OutputArguments& arguments, std::size_t total, std::str
 
 Progress::~Progress() {
   if (mode_ == Mode::json && shown_) write_object(true);
+  take_away();
+}
+
+void Progress::take_away() {
   // A lost line on standard error has nowhere left to be reported.
   if (mode_ == Mode::line && shown_) (void)write_all(STDERR_FILENO, "\r\x1b[K");
 }

@@ -40,6 +40,9 @@ class Progress {
   /// What is being done now ("fresnel", a material's name). One thread at a time.
   void stage(std::string_view text);
 
+  /// Takes the line away, so that messages can be written where it stood. The next news bring it back.
+  void take_away();
+
   /// Whether a line is or will be drawn: remarks of the same content are then left out.
   bool draws_line() const { return mode_ == Mode::line; }
 

@@ -4,6 +4,7 @@
 
 #include "app/cli/empty_list.h"
 #include "app/cli/folder.h"
+#include "app/cli/inputs.h"
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "app/cli/replace.h"
@@ -33,24 +34,11 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t most_pages_with_pictures = 200;
 
-std::vector<std::string> listed_files(const std::string& list) {
-  if (list.empty()) return {};
-  const std::string text = read_file(list);
-  std::vector<std::string> out;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    std::string_view line = std::string_view(text).substr(begin, end - begin);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (!line.empty()) out.emplace_back(line);
-    begin = end + 1;
-  }
-  return out;
-}
-
 FoundTargets targets_of(const ValidateArguments& arguments, const ValidatePlan& plan) {
   TargetRequest request;
   request.paths = arguments.paths;
-  request.listed = listed_files(arguments.files_from);
+  request.list = arguments.files_from;
+  if (!arguments.files_from.empty()) request.listed = ListedNames(arguments.files_from).take();
   if (request.paths.empty() && request.listed.empty() && !arguments.allow_empty)
     throw empty_list(arguments.files_from);
   request.patterns = plan.config.roles;
@@ -64,7 +52,7 @@ FoundTargets targets_of(const ValidateArguments& arguments, const ValidatePlan& 
       throw Error::at("--role", printable(arguments.role),
                       "diffuse, specular, f0, base-color or metal-rough");
   }
-  return find_targets(request);
+  return find_targets(std::move(request));
 }
 
 // Checked files in the order of `found`, from the cache where it has them.

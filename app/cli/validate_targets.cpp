@@ -42,8 +42,22 @@ bool is_picture(FileRole role) {
          role != FileRole::spectrum;
 }
 
+// A list of a million names that lead nowhere is one mistake: so many of them are told one by one, the others
+// are counted.
+constexpr std::size_t most_missing_told = 1000;
+
+// Why nothing stands at `path`.
+std::string why_missing(const std::string& path) {
+  std::error_code failure;
+  (void)fs::status(path, failure);
+  if (failure && failure != std::errc::no_such_file_or_directory)
+    return "cannot be read: " + failure.message();
+  if (fs::is_symlink(fs::symlink_status(path, failure))) return "a link that leads to no file";
+  return "there is no such file";
+}
+
 // Where a file came from decides what happens when nothing can be said of it.
-enum class Named { by_hand, by_folder_or_list, as_companion };
+enum class Named { by_hand, by_folder, by_list, as_companion };
 
 struct Candidate {
   std::string path;
@@ -103,12 +117,13 @@ void check_links(const std::string& folder, const std::string& path) {
 
 class Finder {
  public:
-  explicit Finder(const TargetRequest& request) : request_(request) {}
+  explicit Finder(TargetRequest request) : request_(std::move(request)) {}
 
   FoundTargets find() {
     for (const std::string& path : request_.paths) add_path(path);
-    for (const std::string& path : request_.listed)
-      candidates_.push_back({path, Named::by_folder_or_list, {}});
+    candidates_.reserve(candidates_.size() + request_.listed.size());
+    for (std::string& path : request_.listed) candidates_.push_back({std::move(path), Named::by_list, {}});
+    request_.listed = {};
     drop_doubles();
     classify();
     group_pictures();
@@ -141,10 +156,7 @@ class Finder {
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
     if (fs::is_directory(status)) return add_folder(path);
-    if (!fs::exists(status) && !is_pipe_input(path))
-      return fail(path, failure && failure != std::errc::no_such_file_or_directory
-                            ? "cannot be read: " + failure.message()
-                            : "there is no such file");
+    if (!fs::exists(status) && !is_pipe_input(path)) return fail(path, why_missing(path));
     candidates_.push_back({path, Named::by_hand, {}});
   }
 
@@ -161,8 +173,7 @@ class Finder {
     }
     std::move(folder.skipped.begin(), folder.skipped.end(), std::back_inserter(out_.no_files));
     for (std::string& file : folder.files)
-      candidates_.push_back(
-          {std::move(file), Named::by_folder_or_list, fs::path(path).lexically_normal().string()});
+      candidates_.push_back({std::move(file), Named::by_folder, fs::path(path).lexically_normal().string()});
   }
 
   // A file that was named twice is checked once; named by hand wins.
@@ -202,13 +213,17 @@ class Finder {
                       }
                     });
     std::vector<const Candidate*> pictures;
+    std::size_t missing_told = 0, missing_more = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const Candidate& candidate = candidates_[i];
-      const bool link = missing[i] && fs::is_symlink(candidate.path);
+      std::error_code ignored;
+      const bool link = missing[i] && fs::is_symlink(fs::symlink_status(candidate.path, ignored));
       if (link && !kinds[i] && candidate.named != Named::by_hand && !candidate.path.ends_with(".json"))
         ++out_.skipped;
+      else if (missing[i] && candidate.named == Named::by_list && missing_told == most_missing_told)
+        ++missing_more;
       else if (missing[i])
-        fail(candidate.path, link ? "a link that leads to no file" : "there is no such file");
+        fail(candidate.path, why_missing(candidate.path)), ++missing_told;
       else if (!failures[i].empty())
         fail(candidate.path, failures[i]);
       else if (!kinds[i])
@@ -218,6 +233,8 @@ class Finder {
       else
         add_document(candidate.path, *kinds[i]);
     }
+    if (missing_more > 0)
+      fail(request_.list, std::to_string(missing_more) + " more of its names lead to no file");
     for (const Candidate* picture : pictures)
       if (!claimed_.contains(picture->path) && !claimed_.contains(level_0_of(picture->path)))
         add_picture(*picture);
@@ -392,7 +409,7 @@ class Finder {
     out_.targets.push_back(std::move(found));
   }
 
-  const TargetRequest& request_;
+  TargetRequest request_;
   std::vector<Candidate> candidates_;
   std::vector<Picture> pictures_;
   std::unordered_set<std::string> claimed_, failed_;  // by a scene or a layout
@@ -408,8 +425,8 @@ std::string relative_label(const std::string& path, const std::string& root) {
   return relative.empty() ? whole.filename().string() : relative.generic_string();
 }
 
-FoundTargets find_targets(const TargetRequest& request) {
-  return Finder(request).find();
+FoundTargets find_targets(TargetRequest request) {
+  return Finder(std::move(request)).find();
 }
 
 }  // namespace etak::cli

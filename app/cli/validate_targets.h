@@ -15,11 +15,12 @@ namespace etak::cli {
 
 /// What is to be checked.
 ///   paths      files and folders as typed
-///   listed     files of --files-from
+///   listed     files of --files-from   list   its name
 ///   role       --role; none: by `patterns`, then by default_roles()
 ///   root       folder that labels are relative to, absolute
 struct TargetRequest {
   std::vector<std::string> paths, listed;
+  std::string list;
   std::optional<FileRole> role;
   std::vector<RolePattern> patterns;
   Manifest manifest;  // of the command line: material, surface class, transparency
@@ -48,7 +49,9 @@ struct FoundTargets {
 ///   pictures of a name but for the role's ending ("crate_diff.png", "crate_spec.png") in one folder; a
 ///   picture named alone takes its companion along. Pictures that a scene or a layout of the run names belong
 ///   to it alone.
-FoundTargets find_targets(const TargetRequest& request);
+///   Of names of the list that lead to no file a thousand fail one by one; the others fail as a number, under
+///   the name of the list.
+FoundTargets find_targets(TargetRequest request);
 
 /// `path` relative to `root` as text alone (links are not looked at), with '/'.
 std::string relative_label(const std::string& path, const std::string& root);

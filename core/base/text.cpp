@@ -64,6 +64,11 @@ bool begins_command(std::string_view text, std::size_t i) {
   return two == "##" || (two == "::" && (i == 0 || text[i - 1] == ' '));
 }
 
+std::size_t columns_of(std::uint32_t character) {
+  const bool combining = character >= 0x300 && character < 0x370;
+  return combining ? 0 : is_wide(character) ? 2 : 1;
+}
+
 }  // namespace
 
 std::string valid_utf8(std::string_view text) {
@@ -129,11 +134,21 @@ std::size_t display_width(std::string_view text) {
   std::size_t width = 0;
   while (!text.empty()) {
     const CodePoint point = decode(text);
-    const bool combining = point.value >= 0x300 && point.value < 0x370;
-    width += combining ? 0 : is_wide(point.value) ? 2 : 1;
+    width += columns_of(point.value);
     text.remove_prefix(point.length ? point.length : 1);
   }
   return width;
+}
+
+std::string_view front_of(std::string_view text, std::size_t columns) {
+  std::size_t width = 0, end = 0;
+  while (end < text.size()) {
+    const CodePoint point = decode(text.substr(end));
+    width += columns_of(point.value);
+    if (width > columns) break;
+    end += point.length ? point.length : 1;
+  }
+  return text.substr(0, end);
 }
 
 std::string escape_html(std::string_view text) {

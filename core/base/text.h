@@ -46,6 +46,10 @@ std::size_t cell_width(std::string_view text);
 /// wide ones (told apart by block, which is good enough for names).
 std::size_t display_width(std::string_view text);
 
+/// The longest front of `text`, of whole characters, that is at most `columns` wide. Takes time for what it
+/// returns and not for what is behind it.
+std::string_view front_of(std::string_view text, std::size_t columns);
+
 /// `text` for HTML, SVG and other XML, in content or a quoted attribute: the five characters that mean
 /// something there are escaped, line ends and tabs become blanks, and the rest is as line_text() has it.
 std::string escape_html(std::string_view text);

@@ -1,42 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
-#include <ctime>
 #include <string>
 
 #include "core/base/json_node.inc"
+#include "tests/growth.h"
 #include "tests/support.h"
 
 using namespace etak;
+using test::check_growth;
 using test::contains;
 using test::error_of;
+using test::listed;
 
 namespace {
 
 Json parse(std::string_view text) {
   return parse_json_strictly(text, "f.json", 4, "a test");
-}
-
-std::string repeated(const std::string& head, const std::string& item, std::size_t count,
-                     const std::string& tail) {
-  std::string out = head;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0) out += ',';
-    out += item;
-  }
-  return out + tail;
-}
-
-// Processor time, the least of three, since a machine in use only ever adds to a time.
-double seconds_of(const std::string& text) {
-  double least = 1e9;
-  for (int run = 0; run < 3; ++run) {
-    const std::clock_t begin = std::clock();
-    (void)parse(text);
-    least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
-  }
-  return least;
 }
 
 }  // namespace
@@ -62,14 +42,15 @@ TEST_CASE("equal keys, depth and broken text are refused") {
 }
 
 TEST_CASE("found 4.02: reading takes time in proportion to the text") {
-  const auto objects = [](std::size_t count) { return repeated("{\"a\":[", "{}", count, "]}"); };
-  const auto keys = [](std::size_t count) {
-    std::string out = "{";
-    for (std::size_t i = 0; i < count; ++i) out += (i > 0 ? ",\"" : "\"") + std::to_string(i) + "\":0";
-    return out + "}";
+  const auto read = [](const std::string& text) { (void)parse(text); };
+  const auto objects = [](std::size_t count) {
+    return listed(
+        "{\"a\":[", count, [](std::size_t) { return "{}"; }, "]}");
   };
-  // Eight times the text: quadratic growth takes 64 times as long, and a document that leaves the caches some
-  // 12 times.
-  CHECK(seconds_of(objects(800000)) < 32 * seconds_of(objects(100000)));
-  CHECK(seconds_of(keys(800000)) < 32 * seconds_of(keys(100000)));
+  const auto keys = [](std::size_t count) {
+    return listed(
+        "{", count, [](std::size_t i) { return '"' + std::to_string(i) + "\":0"; }, "}");
+  };
+  check_growth("objects", 50000, objects, read);
+  check_growth("keys", 20000, keys, read);
 }

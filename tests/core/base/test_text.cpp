@@ -4,10 +4,12 @@
 #include <catch2/catch.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
+#include "tests/growth.h"
 
 using namespace etak;
 
@@ -73,4 +75,27 @@ TEST_CASE("found 4.06: text in HTML neither ends its element nor acts on a termi
   CHECK(escape_html("a\n::b\tc\x1b\u202e") == "a \\x3a:b c\\x1b\\u202e");
   CHECK(padded("\nÅ", 7) == "\\x0aÅ  ");
   CHECK(cell_width("\nÅ") == 5);
+}
+
+TEST_CASE("the front of a text is made of whole characters") {
+  CHECK(front_of("gold", 9) == "gold");
+  CHECK(front_of("gold", 2) == "go");
+  CHECK(front_of("金属", 3) == "金");
+  CHECK(front_of("金属", 4) == "金属");
+  CHECK(front_of("e\u0301x", 1) == "e\u0301");
+  CHECK(front_of("a\xff", 1) == "a");
+  CHECK(front_of("gold", 0).empty());
+  CHECK(front_of("", 5).empty());
+}
+
+TEST_CASE("found 4.13: the front of a wide text takes time for the front, its width for the text") {
+  const auto wide = [](std::size_t count) {
+    std::string out;
+    for (std::size_t i = 0; i < count; ++i) out += "金";
+    return out;
+  };
+  test::check_growth("front", 100000, wide,
+                     [](const std::string& text) { CHECK(front_of(text, 79).size() == 117); });
+  test::check_growth("width", 100000, wide,
+                     [](const std::string& text) { CHECK(display_width(text) % 200000 == 0); });
 }
