@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
-#include <functional>
+#include <exception>
 #include <optional>
 
 #include "app/cli/choose.h"
@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/number.h"
+#include "core/base/parallel.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
 #include "core/report/choose.h"
@@ -31,16 +32,30 @@ CostTable cost_table(const ChooseArguments& arguments) {
   return arguments.costs.empty() ? shipped_costs() : parse_costs(read_file(arguments.costs), arguments.costs);
 }
 
-void add_scene(const std::string& scene, ChooseArguments& arguments, std::size_t& total,
-               const std::function<void(const ChooseSubject&)>& add) {
-  PackOptions options;
-  options.door = picture_door();
-  options.threads = thread_count(arguments.threads);
+// The choices for the materials of a scene, which know nothing of each other, on all threads. Of several that
+// fail the first in the scene's order is told.
+std::vector<Choice> scene_choices(const std::string& scene, ChooseArguments& arguments,
+                                  const ChooseOptions& options, const CostTable& costs, Progress& progress) {
+  PackOptions pack;
+  pack.door = picture_door();
+  pack.threads = thread_count(arguments.threads);
   std::vector<std::string> remarks;
-  const auto subjects = scene_subjects(scene, options, arguments.library.get(), remarks);
+  const auto subjects = scene_subjects(scene, pack, arguments.library.get(), remarks);
   for (const std::string& each : remarks) remark(arguments.output, each);
-  total = subjects.size();
-  for (const ChooseSubject& subject : subjects) add(subject);
+  progress.set(0, subjects.size());
+  std::vector<Choice> out(subjects.size());
+  std::vector<std::exception_ptr> failures(subjects.size());
+  parallel_chunks(subjects.size(), pack.threads, 1, [&](std::size_t i, std::size_t, unsigned worker) {
+    try {
+      out[i] = choose(subjects[i], options, costs);
+    } catch (const Error&) {
+      failures[i] = std::current_exception();
+    }
+    progress.advance(1, worker);
+  });
+  for (const std::exception_ptr& each : failures)
+    if (each) std::rethrow_exception(each);
+  return out;
 }
 
 }  // namespace
@@ -90,18 +105,21 @@ int choose_materials(ChooseArguments& arguments) {
   };
   std::size_t total = arguments.all ? arguments.library.get().ids().size() : arguments.materials.size();
   std::optional<Progress> progress(std::in_place, arguments.output, total, "choose");
-  const auto add = [&](const ChooseSubject& subject) {
-    progress->stage(subject.name);
-    choices.push_back(choose(subject, options, costs));
-    progress->set(choices.size(), total);
+  const auto take = [&](Choice choice) {
+    choices.push_back(std::move(choice));
     if (choices.back().met) return;
     status = exit_findings;
     remarks.push_back(unmet_remark(choices.back()));
   };
+  const auto add = [&](const ChooseSubject& subject) {
+    progress->stage(subject.name);
+    take(choose(subject, options, costs));
+    progress->set(choices.size(), total);
+  };
   if (!scene.empty()) {
     if (arguments.materials.size() > 1)
       throw Error::at("etak choose", arguments.materials[1] + " beside " + scene, "one scene alone");
-    add_scene(scene, arguments, total, add);
+    for (Choice& each : scene_choices(scene, arguments, options, costs, *progress)) take(std::move(each));
   } else if (arguments.all) {
     const MaterialLibrary& library = arguments.library.get();
     std::size_t reflectances = 0;

@@ -22,7 +22,7 @@ struct One {
 std::span<const One<double>> all_f64();
 std::span<const One<float>> all_f32();
 
-/// What is compiled of a term; found by name, so keep the result.
+/// What is compiled of a term of terms().
 template <class Real>
 const One<Real>& compiled(const Term& term);
 

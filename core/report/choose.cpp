@@ -112,8 +112,8 @@ class Choosing {
 
   Choice run() {
     all_.filter = full_filter();
-    everything_ = pictures_.draw(all_);
-    out_.pixels = everything_.size();
+    everything_.emplace(options_.unit, pictures_.draw(all_));
+    out_.pixels = everything_->pixels();
     chosen_ = all_;
     limit_ = options_.budget;
     choose_fresnel();
@@ -132,7 +132,7 @@ class Choosing {
   }
 
   PictureDifference picture(const Look& look) const {
-    return picture_difference(options_.unit, everything_, pictures_.draw(look));
+    return everything_->difference_of(pictures_.draw(look));
   }
 
   // The worst over the colours of F0 that occur.
@@ -322,7 +322,7 @@ class Choosing {
   const CostTable& costs_;
   const ChoosePictures pictures_;
   std::vector<FresnelTruth> truths_;  // the spectrum's, or one a colour of F0
-  std::vector<Vec3> everything_;
+  std::optional<PictureJudge> everything_;
   Look all_, chosen_;
   double limit_ = 0;
   Choice out_;

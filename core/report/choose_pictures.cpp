@@ -63,32 +63,11 @@ ChoosePictures::ChoosePictures(const ChooseSubject& subject)
   light({-0.1, 0.7, 0.5}, 1.5);
 }
 
-void ChoosePictures::shade(const Look& look, const Vec3& normal, const SurfaceTexel& texel, Vec3& out) const {
+// What is the same for every look with this filter: the texels, and the lobe under each light.
+const ChoosePictures::Pixels& ChoosePictures::pixels_of(TextureFilter filter) const {
+  auto& kept = pixels_[static_cast<std::size_t>(filter)];
+  if (!kept.pixels.empty()) return kept;
   static const Term& lobe = *find_term(TermKind::distribution, "ggx");
-  const Term& masking = *find_term(TermKind::visibility, look.visibility);
-  const double alpha = lobe_alpha(texel), nv = normal[2];
-  out = {0, 0, 0};
-  for (const Light& light : lights_) {
-    const double nl = dot(normal, light.direction);
-    if (nl <= 0 || nv <= 0) continue;
-    const Directions d = directions_of(nl, nv, light.direction[2]);
-    const double specular = value_of(lobe, d, alpha) * value_of(masking, d, alpha);
-    Vec3 f = light.spectral_f;
-    if (look.form != nullptr)
-      for (std::size_t c = 0; c < 3; ++c) {
-        std::array<double, 4> p = look.values[c];
-        if (f0_varies_) p[0] = texel.f0[c];
-        f[c] = look.form->value(p.data(), light.lh);
-      }
-    else if (!subject_.dataset)
-      f = f_of_colour(texel.f0, light.lh);
-    for (std::size_t c = 0; c < 3; ++c)
-      out[c] += light.irradiance * nl * (specular * f[c] + texel.diffuse[c] / std::numbers::pi);
-  }
-}
-
-std::vector<Vec3> ChoosePictures::draw(const Look& look) const {
-  std::vector<Vec3> out;
   const bool textured = subject_.textured();
   const int side = textured ? textured_side : plain_side;
   const SurfaceTexel one =
@@ -102,35 +81,102 @@ std::vector<Vec3> ChoosePictures::draw(const Look& look) const {
       for (int i = 0; i < side; ++i) {
         const double x = 2 * (i + 0.5) / side - 1, y = 1 - 2 * (j + 0.5) / side, r2 = x * x + y * y;
         if (r2 >= 1) continue;
-        SurfaceTexel texel = one;
+        const Vec3 normal{x, y, std::sqrt(1 - r2)};
+        Pixel pixel{one, 0, kept.lit.size(), 0};
         if (textured) {
           const TexelChain& texture = *subject_.texture;
           const auto place = [&](double at, int size) {
             const double t = size / 2.0 + texels * (at - side / 2.0);
             return t - size * std::floor(t / size);
           };
-          texel = texture.read(look.filter, place(i + 0.5, texture.width()), place(j + 0.5, texture.height()),
-                               level);
+          pixel.texel =
+              texture.read(filter, place(i + 0.5, texture.width()), place(j + 0.5, texture.height()), level);
         }
-        shade(look, {x, y, std::sqrt(1 - r2)}, texel, out.emplace_back());
+        pixel.alpha = lobe_alpha(pixel.texel);
+        for (std::size_t l = 0; l < lights_.size(); ++l) {
+          const double nl = dot(normal, lights_[l].direction), nv = normal[2];
+          if (nl <= 0 || nv <= 0) continue;
+          const Directions d = directions_of(nl, nv, lights_[l].direction[2]);
+          kept.lit.push_back({l, nl, d, value_of(lobe, d, pixel.alpha)});
+          ++pixel.lit;
+        }
+        kept.pixels.push_back(pixel);
       }
+  }
+  return kept;
+}
+
+// F of the look for each lit place of the pixels.
+const std::vector<Vec3>& ChoosePictures::fresnel_of(const Look& look) const {
+  for (const Reflectances& each : fresnel_)
+    if (each.form == look.form && each.filter == look.filter && each.values == look.values) return each.f;
+  const Pixels& all = pixels_of(look.filter);
+  Reflectances out{look.form, look.filter, look.values, {}};
+  out.f.reserve(all.lit.size());
+  for (const Pixel& pixel : all.pixels)
+    for (std::size_t i = pixel.first_lit; i < pixel.first_lit + pixel.lit; ++i) {
+      const Light& light = lights_[all.lit[i].light];
+      Vec3 f = light.spectral_f;
+      if (look.form != nullptr)
+        for (std::size_t c = 0; c < 3; ++c) {
+          std::array<double, 4> p = look.values[c];
+          if (f0_varies_) p[0] = pixel.texel.f0[c];
+          f[c] = look.form->value(p.data(), light.lh);
+        }
+      else if (!subject_.dataset)
+        f = f_of_colour(pixel.texel.f0, light.lh);
+      out.f.push_back(f);
+    }
+  // The truth is asked for with every masking, the form at hand with the masking or filter that is tried.
+  if (fresnel_.size() > 1) fresnel_.erase(fresnel_.begin() + 1, fresnel_.end());
+  return fresnel_.emplace_back(std::move(out)).f;
+}
+
+std::vector<Vec3> ChoosePictures::draw(const Look& look) const {
+  const Pixels& all = pixels_of(look.filter);
+  const std::vector<Vec3>& fresnel = fresnel_of(look);
+  const Term& masking = *find_term(TermKind::visibility, look.visibility);
+  std::vector<Vec3> out;
+  out.reserve(all.pixels.size());
+  for (const Pixel& pixel : all.pixels) {
+    Vec3& sum = out.emplace_back(Vec3{0, 0, 0});
+    for (std::size_t i = pixel.first_lit; i < pixel.first_lit + pixel.lit; ++i) {
+      const Lit& lit = all.lit[i];
+      const double specular = lit.lobe * value_of(masking, lit.directions, pixel.alpha);
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += lights_[lit.light].irradiance * lit.nl *
+                  (specular * fresnel[i][c] + pixel.texel.diffuse[c] / std::numbers::pi);
+    }
   }
   return out;
 }
 
-PictureDifference picture_difference(ErrorUnit unit, const std::vector<Vec3>& everything,
-                                     const std::vector<Vec3>& chosen) {
+PictureJudge::PictureJudge(ErrorUnit unit, const std::vector<Vec3>& everything) : unit_(unit) {
   double most = 0;
   for (const Vec3& pixel : everything) most = std::max({most, pixel[0], pixel[1], pixel[2]});
-  const double exposure = most > 0 ? 1 / most : 1;
+  if (most > 0) exposure_ = 1 / most;
+  everything_.reserve(everything.size());
+  for (const Vec3& pixel : everything) everything_.push_back(exposed(pixel));
+  if (unit != ErrorUnit::delta_e) return;
+  labs_.reserve(everything_.size());
+  for (const Vec3& pixel : everything_) labs_.push_back(to_lab(to_rgb(pixel)));
+}
+
+Vec3 PictureJudge::exposed(const Vec3& pixel) const {
+  Vec3 out{};
+  for (std::size_t c = 0; c < 3; ++c) out[c] = std::max(0.0, exposure_ * pixel[c]);
+  return out;
+}
+
+PictureDifference PictureJudge::difference_of(const std::vector<Vec3>& chosen) const {
   PictureDifference out;
-  for (std::size_t i = 0; i < everything.size(); ++i) {
-    Vec3 a{}, b{};
-    for (std::size_t c = 0; c < 3; ++c)
-      a[c] = std::max(0.0, exposure * everything[i][c]), b[c] = std::max(0.0, exposure * chosen[i][c]);
-    const double miss = difference(unit, a, b);
+  for (std::size_t i = 0; i < everything_.size(); ++i) {
+    const Vec3 pixel = exposed(chosen[i]);
+    if (pixel == everything_[i]) continue;  // no difference, and a colour has none to itself
+    const double miss = unit_ == ErrorUnit::delta_e ? delta_e2000(labs_[i], to_lab(to_rgb(pixel)))
+                                                    : difference(unit_, everything_[i], pixel);
     out.worst = std::max(out.worst, miss);
-    out.mean += miss / static_cast<double>(everything.size());
+    out.mean += miss / static_cast<double>(everything_.size());
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/brdf/models.h"
+#include "core/color/delta_e.h"
 #include "core/report/choose.h"
 
 namespace etak {
@@ -36,11 +37,37 @@ class ChoosePictures {
     double irradiance = 0, lh = 0;
     Vec3 spectral_f{};  // where the spectrum is known
   };
-  void shade(const Look& look, const Vec3& normal, const SurfaceTexel& texel, Vec3& out) const;
+  // A pixel under a light that reaches it.
+  struct Lit {
+    std::size_t light = 0;
+    double nl = 0;
+    Directions directions;
+    double lobe = 0;  // of the distribution
+  };
+  struct Pixel {
+    SurfaceTexel texel;
+    double alpha = 0;
+    std::size_t first_lit = 0, lit = 0;  // of Pixels::lit
+  };
+  struct Pixels {
+    std::vector<Pixel> pixels;
+    std::vector<Lit> lit;
+  };
+  struct Reflectances {
+    const FresnelForm* form = nullptr;
+    TextureFilter filter{};
+    FresnelValues values{};
+    std::vector<Vec3> f;  // one for each of Pixels::lit
+  };
+  const Pixels& pixels_of(TextureFilter filter) const;
+  const std::vector<Vec3>& fresnel_of(const Look& look) const;
 
   const ChooseSubject& subject_;
   const bool f0_varies_;
   std::vector<Light> lights_;
+  // Looks differ in one thing at a time: what they share is made once. A subject is judged on one thread.
+  mutable std::array<Pixels, all_filters.size()> pixels_;
+  mutable std::vector<Reflectances> fresnel_;
 };
 
 /// What F is where F0 alone is known, per channel.
@@ -51,7 +78,21 @@ Vec3 f_of_colour(const Vec3& f0, double cosine);
 struct PictureDifference {
   double worst = 0, mean = 0;
 };
-PictureDifference picture_difference(ErrorUnit unit, const std::vector<Vec3>& everything,
-                                     const std::vector<Vec3>& chosen);
+class PictureJudge {
+ public:
+  PictureJudge(ErrorUnit unit, const std::vector<Vec3>& everything);
+
+  /// `chosen` has the pixels of `everything`.
+  PictureDifference difference_of(const std::vector<Vec3>& chosen) const;
+  std::size_t pixels() const { return everything_.size(); }
+
+ private:
+  Vec3 exposed(const Vec3& pixel) const;
+
+  ErrorUnit unit_;
+  double exposure_ = 1;
+  std::vector<Vec3> everything_;  // exposed
+  std::vector<Lab> labs_;         // of them, where the unit asks for it
+};
 
 }  // namespace etak

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/atlas/sources.h"
 #include "core/color/srgb.h"
@@ -10,9 +11,20 @@
 namespace etak {
 namespace {
 
-double luminance(std::uint32_t code) {
-  return 0.2126 * srgb_decode((code >> 16 & 255u) / 255.0) +
-         0.7152 * srgb_decode((code >> 8 & 255u) / 255.0) + 0.0722 * srgb_decode((code & 255u) / 255.0);
+// Colours by their luminance, those of one luminance as they stood.
+void sort_by_luminance(std::vector<std::uint32_t>& codes) {
+  std::array<double, 256> linear{};
+  for (std::size_t code = 0; code < 256; ++code) linear[code] = srgb_decode(static_cast<double>(code) / 255);
+  const auto luminance = [&](std::uint32_t code) {
+    return 0.2126 * linear[code >> 16 & 255u] + 0.7152 * linear[code >> 8 & 255u] +
+           0.0722 * linear[code & 255u];
+  };
+  std::vector<std::pair<double, std::uint32_t>> keyed;
+  keyed.reserve(codes.size());
+  for (const std::uint32_t code : codes) keyed.emplace_back(luminance(code), code);
+  std::stable_sort(keyed.begin(), keyed.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < codes.size(); ++i) codes[i] = keyed[i].second;
 }
 
 }  // namespace
@@ -42,11 +54,12 @@ TexelChain::TexelChain(const ConstPixelsView8& diffuse_alpha, const ConstPixelsV
   first.values.reserve(numbers * static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));
   std::array<double, channel_count> sums{};
   ChannelRange range;
-  for (int y = box.y; y < box.y + box.height; ++y)
+  for (int y = box.y; y < box.y + box.height; ++y) {
+    const auto row = static_cast<std::size_t>(box.width);
+    add_texels(range, Texture::diffuse_alpha, diffuse_alpha.at(box.x, y), row);
+    add_texels(range, Texture::specular_gloss, specular_gloss.at(box.x, y), row);
     for (int x = box.x; x < box.x + box.width; ++x) {
       const std::uint8_t *a = diffuse_alpha.at(x, y), *b = specular_gloss.at(x, y);
-      add_texels(range, Texture::diffuse_alpha, a, 1);
-      add_texels(range, Texture::specular_gloss, b, 1);
       for (std::size_t c = 0; c < 3; ++c) first.values.push_back(linear[a[c]]);
       for (std::size_t c = 0; c < 3; ++c) first.values.push_back(linear[b[c]]);
       first.values.push_back(inverse_exponent[b[3]]);
@@ -56,10 +69,10 @@ TexelChain::TexelChain(const ConstPixelsView8& diffuse_alpha, const ConstPixelsV
       sums[7] += static_cast<double>(inverse_exponent[b[3]]);
       f0_codes_.push_back(static_cast<std::uint32_t>(b[0] << 16 | b[1] << 8 | b[2]));
     }
+  }
   std::sort(f0_codes_.begin(), f0_codes_.end());
   f0_codes_.erase(std::unique(f0_codes_.begin(), f0_codes_.end()), f0_codes_.end());
-  std::stable_sort(f0_codes_.begin(), f0_codes_.end(),
-                   [](std::uint32_t a, std::uint32_t b) { return luminance(a) < luminance(b); });
+  sort_by_luminance(f0_codes_);
   constant_ = range.varying() == 0;
 
   const double count = static_cast<double>(box.width) * box.height;
