@@ -8,6 +8,7 @@
 #include "app/cli/axes.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/memory.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
 #include "core/material/names.h"
@@ -56,6 +57,12 @@ void F0Worker::lap(double& stage, const F0Job& job) {
 }
 
 Outcome F0Worker::answer(const Input& input, const F0Job& job) {
+  return with_memory_for(
+      input.path, [&] { return mebibytes(text_.size()) + " of text"; },
+      [&] { return answer_in_memory(input, job); });
+}
+
+Outcome F0Worker::answer_in_memory(const Input& input, const F0Job& job) {
   if (input.kind == Input::Kind::failed) throw Error(input.path);
   if (input.kind == Input::Kind::page) return answer_page(input, job);
   Outcome out;

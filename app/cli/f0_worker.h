@@ -56,6 +56,7 @@ class alignas(64) F0Worker {
   StageTimes times;
 
  private:
+  Outcome answer_in_memory(const Input& input, const F0Job& job);
   Outcome answer_page(const Input& input, const F0Job& job);
   F0Result average_pages(const Input& input, const F0Job& job, F0Row& row);
   void answer_dataset(const Material& material, const Input& input, const F0Job& job, F0Row& row);

@@ -18,7 +18,7 @@ double in_range(const JsonNode& node, double least, double most) {
 std::vector<PackArguments> parse_jobs(std::string_view text, const std::string& file,
                                       const PackArguments& line) {
   constexpr int most_depth = 6;
-  const Json document = parse_json_strictly(text, file, most_depth, "a file of pack jobs");
+  const JsonDocument document = parse_json_strictly(text, file, most_depth, "a file of pack jobs");
   const JsonNode root{document, file, {}};
   root.expect_object({"schema", "jobs"});
   if (root.has("schema") && root.at("schema").text() != "etak-pack-jobs/1")

@@ -19,6 +19,7 @@
 #include "core/atlas/pack.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/base/output_target.h"
 
@@ -217,7 +218,9 @@ int pack_once(PackArguments& a) {
     findings.finish(report);
     return page.output(report, findings.report(), folder);
   };
-  const PackReport report = pack(a.input, a.out, options, a.library.get());
+  const PackReport report = with_memory_for(
+      a.input, [&] { return "its atlas " + a.out; },
+      [&] { return pack(a.input, a.out, options, a.library.get()); });
   progress.reset();
   say(a, report, findings);
   if (findings.incomplete()) return exit_failure;

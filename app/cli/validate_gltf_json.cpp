@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/cli/validate_targets.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/json_node.inc"
 
 namespace etak::cli {
 namespace {
@@ -47,12 +48,14 @@ std::string document_of(const std::string& path) {
 
 GltfFiles files_of_gltf(const std::string& path) {
   GltfFiles out;
-  nlohmann::json document;
+  std::optional<JsonDocument> read;
   try {
-    document = nlohmann::json::parse(document_of(path), nullptr, false);
+    constexpr int most_depth = 64;
+    read.emplace(parse_json_strictly(document_of(path), path, most_depth, "a glTF document"));
   } catch (const Error&) {
     return out;
   }
+  const Json& document = **read;
   const auto folder = std::filesystem::path(path).parent_path();
   const auto add = [&](const char* list, bool picture) {
     if (!document.is_object() || !document.contains(list) || !document[list].is_array()) return;

@@ -24,7 +24,7 @@ void each_file(const Json& document, Visit visit) {
 std::map<std::string, std::string> names_beside(std::string_view document, std::string_view path,
                                                 std::set<std::string> taken) {
   std::map<std::string, std::string> out;
-  each_file(Json::parse(document), [&](const std::string& uri) {
+  each_file(JsonDocument(Json::parse(document)), [&](const std::string& uri) {
     std::string& name = out[uri];
     if (!name.empty()) return;
     const std::string plain = std::filesystem::path(file_of_uri(uri, path)).filename().string();
@@ -37,7 +37,7 @@ std::map<std::string, std::string> names_beside(std::string_view document, std::
 std::vector<CopiedFile> files_to_copy(std::string_view written, const std::string& folder,
                                       const std::map<std::string, std::string>& names) {
   std::set<std::string> used;
-  each_file(Json::parse(written), [&](const std::string& uri) { used.insert(uri); });
+  each_file(JsonDocument(Json::parse(written)), [&](const std::string& uri) { used.insert(uri); });
   std::vector<CopiedFile> out;
   for (const auto& [uri, name] : names)
     if (used.contains(uri_of_file(name)))

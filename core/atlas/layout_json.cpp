@@ -191,7 +191,7 @@ std::string layout_json(const AtlasLayout& layout) {
 }
 
 AtlasLayout parse_layout(std::string_view text, std::string_view file) {
-  const Json document = parse_json_strictly(text, file, most_depth, "an atlas layout");
+  const JsonDocument document = parse_json_strictly(text, file, most_depth, "an atlas layout");
   const JsonNode root{document, file, {}};
   root.expect_object();
   if (root.text_or_empty("schema") != schema)

@@ -150,7 +150,7 @@ std::optional<GlossForm> gloss_form_named(std::string_view text) {
 }
 
 AtlasManifest parse_manifest(std::string_view text, const std::string& file) {
-  const Json document = parse_json_strictly(text, file, most_depth, "an atlas manifest");
+  const JsonDocument document = parse_json_strictly(text, file, most_depth, "an atlas manifest");
   AtlasManifest out = ManifestReader(document, file).read();
   // By name, so that the order in the file cannot change the atlas.
   std::sort(out.materials.begin(), out.materials.end(),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/memory.h"
 #include "core/base/parallel.h"
 
 namespace etak {
@@ -164,7 +165,14 @@ void stream_page(Composer& composer, const std::vector<Region>& regions, const P
         aligned = aligned && (cell.x | cell.y | cell.width | cell.height) % grid == 0;
       }
       slab.covered = aligned && covered == std::int64_t{size.width} * (slab.bottom - slab.top);
-      now.start(size, levels, slab, pixels[0]);
+      with_memory_for(
+          page_file(page, Texture::diffuse_alpha, "png"),
+          [&] {
+            return "a page of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                   " texels and its mips, of which " + std::to_string(slab.bottom - slab.top) +
+                   " rows are held at once";
+          },
+          [&] { now.start(size, levels, slab, pixels[0]); });
       if (k == 0) open_files(0, cut_levels);
     }
     // The regions of this slab first, then the strips of the one above it: the smaller pieces of work come

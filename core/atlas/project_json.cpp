@@ -311,7 +311,7 @@ class Writer {
 }  // namespace
 
 Project parse_project(std::string_view text, const std::string& file) {
-  const Json document = parse_json_strictly(text, file, most_depth, "a project");
+  const JsonDocument document = parse_json_strictly(text, file, most_depth, "a project");
   return Reader(document, file).read();
 }
 

@@ -43,7 +43,7 @@ MaterialVariant read_variant(const JsonNode& node) {
 }  // namespace
 
 ShadingVariants parse_choices(std::string_view text, std::string_view file) {
-  const Json document = parse_json_strictly(text, file, 6, "a choice");
+  const JsonDocument document = parse_json_strictly(text, file, 6, "a choice");
   const JsonNode root{document, file, {}};
   root.expect_object();
   if (root.text_or_empty("schema") != schema)

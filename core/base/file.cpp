@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/input.h"
+#include "core/base/memory.h"
 #include "core/base/output_file.h"
 
 namespace etak {
@@ -38,12 +39,17 @@ std::size_t read_some(int fd, std::string& out, std::size_t wanted, const std::s
 
 void read_file(const std::string& path, std::string& out, std::size_t most) {
   out.clear();
-  const auto [file, size] = open_input(path, most);
-  // One byte more than the size, so that the usual file ends in a single short read.
-  while (read_some(file.get(), out, (out.size() < size ? size - out.size() : 0) + 1, path) != 0) {
-    if (out.size() > most) throw Error::at(path, "grew while it was read", too_large(most));
-    if (out.size() == size) break;
-  }
+  const OpenedInput opened = open_input(path, most);
+  const std::size_t size = opened.size;
+  const auto read_all = [&] {
+    // One byte more than the size, so that the usual file ends in a single short read.
+    while (read_some(opened.file.get(), out, (out.size() < size ? size - out.size() : 0) + 1, path) != 0) {
+      if (out.size() > most) throw Error::at(path, "grew while it was read", too_large(most));
+      if (out.size() == size) break;
+    }
+  };
+  with_memory_for(
+      path, [&] { return "its " + mebibytes(size); }, read_all);
 }
 
 std::string read_file(const std::string& path, std::size_t most) {

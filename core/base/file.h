@@ -11,8 +11,8 @@ namespace etak {
 inline constexpr std::size_t max_text_bytes = std::size_t{256} << 20;
 
 /// Reads a whole file into `out` (its capacity is reused): a regular file, or a pipe that the user named (see
-/// input.h). Throws Error naming the path when it cannot be opened, is anything else, or holds more than
-/// `most` bytes.
+/// input.h). Throws Error naming the path when it cannot be opened, is anything else, holds more than `most`
+/// bytes, or more than there is memory for.
 void read_file(const std::string& path, std::string& out, std::size_t most = max_text_bytes);
 std::string read_file(const std::string& path, std::size_t most = max_text_bytes);
 

@@ -19,6 +19,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/memory.h"
 #include "core/base/number.h"
 
 namespace etak {
@@ -32,10 +33,6 @@ constexpr char end_of_entry = '\x1f';
 
 std::string reason() {
   return std::strerror(errno);
-}
-
-std::string mebibytes(std::size_t bytes) {
-  return std::to_string(bytes >> 20) + " MiB";
 }
 
 // N of "/dev/fd/N" and its other names; nothing for other paths.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/json_node.inc"
+#include "core/base/memory.h"
 
 namespace etak {
 namespace {
@@ -15,7 +16,11 @@ class StrictReader : public nlohmann::json_sax<Json> {
   StrictReader(std::string_view file, int most_depth, std::string_view what)
       : file_(file), most_depth_(most_depth), what_(what) {}
 
-  Json take() { return std::move(document_); }
+  StrictReader(const StrictReader&) = delete;
+  StrictReader& operator=(const StrictReader&) = delete;
+  ~StrictReader() override { take_apart(document_); }
+
+  JsonDocument take() { return JsonDocument(std::move(document_)); }
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -88,11 +93,32 @@ class StrictReader : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
-Json parse_json_strictly(std::string_view text, std::string_view file, int most_depth,
-                         std::string_view what) {
-  StrictReader reader(file, most_depth, what);
-  Json::sax_parse(text.begin(), text.end(), &reader);
-  return reader.take();
+void take_apart(Json& value) noexcept {
+  // As deep as the document is, which its reader has bounded.
+  if (value.is_array()) {
+    auto& items = value.get_ref<Json::array_t&>();
+    while (!items.empty()) {
+      take_apart(items.back());
+      items.pop_back();
+    }
+  } else if (value.is_object()) {
+    auto& members = value.get_ref<Json::object_t&>();
+    while (!members.empty()) {
+      take_apart(members.begin()->second);
+      members.erase(members.begin());
+    }
+  }
+}
+
+JsonDocument parse_json_strictly(std::string_view text, std::string_view file, int most_depth,
+                                 std::string_view what) {
+  return with_memory_for(
+      file, [&] { return mebibytes(text.size()) + " of JSON"; },
+      [&] {
+        StrictReader reader(file, most_depth, what);
+        Json::sax_parse(text.begin(), text.end(), &reader);
+        return reader.take();
+      });
 }
 
 }  // namespace etak

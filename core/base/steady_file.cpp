@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/memory.h"
 
 namespace etak {
 namespace {
@@ -72,7 +73,8 @@ std::string_view SteadyFile::view(std::size_t at, std::size_t count) {
 }
 
 std::string SteadyFile::all() const {
-  std::string out(size(), '\0');
+  std::string out = with_memory_for(
+      path_, [&] { return "its " + mebibytes(size()); }, [&] { return std::string(size(), '\0'); });
   read(0, out.data(), out.size());
   check_unchanged();
   return out;

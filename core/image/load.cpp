@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/memory.h"
 #include "core/base/steady_file.h"
 #include "core/image/image_io.h"
 #include "core/image/picture_bytes.h"
@@ -73,15 +74,21 @@ int LoadedImage::bits() const {
 }
 
 LoadedImage load_picture(std::string_view bytes, const std::string& label) {
-  if (picture_format(bytes, label) != "png") return from_oiio(read_any_image(bytes, label));
-  std::optional<LoadedImage> png = load_png(bytes, label);
-  LoadedImage out = png ? std::move(*png) : from_oiio(read_any_image(bytes, label));
-  add_png_colour(out, bytes);
-  return out;
+  return with_memory_for(
+      label, [] { return "its pixels"; },
+      [&] {
+        if (picture_format(bytes, label) != "png") return from_oiio(read_any_image(bytes, label));
+        std::optional<LoadedImage> png = load_png(bytes, label);
+        LoadedImage out = png ? std::move(*png) : from_oiio(read_any_image(bytes, label));
+        add_png_colour(out, bytes);
+        return out;
+      });
 }
 
 LoadedImage load_picture(const std::string& path) {
-  if (picture_format(read_head(path, 8), path) != "png") return from_oiio(read_any_image(path));
+  if (picture_format(read_head(path, 8), path) != "png")
+    return with_memory_for(
+        path, [] { return "its pixels"; }, [&] { return from_oiio(read_any_image(path)); });
   return load_picture(SteadyFile(path, largest_picture_bytes).all(), path);
 }
 

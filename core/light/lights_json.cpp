@@ -74,7 +74,7 @@ Hemispheres read_hemispheres(const Node& node) {
 }  // namespace
 
 LightSetup parse_lights(std::string_view text, std::string_view file) {
-  const Json json = parse_json_strictly(text, file, most_depth, "a light setup");
+  const JsonDocument json = parse_json_strictly(text, file, most_depth, "a light setup");
   const Node root{json, file, ""};
   root.expect_object({"schema", "lights", "hemispheres", "environment", "pi_scaled"});
   if (root.at("schema").text() != schema_name)

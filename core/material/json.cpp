@@ -320,7 +320,7 @@ std::vector<AliasNote> read_alias_notes(const Node& node, const Material& m) {
 }  // namespace
 
 Material parse_material(std::string_view text, std::string_view file) {
-  const Json document = parse_json_strictly(text, file, most_depth, "a material file");
+  const JsonDocument document = parse_json_strictly(text, file, most_depth, "a material file");
   const Node node{document, file, ""};
   node.expect_object({"schema", "id", "name", "aliases", "alias_notes", "class", "group", "preferred",
                       "preferred_reason", "datasets"});

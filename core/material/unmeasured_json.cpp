@@ -9,7 +9,8 @@ namespace etak {
 
 std::vector<Unmeasured> parse_unmeasured(std::string_view text, std::string_view file) {
   constexpr int most_depth = 8;
-  const Json document = parse_json_strictly(text, file, most_depth, "a list of things without a measurement");
+  const JsonDocument document =
+      parse_json_strictly(text, file, most_depth, "a list of things without a measurement");
   const JsonNode node{document, file, ""};
   node.expect_object({"schema", "things"});
   if (node.at("schema").text() != "etak-unmeasured/1") node.at("schema").fail_type("\"etak-unmeasured/1\"");

@@ -16,7 +16,7 @@ constexpr int cost_digits = 3;
 }  // namespace
 
 CostTable parse_costs(std::string_view text, std::string_view file) {
-  const Json document = parse_json_strictly(text, file, 4, "a cost table");
+  const JsonDocument document = parse_json_strictly(text, file, 4, "a cost table");
   const JsonNode root{document, file, ""};
   root.expect_object({"schema", "header", "ns"});
   if (root.at("schema").text() != costs_schema)

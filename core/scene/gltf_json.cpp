@@ -7,6 +7,7 @@
 #include "core/base/file.h"
 #include "core/base/input.h"
 #include "core/base/links.h"
+#include "core/base/memory.h"
 #include "core/exchange/content_kind.h"
 #include "core/scene/glb.h"
 #include "core/scene/uri.h"
@@ -141,7 +142,9 @@ void read_variants(const GltfDocument& document, GltfScene& scene) {
 
 }  // namespace
 
-GltfScene parse_gltf(std::string_view bytes, const std::string& path, const GltfOptions& options) {
+namespace {
+
+GltfScene parse_in_memory(std::string_view bytes, const std::string& path, const GltfOptions& options) {
   GltfScene scene;
   scene.path = path;
   scene.options = options;
@@ -152,7 +155,7 @@ GltfScene parse_gltf(std::string_view bytes, const std::string& path, const Gltf
     text = parts.json;
     binary_chunk = parts.binary;
   }
-  const Json root = parse_json_strictly(text, path, most_depth, "a glTF document");
+  const JsonDocument root = parse_json_strictly(text, path, most_depth, "a glTF document");
   GltfDocument document{root, path, {}};
   check_head(document);
   scene.json = std::make_shared<const std::string>(text);
@@ -166,6 +169,14 @@ GltfScene parse_gltf(std::string_view bytes, const std::string& path, const Gltf
   walk_scenes(document, scene);
   mark_used_images(document, scene);
   return scene;
+}
+
+}  // namespace
+
+GltfScene parse_gltf(std::string_view bytes, const std::string& path, const GltfOptions& options) {
+  return with_memory_for(
+      path, [&] { return "a scene of " + mebibytes(bytes.size()); },
+      [&] { return parse_in_memory(bytes, path, options); });
 }
 
 GltfScene read_gltf(const std::string& path, const GltfOptions& options) {

@@ -69,13 +69,13 @@ void remove_extension(Json& object, const char* name) {
 namespace {
 
 std::string written(const GltfScene& scene, const GltfOutput& output, std::string& buffer) {
-  GltfRewrite rewrite{scene, output, parse_json_strictly(*scene.json, scene.path, 64, "a glTF document"),
-                      {},    {},     {}};
+  GltfRewrite rewrite{
+      scene, output, parse_json_strictly(*scene.json, scene.path, 64, "a glTF document").take(), {}, {}, {}};
   rewrite.buffers.assign(scene.buffers->begin(), scene.buffers->end());
   check_output(rewrite);
   refuse_unkept(rewrite);
   rename_files(rewrite.root, output.uris);
-  const Json before = rewrite.root;
+  const JsonDocument before(rewrite.root);
   remove_compression(rewrite.root);
   if (!scene.options.variants) remove_variants(rewrite.root);
   for (const AtlasMaterial& material : output.materials) {

@@ -22,7 +22,7 @@ std::string baseline_json(std::span<const KnownDefect> known) {
 }
 
 std::vector<KnownDefect> read_baseline(std::string_view text, std::string_view file) {
-  const Json document = parse_json_strictly(text, file, 8, "a baseline of etak validate");
+  const JsonDocument document = parse_json_strictly(text, file, 8, "a baseline of etak validate");
   const JsonNode root{document, file, {}};
   root.expect_object({"schema", "findings"});
   if (root.at("schema").text() != "etak-baseline/1") root.at("schema").fail_type("\"etak-baseline/1\"");

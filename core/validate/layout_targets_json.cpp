@@ -88,7 +88,7 @@ std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::s
 
 std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const std::string& path,
                                                 const std::string& label) {
-  const Json document = parse_json_strictly(text, label, 16, "an atlas layout");
+  const JsonDocument document = parse_json_strictly(text, label, 16, "an atlas layout");
   const JsonNode root{document, label, {}};
   root.expect_object();
   const JsonNode pages = root.at("pages"), rects = root.at("rects");

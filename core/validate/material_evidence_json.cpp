@@ -163,12 +163,13 @@ MaterialEvidence evidence_of_material(std::string_view text, const std::string& 
     if (hash != std::string::npos && end != std::string::npos && hash < end)
       evidence.schema_pointer = evidence.schema_error.substr(hash + 1, end - hash - 1);
   }
-  Json document;
+  std::optional<JsonDocument> read;
   try {
-    document = parse_json_strictly(text, label, 32, "a material file");
+    read.emplace(parse_json_strictly(text, label, 32, "a material file"));
   } catch (const Error&) {
     return evidence;  // said already
   }
+  const Json& document = **read;
   if (!document.is_object()) return evidence;
   evidence.name = text_at(document, "name");
   if (const auto datasets = document.find("datasets"); datasets != document.end() && datasets->is_array())

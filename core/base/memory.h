@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace etak {
+
+/// "12 MiB", rounded up.
+inline std::string mebibytes(std::size_t bytes) {
+  constexpr std::size_t mib = std::size_t{1} << 20;
+  return std::to_string(bytes / mib + (bytes % mib != 0 ? 1 : 0)) + " MiB";
+}
+
+/// What is said where memory ends.
+///   place   the file that it was needed for
+///   what    what of it was too large, with its size: "its text of 12 MiB"
+inline Error out_of_memory(std::string_view place, std::string_view what) {
+  return Error::at(place, "needs more memory than there is, for " + std::string(what),
+                   "a smaller file, or more memory");
+}
+
+/// Returns work(). An allocation that fails in it is told as out_of_memory(place, what()): a std::bad_alloc
+/// knows neither the file nor the size.
+template <class What, class Work>
+decltype(auto) with_memory_for(std::string_view place, const What& what, Work&& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw out_of_memory(place, what());
+  }
+}
+
+}  // namespace etak
