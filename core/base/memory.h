@@ -10,10 +10,10 @@
 
 namespace etak {
 
-/// "12 MiB", rounded up.
+/// "12 MiB", without the fraction; "300 bytes" of what is smaller than one.
 inline std::string mebibytes(std::size_t bytes) {
-  constexpr std::size_t mib = std::size_t{1} << 20;
-  return std::to_string(bytes / mib + (bytes % mib != 0 ? 1 : 0)) + " MiB";
+  const std::size_t whole = bytes >> 20;
+  return whole > 0 ? std::to_string(whole) + " MiB" : std::to_string(bytes) + " bytes";
 }
 
 /// What is said where memory ends.
