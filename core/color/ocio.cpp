@@ -148,20 +148,28 @@ Interchange aces_interchange() {
           inverse(rgb_to_xyz({{{0.7347, 0.2653}, {0, 1}, {0.0001, -0.077}}}, white))};
 }
 
+// Whether the config has the door: the role, and the space that it names.
+bool leads_in(const ocio::Config& config, const Interchange& door) {
+  return config.hasRole(door.role.c_str()) && config.getColorSpace(door.role.c_str());
+}
+
+[[noreturn]] void no_way_in(const OpenConfig& open) {
+  throw Error::at(open.label, "no interchange role, so XYZ has no way in",
+                  "role aces_interchange or cie_xyz_d65_interchange");
+}
+
 // A role on the same side (scene or display) as the space needs no view transform between the two, and with
 // it no tone curve; ACES first, for its configs define everything else from it.
 Interchange interchange_for(const OpenConfig& open, const ocio::ColorSpace& space) {
   const std::array<Interchange, 2> known{aces_interchange(), cie_interchange()};
   const Interchange* found = nullptr;
   for (const auto& candidate : known) {
+    if (!leads_in(*open.config, candidate)) continue;
     const auto role_space = open.config->getColorSpace(candidate.role.c_str());
-    if (!open.config->hasRole(candidate.role.c_str()) || !role_space) continue;
     if (role_space->getReferenceSpaceType() == space.getReferenceSpaceType()) return candidate;
     if (found == nullptr) found = &candidate;
   }
-  if (found == nullptr)
-    throw Error::at(open.label, "no interchange role, so XYZ has no way in",
-                    "role aces_interchange or cie_xyz_d65_interchange");
+  if (found == nullptr) no_way_in(open);
   return *found;
 }
 
@@ -320,11 +328,8 @@ OcioDisplay OcioDisplay::open(const std::string& config, const std::string& disp
     state.view = one_of(view, c.getDefaultView(state.display.c_str()), views, open.label,
                         ("view of display \"" + printable(state.display, 80) + "\", named").c_str());
     // Pictures are scene-referred: the scene side's role where there is one.
-    const bool aces = c.hasRole("aces_interchange");
-    if (!aces && !c.hasRole("cie_xyz_d65_interchange"))
-      throw Error::at(open.label, "no interchange role, so XYZ has no way in",
-                      "role aces_interchange or cie_xyz_d65_interchange");
-    const Interchange door = aces ? aces_interchange() : cie_interchange();
+    const Interchange door = leads_in(c, aces_interchange()) ? aces_interchange() : cie_interchange();
+    if (!leads_in(c, door)) no_way_in(open);
     const Xyz white = white_of(0.3127, 0.3290);
     state.to_interchange =
         door.from_xyz * (bradford(white, door.white) * rgb_to_xyz(primaries(RgbSpace::srgb), white));

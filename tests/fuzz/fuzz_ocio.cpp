@@ -20,6 +20,26 @@ using namespace etak;
 
 namespace {
 
+// A file that is in memory alone, under a name of this process, so that nothing of it stays.
+const std::string& config_file(const std::string& text) {
+  static const int file = memfd_create("config.ocio", 0);
+  static const std::string path = "/proc/self/fd/" + std::to_string(file);
+  if (file < 0 || ftruncate(file, 0) != 0 ||
+      pwrite(file, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
+    std::abort();
+  return path;
+}
+
+// Throws where a good config is refused as well: all others would then be refused unread.
+bool good_config_opens() {
+  const std::string& path = config_file(
+      "ocio_profile_version: 2\nroles: {aces_interchange: a, default: a}\ndisplays: {d: [!<View> {name: v, "
+      "colorspace: "
+      "a}]}\n"
+      "colorspaces: [!<ColorSpace> {name: a}]\n");
+  return OcioSpace::open(path, "a").name() == "a" && OcioDisplay::open(path, "d", "v").view() == "v";
+}
+
 template <class Attempt>
 void attempt(const Attempt& attempt) {
   try {
@@ -39,12 +59,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     rest.erase(0, std::min(end + 1, rest.size()));
   }
   const std::string &text = parts[0], &space = parts[1], &display = parts[2], &view = parts[3];
-  // A file that is in memory alone, under a name of this process, so that nothing of it stays.
-  static const int file = memfd_create("config.ocio", 0);
-  static const std::string path = "/proc/self/fd/" + std::to_string(file);
-  if (file < 0 || ftruncate(file, 0) != 0 ||
-      pwrite(file, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
-    std::abort();
+  static const bool opens = good_config_opens();
+  assert(opens);
+  const std::string& path = config_file(text);
   attempt([&] { (void)OcioSpace::open(path, space).from_xyz({0.2, 0.3, 0.4}, {0.95, 1, 1.09}); });
   attempt([&] {
     std::array<float, 6> rgb{0, 0.2F, 1, 2, -1, 1e-3F};
