@@ -14,6 +14,7 @@
 #include "app/editor/texture_section.h"
 #include "core/base/number.h"
 #include "core/color/gloss.h"
+#include "core/material/name_limit.h"
 
 namespace etak::editor {
 namespace {
@@ -53,6 +54,7 @@ Inspector::Inspector(Document& document, QWidget* parent)
   column->addStretch(1);
   setWidget(page_);
 
+  name_->setMaxLength(static_cast<int>(most_name_bytes));
   connect(name_, &QLineEdit::editingFinished, this, [this] {
     const std::string wanted = name_->text().trimmed().toStdString();
     if (document_.material() == nullptr || wanted.empty() || wanted == document_.material()->name)

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/material/appearance.h"
+#include "core/material/name_limit.h"
 #include "core/material/names.h"
 #include "core/material/quality.h"
 
@@ -241,8 +242,18 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
 std::string free_name(const Project& project, const std::string& wanted) {
   std::set<std::string_view> taken;
   for (const ProjectMaterial& each : project.materials) taken.insert(each.name);
-  std::string out = wanted;
-  for (int i = 2; taken.contains(out); ++i) out = wanted + " " + std::to_string(i);
+  // Of at most so many bytes, and whole characters.
+  const auto front = [&](std::size_t most) {
+    std::size_t end = std::min(wanted.size(), most);
+    const auto goes_on = [&] { return (static_cast<unsigned char>(wanted[end]) & 0xC0) == 0x80; };
+    while (end > 0 && end < wanted.size() && goes_on()) --end;
+    return wanted.substr(0, end);
+  };
+  std::string out = front(most_name_bytes);
+  for (int i = 2; taken.contains(out); ++i) {
+    const std::string number = " " + std::to_string(i);
+    out = front(most_name_bytes - number.size()) + number;
+  }
   return out;
 }
 

@@ -155,7 +155,8 @@ ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibr
 AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library,
                           std::vector<std::string>& remarks);
 
-/// A name that no material of the project has: "gold", "gold 2", ...
+/// A name that no material of the project has: "gold", "gold 2", ... Its end is left out where it would be
+/// longer than a project may hold (name_limit.h).
 std::string free_name(const Project& project, const std::string& wanted);
 
 /// Whether a JSON text says it is a project.

@@ -44,11 +44,10 @@ real fresnel_exact(real n_asked, real k, real c) {
   real a = x < 0 ? small : big;
   real b = x < 0 ? big : small;
   // a - c: for x >= 0, where a is `big`, from (a^2 - c^2) / (a + c) = (q + k^2 s2 / (a^2 + k^2)) / (a + c), without
-  // subtracting near equals. For a small n, a is at most n and far below c, or b far above both.
+  // subtracting near equals.
   real ak = big * big + k2;
   real d_above = (q * ak + k2 * s2) / max(ak * (big + c), tiny);
-  real d_least = n < small_index ? a - c : d_above;
-  real d = x < 0 ? a - c : d_least;
+  real d = x < 0 ? a - c : d_above;
   // R_s = rs / under, R_p = R_s near / far with near, far = (a c -+ s2)^2 + b^2 c^2; their mean is `mean`.
   real b2 = b * b;
   real rs = d * d + b2;

@@ -18,11 +18,11 @@ namespace etak {
 // 760, 2887, 3917, 4314), losing both; so every input is opened and every output written with
 // oiio:UnassociatedAlpha = 1.
 //
-// All throw Error that names the path: also for files that change while they are read (core/base/steady_file.h;
-// OpenImageIO is never given a path to open), for files that are empty or cut short (OpenImageIO fills up what
-// is missing of some and calls it success), for CMYK (OpenImageIO converts by a formula that no printer
-// uses), deep pictures, and those of more than max_image_side on a side or 4 channels. A palette is expanded
-// to RGB or RGBA.
+// All throw Error that names the path: also for files that change while they are read
+// (core/base/steady_file.h; OpenImageIO is never given a path to open), for files that are empty or cut short
+// (OpenImageIO fills up what is missing of some and calls it success), for CMYK (OpenImageIO converts by a
+// formula that no printer uses), deep pictures, and those of more than max_image_side on a side or 4
+// channels. A palette is expanded to RGB or RGBA.
 
 /// What a file says of itself.
 struct ImageInfo {

@@ -33,8 +33,9 @@ struct LoadedImage {
   int bits() const;  // of the values in `pixels`: 8, 16, 32
 };
 
-/// Throws Error that names `path` for a file that changes while it is read, and for anything but a whole picture of 1 to max_image_side pixels on a side
-/// and 1 to 4 channels: see image_io.h and, for PNG, PngReader of png.h.
+/// Throws Error that names `path` for a file that changes while it is read, and for anything but a whole
+/// picture of 1 to max_image_side pixels on a side and 1 to 4 channels: see image_io.h and, for PNG,
+/// PngReader of png.h.
 LoadedImage load_picture(const std::string& path);
 
 /// The same of a file that is in memory, such as an image in a glTF buffer.

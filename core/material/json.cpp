@@ -10,6 +10,7 @@
 #include "core/base/number.h"
 #include "core/material/dispersion.h"
 #include "core/material/medium.h"
+#include "core/material/name_limit.h"
 
 namespace etak {
 namespace {
@@ -333,6 +334,9 @@ Material parse_material(std::string_view text, std::string_view file) {
     node.at("id").fail_type("a-z, 0-9 and _ only");
   m.name = node.at("name").text();
   if (m.name.empty()) node.at("name").fail_type("a name");
+  if (m.name.size() > most_name_bytes)
+    node.at("name").fail("a name of " + std::to_string(m.name.size()) + " bytes",
+                         "at most " + std::to_string(most_name_bytes));
   m.aliases = node.at("aliases").texts();
   m.material_class = node.at("class").text();
   if (std::find(material_classes.begin(), material_classes.end(), m.material_class) == material_classes.end())
