@@ -98,7 +98,7 @@ void Progress::draw_line() const {
   std::string line;
   if (total_ > 0) {
     const std::size_t filled = std::min(done, total_) * bar_width / total_;
-    append(line, "[", std::string(filled, '#'), std::string(bar_width - filled, '.'), "] ",
+    append(line, "[", std::string(filled, '='), std::string(bar_width - filled, '.'), "] ",
            std::to_string(done), "/", std::to_string(total_), " ");
   }
   append(line, task_, stage_.empty() ? "" : " ", stage_, ", ", fixed(seconds(), 0), " s");

@@ -55,10 +55,14 @@ std::string one_line(const std::string& text) {
 // 3".
 std::string where(std::string_view text) {
   std::string out;
-  constexpr std::string_view table = "transform file '", line = "ine ";
+  constexpr std::string_view table = "transform file '", missing = "file reference '", line = "ine ";
   if (const std::size_t at = text.find(table); at != text.npos) {
     const std::string_view name = text.substr(at + table.size());
     out += ", in its table '" + printable(name.substr(0, name.find('\'')), 200) + "'";
+  }
+  if (const std::size_t at = text.find(missing); at != text.npos) {
+    const std::string_view name = text.substr(at + missing.size());
+    return ", there is no table '" + printable(name.substr(0, name.find('\'')), 200) + "'";
   }
   for (std::size_t at = text.find(line); at != text.npos; at = text.find(line, at + 1)) {
     if (at == 0 || (text[at - 1] != 'l' && text[at - 1] != 'L')) continue;
