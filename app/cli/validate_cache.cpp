@@ -123,8 +123,7 @@ std::string ResultCache::seal_of(const std::string& digest, std::string_view tex
 
 // The folder of an entry. No link is followed: whoever can write to the cache could lead a writer elsewhere.
 Descriptor ResultCache::folder_of(const std::string& digest) const {
-  return Descriptor(
-      ::openat(folder_.get(), digest.substr(0, 2).c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  return open_folder(folder_.get(), digest.substr(0, 2));
 }
 
 std::string ResultCache::name_of(const std::string& digest) {

@@ -222,9 +222,10 @@ class Finder {
         ++out_.skipped;
       else if (missing[i] && candidate.named == Named::by_list && missing_told == most_missing_told)
         ++missing_more;
-      else if (missing[i])
-        fail(candidate.path, why_missing(candidate.path)), ++missing_told;
-      else if (!failures[i].empty())
+      else if (missing[i]) {
+        fail(candidate.path, why_missing(candidate.path));
+        ++missing_told;
+      } else if (!failures[i].empty())
         fail(candidate.path, failures[i]);
       else if (!kinds[i])
         skip(candidate, "a kind of file that etak validate does not check");

@@ -67,7 +67,7 @@ class Packing {
           if (!m.facts.learned || m.files.empty())  // else somebody said that its texels count as equal
             look_at_floats(load_floats(m), nullptr, m.facts.opaque, m.facts);
       });
-    if (!options_.dry_run) check_place({layout_name});
+    if (!options_.dry_run) check_place();
     if (!options_.previous.empty()) previous_ = parse_layout(read_file(options_.previous), options_.previous);
     for (report_.passes = 1;; ++report_.passes) {
       timed("layout", [&] { decision_->decide(previous_ ? &*previous_ : nullptr); });
@@ -173,9 +173,9 @@ class Packing {
   }
 
   // Before the work: whether the folder can be made or changed, and files that are not ours stay.
-  void check_place(const std::vector<std::string>& names) const {
+  void check_place() const {
     check_folder_target(output_, {}, may_replace());
-    for (const std::string& name : names) refuse_stranger(name);
+    refuse_stranger(layout_name);
   }
 
   void refuse_stranger(const std::string& name) const {
@@ -200,14 +200,13 @@ class Packing {
 
   // False: what the texels taught changes the layout, and nothing was kept.
   bool make_pages() {
-    std::optional<OutputFolder>& folder = folder_;
-    if (!options_.dry_run) folder.emplace(output_, may_replace());
+    if (!options_.dry_run) folder_.emplace(output_, may_replace());
     ComposeOptions compose;
     compose.threads = options_.threads;
     compose.bleed = options_.bleed;
     compose.gloss = inputs_.gloss;
     // The layout says which pages there are: their files are known before their texels.
-    if (folder)
+    if (folder_)
       for (int p = 0; p < static_cast<int>(plan().pages.size()); ++p)
         for (const Texture texture : both_textures)
           if (plan().pages[static_cast<std::size_t>(p)].has[static_cast<std::size_t>(texture)])
@@ -216,7 +215,7 @@ class Packing {
               refuse_stranger(name);
     Composer composer(inputs_.materials, regions(), plan(), compose);
     PagePixels pixels;
-    PackProgress progress(options_.progress, plan(), regions().size(), options_.write, folder.has_value());
+    PackProgress progress(options_.progress, plan(), regions().size(), options_.write, folder_.has_value());
     const auto region_done = [&] {
       stop_if_cancelled();
       progress.region();
@@ -230,11 +229,11 @@ class Packing {
         pixels.release();
         timed("texels, mips and files", [&] {
           stream_page(composer, regions(), plan(), p, decision_->page_levels(p), cuts, learned_,
-                      folder ? &*folder : nullptr, write, region_done);
+                      folder_ ? &*folder_ : nullptr, write, region_done);
         });
         progress.written(2 * PackProgress::texels_of(page));
         if (decision_->learn(learned_)) return false;
-        if (options_.check_page && folder) check_written(p, *folder);
+        if (options_.check_page && folder_) check_written(p, *folder_);
         continue;
       }
       pixels.start(page, decision_->page_levels(p));
@@ -242,7 +241,7 @@ class Packing {
       if (decision_->learn(learned_)) return false;
       timed("gutters and mips", [&] { composer.mips(p, pixels); });
       check(p, pixels);
-      if (!folder) continue;
+      if (!folder_) continue;
       WriteOptions write = options_.write;
       write.threads = options_.threads;
       write.written = [&](std::size_t texels) {
@@ -252,11 +251,11 @@ class Packing {
       timed("write", [&] {
         for (const Texture texture : both_textures) {
           stop_if_cancelled();
-          if (page.has[static_cast<std::size_t>(texture)]) write_page(*folder, p, texture, pixels, write);
+          if (page.has[static_cast<std::size_t>(texture)]) write_page(*folder_, p, texture, pixels, write);
         }
-        if (scene_) scene_->write_page(*folder, p, pixels, write);
+        if (scene_) scene_->write_page(*folder_, p, pixels, write);
       });
-      if (writes_floats()) timed("floats", [&] { write_floats(*folder, p, compose); });
+      if (writes_floats()) timed("floats", [&] { write_floats(*folder_, p, compose); });
     }
     check(static_cast<int>(plan().pages.size()), pixels);
     pixels.release();
@@ -267,7 +266,7 @@ class Packing {
           content_hash_.empty() ? content_hash(options_, inputs_, scene_.get()) : content_hash_;
       check_inputs_unchanged();
     });
-    if (folder) complete(*folder);
+    if (folder_) complete(*folder_);
     return true;
   }
 
