@@ -2,7 +2,8 @@
 // Blinn 1977 as in the lecture: cd / pi + (m + 8) / (8 pi) cs nh^m, an approximate normalisation (albedo
 // 1.075 at m = 8.8, normal incidence); and with the exact one, (m + 2)(m + 4) / (8 pi (2^(-m/2) + m))
 // (Giesen 2009).
-//   cd, cs   colours, [0, 1];   m   exponent, >= 1
+//   cd, cs   diffuse and specular colour, [0, 1]
+//   m        exponent, >= 1
 vec3 blinn_phong(Angles a, vec3 cd, vec3 cs, real m, real scale) {
   return cd * (1 / pi) + brdf_microfacet(cs, power_of_cosine(m, a.nh, a.s2), scale);
 }

@@ -2,7 +2,8 @@
 // ABC distribution of Hoffman's talk (after Church et al. 1989 and Low et al. 2012): norm (1 + a1 (1 -
 // nm))^-a2. Printed with norm = 1; abc_norm() of normalise.h gives the one that makes the integral of D nm
 // one.
-//   a1   > 0, width;   a2   > 0, fall-off
+//   a1   width, > 0
+//   a2   fall-off, > 0
 real d_abc_s2(real a1, real a2, real norm, real nm, real s2) {
   // 1 - nm = s2 / (1 + nm), without the cancellation.
   real value = norm * pow(1 + a1 * (s2 / (1 + nm)), -a2);

@@ -2,7 +2,8 @@
 // Blinn 1977 / Phong lobe as a microfacet distribution, (e + 2) / (2 pi) nm^e: integral of D nm is 1
 // (Hoffman); and Schueler's (1 + e) / 2 nm^e, printed pi-scaled and unnormalised: D / pi integrates to (1
 // + e) / (2 + e).
-//   e    exponent, >= 0;   s2   1 - nm^2
+//   e    exponent, >= 0
+//   s2   1 - nm^2
 real d_phong_s2(real e, real nm, real s2) {
   real value = (e + 2) / (2 * pi) * power_of_cosine(e, nm, s2);
   return nm > 0 ? value : real(0);

@@ -2,7 +2,8 @@
 // Shifted gamma distribution, Bagher, Soler and Holzschuch 2012, "Accurate fitting of measured
 // reflectances using a Shifted Gamma micro-facet distribution": p22(tan^2) / (pi nm^4), p22(x) =
 // alpha^(p-1) exp(-(alpha^2 + x)/alpha) / (Gamma(1 - p, alpha) (alpha^2 + x)^p). Integral of D nm: 1.
-//   alpha   > 0;   p   > 0;   log_norm   -ln Gamma(1 - p, alpha), which no GPU has: log_sgd_norm() of normalise.h
+//   alpha, p   > 0
+//   log_norm   -ln Gamma(1 - p, alpha), which no GPU has: log_sgd_norm() of normalise.h
 real d_sgd_s2(real alpha, real p, real log_norm, real nm, real s2) {
   real c2 = max(nm * nm, real(1e-12));
   real x = alpha * alpha + s2 / c2;

@@ -2,7 +2,8 @@
 // Smith 1967 masking for the Beckmann distribution with the error function itself (Walter et al. 2007,
 // equation 27 is the rational fit of it): G1 = 1 / (1 + Lambda), Lambda = (erf(a) - 1) / 2 + exp(-a^2) / (2 a
 // sqrt(pi)), a = 1 / (m tan).
-//   c   cosine with the normal, [0, 1];   m   rms slope, > 0
+//   c   cosine with the normal, [0, 1]
+//   m   rms slope, > 0
 
 // c (1 + Lambda): with c / a = m sin nothing is divided by a cosine that may be 0.
 real smith_beckmann_reach(real c, real m) {

@@ -2,7 +2,8 @@
 // Smith 1967 masking for GGX: Walter et al. 2007 (equation 34), Heitz 2014, "Understanding the
 // Masking-Shadowing Function in Microfacet-Based BRDFs" (equation 99: height-correlated). No tangent is
 // formed, so grazing is finite.
-//   c       cosine with the normal, [0, 1];   alpha   width, (0, 1]
+//   c       cosine with the normal, [0, 1]
+//   alpha   width, (0, 1]
 real smith_ggx_root(real c, real alpha) {
   return sqrt(alpha * alpha + (1 - alpha * alpha) * (c * c));
 }

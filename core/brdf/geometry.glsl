@@ -3,12 +3,12 @@
 
 const real pi = real(3.14159265358979323846);
 
-//   nl, nv   cosines of light and viewer with the normal, in [-1, 1]
-//   nh, lh   cosines of the half vector with the normal and with light (= with viewer)
-//   lv       cosine between light and viewer
-//   s2       |n x h|^2 = 1 - nh^2 without the cancellation
-//   hu2, hv2 squares of the half vector's tangent and bitangent parts: hu2 + hv2 = s2
-//   valid    above 0 where the models are defined (nl > 0, nv > 0, l is not -v), else 0
+//   nl, nv     cosines of light and viewer with the normal, in [-1, 1]
+//   nh, lh     cosines of the half vector with the normal and with light (= with viewer)
+//   lv         cosine between light and viewer
+//   s2         |n x h|^2 = 1 - nh^2 without the cancellation
+//   hu2, hv2   squares of the half vector's tangent and bitangent parts: hu2 + hv2 = s2
+//   valid      above 0 where the models are defined (nl > 0, nv > 0, l is not -v), else 0
 struct Angles {
   real nl;
   real nv;

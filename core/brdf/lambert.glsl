@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lambert: cd / pi. And the same with what the specular part leaves over (Hoffman's diffuse-specular
 // tradeoff in the reciprocal form): cd / pi (1 - F(nl)) (1 - F(nv)) with Schlick's F. In 1/sr.
-//   cd   diffuse colour, [0, 1];   f0   specular reflectance at normal incidence
+//   cd   diffuse colour, [0, 1]
+//   f0   specular reflectance at normal incidence
 vec3 brdf_lambert(Angles a, vec3 cd) {
   return cd * (1 / pi);
 }

@@ -2,7 +2,8 @@
 // Phong 1975 as printed in the lecture: L = (cd nl + cs max(v.r, 0)^m) B, here divided by pi nl. The
 // specular part is gated by nl > 0, which the lecture's shader forgot. No BRDF: not reciprocal, unbounded
 // as nl tends to 0.
-//   cd, cs   colours, [0, 1];   m   exponent, >= 1
+//   cd, cs   diffuse and specular colour, [0, 1]
+//   m        exponent, >= 1
 vec3 brdf_phong(Angles a, vec3 cd, vec3 cs, real m) {
   // |r - v|^2 = 2 - 2 v.r without the cancellation: r - v is (-(l + v).x, -(l + v).y, l.z - v.z).
   real chord2 = 4 * a.s2 * a.lh * a.lh + (a.nl - a.nv) * (a.nl - a.nv);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Schueler 2009, "An Efficient and Physically Plausible Real-Time Shading Model": his four techniques as
 // f_r in 1/sr (the printed value is pi f_r nl per unit of his pi-scaled irradiance).
-//   K   specular colour;   g   gloss, [0, 1]
+//   K   specular colour
+//   g   gloss, [0, 1]
 // D is printed (1 + e)/2 nh^e; D / pi integrates to (1 + e)/(2 + e), a loss of 33 % at g = 0 and 1.5 % at
 // g = 0.5.
 

@@ -5,7 +5,8 @@
 //   Kutz et al. 2021, "Novel aspects of the Adobe Standard Material" (OpenPBR): F82 = tint * Schlick(1/7)
 const real f82_cosine = real(1) / 7;
 
-//   f0, f82   reflectance at cos = 1 and cos = 1/7;   c   cosine, clamped to [0, 1]
+//   f0, f82   reflectance at cos = 1 and cos = 1/7
+//   c         cosine, clamped to [0, 1]
 real f_f82(real f0, real f82, real c) {
   real cc = clamp(c, real(0), real(1));
   real m = 1 - cc;

@@ -14,7 +14,8 @@ vec3 excess_from_f0(vec3 f0_value) {
 
 // Fresnel's equations for k = 0 and n >= 1 with one root, g = sqrt(n^2 - 1 + c^2), as Cook and Torrance 1981 have
 // them; g - c is formed as (n^2 - 1) / (g + c).
-//   excess   n^2 - 1, >= 0;   c   cosine of incidence, [0, 1]
+//   excess   n^2 - 1, >= 0
+//   c        cosine of incidence, [0, 1]
 real fresnel_clear(real excess, real c) {
   real sum = sqrt(excess + c * c) + c;
   real difference = excess / max(sum, tiny);

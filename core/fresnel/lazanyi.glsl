@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lazanyi and Szirmay-Kalos 2005, "Fresnel Term Approximations for Metals": Schlick's rise over the exact
 // F0, less an error term a c (1 - c)^alpha fitted per channel.
-//   n, k       complex index;   a, alpha   fitted, alpha > 0;   c   cosine, clamped to [0, 1]
+//   n, k       complex index
+//   a, alpha   fitted, alpha > 0
+//   c          cosine, clamped to [0, 1]
 real f_lazanyi(real n, real k, real a, real alpha, real c) {
   real cc = clamp(c, real(0), real(1));
   real m = 1 - cc;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Schueler 2009: light from two hemispheres of constant radiance, upper around the axis z and lower
 // opposite to it.
-//   lower, upper   radiance;   nz   cosine of normal and axis;   rz   cosine of the mirrored view direction and axis
+//   lower, upper   radiance
+//   nz             cosine of normal and axis
+//   rz             cosine of the mirrored view direction and axis
 
 vec3 hemisphere_diffuse(vec3 K, vec3 lower, vec3 upper, real nz) {
   return K * mix(lower, upper, (1 + nz) / 2);
