@@ -13,9 +13,9 @@ namespace etak::cli {
 [[noreturn]] void become_image_program(const std::string& place, const std::string& found,
                                        const std::string& expected);
 
-/// The same for another program beside it: `etak-pack` reads and writes PNG, KTX2 and DDS, and links no more than
-/// the compressors.
-[[noreturn]] void become_companion(const std::string& program, const std::string& place, const std::string& found,
-                                   const std::string& expected);
+/// The same for another program beside it: `etak-pack` reads and writes PNG, KTX2 and DDS, and links no more
+/// than the compressors.
+[[noreturn]] void become_companion(const std::string& program, const std::string& place,
+                                   const std::string& found, const std::string& expected);
 
 }  // namespace etak::cli

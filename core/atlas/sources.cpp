@@ -17,8 +17,8 @@
 namespace etak {
 namespace {
 
-constexpr double largest_gloss =
-    3.32;  // roughness 0 has none; this, e = 1e12, is far beyond any texture's codes
+// Roughness 0 has none; this, e = 1e12, is far beyond any texture's codes.
+constexpr double largest_gloss = 3.32;
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);

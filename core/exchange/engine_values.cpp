@@ -215,8 +215,8 @@ void write_blender(const Job& j) {
 
 // Of Beer and Lambert, in 1/m: what turns white light into `color` over `depth_m`.
 LinearRgb absorption_of(const ClearBody& body) {
-  constexpr double darkest =
-      1e-6;  // against the infinity of a channel that nothing passes, or that is out of gamut
+  // Against the infinity of a channel that nothing passes, or that is out of gamut.
+  constexpr double darkest = 1e-6;
   const auto channel = [&](double c) {
     return std::max(0.0, -std::log(std::max(c, darkest)) / body.depth_m);
   };

@@ -19,8 +19,8 @@ constexpr double most_k = 1e6;
 constexpr double most_nm = 1e12;
 constexpr double least_reflectance = -0.02;  // noise of a spectrophotometer; more is a wrong unit
 constexpr double most_reflectance = 1.02;
-constexpr double seen_first_nm =
-    300;  // a table with no row in this range has the wrong unit, or is of no use
+// A table with no row in this range has the wrong unit, or is of no use.
+constexpr double seen_first_nm = 300;
 constexpr double seen_last_nm = 900;
 constexpr std::string_view known_columns =
     "wavelength (nm|um|A), energy (eV), n, k, R, R (%), or _ for a column to skip";

@@ -30,8 +30,8 @@ struct ImageInfo {
   int bits = 0;           // of one value: 8, 16, 32
   bool floating = false;  // half or float
   std::string format;     // "png", "openexr", "hdr", ...
-  bool lossy =
-      false;  // what went in was changed by the compression: JPEG, lossy WebP, DWA, block formats, ...
+  // What went in was changed by the compression: JPEG, lossy WebP, DWA, block formats, ...
+  bool lossy = false;
   bool icc_profile = false;  // an ICC profile is embedded
   bool srgb_tag = false;     // EXIF says sRGB
   std::string colour_space;  // oiio:ColorSpace: what the file says, or OpenImageIO's guess from the format

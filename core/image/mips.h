@@ -31,12 +31,14 @@ enum class NormalVariance { toksvig, slopes };
 
 /// How each texel's weight in its mean is found and what is kept.
 struct MipOptions {
-  bool alpha_weights_diffuse =
-      true;  // diffuse under alpha 0 does not count (where all alphas are 0: plain mean)
-  std::optional<double> alpha_cutoff;  // MASK materials: alpha of each level is scaled so that the share of
-                                       // texels that pass the cutoff stays that of level 0
-  const Image8* normals = nullptr;     // tangent-space normal map of the region's size, RGB 8 bit (a fourth
-                                    // channel is ignored): its variance lowers the gloss of levels 1 and on
+  // Diffuse under alpha 0 does not count (where all alphas are 0: plain mean).
+  bool alpha_weights_diffuse = true;
+  // MASK materials: alpha of each level is scaled so that the share of texels that pass the cutoff stays that
+  // of level 0.
+  std::optional<double> alpha_cutoff;
+  // Tangent-space normal map of the region's size, RGB 8 bit (a fourth channel is ignored): its variance
+  // lowers the gloss of levels 1 and on.
+  const Image8* normals = nullptr;
   NormalVariance normal_variance = NormalVariance::toksvig;
   int levels = 0;  // including level 0; 0: down to 1 x 1
 };

@@ -35,8 +35,8 @@ struct ReferenceOptions {
 /// A judge's picture and how sure it is of itself.
 struct Reference {
   Image picture;  // as render_cpu gives it
-  double standard_error =
-      0;  // of a pixel's luminance where light was sampled: root mean square over covered pixels
+  // Of a pixel's luminance where light was sampled: root mean square over covered pixels.
+  double standard_error = 0;
   double worst_error = 0;  // largest of a pixel
 };
 

@@ -22,8 +22,8 @@ namespace {
 constexpr std::size_t count = 4096;
 constexpr std::size_t rounds = 200;
 constexpr int png_side = 128;
-constexpr double seconds_a_case =
-    0.4;  // 2 ms a repeat: a burst of others lasts longer, so some repeats miss it
+// 2 ms a repeat: a burst of others lasts longer, so some repeats miss it.
+constexpr double seconds_a_case = 0.4;
 
 // One set of directions for all models: light over the whole hemisphere, viewer too.
 struct Batch {

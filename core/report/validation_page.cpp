@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/base64.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
-#include "core/base/base64.h"
 #include "core/report/page_style.h"
 #include "core/report/validation_pictures.h"
 #include "core/validate/output_formats.h"
