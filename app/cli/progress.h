@@ -16,11 +16,9 @@ void add_progress_option(CLI::App& verb, std::string& progress);
 
 /// What long work tells of itself on standard error, the one way for all verbs. With -q nothing.
 ///   auto   on a terminal, after two seconds of work, one line that is rewritten: a bar, how much is done,
-///   the
-///          stage, the seconds; elsewhere nothing
+///          the stage, the seconds; elsewhere nothing
 ///   json   for programs around etak: an object a line (resources/schema/progress.schema.json), the first
-///   with
-///          the first news, then at most two a second, the last when the work ends
+///          with the first news, then at most two a second, the last when the work ends
 class Progress {
  public:
   ///   total   what `done` ends at; 0: not known yet

@@ -13,8 +13,8 @@ namespace etak::cli {
 
 /// Which result is asked for.
 ///   digest   SHA-256 of the bytes of the files, their labels and roles, the settings, and this program:
-///   whatever
-///            could change the result. Empty when a file cannot be read: such a target has no result
+///            whatever could change the result. Empty when a file cannot be read: such a target has no
+///            result
 ///   stamps   what the system said of the files before their bytes were read
 struct CacheKey {
   std::string digest, stamps;

@@ -14,10 +14,11 @@
 namespace etak::cli {
 
 /// What is to be checked.
-///   paths      files and folders as typed
-///   listed     files of --files-from   list   its name
-///   role       --role; none: by `patterns`, then by default_roles()
-///   root       folder that labels are relative to, absolute
+///   paths    files and folders as typed
+///   listed   files of --files-from
+///   list     the name of that list, for messages
+///   role     --role; none: by `patterns`, then by default_roles()
+///   root     folder that labels are relative to, absolute
 struct TargetRequest {
   std::vector<std::string> paths, listed;
   std::string list;
@@ -35,9 +36,10 @@ struct FoundTarget {
 };
 
 /// What was found, in the order of labels.
-///   failed    one unreadable CheckedFile (ETK001) for everything that was named and cannot be checked
-///   files     looked at   skipped   of them in folders and lists, which no rule is about
-///   no_files  pipes, sockets and devices of folders, which were not opened
+///   failed     one unreadable CheckedFile (ETK001) for everything that was named and cannot be checked
+///   files      how many files were looked at
+///   skipped    how many of those, in folders and lists, no rule is about
+///   no_files   pipes, sockets and devices of folders, which were not opened
 struct FoundTargets {
   std::vector<FoundTarget> targets;
   std::vector<CheckedFile> failed;
@@ -45,12 +47,11 @@ struct FoundTargets {
   std::size_t files = 0, skipped = 0;
 };
 
-/// Finds files, tells their kinds and puts together what belongs together:
-///   pictures of a name but for the role's ending ("crate_diff.png", "crate_spec.png") in one folder; a
-///   picture named alone takes its companion along. Pictures that a scene or a layout of the run names belong
-///   to it alone.
-///   Of names of the list that lead to no file a thousand fail one by one; the others fail as a number, under
-///   the name of the list.
+/// Finds files, tells their kinds and puts together what belongs together: pictures of one folder whose names
+/// differ in the role's ending only ("crate_diff.png", "crate_spec.png"). A picture named alone takes its
+/// companion along. Pictures that a scene or a layout of the run names belong to it alone. Of names of the
+/// list that lead to no file a thousand fail one by one; the others fail as a number, under the name of the
+/// list.
 FoundTargets find_targets(TargetRequest request);
 
 /// `path` relative to `root` as text alone (links are not looked at), with '/'.

@@ -8,15 +8,13 @@ namespace etak::demo {
 /// Writes a small world of materials to the folder `path`, the same bytes every time; all pictures are drawn
 /// by demo_textures.h:
 ///   manifest.json   for `etak pack`: gold, copper, wood, glass, red plastic, stone dry and wet, a leaf;
-///   optics
-///                   by name from etak's library, the rest from pictures
+///                   optics by name from etak's library, the rest from pictures
 ///   scene.gltf      glTF 2.0 with scene.bin: spheres and quads, a tiled floor, a mask, glass,
-///   specular-gloss,
-///                   two equal pictures, a quad that sees part of its picture, and a material that nothing
-///                   uses
+///                   specular-gloss, two equal pictures, a quad that sees part of its picture, and a material
+///                   that nothing uses
 ///   *.png           pictures of both
 /// Throws Error.
-///   overwrite   false: refuses a folder that has one of these files
+///   overwrite       false: refuses a folder that has one of these files
 void write_demo_scene(const std::string& path, bool overwrite);
 
 }  // namespace etak::demo

@@ -8,15 +8,16 @@
 
 namespace etak {
 
-/// What a shader of this material must hold, one define a line of it:
-///   ETAK_DIFFUSE_TEXTURE, ETAK_SPECULAR_TEXTURE, ETAK_GLOSS_TEXTURE   fetched; else a uniform
-///   ETAK_NO_DIFFUSE                                                   diffuse is black everywhere
-///   ETAK_SCALAR_F0                                                    F0 is one grey number: the uniform's,
-///   or
-///                                                                     with ETAK_SPECULAR_TEXTURE its red
-///                                                                     channel
-///   ETAK_ALPHA_TEST, ETAK_ALPHA_BLEND                                 and whether alpha is fetched:
-///   ETAK_ALPHA_TEXTURE
+/// What a shader of this material must hold, one define each:
+///   ETAK_DIFFUSE_TEXTURE    the diffuse colour is fetched from its texture; without it, it is a uniform
+///   ETAK_SPECULAR_TEXTURE   the same for F0
+///   ETAK_GLOSS_TEXTURE      the same for gloss
+///   ETAK_NO_DIFFUSE         diffuse is black everywhere
+///   ETAK_SCALAR_F0          F0 is one grey number: the uniform's, or with ETAK_SPECULAR_TEXTURE the
+///                           texture's red channel
+///   ETAK_ALPHA_TEST         texels are kept or dropped by alpha
+///   ETAK_ALPHA_BLEND        texels are blended by alpha
+///   ETAK_ALPHA_TEXTURE      alpha is fetched from its texture
 std::vector<std::string> material_defines(const MaterialFate& fate, AlphaMode mode);
 
 }  // namespace etak

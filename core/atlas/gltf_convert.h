@@ -39,7 +39,7 @@ struct TextureOnTexture {
 };
 
 /// How a normal map lies on the pair whose first texture is `lead`.
-///   use   of the pair's texels
+///   use       of the pair's texels
 ///   returns   none where a texel of the pair would stand for several places of the map: another UV set, or
 ///             periods of the pair that are none of the map's
 std::optional<TextureOnTexture> normals_on_pair(const GltfTexture& map, const GltfTexture& lead,

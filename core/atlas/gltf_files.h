@@ -12,8 +12,7 @@ namespace etak {
 /// What the files that a glTF document names are called beside the document that is written from it: URI to
 /// file name, for images and buffers that are not inside the document.
 ///   taken   names that the new folder uses itself; a number is put before a name that is taken, so that a
-///   picture
-///           of the scene that is called as a page of the atlas is stays a picture of its own
+///           picture of the scene whose name is that of a page of the atlas stays a picture of its own
 std::map<std::string, std::string> names_beside(std::string_view document, std::string_view path,
                                                 std::set<std::string> taken);
 

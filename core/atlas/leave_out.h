@@ -20,7 +20,8 @@ namespace etak {
 
 /// The kinds of things that are left out, in the order in which they are looked for; names of --keep.
 ///   unreached   materials that the scene does not reach
-///   equal       materials that find every texel they read in another one's: what is constant they do not read
+///   equal       materials that find every texel they read among another material's (constant channels are
+///               not read)
 ///   alpha       alpha of opaque materials
 ///   constant    channels that hold one code over the texels in use, and materials that have no others
 ///   grey        two of F0's three channels where they are equal in every texel in use
@@ -82,7 +83,7 @@ struct LeaveOutLine {
 /// Level-0 texels of the regions alone: no gutters, no waste of pages, no mips.
 ///   texels           RGBA texels of both textures: what a picture file with four channels holds
 ///   channel_texels   single numbers of the channels that vary: what a format with fitting channels would
-///   hold
+///                    hold
 struct TexelAccount {
   std::uint64_t texels = 0, channel_texels = 0;
   friend bool operator==(const TexelAccount&, const TexelAccount&) = default;

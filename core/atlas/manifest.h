@@ -26,7 +26,7 @@ std::optional<GlossForm> gloss_form_named(std::string_view text);
 /// A picture file.
 ///   channels   letters of "rgba", three for a colour, one for a grey quantity; empty: the first ones
 ///   space      "srgb", "linear", "power-2.2" or a colour space of an OpenColorIO config; empty: srgb for
-///   colours, linear for grey quantities
+///              colours, linear for grey quantities
 struct ImageSource {
   std::string path, channels, space;
   friend bool operator==(const ImageSource&, const ImageSource&) = default;

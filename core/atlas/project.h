@@ -79,7 +79,7 @@ struct Wedge {
 };
 
 /// How the materials are looked at.
-///   exposure   linear factor
+///   exposure                linear factor
 ///   config, display, view   of OpenColorIO; all empty: the sRGB curve alone
 struct ProjectView {
   Shape shape = Shape::sphere;
@@ -107,9 +107,8 @@ struct Project {
 Project parse_project(std::string_view text, const std::string& file);
 
 /// The file's text: a material a line or few, numbers that read back equal.
-///   file   where it will be: pictures below its folder are named relative to it, others absolutely. Empty:
-///   all
-///          absolutely, for a copy that may be read from anywhere
+///   file   path that the text is to be saved under: pictures below its folder are named relative to it,
+///          others by absolute paths. Empty: all by absolute paths, for a copy that may be read from anywhere
 std::string format_project(const Project& project, const std::string& file);
 
 /// One material with the spectra it uses, as a project of its own; for files of single materials. What it was

@@ -14,8 +14,9 @@ namespace etak::rects {
 /// the clock only where it was asked for.
 class Budget {
  public:
-  /// effort       tries at most; all of them together at most `effort` times what one of ordinary cost takes
-  /// max_seconds  0: no clock
+  ///   effort        tries at most; all of them together take at most `effort` times what one of ordinary
+  ///                 cost takes
+  ///   max_seconds   0: no clock
   Budget(int effort, int n, double max_seconds);
   void allow(int effort);  // starts again with this much; the clock and the counts go on
   bool open();             // is there anything left?

@@ -45,11 +45,11 @@ struct ShadingVariants {
 /// Reads what `etak choose --format json` wrote. Throws Error with the JSON pointer.
 ShadingVariants parse_choices(std::string_view text, std::string_view file);
 
-/// How a material is shaded, as defines:
-///   ETAK_LOBE_GGX, ETAK_FRESNEL_F82, ETAK_MASKING_SMITH_GGX_HEIGHT   terms of the registry, upper case, '_'
-///                                                                    for '-'
-///   ETAK_FILTER_TRILINEAR                                            how the textures are read
-///   model   "microfacet:ggx,f82,smith-ggx-height"
+/// How a material is shaded, as defines, such as ETAK_LOBE_GGX, ETAK_FRESNEL_F82 and
+/// ETAK_MASKING_SMITH_GGX_HEIGHT (terms of the registry, upper case, '_' for '-') and ETAK_FILTER_TRILINEAR
+/// (how the textures are read).
+///   model    the id of a model, "microfacet:ggx,f82,smith-ggx-height"
+///   filter   the id of a filter, "trilinear"
 std::vector<std::string> shading_defines(std::string_view model, std::string_view filter);
 
 /// The name of the model that shading_defines() was given; none unless lobe, Fresnel term and masking are

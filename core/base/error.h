@@ -14,8 +14,11 @@ class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 
-  /// place     file, "file:line" or "file#/json/pointer"; "<stdin>" for standard input, "--option" for
-  /// options found     what is there expected  what should be; may be empty
+  /// The error whose what() says that something other than the expected was found at a place.
+  ///   place      file, "file:line" or "file#/json/pointer"; "<stdin>" for standard input, "--option" for
+  ///              options
+  ///   found      what is there
+  ///   expected   what should be there; may be empty
   static Error at(std::string_view place, std::string_view found, std::string_view expected = {});
 
   /// The same with a 1-based line number put behind the file name.

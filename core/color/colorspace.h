@@ -34,10 +34,9 @@ Mat3 bradford(const Xyz& from, const Xyz& to);
 
 /// The matrix from XYZ under `illuminant_white` (Y = 1) to linear `space`.
 ///   d65_white   white of D65 by the same observer and integration method: the white of sRGB, Rec.2020 and
-///   Display P3
-///               (ACEScg has its own: x 0.32168, y 0.33767). Where the illuminant's white is not the space's,
-///               Bradford takes one to the other.
-///   returns     white to (1, 1, 1); for `xyz` the identity, so white stays white
+///               Display P3 (ACEScg has its own: x 0.32168, y 0.33767). Where the illuminant's white is not
+///               the white of the space, Bradford's adaptation takes one to the other
+///   returns     a matrix that takes white to (1, 1, 1); for `xyz` the identity, so white stays white
 Mat3 xyz_to_rgb(RgbSpace space, const Xyz& illuminant_white, const Xyz& d65_white);
 
 }  // namespace etak

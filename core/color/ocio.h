@@ -20,15 +20,16 @@ class OcioSpace {
  public:
   /// Throws Error that names config and space when the config cannot be read, has no such space (the nearest
   /// names are told), the space holds data and no colour, or the interchange roles are missing.
-  ///   config   path; empty: the file named by $OCIO, or when that is unset etak's own
-  ///   (resources/ocio/config.ocio) space    name, alias or role in the config
+  ///   config   path; empty: the file named by $OCIO, or when that is unset etak's own config
+  ///            (resources/ocio/config.ocio)
+  ///   space    name, alias or role in the config
   static OcioSpace open(const std::string& config, const std::string& space);
 
   /// Colour in this space: linear light or encoded, as the config defines it; never clipped by etak.
   ///   xyz      under any illuminant
-  ///   white    of the perfect reflector under that illuminant; Bradford takes it to the white of the
-  ///   interchange
-  ///            space, so that it comes out as (1, 1, 1) in every linear RGB space of a well-made config
+  ///   white    of the perfect reflector under that illuminant; Bradford's adaptation takes it to the white
+  ///            of the interchange space, so that it comes out as (1, 1, 1) in every linear RGB space of a
+  ///            well-made config
   ///   error    OpenColorIO computes in float: 1e-6 for colours in [0, 1] and matrix spaces
   LinearRgb from_xyz(const Xyz& xyz, const Xyz& white) const;
 

@@ -14,7 +14,8 @@ namespace etak {
 /// Nodes are named by the surfaces' ids, made valid and unique. What had to be changed also stands there as a
 /// comment.
 ///   surfaces   valid, all of one space: srgb (lin_rec709), acescg or display_p3 (lin_displayp3). Throws
-///   Error changes    one list per surface
+///              Error for an empty list, for an invalid surface, and where the space is none of these
+///   changes    one list per surface
 std::string material_x(std::span<const ExportSurface> surfaces, Fit fit, std::vector<Changes>& changes);
 
 }  // namespace etak

@@ -14,9 +14,8 @@ namespace etak {
 enum class RowKind { n, k, nk };
 
 /// The rows of one table as columns: wavelength in nanometres, then n, k or both.
-///   values   at least `count` long; only the first `count` are meant. They only grow, so that one object
-///   reads
-///            table after table without an allocation
+///   values   at least `count` long, of which the first `count` hold the table. They only grow, so that one
+///            object reads table after table without an allocation
 struct Rows {
   std::array<std::vector<double>, 3> values;
   std::size_t count = 0;

@@ -22,7 +22,7 @@ struct TextureLevels {
 /// A KTX 2.0 file (Khronos KTX 2.0 specification): VK_FORMAT_R8G8B8A8_UNORM or _SRGB with its data format
 /// descriptor, straight alpha, KTXorientation "rd", KTXwriter "etak".
 ///   zstd_level   0: no supercompression; 1..22: Zstandard. Throws Error above 0 where etak was built without
-///   it.
+///                Zstandard
 std::string ktx2_bytes(const TextureLevels& texture, int zstd_level);
 
 /// Where a file goes that is never whole in memory: bytes one behind the other, and some put over earlier

@@ -14,7 +14,7 @@ namespace etak {
 
 /// A picture as numbers: rows from the top, pixels from the left, the channels of a pixel side by side.
 ///   channels   1 grey, 2 grey and opacity, 3 red green blue, 4 with opacity or another fourth quantity
-///   (gloss)
+///              (gloss)
 /// Colour is never multiplied by the last channel: a fourth channel need not be an opacity.
 template <class Value>
 struct Pixels {

@@ -11,10 +11,10 @@
 namespace etak {
 
 /// A discrete light. Space of the scene: object at the origin with radius 1, +z towards the camera, +y up.
-///   point        color * intensity is radiant intensity, W/sr; arrives as intensity / r^2; r at least
-///   point_light_min_r directional  color * intensity is irradiance on a plane facing the light, W/m^2, the
-///   same everywhere spot         a point light with a cone: full inside inner_deg, nothing outside outer_deg
-///   (half-angles)
+///   point         color * intensity is radiant intensity, W/sr; arrives as intensity / r^2, with r at least
+///                 point_light_min_r
+///   directional   color * intensity is irradiance on a plane facing the light, W/m^2, the same everywhere
+///   spot          a point light with a cone: full inside inner_deg, nothing outside outer_deg (half-angles)
 enum class LightKind { point, directional, spot };
 inline constexpr double point_light_min_r = 1e-3;
 std::string_view name(LightKind kind);

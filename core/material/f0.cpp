@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Based on:
 //   CIE 015:2018, "Colorimetry"
-//   Hoffman, "Physically Based Shading": the forbidden zone; Hoffman 2019, "Fresnel Equations Considered
-//   Harmful": F82 Kutz et al. 2021, "Novel aspects of the Adobe Standard Material": F82 as a tint of Schlick
+//   Hoffman, "Physically Based Shading": the forbidden zone
+//   Hoffman 2019, "Fresnel Equations Considered Harmful": F82
+//   Kutz et al. 2021, "Novel aspects of the Adobe Standard Material": F82 as a tint of Schlick
 #include "core/material/f0.h"
 
 #include <algorithm>

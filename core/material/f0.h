@@ -33,8 +33,8 @@ struct OutsideMedium {
 };
 
 /// An output space that etak does not build itself, such as one of an OpenColorIO config.
-///   convert   takes XYZ (Y = 1 for a perfect reflector) and the white it was seen under to the space's
-///   linear values
+///   convert   takes XYZ (Y = 1 for a perfect reflector) and the white under which it was seen to the linear
+///             values of the space
 struct CustomSpace {
   std::string name;
   std::function<LinearRgb(const Xyz& color, const Xyz& white)> convert;
@@ -63,8 +63,8 @@ struct Coverage {
   std::array<double, 3> weight{};  // share of the X, Y, Z weight inside the data's range, [0, 1]
   double first_nm = 0, last_nm = 0;
   std::size_t samples_400_700 = 0;  // table rows inside 400..700 nm; 0 for a formula
-  double largest_gap_nm =
-      0;  // between neighbouring rows, within 400..700 nm (its ends count); 0 for a formula
+  // Between neighbouring rows, within 400..700 nm (its ends count); 0 for a formula.
+  double largest_gap_nm = 0;
   bool is_formula = false;
 
   double least() const;  // smallest of the three weights

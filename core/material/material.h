@@ -13,9 +13,8 @@
 
 namespace etak {
 
-/// What was found in the data, or in the result made from them, that a user should know. Each has a short
-/// name
-/// (`name(flag)`, kebab-case) that is part of the CSV and JSON interface.
+/// What was found in the data, or in the result made from them, that a user should know. Each flag has a
+/// short name (`name(flag)`, kebab-case) that is part of the CSV and JSON interface.
 enum class Flag : std::uint8_t {
   extrapolated,          // data do not cover 400..700 nm, or under 0.99 of one of the X, Y, Z weights
   out_of_gamut,          // a linear channel lies outside [0, 1]
@@ -75,7 +74,7 @@ class Flags {
 };
 
 /// A dispersion formula n(wavelength) of refractiveindex.info's numbering (1 Sellmeier ... 9 exotic).
-///   coefficients   C1, C2, ... for wavelengths in micrometres
+///   coefficients        C1, C2, ... for wavelengths in micrometres
 ///   first_nm, last_nm   stated range; outside of it the value at its end is held
 struct DispersionFormula {
   int number = 1;

@@ -19,10 +19,9 @@ namespace etak {
 /// Two prefiltered forms, made once, as plain pictures that a GPU can take as textures:
 ///   irradiance   exact sum over the map for every pixel of a small one
 ///   specular     a chain of maps, one per gloss level: the mean radiance seen through Schueler's lobe of
-///   that gloss with
-///                viewer and normal along the mirror direction (so the lobe stays round at grazing view: the
-///                usual split into lobe and Fresnel; environment_error() of reference.h states what that
-///                costs)
+///                that gloss with viewer and normal along the mirror direction (so the lobe stays round at
+///                grazing view: the usual split into lobe and Fresnel; environment_error() of reference.h
+///                states what that costs)
 class Environment {
  public:
   /// Throws Error (naming `what`) for pictures of fewer than 3 channels, NaN, infinite or negative radiance,

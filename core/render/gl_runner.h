@@ -40,14 +40,13 @@ class GlRunner {
   /// The same picture as render_cpu(): linear radiance over the background, the object's coverage as fourth
   /// channel. Throws Error for scenes that validate() refuses.
   ///   gpu_ms   when given, gets the milliseconds of the drawing alone by the GL's own clock
-  ///   (GL_TIME_ELAPSED);
-  ///            none where it has none. A software rasteriser draws on after that clock has stopped: of
-  ///            llvmpipe's 4 to 8 ms it sees 0.1 to 5
+  ///            (GL_TIME_ELAPSED); none where the GL has no such clock. A software rasteriser draws on after
+  ///            that clock has stopped: of llvmpipe's 4 to 8 ms the clock sees 0.1 to 5
   Image render(const Scene& scene, const Environment* environment = nullptr,
                std::optional<double>* gpu_ms = nullptr);
 
-  /// A scene whose material is in a texture pair, RGBA with sRGB-encoded colours, one texel at a time; whoever
-  /// looks through a mask sees the background. Linear as render().
+  /// A scene whose material is in a texture pair, RGBA with sRGB-encoded colours, one texel at a time; the
+  /// background shows through the holes of a mask. Linear as render().
   Image render(const Scene& scene, const TextureUse& use, const Image8& diffuse_alpha,
                const Image8& specular_gloss);
 

@@ -8,8 +8,8 @@
 namespace etak {
 
 /// A GLSL text that is kept in the library: the formula texts of core/fresnel, core/brdf and core/light in
-/// order of use
-/// ("brdf/d_ggx.glsl"), then what only a GPU needs ("shaders/picture.glsl", of resources/shaders).
+/// order of use ("brdf/d_ggx.glsl"), then what only a GPU needs ("shaders/picture.glsl", of
+/// resources/shaders).
 struct GlslFile {
   std::string_view name;
   std::string_view text;

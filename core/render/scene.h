@@ -51,7 +51,7 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
 void complete_from_f0(SurfaceValues& surface);
 
 /// Sets n, k of `surface` to those that give its f0 and f82, and nk_residual to what is missed.
-///   log_n_hints   where two n do, the one with the logarithm nearest to this is taken
+///   log_n_hints   where two n give both, the one with the logarithm nearest to this is taken
 void solve_index(SurfaceValues& surface, const Vec3& log_n_hints);
 
 /// A value of a surface that a model's range does not hold.
@@ -63,8 +63,7 @@ struct ClampedValue {
 /// Fills a model's parameters by role, then by name from `overrides` ("m", 0.3; three entries "K.r", "K.g",
 /// "K.b" or one "K" for all). Throws Error for unknown names and overrides outside a parameter's range.
 ///   clamped   when given, gets the values of `surface` that were brought into range; F0 and diffuse colours
-///   are left
-///             outside it (gold's red in sRGB is above 1)
+///             may stay outside their range (gold's red in sRGB is above 1)
 std::vector<double> model_values(const Model& model, const SurfaceValues& surface,
                                  const std::vector<std::pair<std::string, double>>& overrides,
                                  std::vector<ClampedValue>* clamped = nullptr);
@@ -106,23 +105,24 @@ enum class Shape { sphere, quad };
 enum class Transfer { srgb, power_045, square_root, linear };
 
 /// A picture's contents: one object, its models, the light, the camera. Same for CPU and GL:
-///   pixel       (i, j) with rows from the top lies at x = (i + 1/2 - width/2) s, y = (height/2 - j - 1/2) s,
-///   s = 2.2 / height camera      orthographic: looks along -z, viewer direction +z. Perspective: at (0, 0,
-///   d) with
-///               d^2 = 1 + (1.1 / tan(fov/2))^2, so that the silhouette keeps its radius of 1 at x, y
-///   sphere      coverage of a pixel = clamp(1/2 + (1 - r) / s, 0, 1), r^2 = x^2 + y^2; shaded at its centre
-///   drawn in
-///               to r <= 0.9999
-///   quad        the square |x|, |y| <= 1 in the plane z = 0, normal +z; coverage = product over x and y of
-///   the same frame       tangent t = normalize(cross(y, n)), x axis where |cross|^2 < 1e-12; bitangent b =
-///   cross(n, t) light       sum of f_r E nl, times pi where `pi_scaled`; hemispheres take diffuse, f0 and
-///   gloss of `surface` opacity < 1 specular + opacity * diffuse + (1 - opacity)(1 - F(nv)) * background, F =
-///   Schueler's of the luminance of
-///               surface.f0; specular is never multiplied by opacity
-///   stripes     of the object, 6 pixels wide at 45 degrees, 0.6 of which is magenta (zone) or, the other way
-///               round, yellow (energy), as if lit so that it shows under the exposure. With textures both
-///               are decided per pixel, and energy is diffuse colour plus F0 above 1
-///   output      transfer(clamp to >= 0 of exposure * mix(background, object, coverage)), alpha 1
+///   pixel         (i, j) with rows from the top lies at x = (i + 1/2 - width/2) s,
+///                 y = (height/2 - j - 1/2) s, with s = 2.2 / height
+///   camera        orthographic: looks along -z, viewer direction +z. Perspective: at (0, 0, d) with
+///                 d^2 = 1 + (1.1 / tan(fov/2))^2, so that the silhouette keeps its radius of 1 at x, y
+///   sphere        coverage of a pixel = clamp(1/2 + (1 - r) / s, 0, 1), r^2 = x^2 + y^2; a pixel is shaded
+///                 at its centre, moved inwards where that lies beyond r = 0.9999
+///   quad          the square |x|, |y| <= 1 in the plane z = 0, normal +z; coverage = product of the sphere's
+///                 expression for r = |x| and for r = |y|
+///   frame         tangent t = normalize(cross(y, n)), the x axis where |cross|^2 < 1e-12; bitangent
+///                 b = cross(n, t)
+///   light         sum of f_r E nl, times pi where `pi_scaled`; hemispheres take diffuse, f0 and gloss of
+///                 `surface`
+///   opacity < 1   specular + opacity * diffuse + (1 - opacity)(1 - F(nv)) * background, where F is
+///                 Schueler's of the luminance of surface.f0; specular is never multiplied by opacity
+///   stripes       over the object, 6 pixels wide at 45 degrees, 0.6 of which is magenta (zone) or, slanted
+///                 the other way, yellow (energy), as if lit so that they show under the exposure. With
+///                 textures both are decided per pixel, and energy is diffuse colour plus F0 above 1
+///   output        transfer(clamp to >= 0 of exposure * mix(background, object, coverage)), alpha 1
 struct Scene {
   Shape shape = Shape::sphere;
   SurfaceValues surface;

@@ -13,11 +13,9 @@ namespace etak {
 ///   n_nm, k_nm, r_nm   wavelengths, ascending, 1 nm apart but for the ends of the data
 ///   n, k               as published, against vacuum; k empty where none is given
 ///   r0, r82            reflectance at normal incidence and at cos 1/7 against the options' outside medium;
-///   r82 empty
-///                      for reflectance data
+///                      r82 empty for reflectance data
 ///   sample_nm          the table's own wavelengths inside 360-830 nm (those of the reflectance for
-///   reflectance data);
-///                      empty for a formula
+///                      reflectance data); empty for a formula
 struct OpticsCurves {
   std::vector<double> n_nm, n, k_nm, k, r_nm, r0, r82, sample_nm;
 };

@@ -61,8 +61,7 @@ struct LinePlot {
 std::string svg(const LinePlot& plot);
 
 /// The rules svg() relies on, for the page's style sheet; colours come from the custom properties --ink,
-/// --ink-soft,
-/// --line and --plot-1, --plot-2, ...
+/// --ink-soft, --line and --plot-1, --plot-2, ...
 std::string_view plot_css();
 
 }  // namespace etak

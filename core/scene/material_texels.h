@@ -50,8 +50,7 @@ MetalRough metal_rough_of(const DiffuseSpecular& texel);
 
 /// What the gloss channel holds.
 ///   schueler              g with exponent e = 2^(12 g) of a normalised Blinn-Phong lobe; from glTF roughness
-///   r:
-///                         alpha = r^2, e = 2 / alpha^2 - 2
+///                         r: alpha = r^2, e = 2 / alpha^2 - 2
 ///   one_minus_roughness   1 - r
 enum class GlossConvention { schueler, one_minus_roughness };
 
@@ -79,7 +78,11 @@ class MetalRoughCodes {
  public:
   MetalRoughCodes(const Vec3& base_factor, double metallic_factor, const Vec3& dielectric_f0);
 
-  /// base, metallic: codes as in the textures (sRGB; linear)  diffuse, f0: sRGB codes
+  /// Converts one texel.
+  ///   base       code of the base colour texture, sRGB, three channels
+  ///   metallic   code of the metallic texture, linear
+  ///   diffuse    gets three sRGB codes
+  ///   f0         gets three sRGB codes
   void convert(const std::uint8_t* base, std::uint8_t metallic, std::uint8_t* diffuse,
                std::uint8_t* f0) const;
 

@@ -13,16 +13,15 @@ struct TexelScale {
   bool seen = false;  // some triangle lies before a camera, at whatever angle and behind whatever else
   // log2 of the texels that a pixel covers, where the fewest and where the most do; of triangles seen alone.
   //   least_level   along the direction of the fewest texels, at the nearest corner, in the corner of a
-  //   picture
-  //                 of 16:9 (where a pixel covers least)
+  //                 picture of 16:9 (where a pixel covers least)
   //   most_level    along the direction of the most texels, at the farthest corner, looked at face on
   double least_level = 0, most_level = 0;
 };
 
 /// Looks at all triangles of a material.
-///   texture       whose UVs count
+///   texture         whose UVs count
 ///   width, height   of the texture's picture, in texels
-///   view_height   of the cameras' pictures, in pixels; 0: cameras are not looked at
+///   view_height     of the cameras' pictures, in pixels; 0: cameras are not looked at
 TexelScale texel_scale(const GltfScene& scene, int material, const GltfTexture& texture, int width,
                        int height, int view_height);
 

@@ -39,12 +39,14 @@ Uv transformed(const UvTransform& transform, const Uv& uv);
 std::optional<UvTransform> composed(const UvTransform& outer, const UvTransform& inner);
 
 /// From the UVs of a texture to those of a page on which a box of it was placed.
-///   box, texture_width, texture_height   x, y, width, height of the box in texels, and the texture it is of
-///   place, page_width, page_height       x, y, width, height of what the box takes on the page
-///   rotated   the box was turned clockwise by a quarter: its texel (i, j) lies in column place.x +
-///   place.width
-///             - 1 - j and row place.y + i, and place.width is the box's height
-/// Sizes may differ (the box was scaled).
+///   box, texture_width, texture_height   x, y, width, height of the box in texels, and the size of the
+///                                        texture that it is a part of
+///   place, page_width, page_height       x, y, width, height of what the box takes on the page, and the
+///                                        size of the page
+///   rotated                              the box was turned clockwise by a quarter: its texel (i, j) lies
+///                                        in column place.x + place.width - 1 - j and row place.y + i, and
+///                                        place.width is the box's height
+/// The sizes of `box` and `place` may differ (the box was scaled).
 UvTransform region_transform(const std::array<int, 4>& box, int texture_width, int texture_height,
                              const std::array<int, 4>& place, bool rotated, int page_width, int page_height);
 

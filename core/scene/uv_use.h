@@ -26,8 +26,7 @@ struct TexelUse {
   std::array<int, 4> box{0, 0, 0, 0};
   // The same before wrapping or clamping, after `fold`: where it leaves the texture the sampler's wrap
   // supplies the texels, and a gutter must hold them. Up to one texel unless `tiles` or the sampler clamps.
-  // Bounded by
-  // +-2^29.
+  // Bounded by +-2^29.
   std::array<int, 4> extent{0, 0, 0, 0};
   // 1 per touched texel (conservative: any overlap of the bilinear footprint). Triangles that leave the
   // texture mark the texels that the wrap brings them to; those half a texel that a footprint reaches across

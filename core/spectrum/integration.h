@@ -13,18 +13,18 @@ namespace etak {
 
 /// How the integral of reflectance x illuminant x colour-matching function is taken. Every method normalises
 /// with its own sum for R = 1, so that a flat reflectance has no hue under any of them.
-///   nm1       sum over 360..830 nm in steps of 1 nm: the reference policy
-///   exact     Gauss-Legendre on every piece between neighbouring knots of data, observer and illuminant
-///   nm5, nm10, nm20   sums over 360..830 nm in wider steps, weights sampled there
-///   e308_10, e308_20  weights for 360..830 nm samples, 10 or 20 nm apart, folded from the 1 nm tables
-///   through
-///             third-order Lagrange interpolation of the reflectance (the way of ASTM E2022 that makes the
-///             tables of ASTM E308)
-///   legacy_point      R at 650, 550 and 450 nm taken as linear red, green and blue
-///   legacy_schueler   R at 643, 562 and 396 nm (inferred from Schueler's table 2.5.1), 8 bit by the pure
-///   power 1/2.2
-///   automatic         the coarsest of 20, 10, 5, 1 nm and exact whose estimated error is within a bound
-///                     (core/spectrum/refinement.h)
+///   nm1                sum over 360..830 nm in steps of 1 nm: the reference policy
+///   exact              Gauss-Legendre on every piece between neighbouring knots of data, observer and
+///                      illuminant
+///   nm5, nm10, nm20    sums over 360..830 nm in wider steps, with weights sampled at those steps
+///   e308_10, e308_20   weights for 360..830 nm samples, 10 or 20 nm apart, folded from the 1 nm tables
+///                      through third-order Lagrange interpolation of the reflectance (the way of ASTM E2022
+///                      that makes the tables of ASTM E308)
+///   legacy_point       R at 650, 550 and 450 nm taken as linear red, green and blue
+///   legacy_schueler    R at 643, 562 and 396 nm (inferred from Schueler's table 2.5.1), 8 bit by the pure
+///                      power 1/2.2
+///   automatic          the coarsest of 20, 10, 5, 1 nm and exact whose estimated error is within a bound
+///                      (core/spectrum/refinement.h)
 enum class Method { nm1, exact, nm5, nm10, nm20, e308_10, e308_20, legacy_point, legacy_schueler, automatic };
 
 /// Those with weights of their own: all but automatic, which chooses among them.

@@ -13,9 +13,8 @@ namespace etak {
 /// reports the share of the visible weight that lies outside). An unconstrained cubic is not offered: it
 /// overshoots at steps, and k or R below zero follows.
 ///   linear   straight line in wavelength: the reference policy
-///   pchip    piecewise cubic Hermite, monotone; slopes by Fritsch and Butland 1984 (harmonic mean), ends
-///   one-sided
-///            three-point and limited as in Fritsch and Carlson 1980
+///   pchip    piecewise cubic Hermite, monotone; slopes by Fritsch and Butland 1984 (harmonic mean), at the
+///            ends one-sided three-point slopes, limited as in Fritsch and Carlson 1980
 enum class Interpolation { linear, pchip };
 
 std::string_view name(Interpolation interpolation);

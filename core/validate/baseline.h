@@ -14,8 +14,8 @@ namespace etak {
 
 /// A defect that was there when the baseline was written.
 ///   region   left, top, right, bottom of the finding's box in 1/16 of the picture's sides; of a tile only
-///   the size
-///            (0, 0, width, height), because a new layout moves tiles about; none without a box
+///            the size (0, 0, width, height), because a new layout moves tiles about; none where the finding
+///            has no box
 struct KnownDefect {
   std::string rule, file, tile, material, pointer;
   std::optional<std::array<int, 4>> region;

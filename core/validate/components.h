@@ -43,7 +43,8 @@ struct RowPointers {
 /// component is judged and forgotten as soon as a row adds nothing to it, so memory follows the width.
 class Components {
  public:
-  ///   origin   of the tile in the picture   least_area   smaller components are dropped
+  ///   origin_x, origin_y   left upper corner of the tile in the picture
+  ///   least_area           components of fewer texels are dropped
   Components(RegionKind kind, int origin_x, int origin_y, std::size_t least_area, const CodeTables& tables);
 
   /// Row y of the tile, y ascending by 1 from any row; bit i of word w is texel 64 w + i.

@@ -32,8 +32,7 @@ struct ValidateConfig {
 const std::vector<RolePattern>& default_roles();
 
 /// An etak.toml document, everything checked: unknown keys, ids that no rule has (ETK904), values out of
-/// range,
-/// [[allow]] without a reason. Throws Error naming `file` and line.
+/// range, [[allow]] without a reason. Throws Error naming `file` and line.
 ValidateConfig parse_config(std::string_view text, std::string_view file);
 
 /// What --select and its like name: whole ids, prefixes of ids, or slugs.

@@ -9,7 +9,8 @@ namespace etak {
 /// with dots (so that the two differ without colour), the rest at 25 % of its codes.
 ///   picture   3 or 4 channels; opacity or gloss is left out
 ///   marks     one channel of the same size: 0 nothing, 1 transition, 2 plateau (region_picture in
-///   validate.h) returns   RGB
+///             validate.h)
+///   returns   RGB
 Image8 mask_picture(const Image8& picture, const Image8& marks);
 
 /// Marks where a finding without a region lies: everything in its box is 2.

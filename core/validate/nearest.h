@@ -44,9 +44,10 @@ double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, 
 std::vector<NearestMaterial> nearest_materials(const std::array<double, 3>& linear, TextureTransfer transfer,
                                                std::size_t count = 3);
 
-/// How an F0 may have come about, for dielectrics only: of metals the value does not tell.
+/// How an F0 may have come about, for dielectrics only: the value does not tell it of metals.
 ///   as_is     a dielectric of the library is within `distance` codes
-///   doubled   encoded twice   missing   never encoded
+///   doubled   the value was encoded twice
+///   missing   the value was never encoded
 struct Explanation {
   enum class Cause { none, as_is, doubled, missing } cause = Cause::none;
   double original = 0;  // F0 it would have been

@@ -12,8 +12,7 @@ namespace etak {
 
 // The forms of a validation report. All are made from the report's values alone: no clock, no absolute path,
 // the order of the report, so equal reports give equal bytes. Only output_json and output_sarif show findings
-// that an
-// [[allow]] entry or the baseline took out of the verdict; they are marked there.
+// that an [[allow]] entry or the baseline took out of the verdict; they are marked there.
 
 /// What a form needs to know beside the report.
 ///   fail_on   findings from here on make the verdict FAILED (a failure in JUnit)

@@ -8,7 +8,7 @@
 namespace etak {
 
 /// The plan of the first pass: limits from settings and parameters, region kinds of the rules that are on.
-///   which pictures there are is taken from has_a, has_b, has_metallic
+///   has_a, has_b, has_metallic   which pictures there are
 PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool has_a, bool has_b,
                     bool has_metallic, unsigned workers);
 

@@ -21,9 +21,10 @@ bool is_date(std::string_view text);
 /// What apply_allowances() needs to know of the run.
 ///   today        "YYYY-MM-DD"
 ///   config       the configuration's file name for messages and findings
-///   unused       severity of ETK903; off: not told
+///   unused       severity of ETK903; off: no entry is reported as unused
 ///   whole_tree   everything below the configuration's folder was looked at, so an entry that met no file is
-///   stale is_active    whether a rule ran; entries for rules that did not are neither used nor unused
+///                stale
+///   is_active    whether a rule ran; entries for rules that did not run are neither used nor unused
 struct AllowanceRun {
   std::string_view today, config;
   Severity unused = Severity::warning;

@@ -30,8 +30,8 @@ enum class FileRole {
   material,  // material JSON
   spectrum,  // page or table of n,k or reflectance
 };
-std::string_view name(
-    FileRole role);  // "diffuse", "specular", "f0", "base-color", "metal-rough", "layout", ...
+// "diffuse", "specular", "f0", "base-color", "metal-rough", "layout", ...
+std::string_view name(FileRole role);
 std::optional<FileRole> role_named(std::string_view text);
 
 struct TargetFile {
@@ -43,10 +43,10 @@ struct TargetFile {
 };
 
 /// A part of the picture that is judged on its own: a tile of an atlas.
-///   material        what somebody says it is: an id or name of the material library, or a name of the
+///   material        what the tile is said to show: an id or name of the material library, or a name of the
 ///                   project's own
 ///   surface_class   a class of ETK205 ("dry-sand"); may be empty
-///   typical_gloss   the gloss somebody expects of this material, for ETK303
+///   typical_gloss   the gloss that is expected of this material, for ETK303
 struct Tile {
   std::string name, material, surface_class;
   PixelBox box;
@@ -69,8 +69,8 @@ struct Manifest {
   bool linear8_f0 = false;              // F0 is declared to be 8-bit linear (ETK405)
   bool transparent = false;             // alpha is transparency
   bool one_texture = false;             // the other texture was left out on purpose: its values are constant
-  bool specular_weighs_diffuse =
-      false;  // the shader multiplies diffuse by 1 - max F0, as glTF's does (ETK201)
+  // The shader multiplies diffuse by 1 - max F0, as glTF's does (ETK201).
+  bool specular_weighs_diffuse = false;
   friend bool operator==(const Manifest&, const Manifest&) = default;
 };
 
@@ -82,7 +82,7 @@ struct CheckTarget {
   friend bool operator==(const CheckTarget&, const CheckTarget&) = default;
 };
 
-/// What the head of a picture file says.
+/// What the header of a picture file says.
 struct TextureHeader {
   int width = 0, height = 0;
   int channels = 0;  // as stored
@@ -123,7 +123,7 @@ struct PicturesInMemory {
 /// Rows of a picture in memory (1 to 4 channels), which must outlive the source.
 std::unique_ptr<RowSource> rows_of(const Image8& image);
 
-/// Rows of pixels that somebody else holds, under the head that their file will have.
+/// Rows of pixels that the caller keeps in memory, under the header of the file to be written.
 std::unique_ptr<RowSource> rows_of(const ConstPixelsView8& pixels, TextureHeader header);
 
 }  // namespace etak

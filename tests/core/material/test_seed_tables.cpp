@@ -18,8 +18,8 @@ namespace {
 //   reproduced   dataset gives the code exactly, and the linear value within `linear`
 //   near         dataset comes within `codes` codes and `linear`; `reason` says why not nearer
 //   range_end    no material but the end of a range: the code follows from the linear value, and dataset lies
-//   inside missing      no dataset of the material comes within the printed digits; `reason` says what the
-//   text used
+//                inside
+//   missing      no dataset of the material comes within the printed digits; `reason` says what the text used
 enum class Standing { reproduced, near, range_end, missing };
 
 struct Verdict {
