@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/catalogue.h"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 
 #include "app/cli/output.h"
@@ -43,8 +40,8 @@ std::string json_flags(const CatalogueEntry& entry) {
   return out + "]";
 }
 
-void add_class_option(CLI::App& verb, std::vector<std::string>& classes, const std::string& help) {
-  verb.add_option("--class", classes, help)->type_name("CLASS")->allow_extra_args(false);
+void add_class_option(Command verb, std::vector<std::string>& classes, const std::string& help) {
+  verb.option("--class", classes, help).value_name("CLASS").one_at_a_time();
 }
 
 void check_classes(const std::vector<std::string>& classes) {

@@ -4,12 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/arguments.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
-
-namespace CLI {
-class App;
-}
 
 namespace etak::cli {
 
@@ -31,7 +28,7 @@ std::string flag_names(const CatalogueEntry& entry);
 std::string json_flags(const CatalogueEntry& entry);
 
 /// --class, which may be given more than once.
-void add_class_option(CLI::App& verb, std::vector<std::string>& classes, const std::string& help);
+void add_class_option(Command verb, std::vector<std::string>& classes, const std::string& help);
 
 /// Throws Error for a class that no material can have.
 void check_classes(const std::vector<std::string>& classes);

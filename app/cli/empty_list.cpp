@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/empty_list.h"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-
 namespace etak::cli {
 
-void add_allow_empty_option(CLI::App& verb, bool& allow_empty) {
-  verb.add_flag("--allow-empty", allow_empty, "a --files-from that names nothing is no failure");
+void add_allow_empty_option(Command verb, bool& allow_empty) {
+  verb.flag("--allow-empty", allow_empty, "a --files-from that names nothing is no failure");
 }
 
 Error empty_list(const std::string& list) {

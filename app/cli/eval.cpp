@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <memory>
 
 #include "app/cli/eval_csv.h"
-#include "app/cli/file_options.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
@@ -112,23 +108,23 @@ int run(const EvalArguments& arguments) {
 
 }  // namespace
 
-void add_eval(CLI::App& app, Verb& chosen) {
+void add_eval(CommandLine& line) {
   const auto arguments = std::make_shared<EvalArguments>();
-  CLI::App& verb =
-      *app.add_subcommand("eval", "evaluate one formula, or a table of them, in double precision");
-  verb.add_option("FUNCTION", arguments->function, "name of the function, as --list gives it");
-  verb.add_option("INPUTS", arguments->inputs, "its inputs, as name=value")->type_name("NAME=VALUE");
-  reads_file(verb.add_option("--csv", arguments->csv,
-                             "answer the rows id,function,inputs of FILE (inputs as name=value;name=value) "
-                             "with id,value; a row that is refused gets \"error\" and its reason on standard "
-                             "error"))
-      ->type_name("FILE");
-  verb.add_flag("--list", arguments->list, "print every function with its inputs, units, ranges and source");
+  Command verb = line.verb("eval", "evaluate one formula, or a table of them, in double precision");
+  verb.option("FUNCTION", arguments->function, "name of the function, as --list gives it");
+  verb.option("INPUTS", arguments->inputs, "its inputs, as name=value").value_name("NAME=VALUE");
+  verb.option("--csv", arguments->csv,
+              "answer the rows id,function,inputs of FILE (inputs as name=value;name=value) "
+              "with id,value; a row that is refused gets \"error\" and its reason on standard "
+              "error")
+      .reads_file()
+      .value_name("FILE");
+  verb.flag("--list", arguments->list, "print every function with its inputs, units, ranges and source");
   add_output_options(verb, arguments->output, {"text", "json"});
   verb.footer(
       "Angles theta_*, phi_* are degrees; the normal is +z, the light at azimuth 0.\n"
       "Example:\n  etak eval schueler_ksk theta_l=30 theta_v=40 phi_v=180 K=0.04 g=0.5");
-  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  verb.runs([arguments] { return run(*arguments); });
 }
 
 }  // namespace etak::cli

@@ -3,9 +3,6 @@
 
 #include <unistd.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -146,16 +143,15 @@ std::string rules_json(std::span<const Rule* const> rules) {
   return "{\n  \"schema\": \"etak-rules/1\",\n  \"rules\": [" + list + "\n  ]\n}\n";
 }
 
-void add_explain(CLI::App& app, Verb& chosen) {
+void add_explain(CommandLine& line) {
   const auto arguments = std::make_shared<ExplainArguments>();
-  CLI::App& verb =
-      *app.add_subcommand("explain", "what a rule of etak validate says, why, and how to mend it");
-  verb.add_option("id", arguments->ids, "ids such as ETK101, prefixes such as ETK1, or slugs")
-      ->type_name("ID...")
-      ->required();
+  Command verb = line.verb("explain", "what a rule of etak validate says, why, and how to mend it");
+  verb.option("id", arguments->ids, "ids such as ETK101, prefixes such as ETK1, or slugs")
+      .value_name("ID...")
+      .required();
   add_output_options(verb, arguments->output, {"text", "markdown", "json"});
   verb.footer("Example:\n  etak explain ETK101");
-  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  verb.runs([arguments] { return run(*arguments); });
 }
 
 }  // namespace etak::cli

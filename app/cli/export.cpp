@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <memory>
 
 #include "app/cli/export_values.h"
@@ -192,42 +189,41 @@ int run(ExportArguments& arguments) {
 
 }  // namespace
 
-void add_export(CLI::App& app, Verb& chosen) {
+void add_export(CommandLine& line) {
   const auto arguments = std::make_shared<ExportArguments>();
-  CLI::App& verb = *app.add_subcommand("export", "materials as MaterialX, glTF or the values of an engine");
+  Command verb = line.verb("export", "materials as MaterialX, glTF or the values of an engine");
   add_input_options(verb, arguments->inputs);
-  verb.add_option("--to", arguments->to,
-                  "mtlx (MaterialX 1.39, OpenPBR), gltf (spheres with the material), values (what to type or "
-                  "paste), or the values of one target")
-      ->required()
-      ->check(CLI::IsMember(forms_and_targets()));
-  verb.add_flag("--all", arguments->inputs.all, "every material of the library");
+  verb.option("--to", arguments->to,
+              "mtlx (MaterialX 1.39, OpenPBR), gltf (spheres with the material), values (what to type or "
+              "paste), or the values of one target")
+      .required()
+      .one_of(forms_and_targets());
+  verb.flag("--all", arguments->inputs.all, "every material of the library");
   add_all_datasets_option(verb, arguments->inputs);
-  verb.add_option("--dataset", arguments->inputs.dataset, "dataset to take instead of the preferred one")
-      ->type_name("ID");
+  verb.option("--dataset", arguments->inputs.dataset, "dataset to take instead of the preferred one")
+      .value_name("ID");
   add_roughness_options(verb, arguments->rough, "of the surface");
-  verb.add_option(
-          "--diffuse", arguments->diffuse,
-          "diffuse colour of dielectrics, linear R,G,B (default black, and clear where the data say so)")
-      ->delimiter(',')
-      ->expected(3)
-      ->type_name("R,G,B");
-  verb.add_option("--opacity", arguments->opacity, "0 to 1")->capture_default_str();
-  verb.add_option("--fit", arguments->fit,
-                  "what becomes of a colour above 1 or below 0: clamp (each channel) or preserve-hue (the "
-                  "whole colour)")
-      ->check(CLI::IsMember({"clamp", "preserve-hue"}))
-      ->capture_default_str();
-  verb.add_option(
+  verb.option("--diffuse", arguments->diffuse,
+              "diffuse colour of dielectrics, linear R,G,B (default black, and clear where the data say so)")
+      .separated_by(',')
+      .values(3)
+      .value_name("R,G,B");
+  verb.option("--opacity", arguments->opacity, "0 to 1").show_default();
+  verb.option("--fit", arguments->fit,
+              "what becomes of a colour above 1 or below 0: clamp (each channel) or preserve-hue (the "
+              "whole colour)")
+      .one_of({"clamp", "preserve-hue"})
+      .show_default();
+  verb.option(
           "--target", arguments->targets,
           "of --to values: only these, with ',' between (hex, srgb8, linear, glsl, unreal, unity-metallic, "
           "unity-specular, blender, filament, openpbr, gltf, gltf-specular-glossiness, gulbrandsen, rgb-nk)")
-      ->delimiter(',')
-      ->type_name("LIST");
-  verb.add_option("--gltf-form", arguments->gltf_form,
-                  "metal-rough (dielectrics with KHR_materials_ior and _specular) or specular-glossiness")
-      ->check(CLI::IsMember({"metal-rough", "specular-glossiness"}))
-      ->capture_default_str();
+      .separated_by(',')
+      .value_name("LIST");
+  verb.option("--gltf-form", arguments->gltf_form,
+              "metal-rough (dielectrics with KHR_materials_ior and _specular) or specular-glossiness")
+      .one_of({"metal-rough", "specular-glossiness"})
+      .show_default();
   add_compute_options(verb, arguments->compute);
   add_table_options(verb, arguments->tables);
   add_library_options(verb, arguments->library);
@@ -238,7 +234,7 @@ void add_export(CLI::App& app, Verb& chosen) {
       "What a target cannot hold is changed by --fit or a rule of the target and told beside the value.\n"
       "Exit status: 0 done, 1 an input named by itself was refused by the rules, 2 an input failed.\n"
       "Example:\n  etak export gold diamond --to values --target unreal,filament");
-  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  verb.runs([arguments] { return run(*arguments); });
 }
 
 }  // namespace etak::cli

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -64,13 +61,13 @@ int run(ImportArguments& arguments) {
 
 }  // namespace
 
-void add_import(CLI::App& app, Verb& chosen) {
+void add_import(CommandLine& line) {
   const auto arguments = std::make_shared<ImportArguments>();
-  CLI::App& verb = *app.add_subcommand("import", "pages or tables as one material file");
+  Command verb = line.verb("import", "pages or tables as one material file");
   add_input_options(verb, arguments->inputs);
-  verb.add_option("--id", arguments->id, "id of the material, [a-z0-9_] (default: from the page's folder)");
-  verb.add_option("--name", arguments->name, "name of the material");
-  verb.add_option("--class", arguments->material_class, "class, such as metal or glass");
+  verb.option("--id", arguments->id, "id of the material, [a-z0-9_] (default: from the page's folder)");
+  verb.option("--name", arguments->name, "name of the material");
+  verb.option("--class", arguments->material_class, "class, such as metal or glass");
   add_table_options(verb, arguments->tables);
   add_output_options(verb, arguments->output, {"json"});
   verb.footer(
@@ -78,7 +75,7 @@ void add_import(CLI::App& app, Verb& chosen) {
       "are\n"
       "taken from a page as far as it tells them: read them over before the file joins a library.\n"
       "Example:\n  printf 'nm n k\\n400 1.5 3\\n700 1.6 4\\n' | etak import - --id sample --class metal");
-  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  verb.runs([arguments] { return run(*arguments); });
 }
 
 }  // namespace etak::cli

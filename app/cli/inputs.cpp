@@ -3,12 +3,8 @@
 
 #include <sys/stat.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 
-#include "app/cli/file_options.h"
 #include "app/cli/folder.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -203,22 +199,22 @@ Material material_from_table(std::string_view text, const std::string& path, con
 
 }  // namespace
 
-void add_input_options(CLI::App& verb, InputArguments& arguments) {
-  reads_file(
-      verb.add_option("INPUT", arguments.names,
-                      "material (gold), dataset (gold/ID, its unique beginning, or gold/* for all), file "
-                      "(.yml page, .json material, .csv .tsv .txt .dat table), folder, pipe, or - for "
-                      "standard input"))
-      ->type_name("");
-  verb.add_option("--stdin-format", arguments.stdin_format,
-                  "what - and pipes without an ending hold; auto: told by the first bytes")
-      ->check(CLI::IsMember({"auto", "table", "page", "json"}))
-      ->capture_default_str();
+void add_input_options(Command verb, InputArguments& arguments) {
+  verb.option("INPUT", arguments.names,
+              "material (gold), dataset (gold/ID, its unique beginning, or gold/* for all), file "
+              "(.yml page, .json material, .csv .tsv .txt .dat table), folder, pipe, or - for "
+              "standard input")
+      .reads_file()
+      .value_name("");
+  verb.option("--stdin-format", arguments.stdin_format,
+              "what - and pipes without an ending hold; auto: told by the first bytes")
+      .one_of({"auto", "table", "page", "json"})
+      .show_default();
 }
 
-void add_all_datasets_option(CLI::App& verb, InputArguments& arguments) {
-  verb.add_flag("--all-datasets", arguments.all_datasets,
-                "every dataset of each material, in place of the preferred one");
+void add_all_datasets_option(Command verb, InputArguments& arguments) {
+  verb.flag("--all-datasets", arguments.all_datasets,
+            "every dataset of each material, in place of the preferred one");
 }
 
 std::vector<Input> find_inputs(const InputArguments& arguments, Library& library, unsigned threads,

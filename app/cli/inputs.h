@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/arguments.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
 #include "core/base/input.h"
@@ -42,8 +43,8 @@ struct InputArguments {
 };
 
 /// Adds INPUT... and --stdin-format; --dataset and --all belong to `etak f0`.
-void add_input_options(CLI::App& verb, InputArguments& arguments);
-void add_all_datasets_option(CLI::App& verb, InputArguments& arguments);
+void add_input_options(Command verb, InputArguments& arguments);
+void add_all_datasets_option(Command verb, InputArguments& arguments);
 
 /// Finds what the arguments name, in their order, folders opened up into their files and "gold/*" into its
 /// datasets. What cannot be found becomes a failed input, so that the others are still answered.

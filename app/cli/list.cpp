@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <memory>
 
 #include "app/cli/catalogue.h"
-#include "app/cli/file_options.h"
 #include "app/cli/inputs.h"
 #include "app/cli/list_names.h"
 #include "app/cli/options.h"
@@ -167,19 +163,20 @@ int run(ListArguments& arguments) {
 
 }  // namespace
 
-void add_list(CLI::App& app, Verb& chosen) {
+void add_list(CommandLine& line) {
   const auto arguments = std::make_shared<ListArguments>();
-  CLI::App& verb = *app.add_subcommand("list", "materials of the library, or what names are answered with");
-  verb.add_option("NAME", arguments->names, "tell what these names are answered with")->type_name("");
-  reads_file(verb.add_option("--names-from", arguments->names_from,
-                             "read more names from LIST, one per line or NUL-separated; - is standard input"))
-      ->type_name("LIST");
+  Command verb = line.verb("list", "materials of the library, or what names are answered with");
+  verb.option("NAME", arguments->names, "tell what these names are answered with").value_name("");
+  verb.option("--names-from", arguments->names_from,
+              "read more names from LIST, one per line or NUL-separated; - is standard input")
+      .reads_file()
+      .value_name("LIST");
   add_class_option(verb, arguments->classes, "only this class, such as metal or glass; may be repeated");
-  verb.add_option("--search", arguments->search, "only where id, name, group or an alias contains TEXT")
-      ->type_name("TEXT");
-  verb.add_option("--zone", arguments->zone,
-                  "only where the luminance of F0 lies below, inside or above 0.20-0.45; surfaces have no F0")
-      ->check(CLI::IsMember({"below", "inside", "above"}));
+  verb.option("--search", arguments->search, "only where id, name, group or an alias contains TEXT")
+      .value_name("TEXT");
+  verb.option("--zone", arguments->zone,
+              "only where the luminance of F0 lies below, inside or above 0.20-0.45; surfaces have no F0")
+      .one_of({"below", "inside", "above"});
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "markdown"});
   add_thread_option(verb, arguments->threads);
@@ -188,7 +185,7 @@ void add_list(CLI::App& app, Verb& chosen) {
       "one\n"
       "of them is answered by no material.\n"
       "Example:\n  etak list --class metal --zone above");
-  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  verb.runs([arguments] { return run(*arguments); });
 }
 
 }  // namespace etak::cli

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -9,7 +6,6 @@
 #include "app/cli/custom_space.h"
 #include "app/cli/file_options.h"
 #include "app/cli/output.h"
-#include "app/cli/usage.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/signals.h"
@@ -27,50 +23,38 @@ int print_version(bool json) {
 
 int run(int argc, char** argv) {
   set_program_arguments(argv);
-  CLI::App app("etak: measured optics into materials a renderer can trust", "etak");
+  CommandLine line("etak: measured optics into materials a renderer can trust", "etak");
   bool version = false, json = false;
-  app.add_flag("--version", version, "print the version and stop");
-  app.add_flag("--json", json, "with --version: as JSON");
-  app.require_subcommand(0, 1);
-  app.footer(
+  line.top().flag("--version", version, "print the version and stop");
+  line.top().flag("--json", json, "with --version: as JSON");
+  line.top().footer(
       "Exit status: 0 done, 1 a named input was refused, 2 bad input, option or output.\n"
       "Example:\n  etak f0 gold copper");
-  Verb verb;
-  add_f0(app, verb);
-  add_list(app, verb);
-  add_show(app, verb);
-  add_nearest(app, verb);
-  add_import(app, verb);
-  add_export(app, verb);
-  add_eval(app, verb);
-  add_models(app, verb);
-  add_pack(app, verb);
-  add_render(app, verb);
-  add_shader(app, verb);
-  add_report(app, verb);
-  add_stability(app, verb);
-  add_choose(app, verb);
-  add_validate(app, verb);
-  add_explain(app, verb);
-  add_help(app, verb);
-  add_input_timeout(app);
-  use_plain_help(app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {  // --help, which may have nowhere to go like all other output
-      write_output({}, app.help());
-      return exit_ok;
-    }
-    complain(message_of(app, error));
-    return exit_failure;
-  }
+  add_f0(line);
+  add_list(line);
+  add_show(line);
+  add_nearest(line);
+  add_import(line);
+  add_export(line);
+  add_eval(line);
+  add_models(line);
+  add_pack(line);
+  add_render(line);
+  add_shader(line);
+  add_report(line);
+  add_stability(line);
+  add_choose(line);
+  add_validate(line);
+  add_explain(line);
+  line.add_help_verb();
+  add_input_timeout(line);
+  const Work work = line.read(argc, argv);
   if (version) return print_version(json);
-  if (!verb) {
+  if (!work) {
     complain("no verb given; see etak --help");
     return exit_failure;
   }
-  return verb();
+  return work();
 }
 
 // What no reader of files foresaw: memory for something that the line names. Its largest file is the likely

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -142,17 +139,15 @@ std::string json() {
 
 }  // namespace
 
-void add_models(CLI::App& app, Verb& chosen) {
+void add_models(CommandLine& line) {
   const auto output = std::make_shared<OutputArguments>();
-  CLI::App& verb = *app.add_subcommand(
-      "models", "shading models, their terms and the kinds of light, with what they claim");
+  Command verb =
+      line.verb("models", "shading models, their terms and the kinds of light, with what they claim");
   add_output_options(verb, *output, {"table", "json", "csv"});
   verb.footer("Example:\n  etak models --format csv");
-  verb.callback([output, &chosen] {
-    chosen = [output] {
-      write_output(*output, output->format == "json" ? json() : output->format == "csv" ? csv() : table());
-      return exit_ok;
-    };
+  verb.runs([output] {
+    write_output(*output, output->format == "json" ? json() : output->format == "csv" ? csv() : table());
+    return exit_ok;
   });
 }
 

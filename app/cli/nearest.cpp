@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -163,14 +160,12 @@ int run(NearestArguments& arguments) {
 
 }  // namespace
 
-void add_nearest(CLI::App& app, Verb& chosen) {
+void add_nearest(CommandLine& line) {
   const auto arguments = std::make_shared<NearestArguments>();
-  CLI::App& verb = *app.add_subcommand("nearest", "library materials whose F0 is nearest to a colour");
-  verb.add_option("COLOUR", arguments->color, color_forms)->required()->type_name("");
-  verb.add_flag("--linear", arguments->linear, "COLOUR is linear sRGB");
-  verb.add_option("-n,--count", arguments->count, "how many to show")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
+  Command verb = line.verb("nearest", "library materials whose F0 is nearest to a colour");
+  verb.option("COLOUR", arguments->color, color_forms).required().value_name("");
+  verb.flag("--linear", arguments->linear, "COLOUR is linear sRGB");
+  verb.option("-n,--count", arguments->count, "how many to show").range(1, 10000).show_default();
   add_class_option(
       verb, arguments->classes,
       "only this class; may be repeated. Without it every class but surface, whose diffuse colours "
@@ -180,7 +175,7 @@ void add_nearest(CLI::App& app, Verb& chosen) {
   add_thread_option(verb, arguments->threads);
   verb.footer(
       "The distance is CIEDE2000 between the colours under D65.\nExample:\n  etak nearest '#ffe29b' -n 3");
-  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  verb.runs([arguments] { return run(*arguments); });
 }
 
 }  // namespace etak::cli

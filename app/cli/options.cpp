@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/options.h"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cstdlib>
 #include <thread>
 
 #include "app/cli/custom_space.h"
-#include "app/cli/file_options.h"
 #include "app/cli/output.h"
 #include "core/base/error.h"
 #include "core/base/input.h"
@@ -72,19 +68,19 @@ const MaterialLibrary& Library::get() {
   return library_.emplace(std::move(library));
 }
 
-void add_library_options(CLI::App& verb, Library& library) {
-  verb.add_option(
+void add_library_options(Command verb, Library& library) {
+  verb.option(
           "--library", library.folders,
           "folder of material files laid over the built-in library; may be given again. ETAK_LIBRARY holds "
           "more, with ':' between")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
+      .value_name("DIR")
+      .one_at_a_time();
 }
 
-void add_compute_options(CLI::App& verb, ComputeArguments& arguments) {
+void add_compute_options(Command verb, ComputeArguments& arguments) {
   const std::string group = "Computation";
   const auto add = [&](const char* name, std::string& value, const char* text) {
-    return verb.add_option(name, value, text)->group(group);
+    return verb.option(name, value, text).group(group);
   };
   add("--observer", arguments.observer, "1931-2deg (default) or 1964-10deg");
   add("--illuminant", arguments.illuminant, "D65 (default), D50, A or E");
@@ -94,19 +90,19 @@ void add_compute_options(CLI::App& verb, ComputeArguments& arguments) {
       "point-643-562-396");
   add("--integration-bound", arguments.integration_bound,
       "of the estimated error of X, Y and Z, for --integration auto (default 1e-5)")
-      ->type_name("NUMBER");
+      .value_name("NUMBER");
   add("--space", arguments.space,
       "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any case, or "
       "a "
       "colour space of an OpenColorIO config");
-  reads_file(
-      add("--ocio", arguments.ocio, "OpenColorIO config to look --space up in (else $OCIO, else etak's own)"))
-      ->type_name("CONFIG");
+  add("--ocio", arguments.ocio, "OpenColorIO config to look --space up in (else $OCIO, else etak's own)")
+      .reads_file()
+      .value_name("CONFIG");
   add("--outside", arguments.outside, "medium in front: an index of refraction or a material such as water")
-      ->type_name("NUMBER|MATERIAL");
-  verb.add_flag("--allow-extrapolation", arguments.allow_extrapolation,
-                "give results where the data hold less than 0.95 of the luminous weight")
-      ->group(group);
+      .value_name("NUMBER|MATERIAL");
+  verb.flag("--allow-extrapolation", arguments.allow_extrapolation,
+            "give results where the data hold less than 0.95 of the luminous weight")
+      .group(group);
 }
 
 F0Options f0_options(const ComputeArguments& arguments, Library& library) {
@@ -144,17 +140,17 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library) {
   return out;
 }
 
-void add_table_options(CLI::App& verb, TableArguments& arguments) {
+void add_table_options(Command verb, TableArguments& arguments) {
   const std::string group = "Tables";
-  verb.add_option("--unit", arguments.unit,
-                  "unit of the wavelengths in tables: nm, um, A or eV; wins over the header")
-      ->group(group);
-  verb.add_option("--columns", arguments.columns,
-                  "columns of a table without header, such as wavelength,n,k or wavelength,R; _ skips one")
-      ->group(group);
-  verb.add_option("--duplicates", arguments.duplicates,
-                  "equal wavelengths with other values in tables: refuse (default), first or mean")
-      ->group(group);
+  verb.option("--unit", arguments.unit,
+              "unit of the wavelengths in tables: nm, um, A or eV; wins over the header")
+      .group(group);
+  verb.option("--columns", arguments.columns,
+              "columns of a table without header, such as wavelength,n,k or wavelength,R; _ skips one")
+      .group(group);
+  verb.option("--duplicates", arguments.duplicates,
+              "equal wavelengths with other values in tables: refuse (default), first or mean")
+      .group(group);
 }
 
 TableOptions table_options(const TableArguments& arguments) {
@@ -175,11 +171,11 @@ TableOptions table_options(const TableArguments& arguments) {
   return out;
 }
 
-void add_thread_option(CLI::App& verb, unsigned& threads) {
-  verb.add_option("-j,--jobs", threads,
-                  "threads to use (default: all cores); the output is the same for any number")
-      ->type_name("N")
-      ->check(CLI::Range(1u, 256u));
+void add_thread_option(Command verb, unsigned& threads) {
+  verb.option("-j,--jobs", threads,
+              "threads to use (default: all cores); the output is the same for any number")
+      .value_name("N")
+      .range(1u, 256u);
 }
 
 unsigned thread_count(unsigned asked) {

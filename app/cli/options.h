@@ -6,13 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/arguments.h"
 #include "core/exchange/table.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
-
-namespace CLI {
-class App;
-}
 
 namespace etak::cli {
 
@@ -27,14 +24,14 @@ class Library {
  private:
   std::optional<MaterialLibrary> library_;
 };
-void add_library_options(CLI::App& verb, Library& library);
+void add_library_options(Command verb, Library& library);
 
 /// How F0 is computed, as typed.
 struct ComputeArguments {
   std::string observer, illuminant, interpolation, method, integration_bound, space, ocio, outside;
   bool allow_extrapolation = false;
 };
-void add_compute_options(CLI::App& verb, ComputeArguments& arguments);
+void add_compute_options(Command verb, ComputeArguments& arguments);
 
 /// The typed choices as values. Throws Error that names the option and what it takes. May replace the process
 /// (see custom_space.h), so it is called before any input is read.
@@ -44,11 +41,11 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library);
 struct TableArguments {
   std::string unit, columns, duplicates = "refuse";
 };
-void add_table_options(CLI::App& verb, TableArguments& arguments);
+void add_table_options(Command verb, TableArguments& arguments);
 TableOptions table_options(const TableArguments& arguments);
 
 /// -j N; 0 means all cores.
-void add_thread_option(CLI::App& verb, unsigned& threads);
+void add_thread_option(Command verb, unsigned& threads);
 unsigned thread_count(unsigned asked);
 
 /// Throws Error for a material name that is not in the library, with the nearest names.

@@ -3,9 +3,6 @@
 
 #include <unistd.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -43,25 +40,24 @@ bool is_standard_output(const OutputArguments& arguments) {
   return arguments.file.empty() || arguments.file == "-";
 }
 
-void add_output_options(CLI::App& verb, OutputArguments& arguments, const std::vector<std::string>& formats) {
+void add_output_options(Command verb, OutputArguments& arguments, const std::vector<std::string>& formats) {
   arguments.format = formats.front();
   if (formats.size() > 1) {
-    const CLI::Option* format =
-        verb.add_option("--format", arguments.format, "form of the output; else the ending of -o tells it")
-            ->check(CLI::IsMember(formats))
-            ->capture_default_str();
-    verb.parse_complete_callback([&verb, &arguments, formats, format] {
-      settle_form(arguments, formats, "etak " + verb.get_name(), format->count() > 0);
+    const Option format =
+        verb.option("--format", arguments.format, "form of the output; else the ending of -o tells it")
+            .one_of(formats)
+            .show_default();
+    verb.when_read([verb, &arguments, formats, format] {
+      settle_form(arguments, formats, "etak " + verb.name(), format.given());
     });
   }
-  verb.add_option("-o,--output", arguments.file, "file to write instead of standard output")
-      ->type_name("FILE");
-  verb.add_flag("--force", arguments.force, "let -o replace a file; ETAK_FORCE=1 says the same");
-  verb.add_flag("-q,--quiet", arguments.quiet, "no remarks and no progress; errors still appear");
-  verb.add_option(
+  verb.option("-o,--output", arguments.file, "file to write instead of standard output").value_name("FILE");
+  verb.flag("--force", arguments.force, "let -o replace a file; ETAK_FORCE=1 says the same");
+  verb.flag("-q,--quiet", arguments.quiet, "no remarks and no progress; errors still appear");
+  verb.option(
           "--color", arguments.color,
           "colour swatches: auto (on a terminal; NO_COLOR, CLICOLOR and CLICOLOR_FORCE count), always, never")
-      ->check(CLI::IsMember({"auto", "always", "never"}));
+      .one_of({"auto", "always", "never"});
 }
 
 bool use_color(const OutputArguments& arguments) {

@@ -7,13 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/arguments.h"
 #include "core/base/csv.h"
 #include "core/base/output.h"
 #include "core/base/text.h"
-
-namespace CLI {
-class App;
-}
 
 namespace etak::cli {
 
@@ -33,7 +30,7 @@ struct OutputArguments {
 
 /// Adds --format (one of `formats`; by default that of the ending of -o, else the first), -o, --force, -q and
 /// --color.
-void add_output_options(CLI::App& verb, OutputArguments& arguments, const std::vector<std::string>& formats);
+void add_output_options(Command verb, OutputArguments& arguments, const std::vector<std::string>& formats);
 
 /// Whether the data go to standard output.
 bool is_standard_output(const OutputArguments& arguments);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/pack_rects.h"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -11,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/file_options.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
 #include "core/atlas/rects.h"
@@ -57,42 +53,38 @@ std::optional<RectOptions> options_of(const std::string& mode, int pad) {
 
 }  // namespace
 
-void add_pack_rects_options(CLI::App& verb, PackRectsArguments& a) {
+void add_pack_rects_options(Command verb, PackRectsArguments& a) {
   const std::string group = "Bare rectangles";
-  verb.add_flag(
-          "--rects", a.asked,
-          "pack the rectangles of --in (lines 'w h') and write 'page x y w h rot' lines to -o; --rotate "
-          "then takes 0 or 1")
-      ->group(group);
-  reads_file(verb.add_option("--in", a.in, "file of rectangles"))->type_name("FILE")->group(group);
-  verb.add_option("--mode", a.mode, "page: square, pot, free, strip:W, pages:S or mixed:S")
-      ->type_name("MODE")
-      ->capture_default_str()
-      ->group(group);
-  verb.add_option("--pad", a.pad, "between rectangles")->check(CLI::Range(0, 65536))->group(group);
+  verb.flag("--rects", a.asked,
+            "pack the rectangles of --in (lines 'w h') and write 'page x y w h rot' lines to -o; --rotate "
+            "then takes 0 or 1")
+      .group(group);
+  verb.option("--in", a.in, "file of rectangles").reads_file().value_name("FILE").group(group);
+  verb.option("--mode", a.mode, "page: square, pot, free, strip:W, pages:S or mixed:S")
+      .value_name("MODE")
+      .show_default()
+      .group(group);
+  verb.option("--pad", a.pad, "between rectangles").range(0, 65536).group(group);
 
   const auto listen = [&](const char* name, const std::function<void(const std::string&)>& heard) {
-    CLI::Option* option = verb.get_option_no_throw(name);
+    std::optional<Option> option = verb.find(name);
     if (option) option->each(heard);
-    return option != nullptr;
+    return option.has_value();
   };
   if (!listen("--out", [&a](const std::string& text) { a.out = text; }))
-    verb.add_option("-o,--output,--out", a.out, "file to write")->type_name("FILE")->group(group);
+    verb.option("-o,--output,--out", a.out, "file to write").value_name("FILE").group(group);
   if (!listen("--effort",
               [&a](const std::string& text) { a.effort = whole_number(text).value_or(a.effort); }))
-    verb.add_option("--effort", a.effort, "tries")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str()
-        ->group(group);
+    verb.option("--effort", a.effort, "tries").range(1, 1000000).show_default().group(group);
   const auto hear_threads = [&a](const std::string& text) {
     a.threads = static_cast<unsigned>(whole_number(text).value_or(0));
   };
   listen("--jobs", hear_threads);
   if (!listen("--threads", hear_threads))
-    verb.add_option("--threads", a.threads, "threads; 0: all cores")->group(group);
+    verb.option("--threads", a.threads, "threads; 0: all cores").group(group);
   // A verb whose --rotate is a flag takes the 0 or 1 behind it for its input.
   if (!listen("--rotate", [&a](const std::string& text) { a.rotate = text; }))
-    verb.add_option("--rotate", a.rotate, "0 or 1")->group(group);
+    verb.option("--rotate", a.rotate, "0 or 1").group(group);
   listen("input", [&a](const std::string& text) { a.input = text; });
 }
 

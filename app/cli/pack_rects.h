@@ -3,9 +3,7 @@
 
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include "app/cli/arguments.h"
 
 namespace etak::cli {
 
@@ -20,7 +18,7 @@ struct PackRectsArguments {
 
 /// Adds --rects, --in, --mode and --pad, and of --out, --rotate, --effort and --threads those that `verb`
 /// does not have; the others are listened to.
-void add_pack_rects_options(CLI::App& verb, PackRectsArguments& arguments);
+void add_pack_rects_options(Command verb, PackRectsArguments& arguments);
 
 /// Reads lines "w h" ('#' begins a comment line), packs, and writes "# pack_ms X" and one line
 /// "page x y w h rot" for each rectangle, in the order of the input, w and h as placed. Returns the exit

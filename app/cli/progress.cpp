@@ -3,9 +3,6 @@
 
 #include <unistd.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 
 #include "app/cli/terminal.h"
@@ -29,12 +26,11 @@ std::string cut(std::string_view text, std::size_t columns) {
 
 }  // namespace
 
-void add_progress_option(CLI::App& verb, std::string& progress) {
-  verb.add_option(
-          "--progress", progress,
-          "of long work, on standard error: auto (a line on a terminal), json (an object a line), none")
-      ->check(CLI::IsMember({"auto", "json", "none"}))
-      ->capture_default_str();
+void add_progress_option(Command verb, std::string& progress) {
+  verb.option("--progress", progress,
+              "of long work, on standard error: auto (a line on a terminal), json (an object a line), none")
+      .one_of({"auto", "json", "none"})
+      .show_default();
 }
 
 Progress::Mode Progress::mode_of(const OutputArguments& arguments) {

@@ -7,12 +7,13 @@
 #include <string>
 #include <string_view>
 
+#include "app/cli/arguments.h"
 #include "app/cli/output.h"
 
 namespace etak::cli {
 
 /// Adds --progress: auto, json or none.
-void add_progress_option(CLI::App& verb, std::string& progress);
+void add_progress_option(Command verb, std::string& progress);
 
 /// What long work tells of itself on standard error, the one way for all verbs. With -q nothing.
 ///   auto   on a terminal, after two seconds of work, one line that is rewritten: a bar, how much is done,

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/roughness_options.h"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <string>
 
 #include "core/base/error.h"
@@ -11,15 +8,15 @@
 
 namespace etak::cli {
 
-void add_roughness_options(CLI::App& verb, RoughnessArguments& arguments, const char* whose) {
-  verb.add_option("--gloss", arguments.gloss,
-                  std::string("Schueler's g ") + whose +
-                      ", 0 to 1: exponent 2^(12 g); it reaches roughness 0.904 to 0.149 (default by class)")
-      ->type_name("G");
-  verb.add_option("--roughness", arguments.roughness,
-                  std::string("perceptual roughness ") + whose +
-                      " in place of --gloss, 0 (mirror) to 1: width of the lobe R^2")
-      ->type_name("R");
+void add_roughness_options(Command verb, RoughnessArguments& arguments, const char* whose) {
+  verb.option("--gloss", arguments.gloss,
+              std::string("Schueler's g ") + whose +
+                  ", 0 to 1: exponent 2^(12 g); it reaches roughness 0.904 to 0.149 (default by class)")
+      .value_name("G");
+  verb.option("--roughness", arguments.roughness,
+              std::string("perceptual roughness ") + whose +
+                  " in place of --gloss, 0 (mirror) to 1: width of the lobe R^2")
+      .value_name("R");
 }
 
 std::optional<Gloss> given_gloss(const RoughnessArguments& arguments) {

@@ -3,11 +3,8 @@
 
 #include <optional>
 
+#include "app/cli/arguments.h"
 #include "core/color/gloss.h"
-
-namespace CLI {
-class App;
-}
 
 namespace etak::cli {
 
@@ -17,7 +14,7 @@ struct RoughnessArguments {
 };
 
 ///   whose   "of the surface": what the options say it of
-void add_roughness_options(CLI::App& verb, RoughnessArguments& arguments, const char* whose);
+void add_roughness_options(Command verb, RoughnessArguments& arguments, const char* whose);
 
 /// What was typed; none: neither, and the default of the material's class is meant. Throws Error for both and
 /// for values outside [0, 1].

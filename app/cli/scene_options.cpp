@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/scene_options.h"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <cmath>
 
-#include "app/cli/file_options.h"
 #include "app/cli/inputs.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -254,45 +250,44 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   return scene;
 }
 
-void add_scene_options(CLI::App& verb, SceneArguments& arguments) {
+void add_scene_options(Command verb, SceneArguments& arguments) {
   const auto rgb = [&](const char* name, std::vector<double>& value, const char* text) {
-    verb.add_option(name, value, text)->delimiter(',')->expected(3)->type_name("R,G,B");
+    verb.option(name, value, text).separated_by(',').values(3).value_name("R,G,B");
   };
-  reads_file(verb.add_option("SUBJECT", arguments.subject,
-                             "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or "
-                             "f0=1,0.78,0.34, f82=, n=, k=, diffuse=, gloss=, roughness=, opacity="))
-      ->type_name("");
-  verb.add_option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
-      ->type_name("ID");
-  verb.add_option("--model", arguments.model,
-                  "specular model (see etak models), or none; default " + std::string(default_specular));
-  verb.add_option("--diffuse-model", arguments.diffuse_model,
-                  "diffuse model, or none; default " + std::string(default_diffuse));
-  verb.add_option("--set", arguments.set,
-                  "value of a model's parameter, NAME.r for one channel; may be given again")
-      ->type_name("NAME=NUMBER")
-      ->allow_extra_args(false);
+  verb.option("SUBJECT", arguments.subject,
+              "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or "
+              "f0=1,0.78,0.34, f82=, n=, k=, diffuse=, gloss=, roughness=, opacity=")
+      .reads_file()
+      .value_name("");
+  verb.option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
+      .value_name("ID");
+  verb.option("--model", arguments.model,
+              "specular model (see etak models), or none; default " + std::string(default_specular));
+  verb.option("--diffuse-model", arguments.diffuse_model,
+              "diffuse model, or none; default " + std::string(default_diffuse));
+  verb.option("--set", arguments.set,
+              "value of a model's parameter, NAME.r for one channel; may be given again")
+      .value_name("NAME=NUMBER")
+      .one_at_a_time();
   rgb("--diffuse", arguments.diffuse, "diffuse colour, linear; conductors and semiconductors stay black");
   add_roughness_options(verb, arguments.rough, "of the surface");
-  verb.add_option("--opacity", arguments.opacity, "of the body, 0 to 1")->capture_default_str();
-  reads_file(
-      verb.add_option("--lights", arguments.lights, "light setup; default three lights and two hemispheres"))
-      ->type_name("FILE");
-  reads_file(verb.add_option("--env", arguments.environment,
-                             "environment: lat-long HDR or EXR picture, or studio (etak's own); without "
-                             "--lights the only light"))
-      ->type_name("FILE|studio");
-  verb.add_option("--size", arguments.size, "of the picture in pixels")
-      ->type_name("N|WxH")
-      ->capture_default_str();
-  verb.add_flag("--quad", arguments.quad, "a flat square instead of the sphere");
-  verb.add_flag("--perspective", arguments.perspective, "perspective camera instead of an orthographic one");
-  verb.add_option("--fov", arguments.field_of_view, "vertical field of view in degrees")
-      ->capture_default_str();
+  verb.option("--opacity", arguments.opacity, "of the body, 0 to 1").show_default();
+  verb.option("--lights", arguments.lights, "light setup; default three lights and two hemispheres")
+      .reads_file()
+      .value_name("FILE");
+  verb.option("--env", arguments.environment,
+              "environment: lat-long HDR or EXR picture, or studio (etak's own); without "
+              "--lights the only light")
+      .reads_file()
+      .value_name("FILE|studio");
+  verb.option("--size", arguments.size, "of the picture in pixels").value_name("N|WxH").show_default();
+  verb.flag("--quad", arguments.quad, "a flat square instead of the sphere");
+  verb.flag("--perspective", arguments.perspective, "perspective camera instead of an orthographic one");
+  verb.option("--fov", arguments.field_of_view, "vertical field of view in degrees").show_default();
   rgb("--background", arguments.background, "linear; default 0.18 grey");
-  verb.add_option("--exposure", arguments.exposure, "linear factor")->capture_default_str();
-  verb.add_option("--transfer", arguments.transfer, "display curve: srgb, power-0.45, sqrt or linear")
-      ->capture_default_str();
+  verb.option("--exposure", arguments.exposure, "linear factor").show_default();
+  verb.option("--transfer", arguments.transfer, "display curve: srgb, power-0.45, sqrt or linear")
+      .show_default();
   add_library_options(verb, arguments.library);
 }
 

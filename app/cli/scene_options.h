@@ -4,13 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/arguments.h"
 #include "app/cli/options.h"
 #include "app/cli/roughness_options.h"
 #include "core/render/scene.h"
-
-namespace CLI {
-class App;
-}
 
 namespace etak::cli {
 
@@ -27,7 +24,7 @@ struct SceneArguments {
   bool quad = false, perspective = false;
   Library library;
 };
-void add_scene_options(CLI::App& verb, SceneArguments& arguments);
+void add_scene_options(Command verb, SceneArguments& arguments);
 
 /// Changes `arguments` do not say: what a surface is called, and values that had to be brought into a model's
 /// range.

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
 
-#include "app/cli/file_options.h"
 #include "app/cli/output.h"
 #include "app/cli/scene_options.h"
 #include "app/cli/shader_atlas.h"
@@ -162,41 +158,41 @@ int run(ShaderArguments& arguments) {
 
 }  // namespace
 
-void add_shader(CLI::App& app, Verb& chosen) {
+void add_shader(CommandLine& line) {
   const auto arguments = std::make_shared<ShaderArguments>();
-  CLI::App& verb =
-      *app.add_subcommand("shader", "the GLSL that draws a material: what it needs and nothing else");
+  Command verb = line.verb("shader", "the GLSL that draws a material: what it needs and nothing else");
   add_scene_options(verb, arguments->scene);
-  verb.get_option("--lights")
-      ->description(
-          "number of directional lights, or a light setup; default three lights and two hemispheres")
-      ->type_name("N|FILE");
-  verb.add_option("--hemispheres", arguments->hemispheres,
-                  "light of two hemispheres; FORM: corrected (the default), wide or printed")
-      ->expected(0, 1)
-      ->default_str("corrected")
-      ->check(CLI::IsMember({"corrected", "wide", "printed"}))
-      ->type_name("FORM");
-  reads_file(verb.add_option("--choice", arguments->choice,
-                             "a material of what etak choose found: its Fresnel form, masking and numbers"))
-      ->type_name("FILE");
-  verb.add_option("--material", arguments->material, "which of the choice or the layout")->type_name("NAME");
-  reads_file(
-      verb.add_option("--layout", arguments->layout,
-                      "layout.json of etak pack: values that vary come from its textures, the rest are "
-                      "uniforms"))
-      ->type_name("FILE");
-  reads_file(verb.add_option("--defines", arguments->defines,
-                             "what is fetched from the two textures, as etak pack lists it: a file with a "
-                             "define a line"))
-      ->type_name("FILE");
-  verb.add_flag("--es", arguments->es, "#version 300 es instead of 330 core");
-  verb.add_flag("--vertex", arguments->vertex, "the vertex shader instead (JSON holds both)");
+  verb.find("--lights")
+      ->help("number of directional lights, or a light setup; default three lights and two hemispheres")
+      .value_name("N|FILE");
+  verb.option("--hemispheres", arguments->hemispheres,
+              "light of two hemispheres; FORM: corrected (the default), wide or printed")
+      .may_lack_value()
+      .show_default("corrected")
+      .one_of({"corrected", "wide", "printed"})
+      .value_name("FORM");
+  verb.option("--choice", arguments->choice,
+              "a material of what etak choose found: its Fresnel form, masking and numbers")
+      .reads_file()
+      .value_name("FILE");
+  verb.option("--material", arguments->material, "which of the choice or the layout").value_name("NAME");
+  verb.option("--layout", arguments->layout,
+              "layout.json of etak pack: values that vary come from its textures, the rest are "
+              "uniforms")
+      .reads_file()
+      .value_name("FILE");
+  verb.option("--defines", arguments->defines,
+              "what is fetched from the two textures, as etak pack lists it: a file with a "
+              "define a line")
+      .reads_file()
+      .value_name("FILE");
+  verb.flag("--es", arguments->es, "#version 300 es instead of 330 core");
+  verb.flag("--vertex", arguments->vertex, "the vertex shader instead (JSON holds both)");
   add_output_options(verb, arguments->output, {"text", "json"});
   verb.footer(
       "What was left out is listed with its reason at the head of the text.\n"
       "Example:\n  etak shader gold --model schueler-full --lights 2 --es");
-  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  verb.runs([arguments] { return run(*arguments); });
 }
 
 }  // namespace etak::cli

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -204,17 +201,16 @@ int run(ShowArguments& arguments) {
 
 }  // namespace
 
-void add_show(CLI::App& app, Verb& chosen) {
+void add_show(CommandLine& line) {
   const auto arguments = std::make_shared<ShowArguments>();
-  CLI::App& verb =
-      *app.add_subcommand("show", "the whole record of one material; ID/DATASET lists one dataset");
+  Command verb = line.verb("show", "the whole record of one material; ID/DATASET lists one dataset");
   add_input_options(verb, arguments->inputs);
   add_compute_options(verb, arguments->compute);
   add_table_options(verb, arguments->tables);
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output, {"text", "json"});
   verb.footer("Example:\n  etak show iron");
-  verb.callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+  verb.runs([arguments] { return run(*arguments); });
 }
 
 }  // namespace etak::cli

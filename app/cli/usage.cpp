@@ -155,14 +155,6 @@ std::string unknown_argument(const CLI::App& app, const CLI::App& verb) {
       .what();
 }
 
-std::string verb_help(const CLI::App& app, const std::string& name) {
-  if (name.empty()) return app.get_formatter()->make_help(&app, "etak", CLI::AppFormatMode::Normal);
-  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-    if (verb->get_name() == name) return verb->help("etak");
-  throw Error::at(printable(name), "no verb of etak",
-                  "one that etak --help lists" + did_you_mean(name, verbs_of(app)));
-}
-
 }  // namespace
 
 std::string did_you_mean(std::string_view typed, const std::vector<std::string>& names) {
@@ -215,17 +207,12 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   return text;
 }
 
-void add_help(CLI::App& app, Verb& chosen) {
-  const auto name = std::make_shared<std::string>();
-  CLI::App& verb = *app.add_subcommand("help", "what etak or one of its verbs takes");
-  verb.add_option("VERB", *name, "a verb")->type_name("");
-  verb.footer("Example:\n  etak help f0");
-  verb.callback([name, &app, &chosen] {
-    chosen = [name, &app] {
-      write_output({}, verb_help(app, *name));
-      return exit_ok;
-    };
-  });
+std::string verb_help(const CLI::App& app, const std::string& name) {
+  if (name.empty()) return app.get_formatter()->make_help(&app, "etak", CLI::AppFormatMode::Normal);
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (verb->get_name() == name) return verb->help("etak");
+  throw Error::at(printable(name), "no verb of etak",
+                  "one that etak --help lists" + did_you_mean(name, verbs_of(app)));
 }
 
 }  // namespace etak::cli

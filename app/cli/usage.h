@@ -5,9 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/verbs.h"
-
 namespace CLI {
+class App;
 class ParseError;
 }  // namespace CLI
 
@@ -24,7 +23,7 @@ void use_plain_help(CLI::App& app);
 /// A mistake on the line in etak's form, "PLACE: FOUND; expected EXPECTED", without the program's name.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error);
 
-/// Adds `etak help [VERB]`.
-void add_help(CLI::App& app, Verb& chosen);
+/// The help of the verb `name`, or of etak itself where it is empty. Throws Error for a verb that does not exist.
+std::string verb_help(const CLI::App& app, const std::string& name);
 
 }  // namespace etak::cli

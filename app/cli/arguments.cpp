@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/arguments.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstddef>
+#include <utility>
+
+#include "app/cli/output.h"
+#include "app/cli/usage.h"
+#include "core/base/error.h"
+#include "core/base/input.h"
+
+namespace etak::cli {
+Option Option::group(const std::string& name) {
+  option_->group(name);
+  return *this;
+}
+
+Option Option::value_name(const std::string& name) {
+  option_->type_name(name);
+  return *this;
+}
+
+Option Option::help(const std::string& text) {
+  option_->description(text);
+  return *this;
+}
+
+Option Option::show_default() {
+  option_->capture_default_str();
+  return *this;
+}
+
+Option Option::show_default(const std::string& text) {
+  option_->default_str(text);
+  return *this;
+}
+
+Option Option::one_of(const std::vector<std::string>& all) {
+  option_->check(CLI::IsMember(all));
+  return *this;
+}
+
+Option Option::range(int least, int most) {
+  option_->check(CLI::Range(least, most));
+  return *this;
+}
+
+Option Option::range(unsigned least, unsigned most) {
+  option_->check(CLI::Range(least, most));
+  return *this;
+}
+
+Option Option::range(double least, double most) {
+  option_->check(CLI::Range(least, most));
+  return *this;
+}
+
+Option Option::separated_by(char separator) {
+  option_->delimiter(separator);
+  return *this;
+}
+
+Option Option::one_at_a_time() {
+  option_->allow_extra_args(false);
+  return *this;
+}
+
+Option Option::values(int count) {
+  option_->expected(count);
+  return *this;
+}
+
+Option Option::may_lack_value() {
+  option_->expected(0, 1);
+  return *this;
+}
+
+Option Option::required() {
+  option_->required();
+  return *this;
+}
+
+Option Option::excludes(const Option& other) {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Option Option::each(std::function<void(const std::string&)> hear) {
+  option_->each(std::move(hear));
+  return *this;
+}
+
+Option Option::reads_file() {
+  option_->transform(accept_input, "");
+  return *this;
+}
+
+bool Option::given() const {
+  return option_->count() > 0;
+}
+
+template <class Value>
+Option Command::option(const std::string& names, Value& value, const std::string& help) {
+  return Option(app_->add_option(names, value, help));
+}
+
+template Option Command::option(const std::string&, std::string&, const std::string&);
+template Option Command::option(const std::string&, int&, const std::string&);
+template Option Command::option(const std::string&, unsigned&, const std::string&);
+template Option Command::option(const std::string&, std::size_t&, const std::string&);
+template Option Command::option(const std::string&, double&, const std::string&);
+template Option Command::option(const std::string&, bool&, const std::string&);
+template Option Command::option(const std::string&, std::optional<std::size_t>&, const std::string&);
+template Option Command::option(const std::string&, std::optional<double>&, const std::string&);
+template Option Command::option(const std::string&, std::vector<double>&, const std::string&);
+template Option Command::option(const std::string&, std::vector<std::string>&, const std::string&);
+
+Option Command::option(const std::string& names, std::function<void(double)> hear, const std::string& help) {
+  return Option(app_->add_option_function<double>(names, std::move(hear), help));
+}
+
+Option Command::flag(const std::string& names, bool& value, const std::string& help) {
+  return Option(app_->add_flag(names, value, help));
+}
+
+Option Command::flag(const std::string& names, std::function<void()> hear, const std::string& help) {
+  return Option(app_->add_flag_callback(names, std::move(hear), help));
+}
+
+std::optional<Option> Command::find(const std::string& name) const {
+  CLI::Option* const option = app_->get_option_no_throw(name);
+  return option == nullptr ? std::nullopt : std::optional<Option>(Option(option));
+}
+
+std::string Command::name() const {
+  return app_->get_name();
+}
+
+void Command::footer(const std::string& text) {
+  app_->footer(text);
+}
+
+void Command::when_read(std::function<void()> call) {
+  app_->parse_complete_callback(std::move(call));
+}
+
+void Command::runs(Work work) {
+  app_->callback([chosen = chosen_, work = std::move(work)] { *chosen = work; });
+}
+
+CommandLine::CommandLine(const std::string& title, const std::string& name)
+    : app_(std::make_unique<CLI::App>(title, name)) {
+  app_->require_subcommand(0, 1);
+}
+
+CommandLine::~CommandLine() = default;
+
+Command CommandLine::top() {
+  return Command(app_.get(), &chosen_);
+}
+
+Command CommandLine::verb(const std::string& name, const std::string& help) {
+  return Command(app_->add_subcommand(name, help), &chosen_);
+}
+
+std::vector<Command> CommandLine::verbs() {
+  std::vector<Command> out;
+  for (CLI::App* verb : app_->get_subcommands([](CLI::App*) { return true; }))
+    out.emplace_back(verb, &chosen_);
+  return out;
+}
+
+void CommandLine::add_help_verb() {
+  const auto name = std::make_shared<std::string>();
+  Command help = verb("help", "what etak or one of its verbs takes");
+  help.option("VERB", *name, "a verb").value_name("");
+  help.footer("Example:\n  etak help f0");
+  help.runs([name, app = app_.get()] {
+    write_output({}, verb_help(*app, *name));
+    return exit_ok;
+  });
+}
+
+Work CommandLine::read(int argc, const char* const* argv) {
+  use_plain_help(*app_);
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) throw Error(message_of(*app_, error));
+    // --help, which may have nowhere to go like all other output.
+    return [text = app_->help()] {
+      write_output({}, text);
+      return exit_ok;
+    };
+  }
+  return chosen_;
+}
+
+}  // namespace etak::cli
