@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk001(RuleCheck& check) {
   for (const std::string& message : check.evidence.unreadable) {
     Finding& finding = check.report();
     finding.message = message;
@@ -35,6 +35,6 @@ constinit const Rule etk001_unreadable{
     "exit status 2.",
     "A PNG cut short by a full disk; a texture named in a layout that was never exported.",
     "Export the file again; compare its size with that of the source.",
-    &check};
+    &etk001};
 
 }  // namespace etak

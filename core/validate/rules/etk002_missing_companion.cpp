@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk002(RuleCheck& check) {
   if (check.target.manifest.one_texture) return;
   bool diffuse = false, specular = false;
   for (const TargetFile& file : check.target.files) {
@@ -37,6 +37,6 @@ constinit const Rule etk002_missing_companion{
     "metal and the like need both.",
     "crate_diff.png without crate_spec.png.",
     "Add the other texture, or give the picture the role \"f0\".",
-    &check};
+    &etk002};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk003(RuleCheck& check) {
   const auto &a = check.evidence.a, &b = check.evidence.b;
   if (!a || !b || check.evidence.metal_rough) return;
   const TextureHeader &first = a->header, &second = b->header;
@@ -36,6 +36,6 @@ constinit const Rule etk003_size_mismatch{
     "not match.",
     "Diffuse exported at 2048, specular at 1024.",
     "Export both at one size.",
-    &check};
+    &etk003};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk004(RuleCheck& check) {
   for (const PictureEvidence& picture : check.evidence.headers) {
     const TextureHeader& h = picture.header;
     const bool pair = picture.role == FileRole::diffuse_alpha || picture.role == FileRole::specular_gloss;
@@ -39,6 +39,6 @@ constinit const Rule etk004_channel_layout{
     "colours of a texture.",
     "Specular saved as RGB: gloss is lost. A colour picture saved as 'indexed'.",
     "Save as RGBA, 8 bits a channel or more.",
-    &check};
+    &etk004};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk005(RuleCheck& check) {
   for (const PictureEvidence& picture : check.evidence.headers) {
     const bool holds_f0 = picture.role == FileRole::specular_gloss || picture.role == FileRole::f0_only ||
                           (picture.role >= FileRole::metal_rough && picture.role <= FileRole::roughness);
@@ -34,6 +34,6 @@ constinit const Rule etk005_lossy_format{
     "dielectrics.",
     "An ORM texture saved as JPEG to save disk.",
     "Keep F0 and gloss in PNG, EXR or a lossless texture container.",
-    &check};
+    &etk005};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk006(RuleCheck& check) {
   for (const PictureEvidence& picture : check.evidence.headers) {
     const std::string& declared = picture.header.colour_space;
     if (declared.empty() || picture.header.floating) continue;
@@ -38,6 +38,6 @@ constinit const Rule etk006_colourspace_metadata{
     "Programs that obey the declaration and programs that ignore it show different materials.",
     "A gAMA chunk of 1.0 left in a specular map by a compositor.",
     "Remove the declaration or convert the codes to what it says.",
-    &check};
+    &etk006};
 
 }  // namespace etak

@@ -5,8 +5,8 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
-  for (const auto* picture : {&check.evidence.a, &check.evidence.b}) {
+void etk007(RuleCheck& check) {
+  for (const auto* picture : {&etk007.evidence.a, &etk007.evidence.b}) {
     if (!*picture || !(*picture)->floats) continue;
     const FloatFacts& f = *(*picture)->floats;
     const std::uint64_t count = f.nan + f.infinite;
@@ -36,6 +36,6 @@ constinit const Rule etk007_nan_inf{
     "One such texel spreads over a whole mip level and from there over the frame.",
     "A division by zero in a bake; an EXR saved by a broken node.",
     "Bake again; clean the picture before export.",
-    &check};
+    &etk007};
 
 }  // namespace etak

@@ -6,8 +6,8 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
-  for (const auto* picture : {&check.evidence.a, &check.evidence.b}) {
+void etk008(RuleCheck& check) {
+  for (const auto* picture : {&etk008.evidence.a, &etk008.evidence.b}) {
     if (!*picture || !(*picture)->floats) continue;
     const FloatFacts& f = *(*picture)->floats;
     if (f.negative == 0) continue;
@@ -39,6 +39,6 @@ constinit const Rule etk008_negative{
     "A Lanczos-resized EXR rings below zero at a hard edge; a wide-gamut colour converted to "
     "sRGB.",
     "Clamp at 0 after resizing, or use a filter without negative lobes.",
-    &check};
+    &etk008};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk009(RuleCheck& check) {
   const auto power_of_two = [](int side) { return side > 0 && (side & (side - 1)) == 0; };
   for (const PictureEvidence& picture : check.evidence.headers) {
     const TextureHeader& h = picture.header;
@@ -32,6 +32,6 @@ constinit const Rule etk009_npot{
     "Mip levels of odd sides shift, and some hardware and block compressors refuse them.",
     "A decal cropped to 300 x 200.",
     "Resize or pack into an atlas.",
-    &check};
+    &etk009};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk010(RuleCheck& check) {
   for (const TargetFile& file : check.target.files) {
     if (!file.guessed) continue;
     Finding& finding = check.report();
@@ -30,6 +30,6 @@ constinit const Rule etk010_role_guessed{
     "A wrong guess makes every other verdict on the file meaningless.",
     "metal_spec_sheet.png, a picture of a document, taken for a specular map.",
     "Name the role: --role, [roles] in etak.toml, or a layout.",
-    &check};
+    &etk010};
 
 }  // namespace etak

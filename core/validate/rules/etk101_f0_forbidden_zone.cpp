@@ -44,7 +44,7 @@ Severity severity_of_plateau(const RuleCheck& check, const TileEvidence& tile, c
   return matches ? check.at_most(Severity::warning) : check.severity();
 }
 
-void check(RuleCheck& check) {
+void etk101(RuleCheck& check) {
   const ZoneSettings& zone = check.settings.zone;
   for_each_region(check, RegionKind::zone, [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
     const Plateau* shown = nullptr;
@@ -104,7 +104,7 @@ constinit const Rule etk101_f0_forbidden_zone{
     "as 0.21.",
     "Decide whether the surface is metal or not; re-export without a second sRGB conversion; "
     "or name the material.",
-    &check,
+    &etk101,
     RegionKind::zone};
 
 }  // namespace etak

@@ -10,7 +10,7 @@ constexpr RuleParameter parameters[] = {
     {"warn_share", 10, 10, "%", "share of the tile above which it is a warning"},
 };
 
-void check(RuleCheck& check) {
+void etk102(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const PlateauSummary* zone = tile.region(RegionKind::zone);
     if (zone == nullptr || zone->masked <= zone->area) continue;
@@ -45,7 +45,7 @@ constinit const Rule etk102_f0_transition{
     "seam of a material that does not exist.",
     "A metal mask blurred with a large brush.",
     "Use a sharper metal mask, or more texels.",
-    &check,
+    &etk102,
     RegionKind::zone};
 
 }  // namespace etak

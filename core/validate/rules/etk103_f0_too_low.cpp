@@ -10,7 +10,7 @@ constexpr RuleParameter parameters[] = {
     {"max_luminance", 0.017, 0.017, "", "F0 below which a plateau is reported"},
 };
 
-void check(RuleCheck& check) {
+void etk103(RuleCheck& check) {
   for_each_region(check, RegionKind::f0_low, [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
     Finding& finding = check.report(tile, plateaus, plateaus.largest.front(), false);
     finding.limit = number(check.parameter("max_luminance"), 3);
@@ -41,7 +41,7 @@ constinit const Rule etk103_f0_too_low{
     "Cavities painted dark in the specular map; F0 0.04 stored as linear code 10, which "
     "reads as 0.003.",
     "Use an occlusion map for cavities; store F0 with the sRGB curve.",
-    &check,
+    &etk103,
     RegionKind::f0_low};
 
 }  // namespace etak

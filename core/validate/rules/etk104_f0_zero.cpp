@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk104(RuleCheck& check) {
   for_each_region(check, RegionKind::f0_zero, [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
     Finding& finding = check.report(tile, plateaus, plateaus.largest.front(), false);
     finding.limit = "above code 1";
@@ -27,7 +27,7 @@ constinit const Rule etk104_f0_zero{
     "Everything reflects. Most often the texture is missing or was never painted.",
     "A black placeholder left in the specular slot.",
     "Give dielectrics F0 0.04 (sRGB code 56) unless you know better.",
-    &check,
+    &etk104,
     RegionKind::f0_zero};
 
 }  // namespace etak

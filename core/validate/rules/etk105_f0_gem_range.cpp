@@ -10,7 +10,7 @@ constexpr RuleParameter parameters[] = {
     {"min_luminance", 0.0812, 0.0812, "", "F0 above which a plateau is reported"},
 };
 
-void check(RuleCheck& check) {
+void etk105(RuleCheck& check) {
   for_each_region(check, RegionKind::gem, [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
     Finding& finding = check.report(tile, plateaus, plateaus.largest.front(), false);
     finding.limit = number(check.parameter("min_luminance"), 3);
@@ -35,7 +35,7 @@ constinit const Rule etk105_f0_gem_range{
     "Few things other than gems, some oxides and paints with metal flakes reflect that much.",
     "A specular map painted by eye, at a third of full range.",
     "Check the material; plastic, wood, stone and skin lie at codes 44 to 66.",
-    &check,
+    &etk105,
     RegionKind::gem};
 
 }  // namespace etak

@@ -13,7 +13,7 @@ constexpr RuleParameter parameters[] = {
     {"spread_error", 12, 12, "codes", "above which it is an error"},
 };
 
-void check(RuleCheck& check) {
+void etk106(RuleCheck& check) {
   for_each_region(check, RegionKind::coloured, [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
     // The most colourful plateau is the one to show.
     const Plateau* shown = nullptr;
@@ -53,7 +53,7 @@ constinit const Rule etk106_dielectric_coloured{
     "reflections have no hue. Colour belongs into the diffuse texture.",
     "The diffuse colour multiplied into the specular map.",
     "Make F0 grey; put the hue into diffuse.",
-    &check,
+    &etk106,
     RegionKind::coloured};
 
 }  // namespace etak

@@ -17,7 +17,7 @@ bool is_known_metal(const std::array<double, 3>& linear) {
   });
 }
 
-void check(RuleCheck& check) {
+void etk107(RuleCheck& check) {
   if (const auto& b = check.evidence.b; b && b->floats && b->floats->above_one != 0) {
     const FloatFacts& f = *b->floats;
     const std::array<double, 3> value{static_cast<double>(f.above_value[0]),
@@ -77,6 +77,6 @@ constinit const Rule etk107_f0_above_one{
     "above 1 creates energy.",
     "Specular multiplied by an exposure; gold exported to 8 bits, red clipped.",
     "Bring F0 to at most 1; for gold and copper say which gamut mapping was used.",
-    &check};
+    &etk107};
 
 }  // namespace etak

@@ -13,7 +13,7 @@ constexpr RuleParameter parameters[] = {
     {"error_byte", 50, 50, "code", "above which it is an error"},
 };
 
-void check(RuleCheck& check) {
+void etk108(RuleCheck& check) {
   for_each_region(check, RegionKind::metal_with_diffuse,
                   [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
                     const Plateau& largest = plateaus.largest.front();
@@ -45,7 +45,7 @@ constinit const Rule etk108_metal_has_diffuse{
     "diffuse.",
     "A metal-rough base colour copied into the diffuse slot of a specular workflow.",
     "Paint diffuse black under metals.",
-    &check,
+    &etk108,
     RegionKind::metal_with_diffuse};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk109(RuleCheck& check) {
   if (check.target.manifest.transparent || check.settings.alpha_is_transparency) return;
   for_each_region(check, RegionKind::black_diffuse,
                   [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
@@ -31,7 +31,7 @@ constinit const Rule etk109_dielectric_black_diffuse{
     "It may be glass or soot, but it is also what a metal looks like whose F0 was forgotten.",
     "Metal mask applied to diffuse but not to specular.",
     "Give the metal its F0, or mark the material transparent.",
-    &check,
+    &etk109,
     RegionKind::black_diffuse};
 
 }  // namespace etak

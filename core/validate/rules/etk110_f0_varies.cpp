@@ -14,7 +14,7 @@ constexpr RuleParameter parameters[] = {
     {"deviation", 3, 3, "codes", "largest standard deviation of a channel"},
 };
 
-void check(RuleCheck& check) {
+void etk110(RuleCheck& check) {
   std::map<std::string, std::vector<const TileEvidence*>> materials;
   for (const TileEvidence& tile : check.evidence.tiles)
     if (!tile.tile.material.empty() && tile.detail.every_row) materials[tile.tile.material].push_back(&tile);
@@ -57,6 +57,6 @@ constinit const Rule etk110_f0_varies{
     "F0 follows from the index of refraction, which does not change with scratches or dirt.",
     "Noise or a photo overlaid on the specular map.",
     "Use one F0 for the material and put the variation into gloss.",
-    &check};
+    &etk110};
 
 }  // namespace etak

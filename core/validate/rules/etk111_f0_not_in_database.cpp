@@ -10,7 +10,7 @@ constexpr RuleParameter parameters[] = {
     {"distance", 6, 6, "codes", "largest channel difference that counts as known"},
 };
 
-void check(RuleCheck& check) {
+void etk111(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const PlateauSummary* plateaus = tile.region(RegionKind::any_f0);
     if (plateaus == nullptr) continue;
@@ -49,7 +49,7 @@ constinit const Rule etk111_f0_not_in_database{
     "A measured value is a better start than a painted one.",
     "An F0 found by eye.",
     "Take the F0 of one of the nearest materials.",
-    &check,
+    &etk111,
     RegionKind::any_f0};
 
 }  // namespace etak

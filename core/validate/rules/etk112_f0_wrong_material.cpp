@@ -26,7 +26,7 @@ std::string encoding_of(const CodeTables& tables, const std::array<double, 3>& f
   return never < 4 ? "stored linear" : "";
 }
 
-void check(RuleCheck& check) {
+void etk112(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const PlateauSummary* plateaus = tile.region(RegionKind::any_f0);
     const std::vector<const KnownF0*> datasets = known_f0_of(tile.tile.material);
@@ -81,7 +81,7 @@ constinit const Rule etk112_f0_wrong_material{
     "Name and value contradict each other: one of them is wrong.",
     "A tile named gold with the F0 of brass.",
     "Correct the F0 (etak f0 NAME prints it) or the name.",
-    &check,
+    &etk112,
     RegionKind::any_f0};
 
 }  // namespace etak

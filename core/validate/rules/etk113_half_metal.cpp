@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk113(RuleCheck& check) {
   for_each_region(check, RegionKind::half_metal,
                   [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
                     const Plateau& largest = plateaus.largest.front();
@@ -34,7 +34,7 @@ constinit const Rule etk113_half_metal{
     "and give F0 of the forbidden zone.",
     "Metallic painted at 0.5 for 'semi-metallic' paint.",
     "Set metallic to 0 or 1; for rust and dirt use a sharp mask.",
-    &check,
+    &etk113,
     RegionKind::half_metal};
 
 }  // namespace etak

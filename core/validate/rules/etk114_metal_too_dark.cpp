@@ -9,7 +9,7 @@ constexpr RuleParameter parameters[] = {
     {"error_share", 10, 10, "%", "share of the metal from which on it is an error"},
 };
 
-void check(RuleCheck& check) {
+void etk114(RuleCheck& check) {
   for_each_region(check, RegionKind::dark_metal,
                   [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
                     Finding& finding = check.report(tile, plateaus, plateaus.largest.front(), false);
@@ -40,7 +40,7 @@ constinit const Rule etk114_metal_too_dark{
     "and loses its diffuse colour by that.",
     "Black coated frames painted as metal with a dark base colour.",
     "Set metallic to 0 for paint and coatings; give bare metal its real F0.",
-    &check,
+    &etk114,
     RegionKind::dark_metal};
 
 }  // namespace etak

@@ -11,7 +11,7 @@ constexpr RuleParameter parameters[] = {
     {"far_limit", 1.02, 1.02, "", "above which it is an error"},
 };
 
-void check(RuleCheck& check) {
+void etk201(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const ByteCounts& counts = tile.counts;
     if (counts.energy_over < check.least_area(tile)) continue;
@@ -49,6 +49,6 @@ constinit const Rule etk201_energy_sum{
     "More light leaves than comes in: interreflections in a renderer grow without end.",
     "White plaster at 1.0 diffuse with F0 0.04 on top.",
     "Lower diffuse to 1 - F0, or F0 to that of the material.",
-    &check};
+    &etk201};
 
 }  // namespace etak

@@ -10,7 +10,7 @@ constexpr RuleParameter parameters[] = {
     {"min_byte", 30, 50, "code", "smallest grey code that is let pass"},
 };
 
-void check(RuleCheck& check) {
+void etk202(RuleCheck& check) {
   for_each_region(check, RegionKind::albedo_dark,
                   [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
                     Finding& finding = check.report(tile, plateaus, plateaus.largest.front(), true);
@@ -35,7 +35,7 @@ constinit const Rule etk202_albedo_too_dark{
     "Charcoal reflects 2 to 4 %. Darker paint swallows bounced light and looks like a hole.",
     "Black plastic painted at code 10.",
     "Brighten to code 30 or more, unless it was measured.",
-    &check,
+    &etk202,
     RegionKind::albedo_dark};
 
 }  // namespace etak

@@ -10,7 +10,7 @@ constexpr RuleParameter parameters[] = {
     {"max_byte", 250, 240, "code", "largest grey code that is let pass"},
 };
 
-void check(RuleCheck& check) {
+void etk203(RuleCheck& check) {
   for_each_region(check, RegionKind::albedo_bright,
                   [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
                     Finding& finding = check.report(tile, plateaus, plateaus.largest.front(), true);
@@ -34,7 +34,7 @@ constinit const Rule etk203_albedo_too_bright{
     "almost without loss.",
     "Paper painted at pure white.",
     "Darken to code 240 or less.",
-    &check,
+    &etk203,
     RegionKind::albedo_bright};
 
 }  // namespace etak

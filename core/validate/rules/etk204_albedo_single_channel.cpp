@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk204(RuleCheck& check) {
   for_each_region(check, RegionKind::albedo_single,
                   [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
                     Finding& finding = check.report(tile, plateaus, plateaus.largest.front(), true);
@@ -29,7 +29,7 @@ constinit const Rule etk204_albedo_single_channel{
     "(blood, anodised aluminium), so it is information only.",
     "Pure red, 255 0 0, from a colour picker.",
     "Lift the lowest channel a little.",
-    &check,
+    &etk204,
     RegionKind::albedo_single};
 
 }  // namespace etak

@@ -19,7 +19,7 @@ constexpr Band bands[] = {
     {"red-tile", 0.23, 0.33},    {"dry-sand", 0.20, 0.45},  {"new-concrete", 0.32, 0.55},
     {"white-paint", 0.75, 0.85}, {"snow", 0.85, 0.95}};
 
-void check(RuleCheck& check) {
+void etk205(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const auto* band = std::find_if(std::begin(bands), std::end(bands),
                                     [&](const Band& b) { return b.name == tile.tile.surface_class; });
@@ -59,6 +59,6 @@ constinit const Rule etk205_albedo_preset{
     "Scenes of assets from many hands agree in exposure only when their albedos do.",
     "Concrete painted from a photograph taken in shadow.",
     "Scale the diffuse texture so that its mean lies in the band.",
-    &check};
+    &etk205};
 
 }  // namespace etak

@@ -37,7 +37,7 @@ double specular_albedo(double f0, double gloss) {
   return at(row) * (1 - down) + at(row + 1) * down;
 }
 
-void check(RuleCheck& check) {
+void etk206(RuleCheck& check) {
   if (check.target.manifest.specular_weighs_diffuse) return;
   for (const TileEvidence& tile : check.evidence.tiles) {
     const Detail& d = tile.detail;
@@ -87,6 +87,6 @@ constinit const Rule etk206_model_gains_energy{
     "angles. It speaks of the model, not of the artist.",
     "White glossy plastic: 0.9 diffuse plus 0.44 specular albedo at 85 degrees.",
     "Use a model that weighs diffuse by what specular leaves, or darker diffuse.",
-    &check};
+    &etk206};
 
 }  // namespace etak

@@ -14,7 +14,7 @@ constexpr RuleParameter parameters[] = {
     {"min_texels", 4096, 4096, "px", "smaller tiles are not asked"},
 };
 
-void check(RuleCheck& check) {
+void etk301(RuleCheck& check) {
   if (!check.has_gloss()) return;
   std::size_t large = 0;
   std::vector<std::size_t> constant;
@@ -59,6 +59,6 @@ constinit const Rule etk301_gloss_constant{
     "Real surfaces vary in polish, dust and wear; constant gloss looks like plastic.",
     "Gloss slot filled with one grey.",
     "Paint gloss; or, if one number is meant, leave the texture out and use the number.",
-    &check};
+    &etk301};
 
 }  // namespace etak

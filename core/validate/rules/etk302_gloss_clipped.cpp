@@ -12,7 +12,7 @@ constexpr RuleParameter parameters[] = {
     {"share", 5, 5, "%", "share of opaque texels that may stand at an end"},
 };
 
-void check(RuleCheck& check) {
+void etk302(RuleCheck& check) {
   if (!check.has_gloss()) return;
   for (const TileEvidence& tile : check.evidence.tiles) {
     const ByteCounts& counts = tile.counts;
@@ -53,6 +53,6 @@ constinit const Rule etk302_gloss_clipped{
     "above 0.904.",
     "Contrast of a roughness map pushed up until the ends clip.",
     "Lower the contrast before export, or convert roughness by another convention.",
-    &check};
+    &etk302};
 
 }  // namespace etak

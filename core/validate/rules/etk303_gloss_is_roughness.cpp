@@ -7,7 +7,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk303(RuleCheck& check) {
   std::size_t asked = 0, inverted = 0;
   for (const TileEvidence& tile : check.evidence.tiles) {
     if (!tile.tile.typical_gloss || tile.counts.gloss_texels == 0) continue;
@@ -39,6 +39,6 @@ constinit const Rule etk303_gloss_is_roughness{
     "The two conventions differ by an inversion only, and both look plausible alone.",
     "A roughness map saved into the gloss channel.",
     "Invert the channel.",
-    &check};
+    &etk303};
 
 }  // namespace etak

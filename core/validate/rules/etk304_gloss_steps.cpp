@@ -14,7 +14,7 @@ constexpr RuleParameter parameters[] = {
     {"span", 32, 32, "codes", "least distance of the ends"},
 };
 
-void check(RuleCheck& check) {
+void etk304(RuleCheck& check) {
   if (!check.has_gloss()) return;
   for (const TileEvidence& tile : check.evidence.tiles) {
     const Detail& d = tile.detail;
@@ -48,6 +48,6 @@ constinit const Rule etk304_gloss_steps{
     "Highlights change their size in visible steps.",
     "Gloss stored in a palette picture or posterised.",
     "Export gloss from its source with 8 bits.",
-    &check};
+    &etk304};
 
 }  // namespace etak

@@ -12,7 +12,7 @@ constexpr RuleParameter parameters[] = {
     {"share", 80, 80, "%", "of the plateau area with codes up to 84"},
 };
 
-void check(RuleCheck& check) {
+void etk401(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const PlateauSummary* plateaus = tile.region(RegionKind::any_f0);
     if (plateaus == nullptr || plateaus->regions == 0) continue;
@@ -61,7 +61,7 @@ constinit const Rule etk401_specular_stored_linear{
     "F0 0.02 to 0.08 stored linear are codes 5 to 20 and read back as 0.0015 to 0.0072.",
     "A shader graph baked to a linear texture, imported as sRGB.",
     "Export specular with the sRGB curve, or import it as linear.",
-    &check,
+    &etk401,
     RegionKind::any_f0};
 
 }  // namespace etak

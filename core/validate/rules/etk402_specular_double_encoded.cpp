@@ -12,7 +12,7 @@ constexpr RuleParameter parameters[] = {
     {"share", 80, 80, "%", "of the achromatic non-metal plateau area"},
 };
 
-void check(RuleCheck& check) {
+void etk402(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const PlateauSummary* plateaus = tile.region(RegionKind::any_f0);
     if (plateaus == nullptr || plateaus->regions == 0 || check.settings.transfer == TextureTransfer::linear)
@@ -71,7 +71,7 @@ constinit const Rule etk402_specular_double_encoded{
     "One conversion too many in the export chain.",
     "An sRGB texture read as linear and encoded on writing.",
     "Remove one of the two conversions.",
-    &check,
+    &etk402,
     RegionKind::any_f0};
 
 }  // namespace etak

@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk403(RuleCheck& check) {
   if (check.settings.transfer_stated || check.target.manifest.transfer ||
       check.settings.transfer != TextureTransfer::srgb)
     return;
@@ -52,6 +52,6 @@ constinit const Rule etk403_transfer_unstated{
     "The two differ by up to 5 codes in the range of dielectrics.",
     "Codes copied from an article that uses a plain power.",
     "State transfer = \"gamma22\", or re-encode.",
-    &check};
+    &etk403};
 
 }  // namespace etak

@@ -12,7 +12,7 @@ constexpr RuleParameter parameters[] = {
     {"codes", 8, 8, "", "least number of distinct dark codes"},
 };
 
-void check(RuleCheck& check) {
+void etk404(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const Detail& d = tile.detail;
     if (!d.every_row) continue;
@@ -59,6 +59,6 @@ constinit const Rule etk404_linear8_comb{
     "bands.",
     "A texture converted to linear 8 bits for editing and back.",
     "Edit in 16 bits or float.",
-    &check};
+    &etk404};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk405(RuleCheck& check) {
   const auto& b = check.evidence.b;
   if (!b || b->header.bits != 8 || b->header.floating || check.evidence.metal_rough) return;
   const auto& stated = check.target.manifest.transfer;
@@ -35,6 +35,6 @@ constinit const Rule etk405_linear8_f0{
     "F0 of dielectrics is 5 to 20 of 255 steps then, wrong by up to 10 %.",
     "An engine set to import specular as linear data.",
     "Store F0 with the sRGB curve, or with 16 bits.",
-    &check};
+    &etk405};
 
 }  // namespace etak

@@ -7,7 +7,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk406(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const Detail& d = tile.detail;
     if (!d.every_row || d.opaque < 4096 ||
@@ -58,6 +58,6 @@ constinit const Rule etk406_posterised{
     "Bands show in gradients.",
     "A texture saved with a palette, or quantised by a video codec.",
     "Export again from the source.",
-    &check};
+    &etk406};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk407(RuleCheck& check) {
   const auto& a = check.evidence.a;
   if (!a || a->header.floating || a->header.colour_space != "linear" ||
       check.settings.transfer == TextureTransfer::linear)
@@ -32,6 +32,6 @@ constinit const Rule etk407_albedo_stored_linear{
     "Codes and curve do not match.",
     "An albedo saved from a linear working space with its tag.",
     "Convert to sRGB on export, or remove a wrong tag.",
-    &check};
+    &etk407};
 
 }  // namespace etak

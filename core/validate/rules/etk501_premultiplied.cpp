@@ -14,7 +14,7 @@ constexpr RuleParameter parameters[] = {
     {"correlation", 0.9, 0.9, "", "between max(RGB) and alpha"},
 };
 
-void check(RuleCheck& check) {
+void etk501(RuleCheck& check) {
   if (!check.has_alpha()) return;
   for (const TileEvidence& tile : check.evidence.tiles) {
     const ByteCounts& c = tile.counts;
@@ -55,6 +55,6 @@ constinit const Rule etk501_premultiplied{
     "The engine multiplies again: dark halos around cut-outs.",
     "A picture saved by a compositor that works premultiplied.",
     "Export with straight alpha.",
-    &check};
+    &etk501};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk502(RuleCheck& check) {
   if (!check.has_alpha()) return;
   for (const TileEvidence& tile : check.evidence.tiles) {
     if (tile.fringe == 0) continue;
@@ -36,6 +36,6 @@ constinit const Rule etk502_alpha_fringe{
     "Filtering mixes the hidden colour into the edge: a dark or white halo.",
     "A leaf on black: the colour under alpha 0 is black.",
     "Let the colour bleed outwards under alpha 0.",
-    &check};
+    &etk502};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk503(RuleCheck& check) {
   if (!check.has_alpha()) return;
   std::uint64_t texels = 0, full = 0, zero = 0;
   for (const TileEvidence& tile : check.evidence.tiles) {
@@ -40,6 +40,6 @@ constinit const Rule etk503_alpha_constant{
     "object.",
     "Alpha slot left empty on export.",
     "Leave the channel out, or fill it.",
-    &check};
+    &etk503};
 
 }  // namespace etak

@@ -11,7 +11,7 @@ constexpr RuleParameter parameters[] = {
     {"difference", 2, 2, "/255", "largest linear difference"},
 };
 
-void check(RuleCheck& check) {
+void etk504(RuleCheck& check) {
   if (check.target.manifest.tiles.empty()) return;
   for (const TileEvidence& tile : check.evidence.tiles)
     for (std::size_t level = 0; level < tile.mip_bleed.size(); ++level) {
@@ -44,6 +44,6 @@ constinit const Rule etk504_mip_bleed{
     "into the forbidden zone.",
     "Tiles packed edge to edge at odd positions.",
     "Align tiles to 2^level, or give them a gutter of 2^(level - 1) texels.",
-    &check};
+    &etk504};
 
 }  // namespace etak

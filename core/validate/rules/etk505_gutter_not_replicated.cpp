@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk505(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     if (tile.gutter_wrong == 0) continue;
     Finding& finding = check.report(tile, FileRole::diffuse_alpha);
@@ -33,6 +33,6 @@ constinit const Rule etk505_gutter_not_replicated{
     "Filtering reads the gutter at the tile's edge.",
     "A gutter filled with black.",
     "Pack again with a replicated gutter.",
-    &check};
+    &etk505};
 
 }  // namespace etak

@@ -7,7 +7,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk506(RuleCheck& check) {
   const auto& tiles = check.target.manifest.tiles;
   const auto& picture = check.evidence.b ? check.evidence.b : check.evidence.a;
   if (picture)
@@ -57,6 +57,6 @@ constinit const Rule etk506_tile_overlap{
     "One tile shows the other's texels.",
     "A layout edited by hand.",
     "Pack again.",
-    &check};
+    &etk506};
 
 }  // namespace etak

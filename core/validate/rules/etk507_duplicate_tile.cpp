@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk507(RuleCheck& check) {
   std::map<std::tuple<std::uint64_t, std::uint64_t, int, int>, const TileEvidence*> seen;
   for (const TileEvidence& tile : check.evidence.tiles) {
     // Numbers of a layout: nothing is stored twice.
@@ -38,6 +38,6 @@ constinit const Rule etk507_duplicate_tile{"ETK507",
                                            "Wasted area: both materials can use one tile.",
                                            "One texture set used by two materials, packed twice.",
                                            "Let the packer join equal materials.",
-                                           &check};
+                                           &etk507};
 
 }  // namespace etak

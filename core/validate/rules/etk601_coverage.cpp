@@ -10,7 +10,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk601(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   for (const SpectralRows& rows : material->datasets) {
@@ -51,6 +51,6 @@ constinit const Rule etk601_coverage{
     "below, it is a guess.",
     "An infrared measurement used for a colour.",
     "Use another dataset, or complete the table.",
-    &check};
+    &etk601};
 
 }  // namespace etak

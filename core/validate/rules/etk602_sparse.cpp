@@ -13,7 +13,7 @@ constexpr RuleParameter parameters[] = {
     {"max_gap", 30, 30, "nm", "between neighbouring samples"},
 };
 
-void check(RuleCheck& check) {
+void etk602(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   for (const SpectralRows& rows : material->datasets) {
@@ -51,6 +51,6 @@ constinit const Rule etk602_sparse{
     "Absorption bands between samples are lost.",
     "A table typed from a figure at seven wavelengths.",
     "Prefer a denser dataset.",
-    &check};
+    &etk602};
 
 }  // namespace etak

@@ -7,7 +7,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk603(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   for (const SpectralRows& rows : material->datasets) {
@@ -49,6 +49,6 @@ constinit const Rule etk603_wavelength_order{
     "Which of the two values holds is not known.",
     "Two tables pasted one behind the other.",
     "Remove one of the rows.",
-    &check};
+    &etk603};
 
 }  // namespace etak

@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk604(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   for (const SpectralRows& rows : material->datasets) {
@@ -45,6 +45,6 @@ constinit const Rule etk604_nk_range{
     "Columns are mixed up, or a number lost its decimal point.",
     "k given as percent.",
     "Compare with the source.",
-    &check};
+    &etk604};
 
 }  // namespace etak

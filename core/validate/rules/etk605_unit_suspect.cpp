@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk605(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   for (const SpectralRows& rows : material->datasets) {
@@ -40,6 +40,6 @@ constinit const Rule etk605_unit_suspect{
     "range.",
     "A page in micrometres imported as nanometres.",
     "State the unit of the source.",
-    &check};
+    &etk605};
 
 }  // namespace etak

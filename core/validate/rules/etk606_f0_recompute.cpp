@@ -14,7 +14,7 @@ constexpr RuleParameter parameters[] = {
     {"difference", 5e-4, 5e-4, "", "largest difference of a linear channel"},
 };
 
-void check(RuleCheck& check) {
+void etk606(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   if (!material->computed_f0) return;
@@ -54,6 +54,6 @@ constinit const Rule etk606_f0_recompute{
     "The data were changed after F0 was computed, or it was computed under another policy.",
     "An F0 copied from an article beside newer n and k.",
     "Compute again: etak f0 FILE.",
-    &check};
+    &etk606};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk607(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   for (const SpectralRows& rows : material->datasets) {
@@ -44,6 +44,6 @@ constinit const Rule etk607_reference_missing{
     "A number that nobody can look up cannot be trusted, nor passed on.",
     "A material typed in from a slide.",
     "Add doi, url or via, licence and sample.",
-    &check};
+    &etk607};
 
 }  // namespace etak

@@ -12,7 +12,7 @@ constexpr RuleParameter parameters[] = {
     {"spread", 0.05, 0.05, "", "largest difference of reflectance"},
 };
 
-void check(RuleCheck& check) {
+void etk608(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   if (material->at_550.size() < 2) return;
@@ -44,6 +44,6 @@ constinit const Rule etk608_dataset_spread{
     "The choice of the dataset matters more than any arithmetic after it.",
     "Evaporated films against polished bulk.",
     "Say why the preferred one is preferred.",
-    &check};
+    &etk608};
 
 }  // namespace etak

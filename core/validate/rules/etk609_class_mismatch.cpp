@@ -7,7 +7,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk609(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   if (!material->luminance || material->material_class.empty()) return;
@@ -40,6 +40,6 @@ constinit const Rule etk609_class_mismatch{
     "Class and data contradict each other, or the sample is a film or a powder.",
     "A table of an oxide filed under the metal's name.",
     "Check class and sample.",
-    &check};
+    &etk609};
 
 }  // namespace etak

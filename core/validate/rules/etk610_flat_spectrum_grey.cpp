@@ -9,7 +9,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk610(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   static const double difference = [] {
@@ -40,6 +40,6 @@ constinit const Rule etk610_flat_spectrum_grey{
     "White point and sums do not fit together, and every neutral metal gets a tint.",
     "Sums at other wavelengths than those of the white.",
     "A mistake in etak: please report it.",
-    &check};
+    &etk610};
 
 }  // namespace etak

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-void check(RuleCheck& check) {
+void etk611(RuleCheck& check) {
   const auto& material = check.evidence.material;
   if (!material) return;
   if (material->schema_error.empty()) return;
@@ -30,6 +30,6 @@ constinit const Rule etk611_schema{
     "What is misspelt is not read.",
     "\"licens\" for \"licence\".",
     "Correct the file at the pointer that the message names.",
-    &check};
+    &etk611};
 
 }  // namespace etak
