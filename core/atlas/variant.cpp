@@ -15,13 +15,6 @@ std::string define_of(std::string_view prefix, std::string_view id) {
   return out;
 }
 
-std::string id_of(std::string_view text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '_' ? '-' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return out;
-}
-
 }  // namespace
 
 const MaterialVariant* ShadingVariants::find(std::string_view material) const {
@@ -39,18 +32,6 @@ std::vector<std::string> shading_defines(std::string_view model, std::string_vie
     rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
   }
   out.push_back(define_of("ETAK_FILTER_", filter));
-  return out;
-}
-
-std::optional<std::string> model_of_defines(const std::vector<std::string>& defines) {
-  std::string out = "microfacet:";
-  for (const std::string_view prefix : term_prefixes) {
-    const auto found = std::find_if(defines.begin(), defines.end(),
-                                    [&](const std::string& each) { return each.starts_with(prefix); });
-    if (found == defines.end()) return std::nullopt;
-    if (out.back() != ':') out += ',';
-    out += id_of(std::string_view(*found).substr(prefix.size()));
-  }
   return out;
 }
 

@@ -52,8 +52,4 @@ ShadingVariants parse_choices(std::string_view text, std::string_view file);
 ///   filter   the id of a filter, "trilinear"
 std::vector<std::string> shading_defines(std::string_view model, std::string_view filter);
 
-/// The name of the model that shading_defines() was given; none unless lobe, Fresnel term and masking are
-/// named.
-std::optional<std::string> model_of_defines(const std::vector<std::string>& defines);
-
 }  // namespace etak

@@ -36,20 +36,6 @@ struct OpenConfig {
   std::string label;
 };
 
-// The descriptions of spaces may span lines; etak's are one line.
-std::string one_line(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const bool blank = c == '\n' || c == '\r' || c == '\t' || c == ' ';
-    if (!blank)
-      out.push_back(c);
-    else if (!out.empty() && out.back() != ' ')
-      out.push_back(' ');
-  }
-  while (!out.empty() && (out.back() == ' ' || out.back() == '.')) out.pop_back();
-  return printable(out, 300);
-}
-
 // OpenColorIO tells what failed inside of it ("stoi"). What a reader of the message can use of that is the
 // table that a transform names and the line, where it gives them: ", in its table 'luts/film.cube', at line
 // 3".
@@ -446,16 +432,6 @@ std::vector<OcioDisplayInfo> ocio_displays(const std::string& config) {
   } catch (const ocio::Exception& e) {
     throw Error::at(open.label, "displays cannot be listed" + where(e.what()), usable);
   }
-}
-
-std::vector<OcioSpaceInfo> ocio_spaces(const std::string& config) {
-  const OpenConfig open = open_config(config);
-  std::vector<OcioSpaceInfo> out;
-  for (const auto& name : space_names(*open.config, ocio::COLORSPACE_ACTIVE)) {
-    const auto space = open.config->getColorSpace(name.c_str());
-    if (!space->isData()) out.push_back({name, space->getFamily(), one_line(space->getDescription())});
-  }
-  return out;
 }
 
 }  // namespace etak

@@ -116,13 +116,4 @@ std::vector<OcioDisplayInfo> ocio_displays(const std::string& config);
 /// How messages and OcioSpace::config() call etak's own config.
 inline constexpr const char* builtin_ocio_config = "<built-in OpenColorIO config>";
 
-/// What a listing of a config shows of one active space.
-struct OcioSpaceInfo {
-  std::string name, family, description;
-  friend bool operator==(const OcioSpaceInfo&, const OcioSpaceInfo&) = default;
-};
-
-/// The active spaces that hold colour, in the config's order. `config` as in OcioSpace::open. Throws Error.
-std::vector<OcioSpaceInfo> ocio_spaces(const std::string& config);
-
 }  // namespace etak

@@ -31,14 +31,6 @@ std::uint32_t make_room(std::vector<std::uint8_t>& out, std::size_t used, std::s
 
 }  // namespace
 
-const char* deflate_library() {
-#ifdef ETAK_HAS_ISAL
-  return "ISA-L";
-#else
-  return "zlib";
-#endif
-}
-
 std::uint32_t crc32_of(std::uint32_t crc, std::span<const std::uint8_t> bytes) {
 #ifdef ETAK_HAS_ISAL
   return ::crc32_gzip_refl(crc, bytes.data(), bytes.size());

@@ -15,9 +15,6 @@ namespace etak {
 // The one door to zlib and ISA-L (Intel's Intelligent Storage Acceleration Library; used where it was found
 // when etak was built). Deflate is RFC 1951, the stream around it RFC 1950.
 
-/// "ISA-L" or "zlib": what inflates, and what deflates at PngLevel::fast.
-const char* deflate_library();
-
 /// CRC-32 of PNG chunks (ISO 3309), continued from `crc`; 0 to begin with.
 std::uint32_t crc32_of(std::uint32_t crc, std::span<const std::uint8_t> bytes);
 

@@ -95,12 +95,6 @@ void push(BlockLevel& base) {
 
 }  // namespace
 
-PixelBox grown(const PixelBox& box, int gutter, int width, int height) {
-  const int left = std::max(0, box.x - gutter), top = std::max(0, box.y - gutter);
-  return {left, top, std::min(width, box.x + box.width + gutter) - left,
-          std::min(height, box.y + box.height + gutter) - top};
-}
-
 void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBox& cell) {
   const int right = box.x + box.width, cell_right = cell.x + cell.width;
   for (int y = box.y; y < box.y + box.height; ++y) {
@@ -113,21 +107,6 @@ void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBo
   const int last = box.y + box.height - 1;
   for (int y = last + 1; y < cell.y + cell.height; ++y)
     std::memcpy(page.at(cell.x, y), page.at(cell.x, last), bytes);
-}
-
-void replicate_edges(const PixelsView8& page, const PixelBox& box, int gutter) {
-  replicate_edges(page, box, grown(box, gutter, page.width, page.height));
-}
-
-void fill_from_nearest(const PixelsView8& page, const PixelBox& cell, const ConstPixelsView8& source, int x,
-                       int y) {
-  assert(page.channels == source.channels);
-  for (int row = cell.y; row < cell.y + cell.height; ++row)
-    for (int column = cell.x; column < cell.x + cell.width; ++column)
-      std::memmove(
-          page.at(column, row),
-          source.at(std::clamp(column - x, 0, source.width - 1), std::clamp(row - y, 0, source.height - 1)),
-          static_cast<std::size_t>(page.channels));
 }
 
 std::size_t bleed_under_alpha(const PixelsView8& a, const PixelsView8& b) {

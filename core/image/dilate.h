@@ -10,20 +10,9 @@ namespace etak {
 
 // What lies around and under the texels in use, so that filtering finds nothing foreign.
 
-/// The box and `gutter` more on each side, cut off at a page of width x height.
-PixelBox grown(const PixelBox& box, int gutter, int width, int height);
-
 /// Texels of `cell` outside of `box` become those of `box` that are nearest (edges and corners repeated).
 /// `box` lies in `cell`, and `cell` in the page. All channels.
 void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBox& cell);
-
-/// The same for a gutter of equal width, cut off at the page's edges.
-void replicate_edges(const PixelsView8& page, const PixelBox& box, int gutter);
-
-/// Texels of `cell` become the nearest of `source`, whose left upper corner is thought at column x, row y of
-/// the page (inside or outside of the cell). `source` does not lie in the cell, or has one texel.
-void fill_from_nearest(const PixelsView8& page, const PixelBox& cell, const ConstPixelsView8& source, int x,
-                       int y);
 
 /// Fills texels of alpha 0 (the fourth channel of `a`) in all channels of A but alpha, and in B, if B has
 /// data.

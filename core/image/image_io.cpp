@@ -173,18 +173,6 @@ Pixels<Value> read_pixels(const Input& input, const std::string& label, OIIO::Ty
   return image;
 }
 
-template <class Value>
-Pixels<Value> read_codes(const std::string& path, int bits, OIIO::TypeDesc type) {
-  return with_file(path, [&](const Input& input) {
-    const ImageInfo info = info_of(input);
-    if (info.bits != bits || info.floating)
-      throw Error::at(
-          path, "holds values of " + std::to_string(info.bits) + " bits" + (info.floating ? " (float)" : ""),
-          std::to_string(bits) + " bits");
-    return read_pixels<Value>(input, path, type);
-  });
-}
-
 // The whole file, made in memory.
 template <class Value>
 std::string encoded(const std::string& label, const Pixels<Value>& image, const char* format,
@@ -216,14 +204,6 @@ void write(const std::string& path, const Pixels<Value>& image, const char* form
   write_file(path, encoded(path, image, format, memory_type, spec), overwrite);
 }
 
-template <class Value>
-void write_tiff_of(const std::string& path, const Pixels<Value>& image, OIIO::TypeDesc type, bool overwrite) {
-  OIIO::ImageSpec spec(image.width, image.height, image.channels, type);
-  spec.alpha_channel = image.channels % 2 == 0 ? image.channels - 1 : -1;
-  spec["compression"] = "zip";
-  write(path, image, "tif", type, spec, overwrite);
-}
-
 }  // namespace
 
 ImageInfo read_image_info(const std::string& path) {
@@ -233,14 +213,6 @@ ImageInfo read_image_info(const std::string& path) {
 Image read_image(const std::string& path) {
   return with_file(path,
                    [&](const Input& input) { return read_pixels<float>(input, path, OIIO::TypeFloat); });
-}
-
-Image8 read_image8(const std::string& path) {
-  return read_codes<std::uint8_t>(path, 8, OIIO::TypeUInt8);
-}
-
-Image16 read_image16(const std::string& path) {
-  return read_codes<std::uint16_t>(path, 16, OIIO::TypeUInt16);
 }
 
 namespace {
@@ -292,18 +264,6 @@ std::string tiff_bytes(const Image& image, const std::string& fourth) {
   spec["compression"] = "zip";
   spec.alpha_channel = image.channels == 4 && fourth == "alpha" ? 3 : -1;
   return encoded("tiff", image, "tif", OIIO::TypeFloat, spec);
-}
-
-void write_tiff(const std::string& path, const Image8& image, bool overwrite) {
-  write_tiff_of(path, image, OIIO::TypeUInt8, overwrite);
-}
-
-void write_tiff(const std::string& path, const Image16& image, bool overwrite) {
-  write_tiff_of(path, image, OIIO::TypeUInt16, overwrite);
-}
-
-void write_tiff(const std::string& path, const Image& image, bool overwrite) {
-  write_tiff_of(path, image, OIIO::TypeFloat, overwrite);
 }
 
 }  // namespace etak

@@ -42,10 +42,6 @@ ImageInfo read_image_info(const std::string& path);
 /// undone: PNG codes stay encoded. NaN and infinity stay for the caller to judge.
 Image read_image(const std::string& path);
 
-/// The codes of an 8-bit file, or of a 16-bit one, untouched. Throw Error for files of another depth.
-Image8 read_image8(const std::string& path);
-Image16 read_image16(const std::string& path);
-
 /// A picture in the kind of values its file has: 8-bit codes, 16-bit codes, or float for the rest.
 struct AnyImage {
   ImageInfo info;
@@ -72,11 +68,5 @@ void write_exr(const std::string& path, const Image& image, bool floats, bool ov
 /// or unspecified in TIFF.
 std::string exr_bytes(const Image& image, const std::string& fourth);
 std::string tiff_bytes(const Image& image, const std::string& fourth);
-
-/// TIFF with 8-bit codes, 16-bit codes or 32-bit floats; ZIP compression, and a last channel of two or four
-/// that is no factor of the colour ("unassociated").
-void write_tiff(const std::string& path, const Image8& image, bool overwrite);
-void write_tiff(const std::string& path, const Image16& image, bool overwrite);
-void write_tiff(const std::string& path, const Image& image, bool overwrite);
 
 }  // namespace etak

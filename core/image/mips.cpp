@@ -3,7 +3,6 @@
 
 #include <atomic>
 
-#include "core/image/dilate.h"
 #include "core/image/linear_tables.h"
 #include "core/image/mip_chain.h"
 #include "core/image/mip_rows.h"
@@ -169,60 +168,6 @@ MipPair mip_pair(const Image8& a, const Image8& b, const MipOptions& options, un
   for (Image8& image : pair.specular_gloss) to_b.push_back(view(image));
   pair.gloss_clamped = write_levels(view(a), view(b), options, threads, to_a, to_b);
   return pair;
-}
-
-std::size_t mips_into_pages(std::span<const PixelsView8> a, std::span<const PixelsView8> b,
-                            const PixelBox& region, int gutter, const MipOptions& options, unsigned threads) {
-  assert(!a.empty() && a.size() == b.size() && gutter >= 0);
-  const PixelBox cell = grown(region, gutter, a[0].width, a[0].height);
-  auto levels = static_cast<int>(a.size());
-  if (options.levels != 0) levels = std::min(levels, options.levels);
-  const int own_levels = std::min(levels, full_mip_levels(region.width, region.height));
-
-  // A level lies in the page itself where the cell owns all of it, else in a picture of its own: only
-  // regions narrower than one texel of the level come to that, so those are thin.
-  struct Level {
-    PixelBox region, cell;
-    bool inside;
-  };
-  const auto level_of = [&](int l) {
-    const auto owned = [&](int at, int size, int page) {
-      const int begin = at >> l, end = at + size == page ? side_at(page, l) : (at + size) >> l;
-      return std::pair{begin, end - begin};
-    };
-    const auto [left, width] = owned(cell.x, cell.width, a[0].width);
-    const auto [top, height] = owned(cell.y, cell.height, a[0].height);
-    const PixelBox own{region.x >> l, region.y >> l, side_at(region.width, l), side_at(region.height, l)};
-    const bool inside = own.x >= left && own.x + own.width <= left + width && own.y >= top &&
-                        own.y + own.height <= top + height;
-    return Level{own, {left, top, width, height}, inside};
-  };
-
-  std::vector<Image8> aside;
-  aside.reserve(static_cast<std::size_t>(2 * levels));
-  std::vector<PixelsView8> to_a, to_b;
-  for (int l = 0; l < own_levels; ++l) {
-    const Level level = level_of(l);
-    for (auto [pages, to] : {std::pair{a, &to_a}, std::pair{b, &to_b}})
-      to->push_back(level.inside ? pages[static_cast<std::size_t>(l)].part(level.region)
-                                 : view(aside.emplace_back(level.region.width, level.region.height, 4)));
-  }
-  MipOptions chain = options;
-  chain.levels = own_levels;
-  const std::size_t clamped = write_levels(to_a[0], to_b[0], chain, threads, to_a, to_b);
-
-  for (int l = 0; l < levels; ++l) {
-    const Level level = level_of(l);
-    const auto own = static_cast<std::size_t>(std::min(l, own_levels - 1));
-    for (auto [pages, from] : {std::pair{a, &to_a}, std::pair{b, &to_b}}) {
-      const PixelsView8& page = pages[static_cast<std::size_t>(l)];
-      if (level.inside && l < own_levels)
-        replicate_edges(page, level.region, level.cell);
-      else
-        fill_from_nearest(page, level.cell, (*from)[own], level.region.x, level.region.y);
-    }
-  }
-  return clamped;
 }
 
 }  // namespace etak

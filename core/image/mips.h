@@ -78,28 +78,6 @@ MipPairFloat mip_pair(const Image& a, const Image& b, const MipOptions& options,
 /// Number of levels of a full chain.
 int full_mip_levels(int width, int height);
 
-/// The chain of one region of a page, written into the page's own levels: level l of the region, as mip_pair
-/// makes it, with its left upper corner at column region.x >> l, row region.y >> l of level l of the page.
-///
-/// The region owns the cell of `gutter` texels around it (cut off at the page's edges); cells must not
-/// overlap. On level l it owns columns floor(left / 2^l) .. floor(right / 2^l) - 1 of the cell [left, right),
-/// and rows likewise, so that no texel has two owners on any level. Each texel owned gets the region's
-/// nearest one (edge replication); texels that no cell owns are left alone. Neighbours never mix, and regions
-/// may be done in any order or at once.
-///
-/// Exact where region.x, y, width and height are multiples of 2^l: texture coordinates then mean the same on
-/// all levels up to l. Elsewhere the region's content lies off by x / 2^l - floor(x / 2^l) texels of that
-/// level (less than one) and is stretched by (width / 2^l) / floor(width / 2^l); filtering never reads a
-/// neighbour as long as gutter >= 2^l.
-///   a, b      levels of the two pages, [0] holding the region; level l is max(1, side >> l) a side, and
-///             both have the same number of levels
-///   options   levels: at most the page's; 0: all of the page's. Levels of the region past 1 x 1 repeat that
-///             texel.
-///   returns   MipPair::gloss_clamped
-std::size_t mips_into_pages(std::span<const PixelsView8> a, std::span<const PixelsView8> b,
-                            const PixelBox& region, int gutter, const MipOptions& options,
-                            unsigned threads = 1);
-
 /// Colour of texels of alpha 0 from the nearest visible ones (pull-push), all channels of A but alpha, and B.
 /// Texels with alpha above 0 do not change. Returns how many were filled. More in dilate.h.
 std::size_t bleed_under_alpha(Image8& a, Image8& b);

@@ -121,9 +121,8 @@ class PngBands {
 /// The same in memory.
 std::string png_bytes(const PngRows& image, const PngOptions& options);
 
-/// A whole picture of 8 bits, or of 16. Same forms and errors as PngReader; nullopt for the other depth too.
+/// A whole picture of 8 bits. Same forms and errors as PngReader; nullopt for 16 bits too.
 std::optional<Image8> read_png8(std::string_view bytes, std::string_view path);
-std::optional<Image16> read_png16(std::string_view bytes, std::string_view path);
 
 /// What a PNG file says of its colours, whatever its form; nothing is checked. All false for other files.
 struct PngColour {

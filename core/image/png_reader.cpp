@@ -397,28 +397,13 @@ void PngReader::read_rows(std::uint8_t* out, std::size_t stride, int count) {
   if (s.rows_done == s.info.height) s.finish();
 }
 
-namespace {
-
-template <class Value>
-std::optional<Pixels<Value>> read_whole(std::string_view bytes, std::string_view path) {
-  std::optional<PngReader> reader = PngReader::open(bytes, path);
-  if (!reader || reader->info().bits != static_cast<int>(8 * sizeof(Value))) return std::nullopt;
-  const PngInfo& info = reader->info();
-  Pixels<Value> out(info.width, info.height, info.channels);
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): values as bytes
-  reader->read_rows(reinterpret_cast<std::uint8_t*>(out.values.data()),
-                    static_cast<std::size_t>(info.width * info.channels) * sizeof(Value), info.height);
-  return out;
-}
-
-}  // namespace
-
 std::optional<Image8> read_png8(std::string_view bytes, std::string_view path) {
-  return read_whole<std::uint8_t>(bytes, path);
-}
-
-std::optional<Image16> read_png16(std::string_view bytes, std::string_view path) {
-  return read_whole<std::uint16_t>(bytes, path);
+  std::optional<PngReader> reader = PngReader::open(bytes, path);
+  if (!reader || reader->info().bits != 8) return std::nullopt;
+  const PngInfo& info = reader->info();
+  Image8 out(info.width, info.height, info.channels);
+  reader->read_rows(out.values.data(), static_cast<std::size_t>(info.width * info.channels), info.height);
+  return out;
 }
 
 PngColour png_colour(std::string_view in_memory) {

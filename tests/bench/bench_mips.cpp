@@ -138,19 +138,6 @@ int main(int argc, char** argv) {
         std::printf(" - |");
     std::printf("\n");
   }
-  // Into the levels of pages that are there already, as the packer does it: no memory is new.
-  for (const unsigned threads : {1u, 2u}) {
-    MipPair pages = mip_pair(a, b, {}, 2);
-    std::vector<PixelsView8> view_a, view_b;
-    for (Image8& image : pages.diffuse_alpha) view_a.push_back(view(image));
-    for (Image8& image : pages.specular_gloss) view_b.push_back(view(image));
-    std::vector<double> times;
-    for (int i = 0; i < rounds; ++i)
-      times.push_back(seconds([&] { mips_into_pages(view_a, view_b, {0, 0, side, side}, 0, {}, threads); }));
-    std::sort(times.begin(), times.end());
-    std::printf("| etak into pages, %u thread(s) | %.0f | as above | | |\n", threads,
-                megabytes / times[times.size() / 2]);
-  }
   std::printf("| reference in double | %.1f | 0 | 0 | 0 |\n", megabytes / reference_time);
 
   const Image8 small = picture(1024, 3), small_b = picture(1024, 4);

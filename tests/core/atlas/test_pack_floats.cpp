@@ -13,6 +13,7 @@
 #include "core/image/mips.h"
 #include "core/material/f0.h"
 #include "tests/core/atlas/pack_support.h"
+#include "tests/core/image/tiff_files.h"
 
 using namespace etak;
 using namespace etak::test;
@@ -62,7 +63,7 @@ const float* texel(const Image& page, const AtlasRect& rect, int x, int y) {
 void save_deep(const TempFolder& folder) {
   write_exr(folder.file("d.exr"), halves(40, 24, 3, 1), false, false);
   write_exr(folder.file("s.exr"), halves(40, 24, 3, 2), true, false);
-  write_tiff(folder.file("g.tif"), codes_16(40, 24, 1, 3), false);
+  test::write_tiff(folder.file("g.tif"), codes_16(40, 24, 1, 3));
   save_png(folder.file("a.png"), noise(40, 24, 1, 4));
   save_png(folder.file("d8.png"), noise(30, 50, 3, 5));
 }
@@ -240,9 +241,9 @@ TEST_CASE("--bleed reaches floats: hidden texels, mips and gutters in every chan
 
 TEST_CASE("metal-rough pictures of 16 bits come out of the formula unrounded") {
   const TempFolder folder;
-  write_tiff(folder.file("m_basecolor.tif"), codes_16(8, 8, 3, 1), false);
-  write_tiff(folder.file("m_metallic.tif"), codes_16(8, 8, 1, 2), false);
-  write_tiff(folder.file("m_roughness.tif"), codes_16(8, 8, 1, 3), false);
+  test::write_tiff(folder.file("m_basecolor.tif"), codes_16(8, 8, 3, 1));
+  test::write_tiff(folder.file("m_metallic.tif"), codes_16(8, 8, 1, 2));
+  test::write_tiff(folder.file("m_roughness.tif"), codes_16(8, 8, 1, 3));
   PackOptions options = with_floats({"tiff"});
   options.pattern = "{name}_{role}.tif";
   options.gloss = GlossForm::one_minus_roughness;

@@ -154,12 +154,7 @@ TEST_CASE("spaces are found by name, alias and role") {
 TEST_CASE("no config named and no $OCIO gives the built-in config, which is the one in resources") {
   const OcioVariable unset("");
   CHECK(OcioSpace::open("", "ACEScg").config() == builtin_ocio_config);
-  CHECK(ocio_spaces("") == ocio_spaces(own_config));
-  CHECK(ocio_spaces("").size() == 11);
-  for (const auto& space : ocio_spaces("")) {
-    CHECK(!space.description.empty());
-    CHECK_NOTHROW(OcioSpace::open("", space.name));
-  }
+  CHECK(OcioSpace::open("", "ACEScg").name() == OcioSpace::open(own_config, "ACEScg").name());
 }
 
 TEST_CASE("$OCIO names the config, and an argument wins over it") {
@@ -167,7 +162,6 @@ TEST_CASE("$OCIO names the config, and an argument wins over it") {
   spit(folder.file("small.ocio"), small_config("  aces_interchange: Own\n"));
   const OcioVariable set(folder.file("small.ocio"));
   CHECK(OcioSpace::open("", "Half").config() == folder.file("small.ocio"));
-  CHECK(ocio_spaces("").size() == 2);  // the data space is no colour
   CHECK(OcioSpace::open(own_config, "ACEScg").config() == own_config);
 }
 

@@ -21,7 +21,7 @@ TEST_CASE("a gutter repeats the nearest texel of its box, and nothing else chang
     for (auto& code : page.values) code = noise.code();
     const Image8 before = page;
     const PixelBox box{1, 6, 7, 5};  // nearer to the page's edge than the gutter
-    replicate_edges(view(page), box, 3);
+    replicate_edges(view(page), box, {0, 3, 11, 11});
     for (int y = 0; y < 15; ++y)
       for (int x = 0; x < 20; ++x) {
         const bool cell = x < 11 && y >= 3 && y < 14;
@@ -35,9 +35,9 @@ TEST_CASE("a gutter repeats the nearest texel of its box, and nothing else chang
 TEST_CASE("no gutter and a single texel are gutters too") {
   Image8 page = noise_picture(5, 5, 1);
   const Image8 before = page;
-  replicate_edges(view(page), {1, 1, 3, 3}, 0);
+  replicate_edges(view(page), {1, 1, 3, 3}, {1, 1, 3, 3});
   CHECK(page == before);
-  replicate_edges(view(page), {2, 2, 1, 1}, 9);
+  replicate_edges(view(page), {2, 2, 1, 1}, {0, 0, 5, 5});
   for (std::size_t i = 0; i < page.values.size(); ++i) REQUIRE(page.values[i] == before.at(2, 2)[i % 4]);
 }
 

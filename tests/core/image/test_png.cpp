@@ -39,15 +39,23 @@ PngRows rows_of(const Pixels<Value>& image) {
           static_cast<std::size_t>(image.width * image.channels) * sizeof(Value)};
 }
 
+Image16 read_16(const std::string& bytes) {
+  PngReader reader = PngReader::open(bytes, "t.png").value();
+  REQUIRE(reader.info().bits == 16);
+  Image16 out(reader.info().width, reader.info().height, reader.info().channels);
+  reader.read_rows(reinterpret_cast<std::uint8_t*>(out.values.data()),
+                   static_cast<std::size_t>(2 * out.width * out.channels), out.height);
+  return out;
+}
+
 template <class Value>
 void comes_back(const Pixels<Value>& image, PngLevel level = PngLevel::fast) {
   const std::string bytes = png_bytes(rows_of(image), {level, 1, false});
   CAPTURE(image.width, image.height, image.channels, sizeof(Value));
   if constexpr (sizeof(Value) == 1) {
     REQUIRE(read_png8(bytes, "t.png") == image);
-    REQUIRE(read_png16(bytes, "t.png") == std::nullopt);
   } else {
-    REQUIRE(read_png16(bytes, "t.png") == image);
+    REQUIRE(read_16(bytes) == image);
     REQUIRE(read_png8(bytes, "t.png") == std::nullopt);
   }
 }

@@ -206,7 +206,7 @@ TEST_CASE("metals and dielectrics in one texture need a form that tells them apa
   CHECK(choice.model.find("by-f0") != std::string::npos);
 }
 
-TEST_CASE("what was chosen is read back as variants, and names its model by defines") {
+TEST_CASE("what was chosen is read back as variants") {
   const Choice choice = chosen("gold");
   const ShadingVariants variants = parse_choices(choice_json({choice}, shipped_costs()), "c");
   REQUIRE(variants.find("gold") != nullptr);
@@ -214,8 +214,6 @@ TEST_CASE("what was chosen is read back as variants, and names its model by defi
   CHECK(gold.model == choice.model);
   CHECK(gold.values.size() == choice.model_values.size());
   CHECK(gold.method == choice.method);
-  CHECK(model_of_defines(gold.defines) == choice.model);
-  CHECK(!model_of_defines({"ETAK_LOBE_GGX"}));
   CHECK(variants.find("iron") == nullptr);
   CHECK_THROWS_WITH(parse_choices("{\"schema\": \"x\"}", "c"), Catch::Contains("etak-choose/2"));
 }
