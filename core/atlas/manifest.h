@@ -8,20 +8,13 @@
 #include <variant>
 #include <vector>
 
+#include "core/color/gloss.h"
 #include "core/color/rgb.h"
 #include "core/scene/gltf.h"
 
 namespace etak {
 
 // What is to be packed, as a person or a script writes it down (resources/schema/atlas-manifest.schema.json).
-
-/// What a gloss channel holds.
-///   schueler              g of exponent e = 2^(12 g)
-///   one_minus_roughness   1 - perceptual roughness, as in Unity and KHR_materials_pbrSpecularGlossiness
-///   roughness             perceptual roughness, alpha = roughness^2
-enum class GlossForm { schueler, one_minus_roughness, roughness };
-std::string_view name(GlossForm form);  // "schueler", "one_minus_roughness", "roughness"
-std::optional<GlossForm> gloss_form_named(std::string_view text);
 
 /// A picture file.
 ///   channels   letters of "rgba", three for a colour, one for a grey quantity; empty: the first ones

@@ -137,18 +137,6 @@ class ManifestReader {
 
 }  // namespace
 
-std::string_view name(GlossForm form) {
-  return form == GlossForm::schueler              ? "schueler"
-         : form == GlossForm::one_minus_roughness ? "one_minus_roughness"
-                                                  : "roughness";
-}
-
-std::optional<GlossForm> gloss_form_named(std::string_view text) {
-  for (const GlossForm form : {GlossForm::schueler, GlossForm::one_minus_roughness, GlossForm::roughness})
-    if (text == name(form)) return form;
-  return std::nullopt;
-}
-
 AtlasManifest parse_manifest(std::string_view text, const std::string& file) {
   const JsonDocument document = parse_json_strictly(text, file, most_depth, "an atlas manifest");
   AtlasManifest out = ManifestReader(document, file).read();

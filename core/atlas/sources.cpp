@@ -17,9 +17,6 @@
 namespace etak {
 namespace {
 
-// Roughness 0 has none; this, e = 1e12, is far beyond any texture's codes.
-constexpr double largest_gloss = 3.32;
-
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
@@ -341,17 +338,6 @@ class Resolver {
 };
 
 }  // namespace
-
-double converted_gloss(double value, GlossForm from, GlossForm to) {
-  if (from == to) return value;
-  double roughness = value;
-  if (from == GlossForm::one_minus_roughness) roughness = 1 - value;
-  if (from == GlossForm::schueler) roughness = roughness_of_gloss(value);
-  if (to == GlossForm::roughness) return roughness;
-  if (to == GlossForm::one_minus_roughness) return 1 - roughness;
-  // Roughness 0 and 1 have no finite g; they are as far outside as any.
-  return std::clamp(gloss_of_roughness(roughness), -largest_gloss, largest_gloss);
-}
 
 PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,
                             std::optional<GlossForm> gloss, const PictureDoor& door,

@@ -73,10 +73,4 @@ PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary
                             const SpaceOpener& open_space,
                             const std::map<std::string, std::string>& spaces = {});
 
-/// One form of gloss as another, both in [0, 1]. The result may leave [0, 1]: g of very smooth and very rough
-/// surfaces.
-///   from   e = 2 / alpha^2 - 2 (Beckmann width alpha = roughness^2 against Blinn-Phong's exponent), Walter
-///          et al. 2007, Microfacet Models for Refraction; e = 2^(12 g) Schueler 2009
-double converted_gloss(double value, GlossForm from, GlossForm to);
-
 }  // namespace etak

@@ -7,6 +7,12 @@
 #include "core/base/number.h"
 
 namespace etak {
+namespace {
+
+// Roughness 0 has none; this, e = 1e12, is far beyond any texture's codes.
+constexpr double largest_gloss = 3.32;
+
+}  // namespace
 
 double exponent_of_gloss(double gloss) {
   return std::exp2(12 * gloss);
@@ -50,6 +56,29 @@ bool Gloss::held() const {
   if (!roughness_) return false;
   const double wanted = gloss_of_roughness(*roughness_);
   return !(wanted >= 0 && wanted <= 1);
+}
+
+std::string_view name(GlossForm form) {
+  return form == GlossForm::schueler              ? "schueler"
+         : form == GlossForm::one_minus_roughness ? "one_minus_roughness"
+                                                  : "roughness";
+}
+
+std::optional<GlossForm> gloss_form_named(std::string_view text) {
+  for (const GlossForm form : {GlossForm::schueler, GlossForm::one_minus_roughness, GlossForm::roughness})
+    if (text == name(form)) return form;
+  return std::nullopt;
+}
+
+double converted_gloss(double value, GlossForm from, GlossForm to) {
+  if (from == to) return value;
+  double roughness = value;
+  if (from == GlossForm::one_minus_roughness) roughness = 1 - value;
+  if (from == GlossForm::schueler) roughness = roughness_of_gloss(value);
+  if (to == GlossForm::roughness) return roughness;
+  if (to == GlossForm::one_minus_roughness) return 1 - roughness;
+  // Roughness 0 and 1 have no finite g; they are as far outside as any.
+  return std::clamp(gloss_of_roughness(roughness), -largest_gloss, largest_gloss);
 }
 
 std::string roughness_text(const Gloss& gloss) {

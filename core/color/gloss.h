@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 namespace etak {
@@ -53,6 +54,20 @@ class Gloss {
   double gloss_;
   std::optional<double> roughness_;
 };
+
+/// What the gloss channel of a texture holds.
+///   schueler              g of exponent e = 2^(12 g)
+///   one_minus_roughness   1 - perceptual roughness, as in Unity and KHR_materials_pbrSpecularGlossiness
+///   roughness             perceptual roughness, alpha = roughness^2
+enum class GlossForm { schueler, one_minus_roughness, roughness };
+std::string_view name(GlossForm form);  // "schueler", "one_minus_roughness", "roughness"
+std::optional<GlossForm> gloss_form_named(std::string_view text);
+
+/// One form of gloss as another, both in [0, 1]. The result may leave [0, 1]: g of very smooth and very rough
+/// surfaces.
+///   from   e = 2 / alpha^2 - 2 (Beckmann width alpha = roughness^2 against Blinn-Phong's exponent), Walter
+///          et al. 2007, Microfacet Models for Refraction; e = 2^(12 g) Schueler 2009
+double converted_gloss(double value, GlossForm from, GlossForm to);
 
 /// "roughness 0.25 (gloss 0.75)", or "roughness 0" where no gloss has it.
 std::string roughness_text(const Gloss& gloss);
