@@ -12,6 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/image/dilate.h"
 #include "core/image/mips.h"
+#include "core/image/wrap.h"
 
 namespace etak {
 namespace {

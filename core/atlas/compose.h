@@ -135,7 +135,6 @@ class Composer {
   int clean_ = 1;
 };
 
-/// The column or row of a picture of `size` that a sampler reads at `at`.
 /// A box of level 0 on a higher level.
 inline PixelBox at_level(const PixelBox& box, int level) {
   return {box.x >> level, box.y >> level, box.width >> level, box.height >> level};
@@ -149,14 +148,6 @@ inline PixelBox cut(const PixelBox& box, int width, int height) {
   out.width = std::clamp(out.width, 1, width - out.x);
   out.height = std::clamp(out.height, 1, height - out.y);
   return out;
-}
-
-inline int wrapped_texel(int at, int size, Wrap wrap) {
-  if (at >= 0 && at < size) return at;
-  if (wrap == Wrap::clamp) return at < 0 ? 0 : size - 1;
-  const int period = wrap == Wrap::mirrored ? 2 * size : size;
-  const int in = (at % period + period) % period;
-  return in < size ? in : period - 1 - in;
 }
 
 /// The part of a material's normal map that belongs to a box of its pictures, RGB.

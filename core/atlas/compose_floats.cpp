@@ -8,6 +8,7 @@
 #include "core/atlas/outputs.h"
 #include "core/atlas/resolution.h"
 #include "core/image/dilate.h"
+#include "core/image/wrap.h"
 
 namespace etak {
 namespace {

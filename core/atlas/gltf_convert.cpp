@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/atlas/compose.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
+#include "core/image/wrap.h"
 #include "core/scene/material_texels.h"
 
 namespace etak {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/manifest.h"
-#include "core/atlas/sources.h"
+#include "core/atlas/material_pair.h"
+#include "core/color/gloss.h"
 #include "core/scene/gltf.h"
 #include "core/scene/uv_transform.h"
 #include "core/scene/uv_use.h"

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/atlas/compose.h"
 #include "core/atlas/gltf_convert.h"
 #include "core/color/srgb.h"
+#include "core/image/wrap.h"
 #include "core/scene/material_texels.h"
 
 namespace etak {

@@ -12,6 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/color/delta_e.h"
 #include "core/image/linear_tables.h"
+#include "core/image/wrap.h"
 
 namespace etak {
 namespace {

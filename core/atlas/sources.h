@@ -11,23 +11,11 @@
 #include "core/atlas/channels.h"
 #include "core/atlas/leave_out.h"
 #include "core/atlas/manifest.h"
+#include "core/atlas/material_pair.h"
 #include "core/atlas/plane.h"
 #include "core/material/library.h"
 
 namespace etak {
-
-/// Both textures of a material in memory, of one size, RGBA.
-struct MaterialPair {
-  Image8 diffuse_alpha, specular_gloss;
-  const Image8& of(Texture texture) const {
-    return texture == Texture::diffuse_alpha ? diffuse_alpha : specular_gloss;
-  }
-};
-
-/// The same as floats: colours in linear light, alpha and gloss as they are, nothing clamped.
-struct FloatPair {
-  Image diffuse_alpha, specular_gloss;
-};
 
 /// A material as the packer reads it: two planes a texture that can be read in strips, or a function that
 /// makes the whole pair.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/atlas/sources.h"
 #include "core/color/srgb.h"
 
 namespace etak {

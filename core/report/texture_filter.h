@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/atlas/channels.h"
-#include "core/atlas/manifest.h"
 #include "core/color/gloss.h"
 #include "core/image/pixels_view.h"
 #include "core/math/mat3.h"

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image/wrap.h"
 #include "core/scene/uv_transform.h"
 
 namespace etak {
@@ -20,7 +21,6 @@ namespace etak {
 // Khronos glTF 2.0 specification; KHR_materials_ior, KHR_materials_specular,
 // KHR_materials_pbrSpecularGlossiness (archived), KHR_texture_transform, KHR_materials_variants.
 
-enum class Wrap { repeat, mirrored, clamp };
 struct GltfSampler {
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   bool mipmaps = true;  // the minification filter reads mips
