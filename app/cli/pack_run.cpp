@@ -17,6 +17,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/replace.h"
 #include "core/atlas/pack.h"
+#include "core/atlas/project_pack.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/memory.h"
@@ -220,7 +221,10 @@ int pack_once(PackArguments& a) {
   };
   const PackReport report = with_memory_for(
       a.input, [&] { return "its atlas " + a.out; },
-      [&] { return pack(a.input, a.out, options, a.library.get()); });
+      [&] {
+        options.other_manifest = project_reader(a.library.get());
+        return pack(a.input, a.out, options, a.library.get());
+      });
   progress.reset();
   say(a, report, findings);
   if (findings.incomplete()) return exit_failure;

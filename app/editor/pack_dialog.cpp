@@ -11,6 +11,7 @@
 #include "app/editor/background.h"
 #include "core/atlas/pack.h"
 #include "core/atlas/picture_door.h"
+#include "core/atlas/project_pack.h"
 #include "core/base/error.h"
 
 namespace etak::editor {
@@ -100,7 +101,8 @@ void PackDialog::start() {
        options] {
         Done out;
         try {
-          const PackReport report = pack(project, label, folder, options, *library);
+          const PackReport report =
+              pack(packed_manifest(project, *library), label, folder, options, *library);
           out.written = true;
           out.text = QString::fromStdString(report_text(report, false));
           for (const std::string& remark : report.remarks)

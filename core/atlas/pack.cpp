@@ -44,8 +44,8 @@ bool exists(const std::string& path) {
 class Packing {
  public:
   Packing(const std::string& input, const std::string& output, const PackOptions& options,
-          const MaterialLibrary& library, const Project* project = nullptr)
-      : input_(input), output_(output), options_(options), library_(library), project_(project) {
+          const MaterialLibrary& library, const PackManifest* manifest = nullptr)
+      : input_(input), output_(output), options_(options), library_(library), manifest_(manifest) {
     report_.input = input;
     report_.output = output;
     report_.dry_run = options.dry_run;
@@ -105,21 +105,17 @@ class Packing {
     if (options_.cancelled && options_.cancelled()) throw PackCancelled();
   }
 
-  void take_project(const Project& project) {
-    std::vector<std::string> remarks;
-    inputs_ = resolve_manifest(with_methods(manifest_of(project, library_, remarks), variants()), library_,
-                               options_.gloss, options_.door, options_.open_space, options_.spaces);
-    inputs_.remarks.insert(inputs_.remarks.begin(), remarks.begin(), remarks.end());
-    // How the project is looked at changes no texel.
-    Project materials = project;
-    materials.view = {};
-    inputs_.settings += format_project(materials, "");
+  void take_manifest(const PackManifest& of) {
+    inputs_ = resolve_manifest(with_methods(of.manifest, variants()), library_, options_.gloss, options_.door,
+                               options_.open_space, options_.spaces);
+    inputs_.remarks.insert(inputs_.remarks.begin(), of.remarks.begin(), of.remarks.end());
+    inputs_.settings += of.settings;
   }
 
   void read_inputs() {
     std::error_code failure;
-    if (project_ != nullptr) {
-      take_project(*project_);
+    if (manifest_ != nullptr) {
+      take_manifest(*manifest_);
     } else if (fs::is_directory(input_, failure)) {
       std::vector<std::string> skipped;
       AtlasManifest manifest = manifest_of_folder(input_, options_.pattern, &skipped);
@@ -133,13 +129,9 @@ class Packing {
       inputs_ = scene_->inputs();
     } else {
       const std::string text = read_file(input_);
-      if (is_project(text)) {
-        take_project(parse_project(text, input_));
-      } else {
-        inputs_ = resolve_manifest(with_methods(parse_manifest(text, input_), variants()), library_,
-                                   options_.gloss, options_.door, options_.open_space, options_.spaces);
-        inputs_.settings += text;
-      }
+      std::optional<PackManifest> other;
+      if (options_.other_manifest) other = options_.other_manifest(text, input_);
+      take_manifest(other ? std::move(*other) : PackManifest{parse_manifest(text, input_), {}, text});
     }
     if (options_.variants)
       apply_variants(*options_.variants, options_.keep.contains("constant"), input_, inputs_);
@@ -385,7 +377,7 @@ class Packing {
   const std::string input_, output_;
   const PackOptions& options_;
   const MaterialLibrary& library_;
-  const Project* const project_;  // null: `input_` is what is packed
+  const PackManifest* const manifest_;  // null: `input_` is what is packed
   PackReport report_;
   PackInputs inputs_;
   std::unique_ptr<ScenePack> scene_;
@@ -407,9 +399,9 @@ PackReport pack(const std::string& input, const std::string& output, const PackO
   return Packing(input, output, options, library).run();
 }
 
-PackReport pack(const Project& project, const std::string& label, const std::string& output,
+PackReport pack(const PackManifest& manifest, const std::string& label, const std::string& output,
                 const PackOptions& options, const MaterialLibrary& library) {
-  return Packing(label, output, options, library, &project).run();
+  return Packing(label, output, options, library, &manifest).run();
 }
 
 }  // namespace etak

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "core/atlas/leave_out.h"
+#include "core/atlas/manifest.h"
 #include "core/atlas/outputs.h"
 #include "core/atlas/plan.h"
-#include "core/atlas/project.h"
 #include "core/atlas/sources.h"
 #include "core/atlas/variant.h"
 #include "core/base/output_folder.h"
@@ -33,8 +33,21 @@ using WrittenPageCheck =
 
 struct PackReport;
 
+/// A manifest in memory, in the place of a file.
+///   remarks    what had to be changed to get there; they come first in the report
+///   settings   all that decides the result besides the bytes of the pictures: an atlas of other settings is
+///              not up to date
+struct PackManifest {
+  AtlasManifest manifest;
+  std::vector<std::string> remarks;
+  std::string settings;
+};
+
 struct PackOptions {
   // input
+  // Asked of every JSON file: the manifest that it stands for where it is none itself, such as a project.
+  // Empty: every one is a manifest.
+  std::function<std::optional<PackManifest>(const std::string& text, const std::string& file)> other_manifest;
   std::string pattern = "{name}_{role}.png";  // of a folder
   std::optional<GlossForm> gloss;             // what texture B is to hold; none: as the input
   GltfOptions scene;
@@ -129,15 +142,15 @@ struct PackReport {
 };
 
 /// Packs one input into the folder `output`: all files of it appear at once, or none.
-///   input   manifest (.json), project (.json, core/atlas/project.h), glTF scene (.gltf, .glb) or folder of
+///   input   manifest or what options.other_manifest knows (.json), glTF scene (.gltf, .glb) or folder of
 ///           pictures
 /// Throws Error, and PackCancelled.
 PackReport pack(const std::string& input, const std::string& output, const PackOptions& options,
                 const MaterialLibrary& library);
 
-/// The same of a project in memory.
+/// The same of a manifest in memory.
 ///   label   what the report calls it
-PackReport pack(const Project& project, const std::string& label, const std::string& output,
+PackReport pack(const PackManifest& manifest, const std::string& label, const std::string& output,
                 const PackOptions& options, const MaterialLibrary& library);
 
 std::string report_text(const PackReport& report, bool stages);

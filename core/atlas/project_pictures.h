@@ -10,7 +10,7 @@
 
 namespace etak {
 
-// A project's material as pictures (target etak::pack).
+// A project's material as pictures (target etak::project_files).
 
 bool has_textures(const ProjectMaterial& material);
 
