@@ -14,7 +14,7 @@
 #include "core/base/parallel.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
-#include "core/report/choose.h"
+#include "core/report/choose_report.h"
 #include "core/report/choose_scene.h"
 #include "core/report/error_time.h"
 

@@ -11,8 +11,8 @@
 #include "core/base/error.h"
 #include "core/base/output_folder.h"
 #include "core/base/output_target.h"
-#include "core/report/error_time.h"
-#include "core/report/stability.h"
+#include "core/report/error_time_report.h"
+#include "core/report/stability_report.h"
 #ifdef ETAK_HAS_GL
 #include "core/render/gl_runner.h"
 #endif

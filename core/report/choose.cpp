@@ -10,6 +10,7 @@
 #include "core/atlas/variant.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/brdf/models.h"
 #include "core/brdf/parameters.h"
 #include "core/color/delta_e.h"
@@ -328,6 +329,13 @@ class Choosing {
   Choice out_;
 };
 
+// With three digits and not below `value`: a budget of that much is met.
+std::string rounded_up(double value) {
+  if (!(value > 0)) return number(value, 3);
+  const double step = std::pow(10, std::floor(std::log10(value)) - 2);
+  return number(std::ceil(value / step) * step, 3);
+}
+
 }  // namespace
 
 double CostTable::of(std::string_view id) const {
@@ -368,6 +376,23 @@ ChooseSubject library_subject(const Material& material, const Dataset& dataset, 
 
 Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs) {
   return Choosing(subject, options, costs).run();
+}
+
+double largest_error(const Choice& choice) {
+  return std::max({choice.fresnel_error, choice.picture_error, choice.method_error});
+}
+
+std::string unmet_remark(const Choice& choice) {
+  const std::string unit(name(choice.unit));
+  std::string out;
+  append(out, choice.material, ": no form of F stays within ", number(choice.budget, 6), " ", unit,
+         "; the least that can be reached is ", rounded_up(largest_error(choice)), " (", choice.fresnel->id,
+         "), which was taken; exact is ");
+  if (choice.library.empty())
+    append(out, "a material of the library, whose F is known at every nanometre: a colour says no more");
+  else
+    append(out, "F at every nanometre: etak render ", choice.library, " --reference");
+  return out;
 }
 
 std::vector<Candidate> png_levels(const CostTable& costs) {

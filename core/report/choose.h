@@ -116,10 +116,4 @@ std::string unmet_remark(const Choice& choice);
 /// Levels of compression are lossless: the cheapest in time is taken, errors are 0.
 std::vector<Candidate> png_levels(const CostTable& costs);
 
-/// For people, and for `etak shader` and `etak pack`.
-std::string choice_text(const std::vector<Choice>& choices, const CostTable& costs,
-                        std::string_view scene = {});
-std::string choice_json(const std::vector<Choice>& choices, const CostTable& costs,
-                        std::string_view scene = {});
-
 }  // namespace etak

@@ -5,7 +5,7 @@
 #include "core/base/json_text.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
-#include "core/report/choose.h"
+#include "core/report/choose_report.h"
 
 namespace etak {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text.h"
-#include "core/report/choose.h"
+#include "core/report/choose_report.h"
 
 namespace etak {
 namespace {
@@ -51,31 +51,7 @@ std::string png_line(const CostTable& costs) {
   return out;
 }
 
-// With three digits and not below `value`: a budget of that much is met.
-std::string rounded_up(double value) {
-  if (!(value > 0)) return number(value, 3);
-  const double step = std::pow(10, std::floor(std::log10(value)) - 2);
-  return number(std::ceil(value / step) * step, 3);
-}
-
 }  // namespace
-
-double largest_error(const Choice& choice) {
-  return std::max({choice.fresnel_error, choice.picture_error, choice.method_error});
-}
-
-std::string unmet_remark(const Choice& choice) {
-  const std::string unit(name(choice.unit));
-  std::string out;
-  append(out, choice.material, ": no form of F stays within ", number(choice.budget, 6), " ", unit,
-         "; the least that can be reached is ", rounded_up(largest_error(choice)), " (", choice.fresnel->id,
-         "), which was taken; exact is ");
-  if (choice.library.empty())
-    append(out, "a material of the library, whose F is known at every nanometre: a colour says no more");
-  else
-    append(out, "F at every nanometre: etak render ", choice.library, " --reference");
-  return out;
-}
 
 std::string choice_text(const std::vector<Choice>& choices, const CostTable& costs, std::string_view scene) {
   if (choices.empty()) return {};

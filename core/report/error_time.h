@@ -11,7 +11,7 @@
 
 namespace etak {
 
-// Error against run time: what every family of `etak report` gives, and how it is shown.
+// Error against run time: what every family of `etak report` gives.
 
 /// What is measured of a row besides its time.
 struct ErrorMetric {
@@ -119,14 +119,5 @@ std::span<const FamilyEntry> all_families();
 /// This machine and this build; repeats, threads and effort from `options`. `gpu` and `empty_loop_ns` are the
 /// caller's.
 ReportHeader report_header(const ReportOptions& options);
-
-/// Outputs: deterministic for equal values.
-std::string error_time_json(const ReportHeader& header, std::span<const ErrorTimeFamily> families);
-std::string error_time_csv(const ReportHeader& header, std::span<const ErrorTimeFamily> families);
-std::string error_time_svg(const ErrorTimeFamily& family, const ErrorTimeTable& table);
-/// One HTML file.
-///   stability   a table of the stiff and extreme cases (stability_html); empty: none
-std::string error_time_page(const ReportHeader& header, std::span<const ErrorTimeFamily> families,
-                            std::string_view stability = {});
 
 }  // namespace etak

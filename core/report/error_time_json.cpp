@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The JSON form of `etak report`, as resources/schema/error-time.schema.json describes it.
 #include "core/base/json_text.h"
-#include "core/report/error_time.h"
+#include "core/report/error_time_report.h"
 
 namespace etak {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text.h"
-#include "core/report/error_time.h"
+#include "core/report/error_time_report.h"
 #include "core/report/page_style.h"
 
 namespace etak {

@@ -6,7 +6,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text.h"
-#include "core/report/error_time.h"
+#include "core/report/error_time_report.h"
 
 namespace etak {
 namespace {

@@ -43,9 +43,4 @@ std::vector<StabilityCase> stability_cases(const GlEvaluate& gl = {});
 
 bool all_passed(const std::vector<StabilityCase>& cases);
 
-std::string stability_text(const std::vector<StabilityCase>& cases);
-std::string stability_json(const std::vector<StabilityCase>& cases);
-/// A table for report pages.
-std::string stability_html(const std::vector<StabilityCase>& cases);
-
 }  // namespace etak

@@ -14,6 +14,7 @@
 #include "core/render/cpu_renderer.h"
 #include "core/render/reference.h"
 #include "core/report/choose_pictures.h"
+#include "core/report/choose_report.h"
 #include "tests/support.h"
 
 using namespace etak;

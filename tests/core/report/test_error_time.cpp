@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/report/error_time.h"
+#include "core/report/error_time_report.h"
 
 #include <catch2/catch.hpp>
 

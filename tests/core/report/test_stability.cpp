@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/report/stability.h"
+#include "core/report/stability_report.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
