@@ -512,4 +512,28 @@ Outcome Search::fill(int width, int height, std::span<const int> members, std::s
   return out;
 }
 
+bool Search::offer(std::size_t which) {
+  const Try& how = portfolio_[which];
+  if (!how.skyline) return false;
+  offered_ = which;
+  workers_[0]->skyline[how.transposed ? 1 : 0].offer(order(how), how.rule);
+  return true;
+}
+
+Outcome Search::fill_next(int width, int height, std::vector<std::pair<int, Spot>>& placed) {
+  const Try& how = portfolio_[offered_];
+  Skyline& skyline = workers_[0]->skyline[how.transposed ? 1 : 0];
+  if (how.transposed) std::swap(width, height);
+  Outcome out = skyline.fill(width, height);
+  if (how.transposed) std::swap(out.width, out.height);
+  budget_.charge(out.work);
+  placed.clear();
+  for (const int i : skyline.placed()) {
+    Spot spot = skyline.spots()[at(i)];
+    if (how.transposed) std::swap(spot.x, spot.y);
+    placed.emplace_back(i, spot);
+  }
+  return out;
+}
+
 }  // namespace etak::rects

@@ -5,6 +5,7 @@
 #include <climits>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 
 #include "core/atlas/rects_portfolio.h"
 
@@ -92,6 +93,13 @@ class Search {
                std::vector<Spot>& spots);
   std::size_t entries() const { return portfolio_.size(); }
 
+  /// For pages that entry `which` fills one after the other with the whole set, in time for what it places
+  /// alone: offer() once, then fill_next() for every page, as fill() of what is left.
+  ///   placed   what the page took, by index into the set
+  /// False where the entry's rule cannot do that.
+  bool offer(std::size_t which);
+  Outcome fill_next(int width, int height, std::vector<std::pair<int, Spot>>& placed);
+
  private:
   struct Worker;
   struct Leader;
@@ -132,6 +140,7 @@ class Search {
   // as often as it is asked for.
   std::unordered_map<std::uint64_t, Outcome> failed_;
   std::vector<int> orders_[key_count];
+  std::size_t offered_ = 0;  // entry of offer()
 };
 
 }  // namespace etak::rects

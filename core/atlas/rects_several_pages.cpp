@@ -20,7 +20,7 @@ struct Filler {
 };
 
 struct Filled {
-  std::vector<int> left;
+  std::size_t left = 0;        // rectangles without a place
   std::int64_t last_area = 0;  // in the last page
 };
 
@@ -37,39 +37,87 @@ void take(const std::vector<Spot>& spots, int page, Packed& out, std::vector<int
   left.swap(rest);
 }
 
-// One page after the other, all by entry `which` of the portfolio, or each by the entry that fills it best.
-// Gives up when more than `most` pages would be needed and, unless it `must` end, with the budget: half of
-// what more effort would have done is not taken.
-Packed fill_all(Filler& filler, Budget& budget, const std::vector<Page>& pages, std::size_t most, int which,
-                bool must, Filled& filled) {
-  Packed out;
-  out.spots.assign(filler.set.items.size(), {-1, 0, false});
-  out.page_of.assign(filler.set.items.size(), -1);
-  filled.left.resize(filler.set.items.size());
-  std::iota(filled.left.begin(), filled.left.end(), 0);
-  std::vector<Spot> spots, best_spots;
-  const std::size_t tries = which < 0 ? std::min<std::size_t>(8, filler.search.entries()) : 1;
-  while (!filled.left.empty() && out.pages.size() < most) {
-    const Page page = pages[std::min(out.pages.size(), pages.size() - 1)];
-    std::int64_t best = -1;
-    for (std::size_t t = 0; t < tries; ++t) {
-      if (!must && !budget.open()) return out;
-      const std::size_t entry = which < 0 ? t : at(which);
-      const Outcome outcome = filler.search.fill(page.width, page.height, filled.left, entry, spots);
-      if (outcome.placed <= best) continue;
-      best = outcome.placed;
-      best_spots.swap(spots);
-      if (outcome.all) break;
-    }
-    // A page that takes nothing is left out; the one after it may be larger in the other direction.
-    const int index = static_cast<int>(out.pages.size());
-    out.pages.push_back(page);
-    filled.last_area = best;
-    take(best_spots, index, out, filled.left);
-    if (best <= 0 && out.pages.size() >= pages.size()) break;
+// One page after the other. Gives up when more than `most` pages would be needed and, unless it `must` end,
+// with the budget: half of what more effort would have done is not taken.
+class PageFiller {
+ public:
+  PageFiller(Filler& filler, Budget& budget, const std::vector<Page>& pages, std::size_t most, bool must)
+      : filler_(filler), budget_(budget), pages_(pages), most_(most), must_(must) {
+    out_.spots.assign(filler_.set.items.size(), {-1, 0, false});
+    out_.page_of.assign(filler_.set.items.size(), -1);
+    filled_.left = filler_.set.items.size();
   }
-  return out;
-}
+
+  /// All by entry `which` of the portfolio, or (-1) each by the entry that fills it best.
+  Packed fill(int which, Filled& filled) {
+    if (which >= 0 && filler_.search.offer(at(which)))
+      by_one_offer();
+    else
+      by_entries(which);
+    filled = filled_;
+    return std::move(out_);
+  }
+
+ private:
+  bool goes_on() const { return filled_.left > 0 && out_.pages.size() < most_; }
+  bool may_try() const { return must_ || budget_.open(); }
+  Page next_page() const { return pages_[std::min(out_.pages.size(), pages_.size() - 1)]; }
+
+  // A page that takes nothing is left out; the one after it may be larger in the other direction.
+  bool ends_with(std::int64_t area) {
+    filled_.last_area = area;
+    return area <= 0 && out_.pages.size() >= pages_.size();
+  }
+
+  void by_one_offer() {
+    std::vector<std::pair<int, Spot>> placed;
+    while (goes_on() && may_try()) {
+      const Page page = next_page();
+      const Outcome outcome = filler_.search.fill_next(page.width, page.height, placed);
+      const int index = static_cast<int>(out_.pages.size());
+      out_.pages.push_back(page);
+      for (const auto& [i, spot] : placed) {
+        out_.spots[at(i)] = spot;
+        out_.page_of[at(i)] = index;
+      }
+      filled_.left -= placed.size();
+      if (ends_with(outcome.placed)) return;
+    }
+  }
+
+  void by_entries(int which) {
+    std::vector<int> left(filler_.set.items.size());
+    std::iota(left.begin(), left.end(), 0);
+    std::vector<Spot> spots, best_spots;
+    const std::size_t tries = which < 0 ? std::min<std::size_t>(8, filler_.search.entries()) : 1;
+    while (goes_on()) {
+      const Page page = next_page();
+      std::int64_t best = -1;
+      for (std::size_t t = 0; t < tries; ++t) {
+        if (!may_try()) return;
+        const std::size_t entry = which < 0 ? t : at(which);
+        const Outcome outcome = filler_.search.fill(page.width, page.height, left, entry, spots);
+        if (outcome.placed <= best) continue;
+        best = outcome.placed;
+        best_spots.swap(spots);
+        if (outcome.all) break;
+      }
+      const int index = static_cast<int>(out_.pages.size());
+      out_.pages.push_back(page);
+      take(best_spots, index, out_, left);
+      filled_.left = left.size();
+      if (ends_with(best)) return;
+    }
+  }
+
+  Filler& filler_;
+  Budget& budget_;
+  const std::vector<Page>& pages_;
+  std::size_t most_;
+  bool must_;
+  Packed out_;
+  Filled filled_;
+};
 
 // The order in which entries fill all pages: the fullest for each page (-1), then single ones; where there
 // must be a layout, the first entry before all.
@@ -124,6 +172,7 @@ Packed fill_pages(const Set& set, const Frame& frame, int width, int height, Cos
   const auto unit_area = std::int64_t{frame.unit} * frame.unit;
   const std::int64_t least =
       cost == Cost::texels ? set.area * unit_area : std::max<std::int64_t>(1, (set.area + page - 1) / page);
+  const std::vector<Page> page_of_all = {{width, height}};
   Packed best;
   std::int64_t best_cost = 0, best_last = 0;
   for (const bool rotate : {false, true}) {
@@ -135,8 +184,8 @@ Packed fill_pages(const Set& set, const Frame& frame, int width, int height, Cos
       if (!must && (!budget.open() || best_cost <= least)) break;
       Filled filled;
       const std::size_t most = must || cost == Cost::texels ? set.items.size() : best.pages.size();
-      Packed packed = fill_all(filler, budget, {{width, height}}, most, which, must, filled);
-      if (!filled.left.empty()) continue;
+      Packed packed = PageFiller(filler, budget, page_of_all, most, must).fill(which, filled);
+      if (filled.left > 0) continue;
       if (cost == Cost::texels) shrink(set, packed);
       const std::int64_t found =
           cost == Cost::texels ? texels_of(packed, frame) : static_cast<std::int64_t>(packed.pages.size());
@@ -214,8 +263,8 @@ Packed pack_mixed(const Set& set, const Frame& frame, Budget& budget) {
         for (const int which : ways(rules, false)) {
           if (!budget.open()) return false;
           Filled filled;
-          Packed packed = fill_all(filler, budget, pages, pages.size(), which, false, filled);
-          if (!filled.left.empty()) continue;
+          Packed packed = PageFiller(filler, budget, pages, pages.size(), false).fill(which, filled);
+          if (filled.left > 0) continue;
           drop_empty(packed);
           shrink(set, packed);
           const std::int64_t texels = texels_of(packed, frame);

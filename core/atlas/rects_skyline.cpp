@@ -2,6 +2,7 @@
 #include "core/atlas/rects_skyline.h"
 
 #include <algorithm>
+#include <bit>
 #include <climits>
 #include <numeric>
 
@@ -105,14 +106,14 @@ Skyline::Skyline(const Set& set, bool rotate) : set_(set), rotate_(rotate) {
   ys_.assign(at(n) + 2 + 2 * lane_count, INT_MAX);
 }
 
-void Skyline::begin(int width, std::span<const int> order, const SkylineRule& rule) {
+void Skyline::offer(std::span<const int> order, const SkylineRule& rule) {
   order_ = order;
   rule_ = rule;
   waiting_.assign(set_.items.size(), 0);
   spots_.assign(set_.items.size(), {-1, 0, false});
   for (const int i : order) waiting_[at(i)] = 1;
-  skip_.resize(by_width_.size());
-  std::iota(skip_.begin(), skip_.end(), 0);
+  waiting_count_ = order.size();
+  leaves_ = 0;
   rule_.window = std::clamp(std::min(rule_.window, static_cast<int>(order.size())), 1, 2000);
   const int room = padded(2 * rule_.window + 2) + lane_count;
   slot_width_.assign(at(room), INT_MAX);
@@ -122,11 +123,6 @@ void Skyline::begin(int width, std::span<const int> order, const SkylineRule& ru
   next_ = 0;
   refill();
   narrowest_ = lowest_ = 0;
-  std::fill(ys_.begin(), ys_.begin() + segments_ + 2, INT_MAX);
-  segments_ = 1;
-  xs_[0] = 0;
-  xs_[1] = width;
-  ys_[0] = 0;
 }
 
 void Skyline::refill() {
@@ -159,24 +155,35 @@ void Skyline::drop(int slot) {
   slots_ -= gone;
 }
 
-int Skyline::live(int entry) {
-  // Entries are dead once their item is placed; skip_ points past runs of dead ones.
-  int root = entry;
-  while (root >= 0) {
-    if (skip_[at(root)] != root) {
-      root = skip_[at(root)];
-      continue;
-    }
-    if (waiting_[at(by_width_[at(root)].item)]) break;
-    skip_[at(root)] = root - 1;
-    --root;
+void Skyline::make_tree() {
+  leaves_ = static_cast<int>(std::bit_ceil(by_width_.size()));
+  tree_.assign(2 * at(leaves_), INT_MAX);
+  for (std::size_t i = 0; i < by_width_.size(); ++i)
+    if (waiting_[at(by_width_[i].item)]) tree_[at(leaves_) + i] = by_width_[i].height;
+  for (std::size_t node = at(leaves_); --node > 0;)
+    tree_[node] = std::min(tree_[2 * node], tree_[2 * node + 1]);
+}
+
+void Skyline::forget(int entry) {
+  std::size_t node = at(leaves_ + entry);
+  tree_[node] = INT_MAX;
+  while ((node /= 2) > 0) tree_[node] = std::min(tree_[2 * node], tree_[2 * node + 1]);
+}
+
+// The last of by_width_[0 .. entry] in the tree that is not higher than `room`, or -1.
+int Skyline::last_below(int entry, int room) const {
+  if (entry < 0) return -1;
+  std::size_t node = at(leaves_ + entry);
+  while (tree_[node] > room) {
+    while (node % 2 == 0) node /= 2;  // nothing lies before a left child within its parent
+    if (node == 1) return -1;
+    --node;
   }
-  while (entry >= 0 && entry != root) {
-    const int after = skip_[at(entry)];
-    skip_[at(entry)] = root;
-    entry = after;
+  while (node < at(leaves_)) {
+    node = 2 * node + 1;
+    if (tree_[node] > room) --node;
   }
-  return root;
+  return static_cast<int>(node) - leaves_;
 }
 
 // How many entries are not wider than the gap.
@@ -188,12 +195,16 @@ int Skyline::not_wider(int gap) const {
   return static_cast<int>(end - by_width_.begin());
 }
 
+// Of those not wider than the gap and not higher than the room the last by width.
 Skyline::Choice Skyline::widest(int gap, int room) {
-  int entry = live(not_wider(gap) - 1);
-  while (entry >= 0 && by_width_[at(entry)].height > room) entry = live(entry - 1);
-  if (entry < 0) return {};
-  const Entry& found = by_width_[at(entry)];
-  return {found.item, found.width, found.height};
+  if (leaves_ == 0) make_tree();
+  for (int entry = not_wider(gap) - 1;;) {
+    entry = last_below(entry, room);
+    if (entry < 0) return {};
+    const Entry& found = by_width_[at(entry)];
+    if (waiting_[at(found.item)]) return {found.item, found.width, found.height};
+    forget(entry);
+  }
 }
 
 Skyline::Choice Skyline::choose(int gap, int room, int left, int right) {
@@ -241,6 +252,8 @@ void Skyline::place(int segment, int gap, int left, int right, const Choice& cho
   const int y = ys_[at(segment)], top = y + choice.height;
   spots_[at(choice.item)] = {x, y, choice.width != set_.items[at(choice.item)].width};
   waiting_[at(choice.item)] = 0;
+  --waiting_count_;
+  placed_.push_back(choice.item);
   if (choice.width == gap) {
     ys_[at(segment)] = top;
     join(segment);
@@ -269,17 +282,31 @@ void Skyline::place(int segment, int gap, int left, int right, const Choice& cho
 
 Outcome Skyline::pack(int width, int height, std::span<const int> order, const SkylineRule& rule,
                       bool partial) {
-  begin(width, order, rule);
-  Outcome out;
-  out.work = 10 * static_cast<std::int64_t>(order.size());
+  offer(order, rule);
   std::int64_t spare = std::int64_t{width} * height;
   if (!partial)
     for (const int i : order) {
       const RectSize& size = set_.items[at(i)];
       spare -= std::int64_t{size.width} * size.height;
     }
-  std::size_t left_to_place = order.size();
-  while (left_to_place > 0) {
+  return fill(width, height, spare);
+}
+
+Outcome Skyline::fill(int width, int height) {
+  return fill(width, height, std::int64_t{width} * height);
+}
+
+// Of the page's area `spare` may be lost.
+Outcome Skyline::fill(int width, int height, std::int64_t spare) {
+  Outcome out;
+  out.work = 10 * static_cast<std::int64_t>(waiting_count_);
+  placed_.clear();
+  std::fill(ys_.begin(), ys_.begin() + segments_ + 2, INT_MAX);
+  segments_ = 1;
+  xs_[0] = 0;
+  xs_[1] = width;
+  ys_[0] = 0;
+  while (waiting_count_ > 0) {
     while (narrowest_ < by_width_.size() && !waiting_[at(by_width_[narrowest_].item)]) ++narrowest_;
     while (lowest_ < heights_.size() && !waiting_[at(heights_[lowest_])]) ++lowest_;
     least_width_ = by_width_[narrowest_].width;
@@ -304,12 +331,11 @@ Outcome Skyline::pack(int width, int height, std::span<const int> order, const S
     }
     place(segment, gap, left, right, choice);
     refill();
-    --left_to_place;
     out.placed += std::int64_t{choice.width} * choice.height;
     out.height = std::max(out.height, y + choice.height);
     out.width = std::max(out.width, spots_[at(choice.item)].x + choice.width);
   }
-  out.all = left_to_place == 0;
+  out.all = waiting_count_ == 0;
   return out;
 }
 

@@ -32,7 +32,15 @@ class Skyline {
   /// without, it stops as soon as more area is lost than the page can spare.
   Outcome pack(int width, int height, std::span<const int> order, const SkylineRule& rule, bool partial);
 
-  /// Spots by index into the set; those of rectangles left out of the last pack() have x = -1.
+  /// For many pages, each filled with what the ones before it left: offer() once, then fill() for every page.
+  /// Does what pack() with `partial` does on the rest of the order, in time for what it places alone.
+  ///   order   is kept by reference
+  void offer(std::span<const int> order, const SkylineRule& rule);
+  Outcome fill(int width, int height);
+
+  /// What the last pack() or fill() placed, by index into the set.
+  const std::vector<int>& placed() const { return placed_; }
+  /// Spots by index into the set; those of rectangles left out since the last pack() or offer() have x = -1.
   const std::vector<Spot>& spots() const { return spots_; }
 
  private:
@@ -41,13 +49,15 @@ class Skyline {
     int width = 0, height = 0;
   };
 
-  void begin(int width, std::span<const int> order, const SkylineRule& rule);
+  Outcome fill(int width, int height, std::int64_t spare);
   void refill();
   void drop(int slot);
   Choice choose(int gap, int room, int left, int right);
   Choice widest(int gap, int room);
   int not_wider(int gap) const;
-  int live(int entry);  // the last live one of by_width_[0 .. entry], or -1
+  int last_below(int entry, int room) const;
+  void make_tree();
+  void forget(int entry);
   void raise(int segment, int to);
   void place(int segment, int gap, int left, int right, const Choice& choice);
   void join(int segment);
@@ -60,9 +70,14 @@ class Skyline {
   std::vector<Entry> by_width_;  // rising width, then height; with rotation each rectangle twice
   std::vector<int> ends_;        // by width: how many entries are not wider; empty where that takes too much
   std::vector<int> heights_;     // items by rising least possible height
-  std::vector<int> skip_;        // union-find over by_width_: an entry no later that may be live
-  std::vector<char> waiting_;    // of each item
+  // Over by_width_, the least height below each node, made when it is first needed: node i has the children
+  // 2 i and 2 i + 1, the leaves begin at leaves_. Entries placed since then are taken out when they are found.
+  std::vector<int> tree_;
+  int leaves_ = 0;             // 0: no tree
+  std::vector<char> waiting_;  // of each item
+  std::size_t waiting_count_ = 0;
   std::vector<Spot> spots_;
+  std::vector<int> placed_;
 
   std::span<const int> order_;
   SkylineRule rule_;

@@ -8,6 +8,7 @@
 #include <random>
 #include <sstream>
 
+#include "core/atlas/rects_search.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -178,6 +179,44 @@ TEST_CASE(
             const RectPlace &p = a.places[i], &q = a.places[k];
             REQUIRE(std::tie(p.page, p.y, p.x) < std::tie(q.page, q.y, q.x));
           }
+    }
+  }
+}
+
+TEST_CASE("pages that one rule fills one after the other are those that it fills each by itself") {
+  std::mt19937 random(7);
+  for (const int n : {40, 900}) {
+    std::vector<RectSize> sizes;
+    for (int i = 0; i < n; ++i)
+      sizes.push_back({static_cast<int>(1 + random() % 60), static_cast<int>(1 + random() % 60)});
+    for (const bool rotate : {false, true}) {
+      const rects::Set set(sizes);
+      rects::Budget budget(1000000, n, 0), same_budget = budget;
+      rects::Search search(set, rotate, 1, budget), by_page(set, rotate, 1, same_budget);
+      for (std::size_t entry = 0; entry < search.entries(); ++entry) {
+        if (!search.offer(entry)) continue;
+        INFO(n << " rectangles, entry " << entry << ", rotate " << rotate);
+        std::vector<int> left(sizes.size());
+        std::iota(left.begin(), left.end(), 0);
+        std::vector<std::pair<int, rects::Spot>> placed;
+        std::vector<rects::Spot> spots;
+        for (int page = 0; !left.empty(); ++page) {
+          const int side = page % 2 == 0 ? 100 : 150;
+          const rects::Outcome one = search.fill_next(side, 120, placed);
+          const rects::Outcome other = by_page.fill(side, 120, left, entry, spots);
+          REQUIRE(one.work == other.work);
+          REQUIRE(one.placed == other.placed);
+          REQUIRE(one.all == other.all);
+          REQUIRE(!placed.empty());
+          for (const auto& [i, spot] : placed) {
+            const rects::Spot& expected = spots[static_cast<std::size_t>(i)];
+            REQUIRE((spot.x == expected.x && spot.y == expected.y && spot.rotated == expected.rotated));
+          }
+          const std::size_t before = left.size();
+          std::erase_if(left, [&](int i) { return spots[static_cast<std::size_t>(i)].x >= 0; });
+          REQUIRE(before - left.size() == placed.size());
+        }
+      }
     }
   }
 }

@@ -209,4 +209,7 @@ TEST_CASE("found 4.02: rectangles are placed in time proportional to their numbe
   };
   check_growth("strip", 1000, sizes, packed(PageForm::strip, 4096));
   check_growth("pages", 1000, sizes, packed(PageForm::pages, 1024));
+  // A page costs what it takes, not what it leaves: of these there are two thousand in the end.
+  check_growth("many pages", 8000, sizes, packed(PageForm::pages, 256));
+  check_growth("many mixed pages", 8000, sizes, packed(PageForm::mixed, 256));
 }
