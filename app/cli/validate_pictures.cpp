@@ -93,6 +93,8 @@ class PictureSource {
     try {
       if (role == FileRole::scene) {
         scene_.emplace(read_gltf(target.files.front().path, {}));
+        uses_.emplace(*scene_);
+        looks_.emplace(*scene_);
         textures_.emplace(scene_->images);
       } else if (role != FileRole::material && role != FileRole::spectrum) {
         files_ = load_pictures(target, settings);
@@ -116,8 +118,8 @@ class PictureSource {
     if (index != material_) {
       try {
         files_ = convert_material(scene_->materials[static_cast<std::size_t>(index)], *textures_);
-        hide_unused(*files_, texels_in_use(*scene_, materials_of_one_look(*scene_, static_cast<int>(index)),
-                                           files_->a.width, files_->a.height));
+        hide_unused(*files_, texels_in_use(*uses_, looks_->of(static_cast<int>(index)), files_->a.width,
+                                           files_->a.height));
       } catch (const Error&) {
         files_.reset();
       }
@@ -129,6 +131,8 @@ class PictureSource {
  private:
   std::optional<LoadedPictures> files_;
   std::optional<GltfScene> scene_;
+  std::optional<MaterialUses> uses_;
+  std::optional<MaterialLooks> looks_;
   std::optional<ScenePictures> textures_;
   double material_ = -1;  // whose pictures files_ holds
 };

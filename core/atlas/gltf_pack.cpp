@@ -118,6 +118,7 @@ struct ScenePack::State {
   };
 
   GltfScene scene;
+  std::optional<MaterialUses> uses;  // of the scene, once that is read
   const PackOptions& options;
   GlossForm gloss;
   std::vector<Entry> entries;  // beside the inputs
@@ -259,7 +260,7 @@ struct ScenePack::State {
     in.facts.levels = lead.sampler.mipmaps ? 0 : 1;
     if (options.texel_density == 0 && options.view_height == 0) return;
     const TexelScale scale =
-        texel_scale(scene, entry.material, lead, in.width, in.height, options.view_height);
+        texel_scale(*uses, entry.material, lead, in.width, in.height, options.view_height);
     constexpr double rounding = 1e-6;
     std::optional<double> halvings;
     if (options.texel_density > 0 && scale.least_density > 0)
@@ -287,7 +288,7 @@ struct ScenePack::State {
   }
 
   void use_of(PackInput& in, Entry& entry, const GltfTexture& lead) {
-    entry.use = texel_use(scene, entry.material, lead, in.width, in.height);
+    entry.use = texel_use(*uses, entry.material, lead, in.width, in.height);
     const TexelUse& use = *entry.use;
     in.wrap = {lead.sampler.wrap_u, lead.sampler.wrap_v};
     if (use.touched == 0) return;
@@ -321,6 +322,7 @@ ScenePack::ScenePack(const std::string& path, const PackOptions& options)
     : state_(std::make_unique<State>(options)) {
   State& s = *state_;
   s.scene = read_gltf(path, options.scene);
+  s.uses.emplace(s.scene);
   s.inputs.gloss = s.gloss;
   if (s.gloss == GlossForm::roughness)
     throw Error::at("--gloss", "roughness", "schueler or one_minus_roughness for a glTF scene");

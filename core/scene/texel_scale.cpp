@@ -53,12 +53,12 @@ Pixels pixels(const GltfCamera& camera, const std::array<float, 3>& center, doub
 
 }  // namespace
 
-TexelScale texel_scale(const GltfScene& scene, int material, const GltfTexture& texture, int width,
+TexelScale texel_scale(const MaterialUses& uses, int material, const GltfTexture& texture, int width,
                        int height, int view_height) {
   TexelScale out;
   double least = infinite, least_level = infinite, most_level = -infinite;
-  for (const GltfUse& use : scene.uses) {
-    if (use.material != material) continue;
+  for (const GltfUse* each : uses.of(material)) {
+    const GltfUse& use = *each;
     const auto& uvs = use.uv[texture.uv_set == 1 ? 1 : 0];
     if (texture.uv_set > 1 || uvs.size() != use.world_edges.size()) {
       if (!use.world_edges.empty()) return {};  // what it reads is not known
@@ -72,7 +72,7 @@ TexelScale texel_scale(const GltfScene& scene, int material, const GltfTexture& 
       if (!density.drawn) continue;
       least = std::min(least, std::sqrt(density.least));
       if (view_height == 0) continue;
-      for (const GltfCamera& camera : scene.cameras) {
+      for (const GltfCamera& camera : uses.scene().cameras) {
         const Pixels there = pixels(camera, use.world_center[t], double{use.world_radius[t]}, view_height);
         if (there.most == 0) continue;
         out.seen = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/scene/gltf.h"
+#include "core/scene/material_uses.h"
 
 namespace etak {
 
@@ -22,7 +22,7 @@ struct TexelScale {
 ///   texture         whose UVs count
 ///   width, height   of the texture's picture, in texels
 ///   view_height     of the cameras' pictures, in pixels; 0: cameras are not looked at
-TexelScale texel_scale(const GltfScene& scene, int material, const GltfTexture& texture, int width,
+TexelScale texel_scale(const MaterialUses& uses, int material, const GltfTexture& texture, int width,
                        int height, int view_height);
 
 }  // namespace etak

@@ -176,12 +176,14 @@ std::array<int, 4> cut_footprint(const Range& x, const Range& y, int width, int 
 }
 
 /// The triangles of a material's uses once each, in texels of the texture; false where some have no UVs.
-bool collect(const GltfScene& scene, int material, const GltfTexture& texture, int width, int height,
+bool collect(const MaterialUses& uses, int material, const GltfTexture& texture, int width, int height,
              std::vector<Triangle>& out) {
+  const GltfScene& scene = uses.scene();
   const UvMatrix matrix = uv_matrix(texture.transform);
   bool all = true;
-  for (const GltfUse& use : scene.uses) {
-    if (use.material != material || use.same_uv_as >= 0 || use.world_area.empty()) continue;
+  for (const GltfUse* each : uses.of(material)) {
+    const GltfUse& use = *each;
+    if (use.same_uv_as >= 0 || use.world_area.empty()) continue;
     if (texture.uv_set > 1 || use.uv[texture.uv_set].empty()) {
       all = false;
       continue;
@@ -265,6 +267,11 @@ std::optional<Footprint> footprint_of(const std::array<Uv, 3>& uv, const GltfSam
 }
 
 TexelUse texel_use(const GltfScene& scene, int material, const GltfTexture& texture, int width, int height) {
+  return texel_use(MaterialUses(scene), material, texture, width, height);
+}
+
+TexelUse texel_use(const MaterialUses& uses, int material, const GltfTexture& texture, int width,
+                   int height) {
   assert(width > 0 && height > 0 && width <= 32767 && height <= 32767);
   TexelUse use;
   use.width = width;
@@ -273,7 +280,7 @@ TexelUse texel_use(const GltfScene& scene, int material, const GltfTexture& text
   const Wrap wrap_u = texture.sampler.wrap_u, wrap_v = texture.sampler.wrap_v;
   const double slack_u = 0.5 / width, slack_v = 0.5 / height;
   std::vector<Triangle> triangles;
-  const bool all_have_uvs = collect(scene, material, texture, width, height, triangles);
+  const bool all_have_uvs = collect(uses, material, texture, width, height, triangles);
 
   Range x, y;
   for (const Triangle& triangle : triangles)

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/scene/gltf.h"
+#include "core/scene/material_uses.h"
 
 namespace etak {
 
@@ -42,6 +42,8 @@ struct TexelUse {
 /// without the texture's UV set, and sets beyond the second, count as touching everything. A triangle over
 /// more than four periods counts as touching everything too. Throws Error for UVs that are NaN or beyond
 /// +-1e6.
+TexelUse texel_use(const MaterialUses& uses, int material, const GltfTexture& texture, int width, int height);
+/// The same, for few materials of a scene: goes through all its uses.
 TexelUse texel_use(const GltfScene& scene, int material, const GltfTexture& texture, int width, int height);
 
 /// The footprint of one triangle, as texel_use() sees it.

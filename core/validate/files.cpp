@@ -136,6 +136,8 @@ std::string label_beside(const TargetFile& scene, const std::string& path) {
 void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, const Settings& settings,
                  unsigned threads, CheckedFile& file) {
   const GltfScene scene = read_gltf(file_of_scene.path, GltfOptions{});
+  const MaterialUses uses(scene);
+  const MaterialLooks looks(scene);
   ScenePictures pictures(scene.images);
   const auto label_of = [&](const std::optional<GltfTexture>& texture) -> std::string {
     if (!texture) return file_of_scene.label;
@@ -150,7 +152,7 @@ void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, con
     const auto index = static_cast<std::size_t>(material.index);
     if (!scene.material_used[index] || done[index]) continue;
     // Materials of one look are judged once, under all their names.
-    const std::vector<int> users = materials_of_one_look(scene, material.index);
+    const std::vector<int>& users = looks.of(material.index);
     std::string names;
     for (const int user : users) {
       done[static_cast<std::size_t>(user)] = true;
@@ -177,7 +179,7 @@ void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, con
     CheckedFile one;
     LoadedPictures converted = convert_material(material, pictures);
     const std::size_t hidden =
-        hide_unused(converted, texels_in_use(scene, users, converted.a.width, converted.a.height));
+        hide_unused(converted, texels_in_use(uses, users, converted.a.width, converted.a.height));
     look_at_pixels(
         part, [&](Needs) { return rows_of_pictures(converted); }, settings, threads, evidence, one);
     forget_unused(evidence, hidden);

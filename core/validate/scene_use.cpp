@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <tuple>
 
 #include "core/base/error.h"
@@ -31,39 +32,43 @@ void take_color(Image8& picture, const std::vector<std::uint8_t>& use, int x, in
   if (from != nullptr) std::memcpy(picture.at(x, y).data(), from, 3);
 }
 
-// Whether two materials give the same pictures: all but name, normals and sides.
-bool same_texels(const GltfMaterial& a, const GltfMaterial& b) {
+// Of all that makes a material's pictures: of everything but name, normals and sides.
+auto look_of(const GltfMaterial& m) {
   const auto image = [](const std::optional<GltfTexture>& t) { return t ? t->image : -1; };
-  const auto key = [&](const GltfMaterial& m) {
-    return std::tuple(m.base_color, image(m.base_color_texture), m.metallic, m.roughness,
-                      image(m.metallic_roughness_texture), m.ior, m.specular, image(m.specular_texture),
-                      m.specular_color, image(m.specular_color_texture), m.specular_glossiness, m.diffuse,
-                      image(m.diffuse_texture), m.specular_f0, m.glossiness,
-                      image(m.specular_glossiness_texture), m.alpha_mode);
-  };
-  return key(a) == key(b);
+  return std::tuple(m.base_color, image(m.base_color_texture), m.metallic, m.roughness,
+                    image(m.metallic_roughness_texture), m.ior, m.specular, image(m.specular_texture),
+                    m.specular_color, image(m.specular_color_texture), m.specular_glossiness, m.diffuse,
+                    image(m.diffuse_texture), m.specular_f0, m.glossiness,
+                    image(m.specular_glossiness_texture), m.alpha_mode);
 }
 
 }  // namespace
 
-std::vector<int> materials_of_one_look(const GltfScene& scene, int material) {
-  std::vector<int> out{material};
-  for (std::size_t other = static_cast<std::size_t>(material) + 1; other < scene.materials.size(); ++other)
-    if (scene.material_used[other] &&
-        same_texels(scene.materials[static_cast<std::size_t>(material)], scene.materials[other]))
-      out.push_back(static_cast<int>(other));
-  return out;
+MaterialLooks::MaterialLooks(const GltfScene& scene) : groups_(1), group_of_(scene.materials.size(), 0) {
+  std::map<decltype(look_of(GltfMaterial{})), std::size_t> groups;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    if (!scene.material_used[i]) continue;
+    const auto [group, is_new] = groups.try_emplace(look_of(scene.materials[i]), groups_.size());
+    if (is_new) groups_.emplace_back();
+    group_of_[i] = group->second;
+    groups_[group->second].push_back(static_cast<int>(i));
+  }
 }
 
-std::vector<std::uint8_t> texels_in_use(const GltfScene& scene, const std::vector<int>& materials, int width,
-                                        int height) {
+const std::vector<int>& MaterialLooks::of(int material) const {
+  return groups_[group_of_[static_cast<std::size_t>(material)]];
+}
+
+std::vector<std::uint8_t> texels_in_use(const MaterialUses& uses, const std::vector<int>& materials,
+                                        int width, int height) {
+  const GltfScene& scene = uses.scene();
   std::vector<std::uint8_t> out;
   for (const int index : materials) {
     const GltfMaterial& material = scene.materials[static_cast<std::size_t>(index)];
     const GltfTexture* lead = leading_texture(material);
     if (lead == nullptr || !textures_agree(material)) return {};
     try {
-      const TexelUse use = texel_use(scene, index, *lead, width, height);
+      const TexelUse use = texel_use(uses, index, *lead, width, height);
       if (use.tiles || use.touched == 0 || use.mask.empty()) return {};
       if (out.empty()) out.resize(use.mask.size());
       for (std::size_t i = 0; i < out.size(); ++i) out[i] |= use.mask[i];

@@ -1,24 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "core/scene/gltf.h"
+#include "core/scene/material_uses.h"
 #include "core/validate/evidence.h"
 #include "core/validate/files.h"
 
 namespace etak {
 
-/// A material of a scene and those behind it that are in use too and give the same pictures: all but names,
-/// normals, sides and UVs are alike.
-std::vector<int> materials_of_one_look(const GltfScene& scene, int material);
+/// The used materials of a scene by the pictures that they give: those of a group are alike but for names,
+/// normals, sides and UVs.
+class MaterialLooks {
+ public:
+  explicit MaterialLooks(const GltfScene& scene);
+
+  /// The group of a used material, rising; none for other materials.
+  const std::vector<int>& of(int material) const;
+
+ private:
+  std::vector<std::vector<int>> groups_;  // the first has nobody
+  std::vector<std::size_t> group_of_;     // by material
+};
 
 /// 1 for every texel that the triangles of a scene read with one of the materials, in pictures of width x
 /// height; empty where all of them may be read: textures looked up at different places, UVs that nobody
 /// understands, numbers instead of textures.
-std::vector<std::uint8_t> texels_in_use(const GltfScene& scene, const std::vector<int>& materials, int width,
-                                        int height);
+std::vector<std::uint8_t> texels_in_use(const MaterialUses& uses, const std::vector<int>& materials,
+                                        int width, int height);
 
 /// Hides the texels that are not in use from the rules: alpha 0, and beside visible ones
 /// their colour, so that no fringe is seen where nobody looks. Returns how many.

@@ -22,7 +22,7 @@ GltfScene looked_at(const std::string& node, const std::string& camera) {
 }
 
 TexelScale scale_of(const GltfScene& scene, int width, int height, int view) {
-  return texel_scale(scene, 0, *leading_texture(scene.materials[0]), width, height, view);
+  return texel_scale(MaterialUses(scene), 0, *leading_texture(scene.materials[0]), width, height, view);
 }
 
 const std::string orthographic =

@@ -14,6 +14,8 @@
 #include "core/material/json.h"
 #include "core/material/library.h"
 #include "core/scene/gltf.h"
+#include "core/scene/texel_scale.h"
+#include "core/scene/uv_use.h"
 #include "core/validate/baseline.h"
 #include "core/validate/output_formats.h"
 #include "core/validate/rules.h"
@@ -156,6 +158,33 @@ TEST_CASE("found 4.02: scenes are read in time proportional to nodes, meshes, ma
       "materials", 500, [](std::size_t n) { return scene(1, 1, n, 1); }, read);
   check_growth(
       "images", 500, [](std::size_t n) { return scene(n, n, n, n); }, read);
+}
+
+TEST_CASE("texels in use and texel scales of all materials take time in proportion to uses and materials") {
+  const auto uses = [](std::size_t n) {
+    GltfScene scene;
+    scene.materials.resize(n);
+    scene.uses.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      GltfUse& use = scene.uses[i];
+      use.material = static_cast<int>(i * 7919 % n);
+      use.uv[0] = {{{{0, 0}, {1, 0}, {1, 1}}}};
+      use.world_area = {0.5f};
+      use.world_edges = {{1, 0, 1}};
+      use.world_center = {{0, 0, 0}};
+      use.world_radius = {1};
+    }
+    return scene;
+  };
+  check_growth("uses", 2000, uses, [](const GltfScene& scene) {
+    const MaterialUses by_material(scene);
+    std::size_t touched = 0;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      touched += texel_use(by_material, static_cast<int>(i), GltfTexture{}, 2, 2).touched > 0 ? 1 : 0;
+      (void)texel_scale(by_material, static_cast<int>(i), GltfTexture{}, 2, 2, 0);
+    }
+    CHECK(touched > 0);
+  });
 }
 
 TEST_CASE("found 4.02: findings and baselines take time in proportion to their number") {
