@@ -7,6 +7,8 @@
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
+#include "core/base/free_names.h"
+#include "core/base/memory.h"
 #include "core/material/json.h"
 
 namespace etak::cli {
@@ -21,23 +23,19 @@ struct ImportArguments {
 };
 
 // "a" is taken: "a-2", "a-3", ...
-std::string free_dataset_id(const Material& material, const std::string& id) {
-  std::string out = id;
-  for (int i = 2; material.dataset(out) != nullptr; ++i) out = id + "-" + std::to_string(i);
-  return out;
-}
-
-void append_datasets(Material& material, Material more) {
+void append_datasets(Material& material, Material more, FreeNames& ids) {
   for (Dataset& dataset : more.datasets) {
-    dataset.id = free_dataset_id(material, dataset.id);
+    const std::string id = dataset.id;
+    dataset.id = ids.free(id, [&](int i) { return id + "-" + std::to_string(i); });
     material.datasets.push_back(std::move(dataset));
   }
 }
 
-int run(ImportArguments& arguments) {
+int import_inputs(ImportArguments& arguments) {
   const TableOptions tables = table_options(arguments.tables);
   if (arguments.inputs.names.empty()) throw Error::at("etak import", "no input", "a page or table");
   Material material;
+  FreeNames ids;  // of its datasets
   for (const Input& input : find_tables(arguments.inputs, arguments.library, arguments.output)) {
     if (input.kind == Input::Kind::material)
       throw Error::at(input.path, "is a material of the library", "a page, table or material file");
@@ -45,8 +43,9 @@ int run(ImportArguments& arguments) {
     if (material.datasets.empty()) {
       material = std::move(next);
       if (!arguments.id.empty()) material.id = arguments.id;
+      for (const Dataset& each : material.datasets) ids.take(each.id);
     } else {
-      append_datasets(material, std::move(next));
+      append_datasets(material, std::move(next), ids);
     }
   }
   if (!arguments.name.empty()) material.name = arguments.name;
@@ -57,6 +56,13 @@ int run(ImportArguments& arguments) {
   (void)parse_material(text, "the imported material");
   write_output(arguments.output, text);
   return exit_ok;
+}
+
+int run(ImportArguments& arguments) {
+  const auto& names = arguments.inputs.names;
+  return with_memory_for(
+      names.size() == 1 ? names[0] : "etak import", [] { return "the material made of it"; },
+      [&] { return import_inputs(arguments); });
 }
 
 }  // namespace

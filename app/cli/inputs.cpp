@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <set>
 
 #include "app/cli/folder.h"
 #include "core/base/error.h"
@@ -260,9 +261,9 @@ std::size_t ListedNames::count() const {
 
 std::vector<std::string> alias_remarks(const std::vector<Input>& inputs) {
   std::vector<std::string> out;
+  std::set<std::string_view> told;
   for (const Input& input : inputs)
-    if (!input.alias_note.empty() && std::find(out.begin(), out.end(), input.alias_note) == out.end())
-      out.push_back(input.alias_note);
+    if (!input.alias_note.empty() && told.insert(input.alias_note).second) out.push_back(input.alias_note);
   return out;
 }
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <span>
 
 #include "core/base/error.h"
+#include "core/base/free_names.h"
 #include "core/base/number.h"
 #include "core/base/output_folder.h"
 #include "core/base/parallel.h"
@@ -164,15 +164,14 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const std::vector<
   auto out = std::make_unique<OutputFolder>(folder, Replace::files);
   // Names are given out in the report's order, so that they do not depend on the threads.
   const auto wanted = with_places(report, targets);
-  std::set<std::string> taken;
+  FreeNames taken;
   std::vector<std::vector<std::string>> names(wanted.size());
   for (std::size_t w = 0; w < wanted.size(); ++w)
     for (const Finding& finding : report.files[wanted[w]].findings) {
       std::string& name = names[w].emplace_back();
       if (!has_place(finding)) continue;
-      name = file_name(finding);
-      for (int number = 2; !taken.insert(name).second; ++number)
-        name = file_name(finding) + '.' + std::to_string(number);
+      const std::string asked = file_name(finding);
+      name = taken.free(asked, [&](int number) { return asked + '.' + std::to_string(number); });
     }
   parallel_chunks(wanted.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t w = begin; w < end; ++w) {

@@ -80,11 +80,8 @@ void Document::add(std::vector<ProjectMaterial> materials, const std::vector<Mat
                    const QString& what) {
   if (materials.empty()) return;
   // Names are made unique against those added with them, too.
-  Project names = project_;
-  for (ProjectMaterial& each : materials) {
-    each.name = free_name(names, each.name);
-    names.materials.push_back(each);
-  }
+  FreeNames names = names_of(project_);
+  for (ProjectMaterial& each : materials) each.name = free_name(names, each.name);
   std::vector<Material> all = project_.spectra;
   for (const Material& each : spectra) {
     const auto same =

@@ -2,7 +2,6 @@
 #include "core/atlas/project.h"
 
 #include <algorithm>
-#include <set>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -239,9 +238,13 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
   return out;
 }
 
-std::string free_name(const Project& project, const std::string& wanted) {
-  std::set<std::string_view> taken;
-  for (const ProjectMaterial& each : project.materials) taken.insert(each.name);
+FreeNames names_of(const Project& project) {
+  FreeNames out;
+  for (const ProjectMaterial& each : project.materials) out.take(each.name);
+  return out;
+}
+
+std::string free_name(FreeNames& names, const std::string& wanted) {
   // Of at most so many bytes, and whole characters.
   const auto front = [&](std::size_t most) {
     std::size_t end = std::min(wanted.size(), most);
@@ -249,12 +252,16 @@ std::string free_name(const Project& project, const std::string& wanted) {
     while (end > 0 && end < wanted.size() && goes_on()) --end;
     return wanted.substr(0, end);
   };
-  std::string out = front(most_name_bytes);
-  for (int i = 2; taken.contains(out); ++i) {
+  const auto numbered = [&](int i) {
     const std::string number = " " + std::to_string(i);
-    out = front(most_name_bytes - number.size()) + number;
-  }
-  return out;
+    return front(most_name_bytes - number.size()) + number;
+  };
+  return names.free(front(most_name_bytes), numbered);
+}
+
+std::string free_name(const Project& project, const std::string& wanted) {
+  FreeNames names = names_of(project);
+  return free_name(names, wanted);
 }
 
 bool is_project(std::string_view text) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/atlas/manifest.h"
+#include "core/base/free_names.h"
 #include "core/exchange/export_surface.h"
 #include "core/light/lights.h"
 #include "core/material/f0.h"
@@ -157,6 +158,9 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
 /// A name that no material of the project has: "gold", "gold 2", ... Its end is left out where it would be
 /// longer than a project may hold (name_limit.h).
 std::string free_name(const Project& project, const std::string& wanted);
+/// The same for many names, which are taken as they are given out.
+FreeNames names_of(const Project& project);
+std::string free_name(FreeNames& names, const std::string& wanted);
 
 /// Whether a JSON text says it is a project.
 bool is_project(std::string_view text);

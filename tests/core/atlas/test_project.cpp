@@ -187,3 +187,21 @@ TEST_CASE("a single material takes the spectra along that it uses") {
   CHECK(find_f0(*one.materials[0].measured, all).result.luminance == Approx(0.0672).epsilon(1e-3));
   CHECK(free_name(project, "plain") == "plain 2");
 }
+
+TEST_CASE("names given out together are free of each other, as if each had been looked for by itself") {
+  Project project;
+  const std::string longest(1000, 'x');
+  for (const char* each : {"a", "a 3", "b"}) project.materials.emplace_back().name = each;
+  FreeNames names = names_of(project);
+  for (const std::string& wanted :
+       {std::string("a"), std::string("a"), std::string("a 2"), std::string("c"), std::string("c"),
+        std::string("a"), longest, longest, longest + "y", std::string("b 2"), std::string("b")}) {
+    const std::string alone = free_name(project, wanted);
+    CHECK(free_name(names, wanted) == alone);
+    CHECK(alone.size() <= 1000);
+    project.materials.emplace_back().name = alone;
+  }
+  CHECK(project.materials[3].name == "a 2");
+  CHECK(project.materials[4].name == "a 4");
+  CHECK(project.materials[5].name == "a 2 2");
+}
