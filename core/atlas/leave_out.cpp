@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "core/base/error.h"
@@ -40,6 +41,7 @@ class Steps {
       out_.fates[i].boxes = {whole(materials[i])};
       channels_[i].fill(true);
     }
+    list_users();
     out_.before = out_.after = account();
   }
 
@@ -119,14 +121,18 @@ class Steps {
     return {varies(m, 0, 3) || (alpha && alpha_in_color), alpha, varies(m, specular_channel, 4)};
   }
 
-  // Whether a material finds what it reads in the texels of another.
-  bool finds_all(std::size_t user, std::size_t with) const {
-    const MaterialFacts &m = materials_[user], &owner = materials_[with];
-    const Parts& reads = reads_[user];
-    return m.width == owner.width && m.height == owner.height &&
-           (!reads[color_part] || m.color_hash == owner.color_hash) &&
-           (!reads[alpha_part] || m.alpha_hash == owner.alpha_hash) &&
-           (!reads[specular_part] || m.specular_hash == owner.specular_hash);
+  // The size of a material and what its texels hold in some parts. A material finds all that it reads in the
+  // texels of another when both have the same key of the parts that it reads.
+  using Hash = std::array<std::uint64_t, 2>;
+  using TexelKey = std::tuple<Parts, int, int, Hash, Hash, Hash>;
+  static TexelKey key_of(const MaterialFacts& m, const Parts& parts) {
+    const auto hash = [&](Part part, const Hash& value) { return parts[part] ? value : Hash{}; };
+    return {parts,
+            m.width,
+            m.height,
+            hash(color_part, m.color_hash),
+            hash(alpha_part, m.alpha_hash),
+            hash(specular_part, m.specular_hash)};
   }
 
   // One that reads another texture than its owner must not make more of that be kept than it saves.
@@ -147,7 +153,7 @@ class Steps {
 
   void equal() {
     if (!options_.leaves("equal")) return;
-    std::vector<std::size_t> order, owners;
+    std::vector<std::size_t> order;
     for (const MaterialFacts& m : materials_) reads_.push_back(parts_read(m));
     for (std::size_t i = 0; i < materials_.size(); ++i)
       if (out_.fates[i].texels) order.push_back(i);
@@ -155,6 +161,9 @@ class Steps {
     const auto parts = [&](std::size_t i) { return std::count(reads_[i].begin(), reads_[i].end(), true); };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return parts(a) > parts(b); });
+    // Owners by their keys of all parts that some material reads, in the order in which they became such.
+    const std::set<Parts> kinds(reads_.begin(), reads_.end());
+    std::map<TexelKey, std::vector<std::size_t>> by_texels;
     std::map<std::string, std::size_t> by_source;
     std::vector<std::size_t> shared;
     for (const std::size_t i : order) {
@@ -162,15 +171,17 @@ class Steps {
       if (!m.learned) {
         out_.fates[i].owner = by_source.try_emplace(m.source, i).first->second;
       } else if (parts(i) > 0) {  // else it has no texels anyway
-        const auto owner = std::find_if(owners.begin(), owners.end(),
-                                        [&](std::size_t o) { return finds_all(i, o) && is_worth_it(i, o); });
-        if (owner == owners.end())
-          owners.push_back(i);
-        else
+        const std::vector<std::size_t>& owners = by_texels[key_of(m, reads_[i])];
+        const auto owner =
+            std::find_if(owners.begin(), owners.end(), [&](std::size_t o) { return is_worth_it(i, o); });
+        if (owner != owners.end())
           out_.fates[i].owner = *owner;
+        else
+          for (const Parts& kind : kinds) by_texels[key_of(m, kind)].push_back(i);
       }
       if (out_.fates[i].owner != i) shared.push_back(i);
     }
+    list_users();
     std::sort(shared.begin(), shared.end());
     std::string names;
     for (std::size_t k = 0; k < std::min<std::size_t>(3, shared.size()); ++k)
@@ -180,11 +191,16 @@ class Steps {
     record("equal", shared.size(), names);
   }
 
+  void list_users() {
+    users_.assign(materials_.size(), {});
+    for (std::size_t j = 0; j < materials_.size(); ++j) users_[out_.fates[j].owner].push_back(j);
+  }
+
   // Those that use texels of `i`, itself among them.
   template <class Act>
   void users(std::size_t i, Act act) const {
-    for (std::size_t j = 0; j < materials_.size(); ++j)
-      if (out_.fates[j].texels && out_.fates[j].owner == i) act(j);
+    for (const std::size_t j : users_[i])
+      if (out_.fates[j].texels) act(j);
   }
 
   bool is_owner(std::size_t i) const { return out_.fates[i].owner == i; }
@@ -256,6 +272,8 @@ class Steps {
     users(i, [&](std::size_t j) { heir = std::min(heir, j); });
     if (heir == materials_.size()) return;
     users(i, [&](std::size_t j) { out_.fates[j].owner = heir; });
+    users_[heir] = std::move(users_[i]);
+    users_[i].clear();
     channels_[heir] = channels_[i];
   }
 
@@ -295,6 +313,7 @@ class Steps {
   const LeaveOutOptions& options_;
   std::vector<std::array<bool, channel_count>> channels_;  // of owners: what their region holds
   std::vector<Parts> reads_;
+  std::vector<std::vector<std::size_t>> users_;  // by owner, rising; some may need no texels any more
   LeaveOut out_;
 };
 

@@ -18,9 +18,8 @@ std::string define_of(std::string_view prefix, std::string_view id) {
 }  // namespace
 
 const MaterialVariant* ShadingVariants::find(std::string_view material) const {
-  const auto found = std::find_if(materials.begin(), materials.end(),
-                                  [&](const MaterialVariant& each) { return each.material == material; });
-  return found == materials.end() ? nullptr : &*found;
+  const auto found = std::ranges::lower_bound(materials, material, {}, &MaterialVariant::material);
+  return found == materials.end() || found->material != material ? nullptr : &*found;
 }
 
 std::vector<std::string> shading_defines(std::string_view model, std::string_view filter) {

@@ -36,8 +36,8 @@ struct MaterialVariant {
 };
 
 struct ShadingVariants {
-  std::string png_level;  // "fast"
-  std::vector<MaterialVariant> materials;
+  std::string png_level;                   // "fast"
+  std::vector<MaterialVariant> materials;  // by name, each once
 
   const MaterialVariant* find(std::string_view material) const;
 };

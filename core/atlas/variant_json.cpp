@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/variant.h"
+
+#include <algorithm>
+#include <set>
+
 #include "core/base/json_node.inc"
 
 namespace etak {
@@ -52,12 +56,14 @@ ShadingVariants parse_choices(std::string_view text, std::string_view file) {
   out.png_level = root.at("png_level").text();
   const JsonNode choices = root.at("choices");
   choices.expect_array();
+  std::set<std::string> names;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     MaterialVariant variant = read_variant(choices.at(i));
-    if (out.find(variant.material) != nullptr)
+    if (!names.insert(variant.material).second)
       choices.at(i).at("material").fail("\"" + variant.material + "\" a second time", "each material once");
     out.materials.push_back(std::move(variant));
   }
+  std::ranges::sort(out.materials, {}, &MaterialVariant::material);
   return out;
 }
 

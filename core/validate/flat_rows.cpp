@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "core/validate/rule_check.h"
 
@@ -29,6 +33,10 @@ class FlatRows : public RowSource {
                                              [](const Tile& tile) { return (*tile.flat[0])[3] == 255; })
                              ? 3
                              : 4;
+    coming_.resize(target.manifest.tiles.size());
+    std::iota(coming_.begin(), coming_.end(), std::size_t{0});
+    std::ranges::stable_sort(coming_, std::ranges::greater{},
+                             [&](std::size_t i) { return rows_of(i).first; });
   }
 
   const TextureHeader& header() const override { return header_; }
@@ -37,10 +45,11 @@ class FlatRows : public RowSource {
     const Manifest& manifest = target_.manifest;
     for (int i = 0; i < count; ++i, ++next_, rgba += stride) {
       std::memset(rgba, 0, 4 * static_cast<std::size_t>(header_.width));
-      for (const Tile& tile : manifest.tiles) {
+      find_tiles_of_row();
+      for (const std::size_t at : here_) {
+        const Tile& tile = manifest.tiles[at];
         const int gutter = tile.gutter.value_or(manifest.gutter);
         const PixelBox& box = tile.box;
-        if (next_ < box.y - gutter || next_ >= box.y + box.height + gutter) continue;
         const int end = std::min(header_.width, box.x + box.width + gutter);
         for (int x = std::max(0, box.x - gutter); x < end; ++x)
           std::memcpy(rgba + 4 * x, tile.flat[texture_]->data(), 4);
@@ -49,9 +58,28 @@ class FlatRows : public RowSource {
   }
 
  private:
+  // The first row that a tile covers, and the one behind the last.
+  std::pair<int, int> rows_of(std::size_t at) const {
+    const Tile& tile = target_.manifest.tiles[at];
+    const int gutter = tile.gutter.value_or(target_.manifest.gutter);
+    return {tile.box.y - gutter, tile.box.y + tile.box.height + gutter};
+  }
+
+  // Takes in the tiles that begin at the next row and drops those that end before it.
+  void find_tiles_of_row() {
+    std::erase_if(here_, [&](std::size_t at) { return rows_of(at).second <= next_; });
+    const std::size_t before = here_.size();
+    for (; !coming_.empty() && rows_of(coming_.back()).first <= next_; coming_.pop_back())
+      if (rows_of(coming_.back()).second > next_) here_.push_back(coming_.back());
+    if (here_.size() > before) std::ranges::sort(here_);
+  }
+
   const CheckTarget& target_;
   const std::size_t texture_;
   TextureHeader header_;
+  std::vector<std::size_t> coming_;  // tiles that begin later, the next ones at the end
+  std::vector<std::size_t>
+      here_;  // those of the row, in the manifest's order: the later one covers the earlier
   int next_ = 0;
 };
 

@@ -6,13 +6,18 @@
 #include <utility>
 #include <vector>
 
+#include "core/atlas/layout.h"
+#include "core/atlas/leave_out.h"
 #include "core/atlas/manifest.h"
 #include "core/atlas/project.h"
 #include "core/atlas/rects.h"
+#include "core/atlas/rects_text.h"
+#include "core/atlas/variant.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
 #include "core/material/library.h"
+#include "core/report/choose.h"
 #include "core/scene/gltf.h"
 #include "core/scene/texel_scale.h"
 #include "core/scene/uv_use.h"
@@ -158,6 +163,99 @@ TEST_CASE("found 4.02: scenes are read in time proportional to nodes, meshes, ma
       "materials", 500, [](std::size_t n) { return scene(1, 1, n, 1); }, read);
   check_growth(
       "images", 500, [](std::size_t n) { return scene(n, n, n, n); }, read);
+}
+
+TEST_CASE("free names are found in time proportional to their number, however many are equal") {
+  const auto project = [](std::size_t n) {
+    Project out;
+    out.materials.resize(n);
+    for (std::size_t i = 0; i < n; ++i) out.materials[i].name = "m" + std::to_string(i);
+    return out;
+  };
+  check_growth("names", 1000, project, [](const Project& taken) {
+    FreeNames names = names_of(taken);
+    std::string last;
+    for (std::size_t i = 0; i < taken.materials.size(); ++i) last = free_name(names, "m0");
+    CHECK(last == "m0 " + std::to_string(taken.materials.size() + 1));
+  });
+}
+
+TEST_CASE("layouts, choices, cost tables and rectangles are read in time proportional to their parts") {
+  const auto layout = [](std::size_t n) {
+    AtlasLayout out;
+    out.pages.resize(n, {64, 64, {{{"a.png"}, {"b.png"}}}});
+    for (std::size_t i = 0; i < n; ++i) {
+      AtlasRect& rect = out.rects.emplace_back();
+      rect.name = "m" + std::to_string(i);
+      rect.page = static_cast<int>(i);
+      rect.width = rect.height = rect.source_width = rect.source_height = 4;
+      rect.crop = {0, 0, 4, 4};
+      out.materials.emplace_back().name = rect.name;
+      out.other_files.push_back("f" + std::to_string(i) + ".png");
+    }
+    return out;
+  };
+  check_growth("layout, written", 250, layout, [](const AtlasLayout& out) { (void)layout_json(out); });
+  check_growth(
+      "layout", 250, [&](std::size_t n) { return layout_json(layout(n)); },
+      [](const std::string& text) { (void)parse_layout(text, "l.json"); });
+  const auto choice = [](std::size_t i) {
+    return "{\"material\":\"m" + std::to_string(i) +
+           R"(","model":"lambert","values":[],"filter":"constant","textured":false,"codes":[0,0,0,0,0,0,0,0],)"
+           R"("diffuse":[0,0,0],"f0":[0,0,0],"gloss":0.5,"defines":["A"]})";
+  };
+  check_growth(
+      "choices", 500,
+      [&](std::size_t n) {
+        return listed(R"({"schema":"etak-choose/2","png_level":"fast","choices":[)", n, choice, "]}");
+      },
+      [](const std::string& text) {
+        const ShadingVariants all = parse_choices(text, "c.json");
+        std::size_t found = 0;
+        for (std::size_t i = 0; i < all.materials.size(); ++i)
+          found += all.find("m" + std::to_string(i)) != nullptr ? 1 : 0;
+        CHECK(found == all.materials.size());
+      });
+  const auto cost = [](std::size_t i) { return "\"fresnel/f" + std::to_string(i) + "\":1.5"; };
+  check_growth(
+      "costs", 2000,
+      [&](std::size_t n) { return listed(R"({"schema":"etak-costs/1","header":"","ns":{)", n, cost, "}}"); },
+      [](const std::string& text) { (void)format_costs(parse_costs(text, "c.json")); });
+  check_growth(
+      "rectangles", 8000,
+      [](std::size_t n) {
+        std::string out;
+        for (std::size_t i = 0; i < n; ++i) out += std::to_string(1 + i % 64) + " 7\n";
+        return out;
+      },
+      [](const std::string& text) { (void)parse_rects(text, "r.txt"); });
+}
+
+TEST_CASE("what an atlas leaves out is found in time proportional to its materials") {
+  // Constants alone, pictures that all differ, and pictures that all are one.
+  for (const char* kind : {"constants", "pictures", "one picture"}) {
+    const std::string what = kind;
+    check_growth(
+        kind, 1000,
+        [&](std::size_t n) {
+          std::vector<MaterialFacts> out(n);
+          for (std::size_t i = 0; i < n; ++i) {
+            MaterialFacts& m = out[i];
+            m.width = m.height = 8;
+            m.crop = {0, 0, 8, 8};
+            m.learned = true;
+            m.range.least.fill(0);
+            m.range.most.fill(what == "constants" ? 0 : 255);
+            m.color_hash = m.specular_hash = {what == "pictures" ? i : 1, 0};
+          }
+          return out;
+        },
+        [&](const std::vector<MaterialFacts>& materials) {
+          const LeaveOut out = leave_out(materials, {});
+          CHECK(out.fates.back().texels == (what != "constants"));
+          CHECK((out.fates.back().owner == 0) == (what == "one picture"));
+        });
+  }
 }
 
 TEST_CASE("texels in use and texel scales of all materials take time in proportion to uses and materials") {
