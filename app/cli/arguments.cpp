@@ -10,7 +10,7 @@
 #include "app/cli/output.h"
 #include "app/cli/usage.h"
 #include "core/base/error.h"
-#include "core/base/input.h"
+#include "core/base/files/input.h"
 
 namespace etak::cli {
 Option Option::group(const std::string& name) {

@@ -43,7 +43,7 @@ class Option {
   Option each(std::function<void(const std::string&)> hear);  // called with each value as typed
 
   /// The values name files to read: a pipe that is named there may be read, - and /dev/stdin among them
-  /// (core/base/input.h). A second standard input on the line throws Error.
+  /// (core/base/files/input.h). A second standard input on the line throws Error.
   Option reads_file();
 
   /// Whether the option is on the line; known once the line is read.

@@ -9,14 +9,14 @@
 #include "app/cli/progress.h"
 #include "app/cli/replace.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
-#include "core/report/choose_report.h"
-#include "core/report/choose_scene.h"
-#include "core/report/error_time.h"
+#include "core/pages/choose_report.h"
+#include "core/study/choose/choose_scene.h"
+#include "core/study/error_time.h"
 
 namespace etak::cli {
 namespace {

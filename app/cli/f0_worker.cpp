@@ -7,7 +7,7 @@
 
 #include "app/cli/axes.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/memory.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"

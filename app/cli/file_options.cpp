@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/file_options.h"
 
-#include "core/base/input.h"
-#include "core/base/links.h"
+#include "core/base/files/input.h"
+#include "core/base/files/links.h"
 
 namespace etak::cli {
 

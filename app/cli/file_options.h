@@ -5,7 +5,8 @@
 
 namespace etak::cli {
 
-/// Adds --follow-links to a verb that reads what scenes, manifests and folders name (core/base/links.h).
+/// Adds --follow-links to a verb that reads what scenes, manifests and folders name
+/// (core/base/files/links.h).
 void add_follow_links(Command verb);
 
 /// Adds --input-timeout to every verb of `line`.

@@ -10,7 +10,7 @@
 
 #include "app/cli/custom_space.h"
 #include "core/base/error.h"
-#include "core/base/input.h"
+#include "core/base/files/input.h"
 
 namespace etak::cli {
 namespace {

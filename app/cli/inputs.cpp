@@ -8,7 +8,7 @@
 
 #include "app/cli/folder.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/memory.h"
 #include "core/exchange/content_kind.h"
 #include "core/exchange/rii_page.h"

@@ -9,7 +9,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
-#include "core/base/input.h"
+#include "core/base/files/input.h"
 #include "core/material/material.h"
 
 namespace etak::cli {

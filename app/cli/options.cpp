@@ -8,7 +8,7 @@
 #include "app/cli/custom_space.h"
 #include "app/cli/output.h"
 #include "core/base/error.h"
-#include "core/base/input.h"
+#include "core/base/files/input.h"
 #include "core/base/number.h"
 #include "core/material/names.h"
 

@@ -9,10 +9,10 @@
 
 #include "app/cli/output_form.h"
 #include "app/cli/replace.h"
-#include "core/base/descriptor.h"
 #include "core/base/error.h"
+#include "core/base/files/descriptor.h"
+#include "core/base/files/output_file.h"
 #include "core/base/json_text.h"
-#include "core/base/output_file.h"
 
 namespace etak::cli {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/cli/arguments.h"
 #include "core/base/csv.h"
-#include "core/base/output.h"
+#include "core/base/files/output.h"
 #include "core/base/text.h"
 
 namespace etak::cli {

@@ -8,8 +8,8 @@
 #include "app/cli/options.h"
 #include "app/cli/output.h"
 #include "app/cli/pack_rects.h"
-#include "core/atlas/plane.h"
-#include "core/atlas/sources.h"
+#include "core/atlas/sources/plane.h"
+#include "core/atlas/sources/sources.h"
 
 namespace etak::cli {
 

@@ -7,9 +7,9 @@
 #include "app/cli/validate_cache.h"
 #include "app/cli/validate_plan.h"
 #include "app/cli/validate_targets.h"
-#include "core/validate/files.h"
-#include "core/validate/open_pictures.h"
-#include "core/validate/output_formats.h"
+#include "core/validate/files/files.h"
+#include "core/validate/files/open_pictures.h"
+#include "core/validate/output/formats.h"
 
 namespace etak::cli {
 namespace {

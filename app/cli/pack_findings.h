@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/cli/pack.h"
-#include "core/atlas/pack.h"
+#include "core/atlas/pack/pack.h"
 #include "core/validate/finding.h"
 
 namespace etak::cli {

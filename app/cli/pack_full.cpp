@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/pack.h"
-#include "core/atlas/picture_door.h"
+#include "core/atlas/sources/picture_door.h"
 #include "core/color/ocio.h"
 
 namespace etak::cli {

@@ -10,8 +10,8 @@
 
 #include "app/cli/progress.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/base/input.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
 
 namespace etak::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/pack.h"
-#include "core/atlas/pack.h"
+#include "core/atlas/pack/pack.h"
 
 namespace etak::cli {
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "app/cli/pack_jobs.h"
-#include "core/base/json_node.inc"
+#include "core/base/node_json.h"
 
 namespace etak::cli {
 namespace {

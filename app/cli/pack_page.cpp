@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/base/output_file.h"
-#include "core/image/png.h"
-#include "core/report/validation_pictures.h"
+#include "core/base/files/output_file.h"
+#include "core/image/files/png.h"
+#include "core/pages/validation_pictures.h"
 
 namespace etak::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "app/cli/pack.h"
-#include "core/atlas/pack.h"
-#include "core/report/atlas_page.h"
+#include "core/atlas/pack/pack.h"
+#include "core/pages/atlas_page.h"
 
 namespace etak::cli {
 

@@ -10,11 +10,11 @@
 
 #include "app/cli/options.h"
 #include "app/cli/output.h"
-#include "core/atlas/rects.h"
-#include "core/atlas/rects_text.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/number.h"
+#include "core/rects/rects.h"
+#include "core/rects/text.h"
 
 namespace etak::cli {
 namespace {

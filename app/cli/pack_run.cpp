@@ -16,13 +16,13 @@
 #include "app/cli/pack_page.h"
 #include "app/cli/progress.h"
 #include "app/cli/replace.h"
-#include "core/atlas/pack.h"
-#include "core/atlas/project_pack.h"
+#include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
+#include "core/base/files/output_target.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
-#include "core/base/output_target.h"
+#include "core/project/project_pack.h"
 
 namespace etak::cli {
 namespace {

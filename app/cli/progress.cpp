@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/cli/terminal.h"
-#include "core/base/descriptor.h"
+#include "core/base/files/descriptor.h"
 #include "core/base/json_text.h"
 #include "core/base/number.h"
 #include "core/base/text.h"

@@ -9,15 +9,15 @@
 #include "app/cli/render_sheet.h"
 #include "app/cli/replace.h"
 #include "core/base/error.h"
+#include "core/base/files/output_target.h"
 #include "core/base/number.h"
-#include "core/base/output_target.h"
 #include "core/color/ocio.h"
 #include "core/image/image_io.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/display.h"
 #include "core/render/reference.h"
 #ifdef ETAK_HAS_GL
-#include "core/render/gl_runner.h"
+#include "core/render/glsl/gl_runner.h"
 #endif
 
 namespace etak::cli {

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/base/output_target.h"
+#include "core/base/files/file.h"
+#include "core/base/files/output_target.h"
 #include "core/validate/user_config.h"
 
 namespace etak::cli {

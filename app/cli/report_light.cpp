@@ -2,7 +2,7 @@
 #include "app/cli/choose.h"
 #include "app/cli/image_program.h"
 #include "app/cli/report.h"
-#include "core/report/stability_report.h"
+#include "core/pages/stability_report.h"
 
 namespace etak::cli {
 

@@ -9,12 +9,12 @@
 #include "app/cli/replace.h"
 #include "app/cli/report.h"
 #include "core/base/error.h"
-#include "core/base/output_folder.h"
-#include "core/base/output_target.h"
-#include "core/report/error_time_report.h"
-#include "core/report/stability_report.h"
+#include "core/base/files/output_folder.h"
+#include "core/base/files/output_target.h"
+#include "core/pages/error_time_report.h"
+#include "core/pages/stability_report.h"
 #ifdef ETAK_HAS_GL
-#include "core/render/gl_runner.h"
+#include "core/render/glsl/gl_runner.h"
 #endif
 
 namespace etak::cli {

@@ -5,7 +5,7 @@
 
 #include "app/cli/inputs.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/number.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"

@@ -10,9 +10,9 @@
 #include "app/cli/verbs.h"
 #include "core/atlas/variant.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/number.h"
-#include "core/render/glsl_text.h"
+#include "core/render/glsl/glsl_text.h"
 
 namespace etak::cli {
 namespace {

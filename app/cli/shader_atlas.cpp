@@ -5,7 +5,7 @@
 
 #include "core/atlas/layout.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/base/number.h"
 #include "core/color/srgb.h"
 #include "core/scene/material_texels.h"

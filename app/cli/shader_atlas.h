@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/render/glsl_text.h"
+#include "core/render/glsl/glsl_text.h"
 
 namespace etak::cli {
 

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/base/input.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
+#include "core/base/files/temporary.h"
 #include "core/base/number.h"
-#include "core/base/temporary.h"
-#include "core/validate/sha256.h"
+#include "core/base/sha256.h"
 
 namespace etak::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "app/cli/validate_targets.h"
-#include "core/base/descriptor.h"
+#include "core/base/files/descriptor.h"
 #include "core/validate/finding.h"
 
 namespace etak::cli {

@@ -5,8 +5,8 @@
 
 #include "app/cli/validate_targets.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/base/json_node.inc"
+#include "core/base/files/file.h"
+#include "core/base/node_json.h"
 
 namespace etak::cli {
 namespace {

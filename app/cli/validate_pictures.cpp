@@ -8,19 +8,19 @@
 #include <span>
 
 #include "core/base/error.h"
+#include "core/base/files/output_folder.h"
 #include "core/base/free_names.h"
 #include "core/base/number.h"
-#include "core/base/output_folder.h"
 #include "core/base/parallel.h"
-#include "core/image/png.h"
-#include "core/report/validation_pictures.h"
+#include "core/image/files/png.h"
+#include "core/pages/mask.h"
+#include "core/pages/validation_pictures.h"
 #include "core/scene/gltf.h"
-#include "core/validate/files.h"
-#include "core/validate/mask.h"
-#include "core/validate/metal_rough.h"
-#include "core/validate/output_formats.h"
+#include "core/validate/files/files.h"
+#include "core/validate/files/metal_rough.h"
+#include "core/validate/files/scene_use.h"
+#include "core/validate/output/formats.h"
 #include "core/validate/rules.h"
-#include "core/validate/scene_use.h"
 #include "core/validate/validate.h"
 
 namespace etak::cli {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/output.h"
-#include "core/report/validation_page.h"
+#include "core/base/files/output.h"
+#include "core/pages/validation_page.h"
 #include "core/validate/finding.h"
 #include "core/validate/target.h"
 

@@ -9,9 +9,9 @@
 
 #include "app/cli/validate_targets.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
+#include "core/base/files/output_file.h"
 #include "core/base/number.h"
-#include "core/base/output_file.h"
 #include "core/validate/baseline.h"
 #include "core/validate/nearest.h"
 #include "core/validate/rules.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/cli/validate.h"
-#include "core/base/output.h"
+#include "core/base/files/output.h"
 #include "core/validate/config.h"
 #include "core/validate/finding.h"
 

@@ -11,10 +11,10 @@
 
 #include "app/cli/folder.h"
 #include "core/base/error.h"
-#include "core/base/input.h"
-#include "core/base/links.h"
+#include "core/base/files/input.h"
+#include "core/base/files/links.h"
 #include "core/base/parallel.h"
-#include "core/validate/files.h"
+#include "core/validate/files/files.h"
 #include "core/validate/rules.h"
 #include "core/validate/suppress.h"
 

@@ -11,7 +11,7 @@
 #include "app/editor/start_time.h"
 #include "app/editor/theme.h"
 #include "app/editor/window.h"
-#include "core/base/links.h"
+#include "core/base/files/links.h"
 #include "core/base/signals.h"
 
 namespace {

@@ -20,18 +20,18 @@
 #include <map>
 
 #include "app/editor/curves/curves_panel.h"
-#include "app/editor/files.h"
-#include "app/editor/findings_panel.h"
-#include "app/editor/inspector.h"
-#include "app/editor/library_panel.h"
-#include "app/editor/pack_dialog.h"
-#include "app/editor/press_id.h"
+#include "app/editor/document/files.h"
+#include "app/editor/fields/press_id.h"
+#include "app/editor/panels/findings_panel.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/library_panel.h"
+#include "app/editor/panels/pack_dialog.h"
+#include "app/editor/panels/texture_section.h"
+#include "app/editor/panels/texture_view.h"
+#include "app/editor/panels/view_panel.h"
 #include "app/editor/shortcuts.h"
-#include "app/editor/texture_section.h"
-#include "app/editor/texture_view.h"
-#include "app/editor/view_panel.h"
 #include "app/editor/window.h"
-#include "core/atlas/project_pictures.h"
+#include "core/project/project_pictures.h"
 
 namespace etak::editor {
 namespace {

@@ -17,18 +17,18 @@
 #include <QTabWidget>
 
 #include "app/editor/curves/curves_panel.h"
-#include "app/editor/files.h"
-#include "app/editor/findings_panel.h"
-#include "app/editor/inspector.h"
-#include "app/editor/library_panel.h"
-#include "app/editor/light_panel.h"
-#include "app/editor/press_id.h"
-#include "app/editor/project_panel.h"
-#include "app/editor/texture_section.h"
-#include "app/editor/texture_view.h"
-#include "app/editor/view_panel.h"
+#include "app/editor/document/files.h"
+#include "app/editor/fields/press_id.h"
+#include "app/editor/panels/findings_panel.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/library_panel.h"
+#include "app/editor/panels/light_panel.h"
+#include "app/editor/panels/project_panel.h"
+#include "app/editor/panels/texture_section.h"
+#include "app/editor/panels/texture_view.h"
+#include "app/editor/panels/view_panel.h"
 #include "core/base/error.h"
-#include "core/validate/project_check.h"
+#include "core/validate/files/project_check.h"
 
 namespace etak::editor {
 namespace {

@@ -7,11 +7,11 @@
 #include <functional>
 #include <memory>
 
-#include "app/editor/autosave.h"
-#include "app/editor/document.h"
-#include "app/editor/look.h"
-#include "app/editor/thumbnails.h"
-#include "app/editor/validator.h"
+#include "app/editor/document/autosave.h"
+#include "app/editor/document/document.h"
+#include "app/editor/document/look.h"
+#include "app/editor/document/thumbnails.h"
+#include "app/editor/document/validator.h"
 #include "app/viewport/viewport.h"
 
 class QLabel;

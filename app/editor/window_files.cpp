@@ -8,14 +8,14 @@
 #include <QSettings>
 #include <cmath>
 
-#include "app/editor/background.h"
-#include "app/editor/files.h"
-#include "app/editor/inspector.h"
-#include "app/editor/pack_dialog.h"
-#include "app/editor/texture_section.h"
+#include "app/editor/document/background.h"
+#include "app/editor/document/files.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/pack_dialog.h"
+#include "app/editor/panels/texture_section.h"
 #include "app/editor/window.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/files/file.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
 

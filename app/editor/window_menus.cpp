@@ -11,12 +11,12 @@
 #include <QSettings>
 #include <QTabWidget>
 
-#include "app/editor/library_panel.h"
-#include "app/editor/press_id.h"
-#include "app/editor/project_panel.h"
+#include "app/editor/fields/press_id.h"
+#include "app/editor/panels/library_panel.h"
+#include "app/editor/panels/project_panel.h"
+#include "app/editor/panels/view_panel.h"
 #include "app/editor/shortcuts.h"
 #include "app/editor/theme.h"
-#include "app/editor/view_panel.h"
 #include "app/editor/window.h"
 #include "core/base/error.h"
 #include "core/exchange/engine_values.h"

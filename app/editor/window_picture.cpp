@@ -3,12 +3,12 @@
 #include <QPlainTextEdit>
 #include <QTabWidget>
 
-#include "app/editor/background.h"
 #include "app/editor/curves/curves_panel.h"
-#include "app/editor/files.h"
-#include "app/editor/press_id.h"
-#include "app/editor/texture_view.h"
-#include "app/editor/view_panel.h"
+#include "app/editor/document/background.h"
+#include "app/editor/document/files.h"
+#include "app/editor/fields/press_id.h"
+#include "app/editor/panels/texture_view.h"
+#include "app/editor/panels/view_panel.h"
 #include "app/editor/window.h"
 #include "core/base/error.h"
 #include "core/image/image_io.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "core/render/glsl_text.h"
+#include "core/render/glsl/glsl_text.h"
 
 namespace etak {
 

@@ -6,7 +6,7 @@
 
 #include "app/viewport/viewport_private.h"
 #include "core/base/error.h"
-#include "core/render/glsl_text.h"
+#include "core/render/glsl/glsl_text.h"
 
 namespace etak {
 

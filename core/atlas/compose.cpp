@@ -6,8 +6,8 @@
 #include <cstring>
 #include <optional>
 
-#include "core/atlas/content_hash.h"
 #include "core/atlas/resolution.h"
+#include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/dilate.h"

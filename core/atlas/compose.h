@@ -11,7 +11,7 @@
 
 #include "core/atlas/page_memory.h"
 #include "core/atlas/plan.h"
-#include "core/atlas/sources.h"
+#include "core/atlas/sources/sources.h"
 
 namespace etak {
 

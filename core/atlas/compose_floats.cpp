@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/atlas/floats.h"
 #include "core/atlas/outputs.h"
 #include "core/atlas/resolution.h"
+#include "core/atlas/sources/floats.h"
 #include "core/image/dilate.h"
 #include "core/image/wrap.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/atlas/compose.h"
-#include "core/base/output_folder.h"
+#include "core/base/files/output_folder.h"
 
 namespace etak {
 

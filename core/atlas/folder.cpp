@@ -5,7 +5,7 @@
 
 #include "core/atlas/manifest.h"
 #include "core/base/error.h"
-#include "core/base/links.h"
+#include "core/base/files/links.h"
 
 namespace etak {
 namespace {

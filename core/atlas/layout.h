@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/atlas/channels.h"
 #include "core/atlas/manifest.h"
+#include "core/image/channels.h"
 #include "core/image/pixels_view.h"
 
 namespace etak {

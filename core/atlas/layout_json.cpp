@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/layout.h"
 
-#include "core/base/json_node.inc"
+#include "core/base/files/output_folder.h"
 #include "core/base/json_text.h"
-#include "core/base/output_folder.h"
+#include "core/base/node_json.h"
 #include "core/image/image.h"
 
 namespace etak {

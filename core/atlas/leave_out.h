@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/atlas/channels.h"
+#include "core/image/channels.h"
 #include "core/image/pixels_view.h"
 #include "core/scene/gltf.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/atlas/manifest.h"
-#include "core/atlas/material_nodes.inc"
+#include "core/atlas/material_nodes_json.h"
 #include "core/color/srgb.h"
 #include "core/image/image.h"
 

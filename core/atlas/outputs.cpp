@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/image/containers.h"
-#include "core/image/png_strips.h"
+#include "core/image/files/containers.h"
+#include "core/image/files/png_strips.h"
 
 namespace etak {
 namespace {

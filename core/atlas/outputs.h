@@ -9,8 +9,8 @@
 
 #include "core/atlas/compose.h"
 #include "core/atlas/layout.h"
-#include "core/base/output_folder.h"
-#include "core/image/png.h"
+#include "core/base/files/output_folder.h"
+#include "core/image/files/png.h"
 
 namespace etak {
 

@@ -5,7 +5,7 @@
 
 #include <new>
 
-#include "core/base/steady_file.h"
+#include "core/base/files/steady_file.h"
 
 namespace etak {
 namespace {

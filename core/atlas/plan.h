@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/atlas/layout.h"
-#include "core/atlas/rects.h"
 #include "core/image/pixels_view.h"
+#include "core/rects/rects.h"
 
 namespace etak {
 

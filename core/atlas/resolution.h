@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/atlas/plan.h"
-#include "core/atlas/sources.h"
+#include "core/atlas/sources/sources.h"
 #include "core/image/image.h"
 #include "core/image/mips.h"
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/atlas/channels.h"
 #include "core/color/gloss.h"
+#include "core/image/channels.h"
 
 namespace etak {
 

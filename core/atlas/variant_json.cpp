@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/json_node.inc"
+#include "core/base/node_json.h"
 
 namespace etak {
 namespace {

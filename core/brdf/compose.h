@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/brdf/evaluators.h"
+#include "core/brdf/evaluate/evaluators.h"
 
 namespace etak {
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/brdf/evaluators.h"
+#include "core/brdf/evaluate/evaluators.h"
 #include "core/brdf/normalise.h"
 #include "core/brdf/parameters.h"
 

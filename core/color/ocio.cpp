@@ -12,8 +12,8 @@
 
 #include "core/base/edit_distance.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/base/input.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
 #include "core/color/colorspace.h"
 #include "core/color/ocio_config.h"
 #include "core/color/ocio_files.inc"

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/base/input.h"
-#include "core/base/steady_file.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
+#include "core/base/files/steady_file.h"
 #include "core/image/picture_bytes.h"
 
 namespace etak {

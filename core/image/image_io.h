@@ -19,9 +19,9 @@ namespace etak {
 // oiio:UnassociatedAlpha = 1.
 //
 // All throw Error that names the path: also for files that change while they are read
-// (core/base/steady_file.h; OpenImageIO is never given a path to open), for files that are empty or cut short
-// (OpenImageIO fills up what is missing of some and calls it success), for CMYK (OpenImageIO converts by a
-// formula that no printer uses), deep pictures, and those of more than max_image_side on a side or 4
+// (core/base/files/steady_file.h; OpenImageIO is never given a path to open), for files that are empty or cut
+// short (OpenImageIO fills up what is missing of some and calls it success), for CMYK (OpenImageIO converts
+// by a formula that no printer uses), deep pictures, and those of more than max_image_side on a side or 4
 // channels. A palette is expanded to RGB or RGBA.
 
 /// What a file says of itself.
@@ -55,7 +55,7 @@ AnyImage read_any_image(const std::string& path);
 ///   label   for messages: the path, or what the bytes are a part of
 AnyImage read_any_image(std::string_view bytes, const std::string& label);
 
-/// The whole file is made in memory and put in place at once (write_file of core/base/file.h).
+/// The whole file is made in memory and put in place at once (write_file of core/base/files/file.h).
 ///   overwrite   false: an existing file is an Error
 void write_png(const std::string& path, const Image8& image, bool overwrite);
 

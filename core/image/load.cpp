@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "core/base/files/steady_file.h"
 #include "core/base/memory.h"
-#include "core/base/steady_file.h"
+#include "core/image/files/png.h"
 #include "core/image/image_io.h"
 #include "core/image/picture_bytes.h"
-#include "core/image/png.h"
 
 namespace etak {
 namespace {

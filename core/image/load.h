@@ -10,8 +10,8 @@
 
 namespace etak {
 
-// Pictures of any kind as they are in the file (target etak::image_io): PNG by core/image/png.h, all others
-// and the forms of PNG that it leaves out by OpenImageIO (core/image/image_io.h).
+// Pictures of any kind as they are in the file (target etak::image_io): PNG by core/image/files/png.h, all
+// others and the forms of PNG that it leaves out by OpenImageIO (core/image/image_io.h).
 
 struct LoadedImage {
   /// 8-bit codes, 16-bit codes, or float for half and float files and integers of more bits. No curve is

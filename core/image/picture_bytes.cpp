@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "core/base/error.h"
-#include "core/image/png.h"
+#include "core/image/files/png.h"
 
 namespace etak {
 namespace {

@@ -5,8 +5,8 @@
 #include <charconv>
 
 #include "core/base/error.h"
-#include "core/base/json_node.inc"
 #include "core/base/json_text.h"
+#include "core/base/node_json.h"
 #include "core/base/number.h"
 #include "core/material/dispersion.h"
 #include "core/material/medium.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <set>
 
-#include "core/base/json_node.inc"
+#include "core/base/node_json.h"
 #include "core/material/names.h"
 #include "core/material/unmeasured.h"
 

@@ -137,8 +137,8 @@ inline constexpr std::size_t most_gltf_buffer_bytes = std::size_t{1} << 31;
 
 /// Reads .gltf or .glb with its buffers and inside images (pictures beside it are not opened). Throws Error
 /// naming file and JSON pointer: broken JSON, indices and accessors out of range, wrong types, files outside
-/// of the scene's folder ("..", absolute, with a scheme, behind a link: core/base/links.h), nodes that are
-/// reached twice, required extensions that are not known, Draco or meshopt compression.
+/// of the scene's folder ("..", absolute, with a scheme, behind a link: core/base/files/links.h), nodes that
+/// are reached twice, required extensions that are not known, Draco or meshopt compression.
 ///   Triangles are those of modes 4, 5 and 6; skins and morph targets do not move them. Optional extensions
 ///   that place copies (EXT_mesh_gpu_instancing) are not looked at. Primitives without a material are no use.
 GltfScene read_gltf(const std::string& path, const GltfOptions& options);

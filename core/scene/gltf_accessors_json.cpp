@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "core/base/number.h"
-#include "core/scene/gltf_json.inc"
+#include "core/scene/gltf_json.h"
 
 namespace etak {
 namespace {

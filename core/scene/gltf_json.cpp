@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Based on: Khronos Group, glTF 2.0 specification, and the extensions named in gltf.h.
-#include "core/scene/gltf_json.inc"
+#include "core/scene/gltf_json.h"
 
 #include <filesystem>
 
-#include "core/base/file.h"
-#include "core/base/input.h"
-#include "core/base/links.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
+#include "core/base/files/links.h"
 #include "core/base/memory.h"
 #include "core/exchange/content_kind.h"
 #include "core/scene/glb.h"

@@ -3,7 +3,7 @@
 // gltf.h.
 #include <limits>
 
-#include "core/scene/gltf_json.inc"
+#include "core/scene/gltf_json.h"
 
 namespace etak {
 namespace {

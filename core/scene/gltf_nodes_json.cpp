@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/math/mat3.h"
-#include "core/scene/gltf_json.inc"
+#include "core/scene/gltf_json.h"
 
 namespace etak {
 namespace {

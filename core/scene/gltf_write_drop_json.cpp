@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/scene/gltf_write_json.inc"
+#include "core/scene/gltf_write_json.h"
 #include "core/scene/uri.h"
 
 namespace etak {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/scene/gltf_write_json.inc"
+#include "core/scene/gltf_write_json.h"
 
 namespace etak {
 namespace {

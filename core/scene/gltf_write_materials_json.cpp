@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/gltf_write_json.inc"
+#include "core/scene/gltf_write_json.h"
 #include "core/scene/uri.h"
 
 namespace etak {

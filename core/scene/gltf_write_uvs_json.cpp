@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/base/number.h"
-#include "core/scene/gltf_write_json.inc"
+#include "core/scene/gltf_write_json.h"
 #include "core/scene/uv_use.h"
 
 namespace etak {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "core/validate/output_formats.h"
+#include "core/validate/output/formats.h"
 
 namespace etak {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/atlas/content_hash.h"
+#include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/validate/nearest.h"

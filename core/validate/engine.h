@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "core/validate/evidence.h"
+#include "core/validate/pixels/evidence.h"
 #include "core/validate/validate.h"
 
 namespace etak {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/atlas/content_hash.h"
+#include "core/base/content_hash.h"
 #include "core/material/f0.h"
 #include "core/material/json.h"
 #include "core/material/library.h"
 #include "core/material/quality.h"
-#include "core/validate/code_tables.h"
+#include "core/validate/pixels/code_tables.h"
 
 namespace etak {
 

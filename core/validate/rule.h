@@ -49,7 +49,7 @@ class Needs {
   std::uint32_t bits_ = 0;
 };
 
-/// Masks that the region analysis runs on (core/validate/regions.h): what is judged as a plateau.
+/// Masks that the region analysis runs on (core/validate/pixels/regions.h): what is judged as a plateau.
 enum class RegionKind : std::uint8_t {
   zone,                // ETK101: F0 in the forbidden zone
   f0_low,              // ETK103

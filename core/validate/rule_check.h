@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/validate/evidence.h"
 #include "core/validate/nearest.h"
+#include "core/validate/pixels/evidence.h"
 #include "core/validate/rules.h"
 #include "core/validate/settings.h"
 

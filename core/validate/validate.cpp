@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "core/validate/engine.h"
-#include "core/validate/pixel_pass.h"
-#include "core/validate/plan.h"
+#include "core/validate/pixels/pixel_pass.h"
+#include "core/validate/pixels/plan.h"
 #include "core/validate/rule_check.h"
 
 namespace etak {

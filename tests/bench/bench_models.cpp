@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "core/brdf/evaluators.h"
+#include "core/brdf/evaluate/evaluators.h"
 #include "core/brdf/models.h"
 
 namespace {

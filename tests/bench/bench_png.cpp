@@ -14,8 +14,8 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/image/png.h"
+#include "core/base/files/file.h"
+#include "core/image/files/png.h"
 
 using namespace etak;
 

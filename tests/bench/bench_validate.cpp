@@ -16,9 +16,9 @@
 #ifdef ETAK_HAS_VALIDATE_FILES
 #include "core/base/parallel.h"
 #include "core/scene/gltf.h"
-#include "core/validate/files.h"
-#include "core/validate/metal_rough.h"
-#include "core/validate/open_pictures.h"
+#include "core/validate/files/files.h"
+#include "core/validate/files/metal_rough.h"
+#include "core/validate/files/open_pictures.h"
 #endif
 
 using namespace etak;

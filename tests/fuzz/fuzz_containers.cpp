@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/image/containers.h"
+#include "core/image/files/containers.h"
 
 using namespace etak;
 

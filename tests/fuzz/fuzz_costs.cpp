@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/report/choose.h"
+#include "core/study/choose/choose.h"
 
 using namespace etak;
 

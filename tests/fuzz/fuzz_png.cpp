@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/image/deflate.h"
-#include "core/image/png.h"
+#include "core/image/files/deflate.h"
+#include "core/image/files/png.h"
 
 using namespace etak;
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/atlas/project.h"
 #include "core/base/error.h"
+#include "core/project/project.h"
 
 using namespace etak;
 

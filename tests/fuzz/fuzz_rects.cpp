@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/atlas/rects.h"
-#include "core/atlas/rects_text.h"
 #include "core/base/error.h"
+#include "core/rects/rects.h"
+#include "core/rects/text.h"
 
 using namespace etak;
 

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/validate/files.h"
+#include "core/validate/files/files.h"
 #include "core/validate/validate.h"
 
 using namespace etak;

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "core/render/gl_runner.h"
+#include "core/render/glsl/gl_runner.h"
 
 namespace etak::test {
 

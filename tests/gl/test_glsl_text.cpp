@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <set>
 
-#include "core/render/glsl_source.h"
-#include "core/render/glsl_text.h"
+#include "core/render/glsl/glsl_source.h"
+#include "core/render/glsl/glsl_text.h"
 #include "tests/gl/scenes.h"
 #include "tests/support.h"
 

@@ -9,16 +9,16 @@
 #include <QListView>
 #include <QMessageBox>
 
-#include "app/editor/findings_panel.h"
-#include "app/editor/inspector.h"
-#include "app/editor/library_panel.h"
-#include "app/editor/number_field.h"
-#include "app/editor/pack_dialog.h"
-#include "app/editor/press_id.h"
-#include "app/editor/project_panel.h"
-#include "app/editor/texture_view.h"
-#include "core/base/file.h"
-#include "core/image/png.h"
+#include "app/editor/fields/number_field.h"
+#include "app/editor/fields/press_id.h"
+#include "app/editor/panels/findings_panel.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/library_panel.h"
+#include "app/editor/panels/pack_dialog.h"
+#include "app/editor/panels/project_panel.h"
+#include "app/editor/panels/texture_view.h"
+#include "core/base/files/file.h"
+#include "core/image/files/png.h"
 #include "tests/gui/editor_support.h"
 #include "tests/gui/watchdog.h"
 

@@ -16,11 +16,11 @@
 #include <QSettings>
 #include <QXmlStreamReader>
 
-#include "app/editor/files.h"
-#include "app/editor/inspector.h"
-#include "app/editor/press_id.h"
-#include "app/editor/texture_section.h"
-#include "app/editor/texture_view.h"
+#include "app/editor/document/files.h"
+#include "app/editor/fields/press_id.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/texture_section.h"
+#include "app/editor/panels/texture_view.h"
 #include "core/exchange/engine_values.h"
 #include "tests/gui/editor_support.h"
 

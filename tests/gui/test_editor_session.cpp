@@ -7,14 +7,14 @@
 #include <QProgressBar>
 #include <QTreeView>
 
-#include "app/editor/color_field.h"
-#include "app/editor/findings_panel.h"
-#include "app/editor/inspector.h"
-#include "app/editor/library_panel.h"
-#include "app/editor/number_field.h"
-#include "app/editor/pack_dialog.h"
-#include "app/editor/project_panel.h"
-#include "app/editor/view_panel.h"
+#include "app/editor/fields/color_field.h"
+#include "app/editor/fields/number_field.h"
+#include "app/editor/panels/findings_panel.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/library_panel.h"
+#include "app/editor/panels/pack_dialog.h"
+#include "app/editor/panels/project_panel.h"
+#include "app/editor/panels/view_panel.h"
 #include "core/color/srgb.h"
 #include "tests/gui/editor_support.h"
 

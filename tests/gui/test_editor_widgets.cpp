@@ -16,18 +16,18 @@
 #include <QTabWidget>
 #include <QToolButton>
 
-#include "app/editor/color_field.h"
-#include "app/editor/eyedropper.h"
-#include "app/editor/inspector.h"
-#include "app/editor/library_model.h"
-#include "app/editor/library_panel.h"
-#include "app/editor/number_field.h"
+#include "app/editor/fields/color_field.h"
+#include "app/editor/fields/eyedropper.h"
+#include "app/editor/fields/number_field.h"
+#include "app/editor/fields/press_id.h"
 #include "app/editor/options.h"
-#include "app/editor/press_id.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/library_model.h"
+#include "app/editor/panels/library_panel.h"
+#include "app/editor/panels/source_section.h"
+#include "app/editor/panels/texture_section.h"
+#include "app/editor/panels/view_panel.h"
 #include "app/editor/shortcuts.h"
-#include "app/editor/source_section.h"
-#include "app/editor/texture_section.h"
-#include "app/editor/view_panel.h"
 #include "core/color/srgb.h"
 #include "tests/gui/editor_support.h"
 

@@ -11,7 +11,7 @@
 #include "core/brdf/models.h"
 #include "core/material/f0.h"
 #include "core/material/material.h"
-#include "core/report/material_plots.h"
+#include "core/pages/material_plots.h"
 
 class QComboBox;
 class QDoubleSpinBox;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/report/plot_file.h"
+#include "core/plot/plot_file.h"
 
 class QPainter;
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/curves/plot_widget.h"
-#include "core/report/polar_plot.h"
+#include "core/plot/polar_plot.h"
 
 namespace etak::editor {
 

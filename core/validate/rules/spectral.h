@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/validate/evidence.h"
+#include "core/validate/pixels/evidence.h"
 
 namespace etak {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/atlas/layout.h"
-#include "core/atlas/pack.h"
+#include "core/atlas/pack/pack.h"
+#include "core/image/files/png.h"
 #include "core/image/load.h"
-#include "core/image/png.h"
 #include "tests/support.h"
 
 /// What the tests of `etak pack` share.

@@ -6,11 +6,11 @@
 #include <limits>
 #include <random>
 
-#include "core/atlas/pack.h"
+#include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"
+#include "core/image/files/png.h"
 #include "core/image/mips.h"
-#include "core/image/png.h"
 #include "core/material/f0.h"
 #include "tests/support.h"
 

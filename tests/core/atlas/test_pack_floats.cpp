@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <random>
 
-#include "core/atlas/pack.h"
+#include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"
 #include "core/image/dilate.h"

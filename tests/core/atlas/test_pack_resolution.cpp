@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/atlas/gltf_convert.h"
-#include "core/atlas/pack.h"
+#include "core/atlas/pack/pack.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/scene/gltf_convert.h"
 #include "tests/core/atlas/pack_support.h"
 #include "tests/core/scene/small_scene.h"
 

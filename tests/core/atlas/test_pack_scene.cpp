@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <map>
 
-#include "core/atlas/gltf_convert.h"
-#include "core/atlas/pack.h"
+#include "core/atlas/pack/pack.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 #include "core/image/load.h"
 #include "core/scene/gltf.h"
+#include "core/scene/gltf_convert.h"
 #include "tests/core/atlas/pack_support.h"
 #include "tests/support.h"
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "core/base/json_node.inc"
+#include "core/base/node_json.h"
 #include "tests/growth.h"
 #include "tests/support.h"
 

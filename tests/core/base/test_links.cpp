@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/links.h"
+#include "core/base/files/links.h"
 
 #include <unistd.h>
 

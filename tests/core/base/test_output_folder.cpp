@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/output_folder.h"
+#include "core/base/files/output_folder.h"
 
 #include <sys/resource.h>
 #include <sys/stat.h>

@@ -13,9 +13,9 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/base/output_folder.h"
-#include "core/base/temporary.h"
+#include "core/base/files/file.h"
+#include "core/base/files/output_folder.h"
+#include "core/base/files/temporary.h"
 #include "tests/support.h"
 
 namespace etak {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/steady_file.h"
+#include "core/base/files/steady_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/temporary.h"
+#include "core/base/files/temporary.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -8,9 +8,9 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "core/base/file.h"
-#include "core/base/output_file.h"
-#include "core/base/output_folder.h"
+#include "core/base/files/file.h"
+#include "core/base/files/output_file.h"
+#include "core/base/files/output_folder.h"
 #include "tests/support.h"
 
 namespace etak {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/image/containers.h"
+#include "core/image/files/containers.h"
 
 #include <catch2/catch.hpp>
 #include <cstdio>

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "core/base/file.h"
+#include "core/base/files/file.h"
+#include "core/image/files/png.h"
 #include "core/image/flip.h"
-#include "core/image/png.h"
 #include "tests/support.h"
 
 using namespace etak;

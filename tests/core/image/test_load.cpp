@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/image/files/png.h"
 #include "core/image/image_io.h"
 #include "core/image/picture_bytes.h"
-#include "core/image/png.h"
 #include "tests/core/image/png_maker.h"
 #include "tests/core/image/tiff_files.h"
 #include "tests/support.h"

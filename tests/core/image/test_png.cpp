@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/image/png.h"
+#include "core/image/files/png.h"
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "core/base/error.h"
-#include "core/image/deflate.h"
-#include "core/image/png_filters.h"
+#include "core/image/files/deflate.h"
+#include "core/image/files/png_filters.h"
 #include "tests/core/image/png_maker.h"
 #include "tests/support.h"
 

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
-#include "core/image/png.h"
+#include "core/image/files/png.h"
 #include "tests/core/image/png_maker.h"
 
 namespace etak {

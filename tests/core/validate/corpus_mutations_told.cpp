@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "core/color/srgb.h"
-#include "core/validate/code_tables.h"
 #include "core/validate/nearest.h"
+#include "core/validate/pixels/code_tables.h"
 #include "tests/core/validate/corpus.h"
 
 namespace etak::test {

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/validate/baseline.h"
-#include "core/validate/output_formats.h"
+#include "core/validate/output/formats.h"
 #include "core/validate/suppress.h"
 #include "tests/core/validate/sample_report.h"
 #include "tests/support.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/open_pictures.h"
+#include "core/validate/files/open_pictures.h"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/image/png.h"
+#include "core/image/files/png.h"
 #include "tests/support.h"
 
 using namespace etak;

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/sha256.h"
 #include "core/base/text.h"
-#include "core/report/validation_page.h"
-#include "core/validate/output_formats.h"
-#include "core/validate/sha256.h"
-#include "tests/core/report/json_schema.h"
+#include "core/pages/validation_page.h"
+#include "core/validate/output/formats.h"
+#include "tests/core/pages/json_schema.h"
 #include "tests/core/validate/sample_report.h"
 #include "tests/support.h"
 

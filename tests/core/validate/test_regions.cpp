@@ -4,8 +4,8 @@
 #include <bit>
 #include <catch2/catch.hpp>
 
-#include "core/validate/byte_masks.h"
-#include "core/validate/regions.h"
+#include "core/validate/pixels/byte_masks.h"
+#include "core/validate/pixels/regions.h"
 #include "tests/core/validate/corpus.h"
 
 using namespace etak;

@@ -6,11 +6,11 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/image/files/png.h"
 #include "core/image/image_io.h"
-#include "core/image/png.h"
 #include "core/material/coverage.h"
 #include "core/material/f0.h"
-#include "core/validate/files.h"
+#include "core/validate/files/files.h"
 #include "core/validate/rules.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"

@@ -7,9 +7,9 @@
 
 #include "core/base/base64.h"
 #include "core/color/srgb.h"
-#include "core/image/png.h"
-#include "core/validate/files.h"
-#include "core/validate/metal_rough.h"
+#include "core/image/files/png.h"
+#include "core/validate/files/files.h"
+#include "core/validate/files/metal_rough.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 

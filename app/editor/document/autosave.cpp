@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/document/autosave.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QUuid>
+
+#include "app/editor/document/background.h"
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+
+namespace etak::editor {
+namespace {
+
+constexpr int delay_ms = 1000;
+
+// A copy is two files: the project with absolute names, and beside it the path that it belongs to.
+void write_copy(const Project& project, const QString& path, const QString& file) {
+  try {
+    write_file((file + QStringLiteral(".path")).toStdString(), path.toStdString(), true);
+    write_file(file.toStdString(), format_project(project, ""), true);
+  } catch (const Error&) {
+    // A folder that cannot be written must not stop anybody from working.
+  }
+}
+
+}  // namespace
+
+Autosave::Autosave(Document& document, const QString& folder, QObject* parent)
+    : QObject(parent), document_(document), folder_(folder + QStringLiteral("/autosave")) {
+  pool_.setMaxThreadCount(1);
+  QDir().mkpath(folder_);
+  file_ = folder_ + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces) +
+          QStringLiteral(".json");
+  lock_ = std::make_unique<QLockFile>(file_ + QStringLiteral(".lock"));
+  lock_->setStaleLockTime(0);
+  lock_->tryLock(0);
+  timer_.setSingleShot(true);
+  timer_.setInterval(delay_ms);
+  connect(&timer_, &QTimer::timeout, this, &Autosave::begin);
+  const auto changed = [this] {
+    if (!document_.is_saved()) timer_.start();
+  };
+  connect(&document, &Document::material_changed, this, changed);
+  connect(&document, &Document::materials_added, this, changed);
+  connect(&document, &Document::materials_removed, this, changed);
+  connect(&document, &Document::view_changed, this, changed);
+  connect(&document, &Document::replaced, this, changed);
+  connect(&document, &Document::saved_changed, this, [this] {
+    if (document_.is_saved()) remove();
+  });
+}
+
+Autosave::~Autosave() {
+  remove();
+  pool_.waitForDone();
+}
+
+std::vector<Recovery> Autosave::left_behind() {
+  std::vector<Recovery> out;
+  const QDir folder(folder_);
+  for (const QString& name : folder.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Time)) {
+    Recovery one{folder.filePath(name), {}};
+    if (one.file == file_) continue;
+    QLockFile lock(one.file + QStringLiteral(".lock"));
+    lock.setStaleLockTime(0);
+    if (!lock.tryLock(0)) continue;  // its run lives
+    QFile path(one.file + QStringLiteral(".path"));
+    if (path.open(QIODevice::ReadOnly)) one.path = QString::fromUtf8(path.readAll());
+    out.push_back(one);
+  }
+  return out;
+}
+
+void Autosave::discard(const Recovery& recovery) {
+  for (const char* ending : {"", ".path", ".lock"}) QFile::remove(recovery.file + QLatin1String(ending));
+}
+
+void Autosave::begin() {
+  if (document_.is_saved()) return;
+  pool_.start([project = document_.project(), path = document_.path(), file = file_] {
+    write_copy(project, path, file);
+  });
+}
+
+void Autosave::write_now() {
+  timer_.stop();
+  begin();
+}
+
+void Autosave::wait() {
+  pool_.waitForDone();
+}
+
+void Autosave::remove() {
+  timer_.stop();
+  // In the queue behind a copy that is being written.
+  pool_.start([file = file_] {
+    for (const char* ending : {"", ".path"}) QFile::remove(file + QLatin1String(ending));
+  });
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/document/document.h"
+
+#include <QFileInfo>
+#include <algorithm>
+
+#include "app/editor/document/commands.h"
+#include "app/editor/fields/press_id.h"
+#include "core/base/error.h"
+
+namespace etak::editor {
+
+Document::Document(std::shared_ptr<const MaterialLibrary> library, QObject* parent)
+    : QObject(parent), builtin_(std::move(library)), all_(builtin_) {
+  undo_.setUndoLimit(1000);
+  connect(&undo_, &QUndoStack::cleanChanged, this, &Document::saved_changed);
+}
+
+Document::~Document() {
+  // The stack clears itself while it dies, and would tell all who listen of a document that is half gone.
+  undo_.disconnect();
+}
+
+const ProjectMaterial* Document::material() const {
+  return current_ < 0 ? nullptr : &project_.materials[static_cast<std::size_t>(current_)];
+}
+
+void Document::set_current(int index) {
+  const int inside = std::clamp(index, -1, static_cast<int>(project_.materials.size()) - 1);
+  if (inside == current_) return;
+  current_ = inside;
+  emit current_changed(current_);
+}
+
+SurfaceValues Document::surface_of(const ProjectMaterial& material, QString* problem) const {
+  const bool same_f0 = solved_measured_ == material.measured && solved_specular_ == material.specular;
+  if (!same_f0 || solved_by_ != all_.get()) {
+    try {
+      solved_ = etak::surface_of(material, *all_);
+    } catch (const Error& error) {
+      if (problem != nullptr) *problem = QString::fromUtf8(error.what());
+      ProjectMaterial plain = material;
+      plain.measured.reset();
+      return etak::surface_of(plain, *all_);
+    }
+    solved_measured_ = material.measured;
+    solved_specular_ = material.specular;
+    solved_by_ = all_.get();
+  }
+  SurfaceValues out = solved_;
+  out.diffuse = vec(material.diffuse);
+  out.gloss = material.gloss;
+  out.opacity = material.alpha;
+  return out;
+}
+
+void Document::edit(int index, const ProjectMaterial& to, const QString& what, int press_id) {
+  if (index < 0 || to == project_.materials[static_cast<std::size_t>(index)]) return;
+  undo_.push(new EditMaterial(*this, index, to, what, press_id));
+}
+
+void Document::edit_view(const ProjectView& to, const QString& what, int press_id) {
+  if (to == project_.view) return;
+  undo_.push(new EditView(*this, to, what, press_id));
+}
+
+void Document::edit_compare(const Comparison& to, const QString& what) {
+  ProjectView view = project_.view;
+  view.compare = to;
+  edit_view(view, what, next_press_id());
+}
+
+void Document::edit_wedge(const Wedge& to, const QString& what, int press_id) {
+  ProjectView view = project_.view;
+  view.wedge = to;
+  edit_view(view, what, press_id);
+}
+
+void Document::add(std::vector<ProjectMaterial> materials, const std::vector<Material>& spectra,
+                   const QString& what) {
+  if (materials.empty()) return;
+  // Names are made unique against those added with them, too.
+  FreeNames names = names_of(project_);
+  for (ProjectMaterial& each : materials) each.name = free_name(names, each.name);
+  std::vector<Material> all = project_.spectra;
+  for (const Material& each : spectra) {
+    const auto same =
+        std::find_if(all.begin(), all.end(), [&](const Material& m) { return m.id == each.id; });
+    if (same == all.end())
+      all.push_back(each);
+    else
+      *same = each;
+  }
+  undo_.push(new AddMaterials(*this, std::move(materials), std::move(all), what));
+}
+
+void Document::remove(int index) {
+  if (index < 0 || index >= static_cast<int>(project_.materials.size())) return;
+  undo_.push(new RemoveMaterial(
+      *this, index,
+      tr("remove %1").arg(QString::fromStdString(project_.materials[static_cast<std::size_t>(index)].name))));
+}
+
+void Document::replace(Project project, const QString& path, bool saved) {
+  undo_.clear();
+  project_ = std::move(project);
+  path_ = path;
+  recovered_ = !saved;
+  current_ = project_.materials.empty() ? -1 : 0;
+  ++revision_;
+  set_spectra(project_.spectra);
+  emit replaced();
+  emit current_changed(current_);
+  emit saved_changed();
+}
+
+QString Document::title() const {
+  return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName();
+}
+
+void Document::mark_saved(const QString& path) {
+  path_ = path;
+  recovered_ = false;
+  undo_.setClean();
+  emit saved_changed();
+}
+
+void Document::put(int index, const ProjectMaterial& material) {
+  project_.materials[static_cast<std::size_t>(index)] = material;
+  ++revision_;
+  emit material_changed(index);
+}
+
+void Document::put_view(const ProjectView& view) {
+  project_.view = view;
+  ++revision_;
+  emit view_changed();
+}
+
+void Document::insert(int index, const std::vector<ProjectMaterial>& materials) {
+  project_.materials.insert(project_.materials.begin() + index, materials.begin(), materials.end());
+  if (current_ >= index) current_ += static_cast<int>(materials.size());
+  ++revision_;
+  emit materials_added(index, static_cast<int>(materials.size()));
+}
+
+void Document::take_out(int index, int count) {
+  const auto first = project_.materials.begin() + index;
+  project_.materials.erase(first, first + count);
+  ++revision_;
+  const int left = static_cast<int>(project_.materials.size());
+  const int before = current_;
+  if (current_ >= index + count)
+    current_ -= count;
+  else if (current_ >= index)
+    current_ = std::min(index, left - 1);
+  emit materials_removed(index, count);
+  if (before != current_ || before >= index) emit current_changed(current_);
+}
+
+void Document::set_spectra(std::vector<Material> spectra) {
+  project_.spectra = std::move(spectra);
+  ++revision_;
+  if (project_.spectra.empty() && all_ == builtin_) return;
+  all_ = project_.spectra.empty() ? builtin_
+                                  : std::make_shared<const MaterialLibrary>(library_of(project_, *builtin_));
+  emit spectra_changed();
+}
+
+ProjectMaterial with_measured(ProjectMaterial material, const MaterialLibrary& library) {
+  if (material.measured) take_measured(material, find_f0(*material.measured, library));
+  return material;
+}
+
+}  // namespace etak::editor

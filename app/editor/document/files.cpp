@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/document/files.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+#include "core/exchange/rii_page.h"
+#include "core/exchange/table.h"
+#include "core/material/appearance.h"
+#include "core/material/json.h"
+
+namespace etak::editor {
+namespace {
+
+const QStringList& picture_endings() {
+  static const QStringList endings =
+      QStringLiteral("png tif tiff exr jpg jpeg tga webp").split(QLatin1Char(' '));
+  return endings;
+}
+
+const QStringList& spectrum_endings() {
+  static const QStringList endings = QStringLiteral("yml yaml csv tsv txt dat json").split(QLatin1Char(' '));
+  return endings;
+}
+
+// "My sample.csv" gives "my_sample".
+std::string id_of(const QString& path) {
+  std::string out;
+  for (const QChar c : QFileInfo(path).completeBaseName().toLower()) {
+    const bool plain =
+        (c >= QLatin1Char('a') && c <= QLatin1Char('z')) || (c >= QLatin1Char('0') && c <= QLatin1Char('9'));
+    if (plain)
+      out += c.toLatin1();
+    else if (!out.empty() && out.back() != '_')
+      out += '_';
+  }
+  while (!out.empty() && out.back() == '_') out.pop_back();
+  return out.empty() ? "spectrum" : out;
+}
+
+Material record_of(const QString& path) {
+  const std::string file = path.toStdString();
+  const std::string text = read_file(file);
+  const QString ending = QFileInfo(path).suffix().toLower();
+  if (ending == QLatin1String("yml") || ending == QLatin1String("yaml"))
+    return material_from_rii_page(text, file, id_of(path));
+  if (ending == QLatin1String("json")) return parse_material(text, file);
+  TableOptions options;
+  options.duplicates = Duplicates::mean;
+  const Table table = parse_table(text, file, options);
+  Material out;
+  out.id = id_of(path);
+  out.name = QFileInfo(path).completeBaseName().toStdString();
+  out.material_class = "solid";
+  out.preferred_reason = "the only dataset";
+  Dataset& dataset = out.datasets.emplace_back();
+  dataset.id = "table";
+  dataset.optics = table.optics;
+  dataset.flags = table.flags;
+  dataset.citation.title = QFileInfo(path).fileName().toStdString();
+  return out;
+}
+
+void note(Opened& out, const std::vector<std::string>& problems) {
+  for (const std::string& each : problems) out.problems << QString::fromStdString(each);
+}
+
+}  // namespace
+
+FileKind kind_of_file(const QString& path) {
+  const QString ending = QFileInfo(path).suffix().toLower();
+  if (spectrum_endings().contains(ending)) return FileKind::spectra;
+  if (picture_endings().contains(ending)) return FileKind::picture;
+  return ending == QLatin1String("hdr") ? FileKind::environment : FileKind::other;
+}
+
+QString picture_patterns() {
+  return QStringLiteral("*.") + picture_endings().join(QStringLiteral(" *."));
+}
+
+QString expected_files() {
+  return QObject::tr(
+             "expected spectra, materials or projects (.%1), pictures (.%2) or an environment (.hdr, .exr)")
+      .arg(spectrum_endings().join(QStringLiteral(", .")), picture_endings().join(QStringLiteral(", .")));
+}
+
+ProjectMaterial material_of(const Material& record) {
+  ProjectMaterial out;
+  out.name = record.name;
+  out.measured = MeasuredF0{record.id, {}, {}, {}};
+  const bool clear = clarity(record, record.preferred_dataset()).clear;
+  if (optical_kind(record.material_class) == "dielectric" && !clear) out.diffuse = {0.25, 0.25, 0.25};
+  // Alpha is of the body, and a clear one lets the background through.
+  if (clear) out.alpha = 0;
+  out.gloss = default_gloss(record, clear).gloss;
+  return out;
+}
+
+Opened open_project(const QString& path, const MaterialLibrary& library) {
+  Opened out;
+  try {
+    const std::string file = path.toStdString();
+    const std::string text = read_file(file);
+    if (!is_project(text)) {
+      // A material file of the library's kind: its record comes along.
+      const Material record = parse_material(text, file);
+      out.project.spectra.push_back(record);
+      out.project.materials.push_back(material_of(record));
+    } else {
+      out.project = parse_project(text, file);
+    }
+    note(out, resolve(out.project, library));
+  } catch (const Error& error) {
+    out.error = QString::fromUtf8(error.what());
+  } catch (const std::bad_alloc&) {
+    out.error = path + QStringLiteral(": not enough memory");
+  }
+  return out;
+}
+
+Opened import_files(const QStringList& paths, const MaterialLibrary& library) {
+  Opened out;
+  for (const QString& path : paths) {
+    try {
+      if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
+        Opened one = open_project(path, library);
+        if (!one.error.isEmpty()) {
+          out.problems << one.error;
+          continue;
+        }
+        out.problems << one.problems;
+        for (Material& each : one.project.spectra) out.project.spectra.push_back(std::move(each));
+        for (ProjectMaterial& each : one.project.materials) out.project.materials.push_back(std::move(each));
+        continue;
+      }
+      Project one;
+      one.spectra.push_back(record_of(path));
+      // What is written must be read again: an id or class of a file's name may be neither.
+      (void)parse_material(format_material(one.spectra.front()), path.toStdString());
+      one.materials.push_back(material_of(one.spectra.front()));
+      note(out, resolve(one, library));
+      if (!one.materials.front().measured) continue;
+      out.project.spectra.push_back(std::move(one.spectra.front()));
+      out.project.materials.push_back(std::move(one.materials.front()));
+    } catch (const Error& error) {
+      out.problems << QString::fromUtf8(error.what());
+    }
+  }
+  if (out.project.materials.empty() && !out.problems.isEmpty())
+    out.error = out.problems.join(QLatin1Char('\n'));
+  return out;
+}
+
+QString save_project(const Project& project, const QString& path) {
+  try {
+    write_file(path.toStdString(), format_project(project, path.toStdString()), true);
+    return {};
+  } catch (const Error& error) {
+    return QString::fromUtf8(error.what());
+  } catch (const std::bad_alloc&) {
+    return path + QStringLiteral(": not enough memory");
+  }
+}
+
+QString save_png(const QImage& picture, const QString& path) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
+    return QObject::tr("%1: the picture could not be encoded").arg(path);
+  try {
+    write_file(path.toStdString(), bytes.toStdString(), true);
+    return {};
+  } catch (const Error& error) {
+    return QString::fromUtf8(error.what());
+  }
+}
+
+QString data_folder() {
+  const QString out = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  QDir().mkpath(out);
+  return out;
+}
+
+QString cache_folder() {
+  return QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QImage>
+#include <QString>
+#include <QStringList>
+#include <memory>
+#include <optional>
+
+#include "core/project/project.h"
+
+namespace etak::editor {
+
+// What is read from and written to disk. No function here touches the UI: all run on workers' threads.
+
+/// What a file is by its name.
+///   spectra      pages, tables, materials, projects
+///   environment  .hdr; an .exr may be one too, and counts as a picture
+enum class FileKind { spectra, picture, environment, other };
+FileKind kind_of_file(const QString& path);
+/// "*.png *.tif ..." for dialogs.
+QString picture_patterns();
+/// Why files were refused.
+QString expected_files();
+
+/// What came of reading.
+struct Opened {
+  Project project;
+  QStringList problems;  // materials that lost their measured record, files that could not be read
+  QString error;         // not empty: nothing was read
+};
+
+/// A project or a single material of one (.json).
+Opened open_project(const QString& path, const MaterialLibrary& library);
+
+/// Anything that holds spectra: pages (.yml) and tables (.csv, .txt) of n, k or reflectance, material files
+/// (.json); projects (.json) give their materials. Each becomes a material with measured F0.
+Opened import_files(const QStringList& paths, const MaterialLibrary& library);
+
+/// Writes the project; the message of what went wrong, empty for none. The file is replaced at once or not at
+/// all.
+QString save_project(const Project& project, const QString& path);
+
+/// The same of a picture, as PNG.
+QString save_png(const QImage& picture, const QString& path);
+
+/// A material of the library as one of a project.
+ProjectMaterial material_of(const Material& record);
+
+/// A folder of the user's for data or caches, made where it is missing.
+QString data_folder();
+QString cache_folder();
+
+}  // namespace etak::editor

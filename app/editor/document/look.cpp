@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/document/look.h"
+
+namespace etak::editor {
+namespace {
+
+ViewSide side_of(const Document& document, const ProjectMaterial& m, const std::string& model) {
+  ViewSide out;
+  out.surface = document.surface_of(m);
+  out.specular = find_model(model.empty() ? m.specular_model : model);
+  out.diffuse = find_model(m.diffuse_model);
+  if (out.specular != nullptr && out.specular->kind == ModelKind::both) out.diffuse = nullptr;
+  // Another model has other parameters.
+  if (model.empty() || model == m.specular_model) out.overrides = m.parameters;
+  out.label = m.name;
+  if (out.specular != nullptr) out.label += ", " + std::string(out.specular->id);
+  return out;
+}
+
+}  // namespace
+
+ViewState view_state_of(const Document& document, const Look& look,
+                        std::shared_ptr<const Environment> environment,
+                        std::shared_ptr<const SurfaceTextures> textures) {
+  ViewState out;
+  const ProjectView& view = document.project().view;
+  ProjectMaterial nothing;
+  nothing.name = "no material";
+  const ProjectMaterial& m = look.preview                     ? *look.preview
+                             : document.material() != nullptr ? *document.material()
+                                                              : nothing;
+  // Solving keeps the last surface: the material in hand comes last, as it is the one that is edited.
+  const ProjectMaterial& other = view.compare.pinned ? *view.compare.pinned : m;
+  out.b = side_of(document, other, view.compare.model);
+  out.a = side_of(document, m, {});
+  if (look.textured && !look.preview) out.a.textures = std::move(textures);
+  if (look.textured && !view.compare.pinned) out.b.textures = out.a.textures;
+  out.split = view.compare.on;
+  out.separator = look.separator;
+  out.shape = view.wedge.on               ? ViewShape::wedge
+              : view.shape == Shape::quad ? ViewShape::quad
+                                          : ViewShape::sphere;
+  out.wedge_parameter = view.wedge.parameter;
+  out.wedge_steps = view.wedge.steps;
+  out.lights = view.lights;
+  out.environment = std::move(environment);
+  out.environment_turn_deg = view.environment_turn_deg;
+  out.camera = look.camera;
+  out.exposure = view.exposure;
+  out.ocio_config = view.config;
+  out.ocio_display = view.display;
+  out.ocio_view = view.view;
+  out.zone_overlay = look.zone_overlay;
+  out.energy_overlay = look.energy_overlay;
+  return out;
+}
+
+}  // namespace etak::editor

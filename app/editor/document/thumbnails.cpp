@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/document/thumbnails.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+
+#include "app/editor/document/background.h"
+#include "app/editor/document/files.h"
+#include "core/base/error.h"
+#include "core/brdf/models.h"
+#include "core/render/cpu_renderer.h"
+
+namespace etak::editor {
+namespace {
+
+// Part of the files' names: pictures of another make are not taken for these.
+constexpr const char* make = "etak-thumbnail-1";
+constexpr int most_pictures = 4000;
+
+QImage drawn(const SurfaceValues& surface, Shape shape, int side) {
+  Scene scene;
+  scene.shape = shape;
+  scene.surface = surface;
+  scene.width = scene.height = side;
+  scene.lights = default_lights();
+  scene.background = {0.05, 0.05, 0.05};
+  scene.specular = find_model(default_specular);
+  scene.diffuse = find_model(default_diffuse);
+  scene.specular_values = model_values(*scene.specular, surface, {});
+  scene.diffuse_values = model_values(*scene.diffuse, surface, {});
+  Image8 codes;
+  render_cpu_codes(scene, nullptr, 1, codes);
+  QImage out(side, side, QImage::Format_RGB888);
+  for (int y = 0; y < side; ++y)
+    std::copy_n(codes.at(0, y).data(), std::size_t{3} * codes.width, out.scanLine(y));
+  return out;
+}
+
+QImage made(const Thumbnails::Subject& subject, Shape shape, int side, const QString& folder) {
+  try {
+    QString file;
+    if (!folder.isEmpty()) {
+      QCryptographicHash hash(QCryptographicHash::Sha1);
+      hash.addData(QByteArray::fromStdString(make + subject.text()));
+      file = folder + QStringLiteral("/%1-%2%3.png")
+                          .arg(QString::fromLatin1(hash.result().toHex()))
+                          .arg(side)
+                          .arg(shape == Shape::quad ? QStringLiteral("f") : QString());
+      if (QImage kept(file); !kept.isNull() && kept.width() == side) return kept;
+    }
+    const QImage out = drawn(subject.surface(), shape, side);
+    // A cache that cannot be written is no reason to complain.
+    if (!file.isEmpty() && QDir().mkpath(folder)) (void)save_png(out, file);
+    return out;
+  } catch (const Error&) {
+    QImage none(side, side, QImage::Format_RGB888);
+    none.fill(Qt::darkGray);
+    return none;
+  }
+}
+
+QString picture_key(const QString& key, Shape shape) {
+  return key + (shape == Shape::quad ? QStringLiteral("|flat") : QStringLiteral("|sphere"));
+}
+
+}  // namespace
+
+Thumbnails::Thumbnails(const QString& folder, QObject* parent)
+    : QObject(parent), folder_(folder), pictures_(most_pictures) {
+  pool_.setMaxThreadCount(std::max(1, QThread::idealThreadCount() - 1));
+  pool_.setThreadPriority(QThread::LowPriority);
+}
+
+Thumbnails::~Thumbnails() {
+  pool_.clear();
+  pool_.waitForDone();
+}
+
+QPixmap Thumbnails::get(const QString& key, Shape shape, int side, double ratio,
+                        const std::function<Subject()>& subject) {
+  const QString whole = picture_key(key, shape);
+  if (const QPixmap* known = pictures_.object(whole)) return *known;
+  if (waiting_.contains(whole)) return {};
+  waiting_.insert(whole);
+  const int pixels = static_cast<int>(side * ratio);
+  in_background(
+      pool_, this,
+      [subject = subject(), shape, pixels, folder = folder_] { return made(subject, shape, pixels, folder); },
+      [this, whole, key, ratio](const QImage& image) {
+        // forget() may have come between; the picture is then of an older material.
+        if (!waiting_.remove(whole)) return;
+        auto* pixmap = new QPixmap(QPixmap::fromImage(image));
+        pixmap->setDevicePixelRatio(ratio);
+        pictures_.insert(whole, pixmap);
+        emit ready(key);
+      });
+  return {};
+}
+
+void Thumbnails::forget(const QString& key) {
+  for (const Shape shape : {Shape::sphere, Shape::quad}) {
+    pictures_.remove(picture_key(key, shape));
+    waiting_.remove(picture_key(key, shape));
+  }
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/document/validator.h"
+
+#include <atomic>
+
+#include "app/editor/document/background.h"
+#include "core/atlas/sources/picture_door.h"
+#include "core/validate/files/project_check.h"
+
+namespace etak::editor {
+namespace {
+
+constexpr int delay_ms = 200;
+constexpr std::size_t most_at_once = 64;  // materials between two looks at the list
+constexpr std::size_t most_texels = std::size_t{64} << 20;
+
+}  // namespace
+
+Validator::Validator(Document& document, QObject* parent) : QObject(parent), document_(document) {
+  pool_.setMaxThreadCount(1);
+  pool_.setThreadPriority(QThread::LowPriority);
+  timer_.setSingleShot(true);
+  timer_.setInterval(delay_ms);
+  connect(&timer_, &QTimer::timeout, this, &Validator::begin);
+  const auto mark = [this](int first, int count) {
+    for (int i = first; i < first + count; ++i)
+      dirty_.insert(document_.project().materials[static_cast<std::size_t>(i)].name);
+    timer_.start();
+  };
+  connect(&document, &Document::material_changed, this, [mark](int index) { mark(index, 1); });
+  connect(&document, &Document::materials_added, this, mark);
+  connect(&document, &Document::materials_removed, this, [this] { timer_.start(); });
+  connect(&document, &Document::replaced, this, [this] {
+    findings_.clear();
+    emit findings_changed();
+    check_all();
+  });
+}
+
+Validator::~Validator() {
+  stop_ = true;
+  pool_.clear();
+  pool_.waitForDone();
+}
+
+void Validator::check_all() {
+  for (const ProjectMaterial& each : document_.project().materials) dirty_.insert(each.name);
+  timer_.start();
+}
+
+void Validator::drop_gone() {
+  std::set<std::string_view> names;
+  for (const ProjectMaterial& each : document_.project().materials) names.insert(each.name);
+  const std::size_t before = findings_.size();
+  std::erase_if(findings_, [&](const auto& row) { return !names.contains(row.first); });
+  if (findings_.size() != before) emit findings_changed();
+}
+
+void Validator::begin() {
+  if (running_) return;  // what was marked meanwhile comes next
+  drop_gone();
+  std::vector<ProjectMaterial> batch;
+  for (const ProjectMaterial& each : document_.project().materials) {
+    if (batch.size() == most_at_once) break;
+    if (dirty_.erase(each.name) != 0) batch.push_back(each);
+  }
+  if (batch.empty()) {
+    dirty_.clear();
+    emit idle();
+    return;
+  }
+  running_ = true;
+  in_background(
+      pool_, this,
+      [this, batch = std::move(batch), library = document_.library()] {
+        std::vector<std::pair<std::string, std::vector<Finding>>> out;
+        const PictureDoor door = picture_door();
+        for (const ProjectMaterial& each : batch) {
+          if (stop_) break;  // the destructor waits for this thread
+          out.emplace_back(each.name, check_material(each, *library, door, Settings{}, most_texels).findings);
+        }
+        return out;
+      },
+      [this](std::vector<std::pair<std::string, std::vector<Finding>>> checked) {
+        running_ = false;
+        for (auto& [name, findings] : checked) {
+          if (findings.empty())
+            findings_.erase(name);
+          else
+            findings_[name] = std::move(findings);
+        }
+        emit findings_changed();
+        begin();
+      });
+}
+
+}  // namespace etak::editor

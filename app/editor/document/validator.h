@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <map>
+#include <set>
+
+#include "app/editor/document/document.h"
+#include "core/validate/finding.h"
+
+namespace etak::editor {
+
+/// Runs the validator's rules over materials that have changed, on a thread of its own, a moment after the
+/// change.
+class Validator : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Validator(Document& document, QObject* parent = nullptr);
+  ~Validator() override;
+
+  /// Findings by the name of the material, in the project's order of names.
+  const std::map<std::string, std::vector<Finding>>& findings() const { return findings_; }
+  bool is_idle() const { return dirty_.empty() && !running_ && !timer_.isActive(); }
+  void check_all();
+
+ signals:
+  void findings_changed();
+  void idle();
+
+ private:
+  void begin();
+  void drop_gone();
+
+  Document& document_;
+  std::map<std::string, std::vector<Finding>> findings_;
+  std::set<std::string> dirty_;
+  QTimer timer_;
+  QThreadPool pool_;
+  std::atomic<bool> stop_{false};
+  bool running_ = false;
+};
+
+}  // namespace etak::editor

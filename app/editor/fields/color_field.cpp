@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/fields/color_field.h"
+
+#include <QColorDialog>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPixmap>
+#include <QToolButton>
+
+#include "app/editor/fields/eyedropper.h"
+#include "app/editor/fields/number_field.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/color/gamut.h"
+#include "core/color/srgb.h"
+#include "core/exchange/export_surface.h"
+
+namespace etak::editor {
+namespace {
+
+const std::array<QString, 3>& channel_words() {
+  static const std::array<QString, 3> words{QObject::tr("red"), QObject::tr("green"), QObject::tr("blue")};
+  return words;
+}
+
+double& part(LinearRgb& color, std::size_t c) {
+  return c == 0 ? color.r : c == 1 ? color.g : color.b;
+}
+
+QPixmap swatch_of(const Srgb8& codes, const QSize& size, double ratio) {
+  QPixmap out(size * ratio);
+  out.setDevicePixelRatio(ratio);
+  out.fill(QColor(codes.r, codes.g, codes.b));
+  return out;
+}
+
+}  // namespace
+
+ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* parent)
+    : QWidget(parent), name_(name), color_(standard), standard_(standard) {
+  setAccessibleName(tr("%1, colour").arg(name));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(4);
+  grid->setVerticalSpacing(2);
+
+  swatch_ = new QToolButton(this);
+  swatch_->setIconSize({34, 34});
+  swatch_->setToolTip(tr("%1: choose in a dialog").arg(name));
+  swatch_->setAccessibleName(tr("%1, choose").arg(name));
+  grid->addWidget(swatch_, 0, 0, 2, 1);
+  const std::array<QString, 2> rows{tr("linear"), tr("sRGB 8 bit")};
+  for (int row = 0; row < 2; ++row) {
+    auto* label = new QLabel(row == 0 ? tr("lin") : tr("8 bit"), this);
+    label->setProperty("quiet", true);
+    grid->addWidget(label, row, 1);
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    auto* box = new FineSpinBox(this);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    box->setRange(-1000, 1000);
+    box->setAccessibleName(tr("%1, %2, %3").arg(name, channel_words()[c], rows[0]));
+    box->setToolTip(tr("%1, linear; wheel edits, Ctrl coarse, Shift fine").arg(channel_words()[c]));
+    grid->addWidget(box, 0, 2 + static_cast<int>(c));
+    linear_[c] = box;
+    connect(box, &FineSpinBox::edited, this, [this, c](double value, int press_id) {
+      LinearRgb next = color_;
+      part(next, c) = value;
+      take(next, press_id);
+    });
+    auto* code = new FineSpinBox(this);
+    code->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    code->setDecimals(0);
+    code->setSingleStep(1);
+    code->setRange(0, 255);
+    code->setAccessibleName(tr("%1, %2, %3").arg(name, channel_words()[c], rows[1]));
+    grid->addWidget(code, 1, 2 + static_cast<int>(c));
+    codes_[c] = code;
+    connect(code, &FineSpinBox::edited, this, [this, c](double value, int press_id) {
+      // The other channels keep what 8 bits would take from them.
+      LinearRgb next = color_;
+      part(next, c) = srgb_decode(value / 255);
+      take(next, press_id);
+    });
+  }
+  auto* line = new QHBoxLayout;
+  line->setSpacing(4);
+  hex_ = new QLineEdit(this);
+  hex_->setMaxLength(9);
+  hex_->setAccessibleName(tr("%1, hexadecimal").arg(name));
+  hex_->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("#wwwwww")) + 16);
+  line->addWidget(hex_);
+  dropper_ = new QToolButton(this);
+  dropper_->setText(tr("Pick"));
+  dropper_->setToolTip(tr("Take a colour from anywhere on the screen (Esc: none)"));
+  dropper_->setAccessibleName(tr("%1, eyedropper").arg(name));
+  line->addWidget(dropper_);
+  reset_ = new QToolButton(this);
+  reset_->setText(QStringLiteral("\u21ba"));
+  reset_->setAutoRaise(true);
+  reset_->setToolTip(tr("Reset %1").arg(name));
+  reset_->setAccessibleName(tr("Reset %1").arg(name));
+  line->addWidget(reset_);
+  line->addStretch(1);
+  grid->addLayout(line, 2, 1, 1, 4);
+  make_badge();
+  grid->addWidget(outside_, 3, 0, 1, 5);
+  for (int c = 2; c < 5; ++c) grid->setColumnStretch(c, 1);
+
+  connect(hex_, &QLineEdit::editingFinished, this, [this] {
+    if (showing_ || hex_->text().toStdString() == hex(srgb_u8(color_))) return;
+    try {
+      take(srgb_decode(parse_hex(hex_->text().trimmed().toStdString())), next_press_id());
+    } catch (const Error&) {
+      show_all();  // what was typed is no colour: back to the one there is
+    }
+  });
+  connect(reset_, &QToolButton::clicked, this, [this] { take(standard_, next_press_id()); });
+  connect(dropper_, &QToolButton::clicked, this, [this] {
+    new Eyedropper(this, [this](std::optional<QColor> picked) {
+      if (picked)
+        take(srgb_decode(Srgb8{static_cast<std::uint8_t>(picked->red()),
+                               static_cast<std::uint8_t>(picked->green()),
+                               static_cast<std::uint8_t>(picked->blue())}),
+             next_press_id());
+    });
+  });
+  connect(swatch_, &QToolButton::clicked, this, [this] {
+    const Srgb8 codes = srgb_u8(color_);
+    auto* dialog = new QColorDialog(QColor(codes.r, codes.g, codes.b), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setOption(QColorDialog::DontUseNativeDialog);
+    dialog->setWindowTitle(name_);
+    const int press = next_press_id();
+    connect(dialog, &QColorDialog::currentColorChanged, this, [this, press](const QColor& c) {
+      take(srgb_decode(Srgb8{static_cast<std::uint8_t>(c.red()), static_cast<std::uint8_t>(c.green()),
+                             static_cast<std::uint8_t>(c.blue())}),
+           press);
+    });
+    const LinearRgb before = color_;
+    connect(dialog, &QColorDialog::rejected, this, [this, before, press] { take(before, press); });
+    dialog->open();
+  });
+  show_all();
+}
+
+void ColorField::make_badge() {
+  outside_ = new QWidget(this);
+  outside_->setAccessibleName(tr("%1, outside sRGB").arg(name_));
+  auto* line = new QHBoxLayout(outside_);
+  line->setContentsMargins(0, 2, 0, 0);
+  line->setSpacing(4);
+  badge_ = new QLabel(outside_);
+  badge_->setProperty("badge", true);
+  badge_->setAccessibleName(tr("%1, gamut").arg(name_));
+  badge_->setWordWrap(true);
+  badge_->setToolTip(
+      tr("8-bit sRGB holds linear 0 to 1: the codes above are clipped, the linear numbers are not"));
+  line->addWidget(badge_, 1);
+  const auto way = [&](const QString& text, const QString& what, Fit fit) {
+    auto* out = new QToolButton(outside_);
+    out->setText(text);
+    out->setAccessibleName(tr("%1: %2").arg(name_, what));
+    out->setToolTip(tr("%1 (the colour is then a typed one; undo brings it back)").arg(what));
+    line->addWidget(out);
+    connect(out, &QToolButton::clicked, this, [this, fit] {
+      Changes changes;
+      take(fitted(color_, fit, 1, RgbSpace::srgb, {}, {}, changes), next_press_id());
+    });
+  };
+  way(tr("Clip"), tr("clip each channel to 0..1"), Fit::clamp);
+  way(tr("Keep hue"), tr("bring it into 0..1 with the hue kept, darker or greyer"), Fit::preserve_hue);
+  outside_->hide();
+}
+
+void ColorField::show_color(const LinearRgb& color) {
+  if (color == color_) return;
+  color_ = color;
+  show_all();
+}
+
+void ColorField::take(const LinearRgb& color, int press_id) {
+  if (color == color_) return show_all();
+  color_ = color;
+  show_all();
+  emit edited(color_, press_id);
+}
+
+void ColorField::show_all() {
+  showing_ = true;
+  const Srgb8 codes = srgb_u8(color_);
+  const std::array<int, 3> numbers{codes.r, codes.g, codes.b};
+  for (std::size_t c = 0; c < 3; ++c) {
+    linear_[c]->show_value(part(color_, c));
+    codes_[c]->show_value(numbers[c]);
+  }
+  hex_->setText(QString::fromStdString(hex(codes)));
+  swatch_->setIcon(swatch_of(codes, swatch_->iconSize(), devicePixelRatioF()));
+  const std::string outside = gamut_text(color_);
+  outside_->setVisible(!outside.empty());
+  if (!outside.empty()) {
+    // A channel and its number stay together where the line breaks.
+    QStringList channels = QString::fromStdString(outside).split(QStringLiteral(", "));
+    channels.replaceInStrings(QStringLiteral(" "), QString(QChar(QChar::Nbsp)));
+    badge_->setText(tr("outside sRGB: %1").arg(channels.join(QStringLiteral(", "))));
+  }
+  showing_ = false;
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/findings_panel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QStyledItemDelegate>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include "app/editor/panels/sections.h"
+
+namespace etak::editor {
+namespace {
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+// "1 error", "2 errors"
+QString counted(std::size_t count, const QString& one, const QString& more) {
+  return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : more);
+}
+
+// Rows as high as the whole message needs.
+class WholeMessage : public QStyledItemDelegate {
+ public:
+  explicit WholeMessage(QTreeView& view) : QStyledItemDelegate(&view), view_(view) {}
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    constexpr int beside = 8;
+    QSize out = QStyledItemDelegate::sizeHint(option, index);
+    if (index.column() != FindingsModel::message_column) return out;
+    const QRect room(0, 0, view_.columnWidth(index.column()) - beside, 10000);
+    const QString message = index.data().toString();
+    out.setHeight(std::max(out.height(),
+                           option.fontMetrics.boundingRect(room, Qt::TextWordWrap, message).height() + 2));
+    return out;
+  }
+
+ private:
+  QTreeView& view_;
+};
+
+}  // namespace
+
+void FindingsModel::set_findings(const std::map<std::string, std::vector<Finding>>& findings) {
+  beginResetModel();
+  rows_.clear();
+  for (const auto& [name, list] : findings) rows_.insert(rows_.end(), list.begin(), list.end());
+  std::stable_sort(rows_.begin(), rows_.end(),
+                   [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
+  endResetModel();
+}
+
+const Finding* FindingsModel::at(int row) const {
+  return row >= 0 && row < rowCount() ? &rows_[static_cast<std::size_t>(row)] : nullptr;
+}
+
+std::array<std::size_t, 3> FindingsModel::counts() const {
+  std::array<std::size_t, 3> out{};
+  for (const Finding& each : rows_)
+    ++out[each.severity == Severity::error ? 0 : each.severity == Severity::warning ? 1 : 2];
+  return out;
+}
+
+int FindingsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int FindingsModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : column_count;
+}
+
+QVariant FindingsModel::data(const QModelIndex& index, int role) const {
+  const Finding* finding = at(index.row());
+  if (finding == nullptr) return {};
+  if (role == Qt::ToolTipRole)
+    return text(finding->message + (finding->cause.empty() ? "" : "\n" + finding->cause) +
+                (finding->fix.empty() ? "" : "\n" + finding->fix) + "\n" + finding->source);
+  if (role == Qt::UserRole && index.column() == severity_column) return static_cast<int>(finding->severity);
+  if (role != Qt::DisplayRole && role != Qt::UserRole) return {};
+  switch (index.column()) {
+    case severity_column:
+      return text(name(finding->severity));
+    case rule_column:
+      return text(finding->rule);
+    case material_column:
+      return text(finding->material);
+    default:
+      return text(finding->message);
+  }
+}
+
+QVariant FindingsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  const std::array<QString, column_count> titles{tr("Severity"), tr("Rule"), tr("Material"), tr("Finding")};
+  return titles[static_cast<std::size_t>(section)];
+}
+
+FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
+    : QWidget(parent),
+      table_(new QTreeView(this)),
+      sums_(new QLabel(this)),
+      advice_(quiet_label(tr("Advice"), this)) {
+  setAccessibleName(tr("Findings"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->setSpacing(3);
+  sums_->setAccessibleName(tr("Number of findings"));
+  column->addWidget(sums_);
+  sorted_.setSourceModel(&model_);
+  sorted_.setSortRole(Qt::UserRole);
+  table_->setModel(&sorted_);
+  table_->setRootIsDecorated(false);
+  table_->setWordWrap(true);
+  auto* whole = new WholeMessage(*table_);
+  table_->setItemDelegate(whole);
+  connect(table_->header(), &QHeaderView::sectionResized, whole, [whole](int section) {
+    if (section == FindingsModel::message_column) emit whole->sizeHintChanged({});
+  });
+  table_->setAlternatingRowColors(true);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(FindingsModel::severity_column, Qt::DescendingOrder);
+  table_->setAccessibleName(tr("List of findings"));
+  table_->header()->setAccessibleName(tr("Columns of the findings"));
+  const QFontMetrics metrics = fontMetrics();
+  // The header's arrow stands beside its word; the message gets the rest.
+  table_->setColumnWidth(FindingsModel::severity_column,
+                         metrics.horizontalAdvance(QStringLiteral("Severity")) + 28);
+  table_->setColumnWidth(FindingsModel::rule_column,
+                         metrics.horizontalAdvance(QStringLiteral("ETK000")) + 16);
+  table_->setColumnWidth(FindingsModel::material_column, metrics.horizontalAdvance(QStringLiteral("m")) * 8);
+  column->addWidget(table_, 1);
+  column->addWidget(advice_);
+  const auto show = [this, &validator] {
+    model_.set_findings(validator.findings());
+    const auto [errors, warnings, infos] = model_.counts();
+    sums_->setText(model_.rowCount() == 0
+                       ? tr("No findings")
+                       : counted(errors, tr("error"), tr("errors")) + QStringLiteral(", ") +
+                             counted(warnings, tr("warning"), tr("warnings")) + QStringLiteral(", ") +
+                             counted(infos, tr("info"), tr("infos")));
+    advice_->clear();
+  };
+  connect(&validator, &Validator::findings_changed, this, show);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& now) {
+            const Finding* finding = model_.at(sorted_.mapToSource(now).row());
+            advice_->setText(
+                finding == nullptr
+                    ? QString()
+                    : text(finding->cause.empty() ? finding->fix : finding->cause + " " + finding->fix));
+          });
+  connect(table_, &QTreeView::activated, this, [this](const QModelIndex& now) {
+    if (const Finding* finding = model_.at(sorted_.mapToSource(now).row()))
+      emit go_to(text(finding->material), text(finding->rule));
+  });
+  show();
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QSortFilterProxyModel>
+#include <QWidget>
+
+#include "app/editor/document/validator.h"
+
+class QLabel;
+class QTreeView;
+
+namespace etak::editor {
+
+/// The validator's findings as rows.
+class FindingsModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { severity_column, rule_column, material_column, message_column, column_count };
+  using QAbstractTableModel::QAbstractTableModel;
+  void set_findings(const std::map<std::string, std::vector<Finding>>& findings);
+  const Finding* at(int row) const;
+  std::array<std::size_t, 3> counts() const;  // errors, warnings, infos
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  std::vector<Finding> rows_;
+};
+
+/// The list; a double click or Return goes to the field that the finding is about.
+class FindingsPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FindingsPanel(Validator& validator, QWidget* parent = nullptr);
+  QTreeView& table() { return *table_; }
+  const FindingsModel& model() const { return model_; }
+
+ signals:
+  void go_to(const QString& material, const QString& rule);
+
+ private:
+  FindingsModel model_;
+  QSortFilterProxyModel sorted_;
+  QTreeView* table_;
+  QLabel *sums_, *advice_;
+};
+
+}  // namespace etak::editor

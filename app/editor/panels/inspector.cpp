@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/inspector.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/editor/fields/color_field.h"
+#include "app/editor/fields/number_field.h"
+#include "app/editor/fields/press_id.h"
+#include "app/editor/panels/model_section.h"
+#include "app/editor/panels/source_section.h"
+#include "app/editor/panels/texture_section.h"
+#include "core/base/number.h"
+#include "core/color/gloss.h"
+#include "core/material/name_limit.h"
+
+namespace etak::editor {
+namespace {
+
+// A record of class "surface" measures the body's colour, every other one F0.
+bool measures_diffuse(const ProjectMaterial& m, const MaterialLibrary& library) {
+  if (!m.measured) return false;
+  const auto found = library.find(m.measured->material);
+  return found && !gives_f0(found->material_class);
+}
+
+}  // namespace
+
+Inspector::Inspector(Document& document, QWidget* parent)
+    : PanelScroll(tr("Inspector"), parent),
+      document_(document),
+      page_(new QWidget(this)),
+      empty_(
+          new QLabel(tr("No material. Add one from the library, or make a new one (Ctrl+Shift+N)."), this)),
+      name_(new QLineEdit(this)),
+      source_(new SourceSection(document, this)),
+      model_(new ModelSection(document, this)),
+      textures_(new TextureSection(document, this)) {
+  auto* column = new QVBoxLayout(page_);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->setSpacing(6);
+  empty_->setWordWrap(true);
+  empty_->setAccessibleName(tr("No material"));
+  name_->setAccessibleName(tr("Name of the material"));
+  page_->setAccessibleName(tr("Material"));
+  column->addWidget(empty_);
+  column->addWidget(name_);
+  column->addWidget(source_);
+  column->addWidget(make_numbers());
+  column->addWidget(model_);
+  column->addWidget(textures_);
+  column->addStretch(1);
+  setWidget(page_);
+
+  name_->setMaxLength(static_cast<int>(most_name_bytes));
+  connect(name_, &QLineEdit::editingFinished, this, [this] {
+    const std::string wanted = name_->text().trimmed().toStdString();
+    if (document_.material() == nullptr || wanted.empty() || wanted == document_.material()->name)
+      return show_material();
+    ProjectMaterial next = *document_.material();
+    next.name = free_name(document_.project(), wanted);
+    document_.edit(document_.current(), next, tr("rename"), next_press_id());
+  });
+  connect(&document, &Document::current_changed, this, &Inspector::show_material);
+  connect(&document, &Document::replaced, this, &Inspector::show_material);
+  connect(&document, &Document::material_changed, this, [this](int index) {
+    if (index == document_.current()) show_material();
+  });
+  connect(&document, &Document::spectra_changed, source_, &SourceSection::set_library);
+  show_material();
+}
+
+QWidget* Inspector::make_numbers() {
+  auto* section = new Section(tr("Surface"), this);
+  specular_ = new ColorField(tr("Specular"), {0.04, 0.04, 0.04}, section);
+  diffuse_ = new ColorField(tr("Diffuse"), {0, 0, 0}, section);
+  gloss_ = new NumberField(tr("Gloss"), 0, 1, 0.75, section);
+  gloss_->setToolTip(
+      tr("Sch\u00fcler's gloss g: exponent 2^(12 g), \u03b1 = \u221a(2 / (exponent + 2)), roughness "
+         "\u221a\u03b1: "
+         "0.904 for gloss 0 to 0.149 for gloss 1"));
+  roughness_ = new NumberField(tr("Roughness"), 0, 1, roughness_of_gloss(0.75), section);
+  roughness_->setToolTip(tr(
+      "Perceptual roughness r, in place of gloss: \u03b1 = r\u00b2, gloss log2(2 / r\u2074 \u2212 2) / 12. "
+      "Below 0.149 and above 0.904 there is no gloss: what takes one gets the nearest"));
+  alpha_ = new NumberField(tr("Alpha"), 0, 1, 1, section);
+  cutoff_ = new NumberField(tr("Alpha cutoff"), 0, 1, 0.5, section);
+  alpha_mode_ = new QuietComboBox(tr("Alpha mode"), section);
+  alpha_mode_->addItems({tr("opaque"), tr("mask"), tr("blend")});
+  lobe_ = quiet_label(tr("Gloss as exponent and roughness"), section);
+  section->add_below(tr("Specular (F0)"), specular_);
+  section->add_below(tr("Diffuse"), diffuse_);
+  section->add(tr("Gloss"), gloss_);
+  section->add(tr("Roughness"), roughness_);
+  section->add(lobe_);
+  section->add(tr("Alpha"), alpha_);
+  section->add(tr("Mode"), alpha_mode_);
+  section->add(tr("Cutoff"), cutoff_);
+
+  const auto edit = [this](const QString& what, int press, auto change) {
+    if (document_.material() == nullptr) return;
+    ProjectMaterial next = *document_.material();
+    change(next);
+    document_.edit(document_.current(), next, what, press);
+  };
+  connect(specular_, &ColorField::edited, this, [this, edit](const LinearRgb& color, int press) {
+    edit(tr("specular colour"), press, [&](ProjectMaterial& m) {
+      // A typed colour is no longer the measured one.
+      if (!measures_diffuse(m, *document_.library())) m.measured.reset();
+      m.specular = color;
+      // Of a total reflectance the surface takes its share, and the body keeps the rest.
+      if (measures_diffuse(m, *document_.library())) m = with_measured(std::move(m), *document_.library());
+    });
+  });
+  connect(diffuse_, &ColorField::edited, this, [this, edit](const LinearRgb& color, int press) {
+    edit(tr("diffuse colour"), press, [&](ProjectMaterial& m) {
+      if (measures_diffuse(m, *document_.library())) m.measured.reset();
+      m.diffuse = color;
+    });
+  });
+  const auto number = [this, edit](NumberField* field, const QString& what, double ProjectMaterial::*member) {
+    connect(field, &NumberField::edited, this, [what, edit, member](double value, int press) {
+      edit(what, press, [&](ProjectMaterial& m) { m.*member = value; });
+    });
+  };
+  connect(gloss_, &NumberField::edited, this, [this, edit](double value, int press) {
+    edit(tr("gloss"), press, [&](ProjectMaterial& m) { m.gloss = value; });
+  });
+  connect(roughness_, &NumberField::edited, this, [this, edit](double value, int press) {
+    edit(tr("roughness"), press, [&](ProjectMaterial& m) { m.gloss = Gloss::of_roughness(value); });
+  });
+  number(alpha_, tr("alpha"), &ProjectMaterial::alpha);
+  number(cutoff_, tr("alpha cutoff"), &ProjectMaterial::alpha_cutoff);
+  connect(alpha_mode_, &QComboBox::activated, this, [edit, this](int row) {
+    edit(tr("alpha mode"), next_press_id(),
+         [&](ProjectMaterial& m) { m.alpha_mode = static_cast<AlphaMode>(row); });
+  });
+  return section;
+}
+
+void Inspector::show_material() {
+  const ProjectMaterial* m = document_.material();
+  empty_->setVisible(m == nullptr);
+  for (QWidget* each :
+       {static_cast<QWidget*>(name_), static_cast<QWidget*>(source_), specular_->parentWidget(),
+        static_cast<QWidget*>(model_), static_cast<QWidget*>(textures_)})
+    each->setVisible(m != nullptr);
+  source_->show_material();
+  model_->show_material();
+  textures_->show_material();
+  if (m == nullptr) return;
+  const QString name = QString::fromStdString(m->name);
+  if (name_->text() != name) name_->setText(name);
+  specular_->show_color(m->specular);
+  diffuse_->show_color(m->diffuse);
+  gloss_->show_value(m->gloss);
+  roughness_->show_value(m->gloss.roughness());
+  alpha_->show_value(m->alpha);
+  cutoff_->show_value(m->alpha_cutoff);
+  cutoff_->setEnabled(m->alpha_mode == AlphaMode::mask);
+  alpha_mode_->setCurrentIndex(static_cast<int>(m->alpha_mode));
+  QString lobe = tr("exponent %1   \u03b1 %2")
+                     .arg(std::isfinite(m->gloss.exponent())
+                              ? QString::fromStdString(etak::number(m->gloss.exponent(), 4))
+                              : QStringLiteral("\u221e"),
+                          QString::fromStdString(etak::number(m->gloss.alpha(), 3)));
+  if (m->gloss.held()) lobe += QStringLiteral("\n") + QString::fromStdString(held_text(m->gloss));
+  lobe_->setText(lobe);
+}
+
+void Inspector::go_to(Channel channel) {
+  QWidget* field = channel == Channel::diffuse    ? static_cast<QWidget*>(diffuse_)
+                   : channel == Channel::specular ? static_cast<QWidget*>(specular_)
+                   : channel == Channel::gloss    ? static_cast<QWidget*>(gloss_)
+                                                  : static_cast<QWidget*>(alpha_);
+  ensureWidgetVisible(field);
+  // The first number of the field.
+  field->findChild<FineSpinBox*>()->setFocus(Qt::OtherFocusReason);
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/editor/document/document.h"
+#include "app/editor/panels/sections.h"
+
+class QLabel;
+class QLineEdit;
+
+namespace etak::editor {
+
+class ColorField;
+class ModelSection;
+class NumberField;
+class SourceSection;
+class TextureSection;
+
+/// All there is to set of the material in hand.
+class Inspector : public PanelScroll {
+  Q_OBJECT
+
+ public:
+  explicit Inspector(Document& document, QWidget* parent = nullptr);
+
+  ColorField& specular() { return *specular_; }
+  ColorField& diffuse() { return *diffuse_; }
+  NumberField& gloss() { return *gloss_; }
+  NumberField& roughness() { return *roughness_; }
+  NumberField& alpha() { return *alpha_; }
+  SourceSection& source() { return *source_; }
+  ModelSection& model() { return *model_; }
+  TextureSection& textures() { return *textures_; }
+  /// Brings the field of a channel into sight and gives it the focus.
+  void go_to(Channel channel);
+
+ private:
+  void show_material();
+  QWidget* make_numbers();
+
+  Document& document_;
+  QWidget* page_;
+  QLabel* empty_;
+  QLineEdit* name_;
+  SourceSection* source_;
+  ColorField *specular_ = nullptr, *diffuse_ = nullptr;
+  NumberField *gloss_ = nullptr, *roughness_ = nullptr, *alpha_ = nullptr, *cutoff_ = nullptr;
+  QuietComboBox* alpha_mode_ = nullptr;
+  QLabel* lobe_ = nullptr;
+  ModelSection* model_;
+  TextureSection* textures_;
+};
+
+}  // namespace etak::editor

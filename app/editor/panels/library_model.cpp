@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/library_model.h"
+
+#include <QIcon>
+#include <QMimeData>
+#include <QPainter>
+
+#include "app/viewport/viewport.h"
+#include "core/base/error.h"
+#include "core/material/json.h"
+#include "core/material/quality.h"
+
+namespace etak::editor {
+
+QString search_key(const QString& text) {
+  QString out;
+  for (const QChar c : text.normalized(QString::NormalizationForm_KD).toLower())
+    if (c.category() != QChar::Mark_NonSpacing)
+      out += c == QLatin1Char('_') || c == QLatin1Char('-') ? QLatin1Char(' ') : c;
+  return out;
+}
+
+namespace {
+
+// The tooltip says what the dot means.
+QPixmap with_dot(QPixmap picture) {
+  const double side = picture.width() / picture.devicePixelRatio();
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(QColor(32, 32, 32), side / 64));
+  painter.setBrush(QColor(240, 180, 60));
+  painter.drawEllipse(QPointF(side * 0.92, side * 0.08), side * 0.05, side * 0.05);
+  return picture;
+}
+
+}  // namespace
+
+LibraryModel::LibraryModel(Thumbnails& thumbnails, QObject* parent)
+    : QAbstractListModel(parent), thumbnails_(thumbnails) {
+  connect(&thumbnails_, &Thumbnails::ready, this, [this](const QString& key) {
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (rows_[i].id == key) {
+        const QModelIndex at = index(static_cast<int>(i));
+        emit dataChanged(at, at, {Qt::DecorationRole});
+      }
+  });
+}
+
+void LibraryModel::set_library(std::shared_ptr<const MaterialLibrary> library) {
+  beginResetModel();
+  library_ = std::move(library);
+  rows_.clear();
+  for (std::size_t i = 0; i < library_->ids().size(); ++i) {
+    const Material m = library_->at(i);
+    Row row{QString::fromStdString(m.id),
+            QString::fromStdString(m.name),
+            QString::fromStdString(m.material_class),
+            {},
+            {}};
+    const Flags flags = quality_flags(m, m.preferred_dataset());
+    row.quality = QString::fromStdString(quality_text(m.preferred_dataset().origin, flags));
+    row.marked = !flags.none();
+    row.keys = row.id + QLatin1Char(' ') + row.name + QLatin1Char(' ') + row.material_class;
+    row.keys += QLatin1Char(' ') + QString::fromStdString(m.group);
+    for (const std::string& alias : m.aliases) row.keys += QLatin1Char(' ') + QString::fromStdString(alias);
+    row.keys = search_key(row.keys);
+    rows_.push_back(std::move(row));
+  }
+  endResetModel();
+}
+
+void LibraryModel::set_shape(Shape shape) {
+  shape_ = shape;
+  emit dataChanged(index(0), index(rowCount() - 1), {Qt::DecorationRole});
+}
+
+void LibraryModel::set_side(int side, double ratio) {
+  side_ = side;
+  ratio_ = ratio;
+}
+
+QStringList LibraryModel::classes() const {
+  QStringList out;
+  for (const std::string_view each : material_classes) {
+    const QString name = QString::fromUtf8(each.data(), static_cast<qsizetype>(each.size()));
+    if (std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) { return row.material_class == name; }))
+      out << name;
+  }
+  return out;
+}
+
+int LibraryModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+QVariant LibraryModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const Row& row = rows_[static_cast<std::size_t>(index.row())];
+  switch (role) {
+    case Qt::DisplayRole:
+      return row.name;
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+      return tr("%1, %2 (%3), data %4").arg(row.name, row.material_class, row.id, row.quality);
+    case id_role:
+      return row.id;
+    case class_role:
+      return row.material_class;
+    case keys_role:
+      return row.keys;
+    case quality_role:
+      return row.quality;
+    case Qt::DecorationRole: {
+      const auto subject = [this, id = row.id.toStdString()] {
+        const auto find = [library = library_, id] {
+          auto material = library->find(id);
+          if (!material) throw Error::at(id, "is not in the library");
+          return *material;
+        };
+        return Thumbnails::Subject{[find] { return format_material(find()); },
+                                   [find] {
+                                     const Material m = find();
+                                     return surface_of(m, m.preferred_dataset(), {0.25, 0.25, 0.25}, 0.7);
+                                   }};
+      };
+      const QPixmap picture = thumbnails_.get(row.id, shape_, side_, ratio_, subject);
+      if (!picture.isNull()) {
+        // The style would lay the selection's colour over the picture.
+        const QPixmap shown = row.marked ? with_dot(picture) : picture;
+        QIcon icon(shown);
+        icon.addPixmap(shown, QIcon::Selected);
+        return icon;
+      }
+      QPixmap empty(static_cast<int>(side_ * ratio_), static_cast<int>(side_ * ratio_));
+      empty.setDevicePixelRatio(ratio_);
+      empty.fill(QColor(63, 63, 63));
+      return empty;
+    }
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags LibraryModel::flags(const QModelIndex& index) const {
+  return QAbstractListModel::flags(index) | Qt::ItemIsDragEnabled;
+}
+
+QStringList LibraryModel::mimeTypes() const {
+  return {QString::fromLatin1(Viewport::material_mime)};
+}
+
+QMimeData* LibraryModel::mimeData(const QModelIndexList& indexes) const {
+  auto* out = new QMimeData;
+  if (!indexes.isEmpty())
+    out->setData(QString::fromLatin1(Viewport::material_mime),
+                 data(indexes.front(), id_role).toString().toUtf8());
+  return out;
+}
+
+void LibraryFilter::set_search(const QString& text) {
+  words_ = search_key(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  invalidateFilter();
+}
+
+void LibraryFilter::set_class(const QString& material_class) {
+  class_ = material_class;
+  invalidateFilter();
+}
+
+bool LibraryFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+  const QModelIndex at = sourceModel()->index(row, 0, parent);
+  if (!class_.isEmpty() && at.data(LibraryModel::class_role).toString() != class_) return false;
+  const QString keys = at.data(LibraryModel::keys_role).toString();
+  return std::all_of(words_.begin(), words_.end(), [&](const QString& word) { return keys.contains(word); });
+}
+
+}  // namespace etak::editor

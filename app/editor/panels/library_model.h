@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractListModel>
+#include <QSortFilterProxyModel>
+#include <memory>
+#include <vector>
+
+#include "app/editor/document/thumbnails.h"
+#include "core/material/library.h"
+
+namespace etak::editor {
+
+/// The materials of the library, those of the project's own spectra included.
+class LibraryModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  enum Role { id_role = Qt::UserRole, class_role, keys_role, quality_role };
+
+  LibraryModel(Thumbnails& thumbnails, QObject* parent = nullptr);
+
+  void set_library(std::shared_ptr<const MaterialLibrary> library);
+  void set_shape(Shape shape);
+  void set_side(int side, double ratio);
+  /// Classes that occur, in the library's order of classes.
+  QStringList classes() const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  QMimeData* mimeData(const QModelIndexList& indexes) const override;
+  QStringList mimeTypes() const override;
+
+ private:
+  struct Row {
+    QString id, name, material_class, keys;
+    QString quality;      // quality_text() of the preferred dataset
+    bool marked = false;  // its data are computed, sparse or doubtful: the picture gets a dot
+  };
+  std::shared_ptr<const MaterialLibrary> library_;
+  std::vector<Row> rows_;
+  Thumbnails& thumbnails_;
+  Shape shape_ = Shape::sphere;
+  int side_ = 64;
+  double ratio_ = 1;
+};
+
+/// The rows that a search and a class leave: every word of the search is found in id, name, aliases, group
+/// or class.
+class LibraryFilter : public QSortFilterProxyModel {
+  Q_OBJECT
+
+ public:
+  using QSortFilterProxyModel::QSortFilterProxyModel;
+  void set_search(const QString& text);
+  void set_class(const QString& material_class);  // empty: all
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+ private:
+  QStringList words_;
+  QString class_;
+};
+
+/// Text in which a search looks: lower case, without marks.
+QString search_key(const QString& text);
+
+}  // namespace etak::editor

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/library_panel.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/editor/fields/flow_layout.h"
+
+namespace etak::editor {
+namespace {
+
+constexpr int side = 72;
+
+}  // namespace
+
+LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
+    : QWidget(parent),
+      model_(thumbnails),
+      search_(new QLineEdit(this)),
+      list_(new QListView(this)),
+      chips_(new QWidget(this)),
+      chip_row_(new FlowLayout(3, chips_)),
+      chip_group_(new QButtonGroup(this)),
+      count_(new QLabel(this)) {
+  setAccessibleName(tr("Library"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->setSpacing(4);
+
+  search_->setPlaceholderText(tr("Search (Ctrl+F)"));
+  search_->setClearButtonEnabled(true);
+  search_->setAccessibleName(tr("Search the library"));
+  column->addWidget(search_);
+  chips_->setAccessibleName(tr("Classes"));
+  column->addWidget(chips_);
+
+  model_.set_side(side, devicePixelRatioF());
+  filter_.setSourceModel(&model_);
+  list_->setModel(&filter_);
+  list_->setViewMode(QListView::IconMode);
+  list_->setIconSize({side, side});
+  list_->setGridSize({side + 14, side + 6 + 2 * fontMetrics().height()});
+  list_->setResizeMode(QListView::Adjust);
+  list_->setMovement(QListView::Static);
+  list_->setWordWrap(true);
+  list_->setTextElideMode(Qt::ElideRight);
+  list_->setDragEnabled(true);
+  list_->setSelectionMode(QAbstractItemView::SingleSelection);
+  list_->setAccessibleName(tr("Materials of the library"));
+  column->addWidget(list_, 1);
+
+  auto* foot = new QHBoxLayout;
+  count_->setProperty("quiet", true);
+  count_->setAccessibleName(tr("Number of materials shown"));
+  count_->setWordWrap(true);
+  foot->addWidget(count_, 1);
+  auto* flat = new QToolButton(this);
+  flat->setText(tr("Flat"));
+  flat->setCheckable(true);
+  flat->setToolTip(tr("Flat pictures in place of spheres"));
+  flat->setAccessibleName(tr("Flat pictures"));
+  foot->addWidget(flat);
+  auto* add = new QToolButton(this);
+  add->setText(tr("Add to project"));
+  add->setToolTip(tr("Add the selected material to the project (Return or double click)"));
+  add->setAccessibleName(tr("Add to project"));
+  foot->addWidget(add);
+  column->addLayout(foot);
+
+  chip_group_->setExclusive(false);
+  connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    filter_.set_search(text);
+    tell_count();
+  });
+  connect(search_, &QLineEdit::returnPressed, this, [this] {
+    if (filter_.rowCount() == 0) return;
+    if (!list_->currentIndex().isValid()) list_->setCurrentIndex(filter_.index(0, 0));
+    list_->setFocus();
+  });
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
+    if (!selected().isEmpty()) emit looked_at(selected());
+  });
+  connect(list_, &QListView::activated, this, [this] {
+    if (!selected().isEmpty()) emit wanted(selected());
+  });
+  connect(add, &QToolButton::clicked, this, [this] {
+    if (!selected().isEmpty()) emit wanted(selected());
+  });
+  connect(flat, &QToolButton::toggled, this,
+          [this](bool on) { model_.set_shape(on ? Shape::quad : Shape::sphere); });
+}
+
+void LibraryPanel::set_library(std::shared_ptr<const MaterialLibrary> library) {
+  const QString before = selected();
+  library_ = library;
+  model_.set_library(std::move(library));
+  make_chips();
+  tell_count();
+  for (int row = 0; row < filter_.rowCount() && !before.isEmpty(); ++row)
+    if (filter_.index(row, 0).data(LibraryModel::id_role).toString() == before)
+      list_->setCurrentIndex(filter_.index(row, 0));
+}
+
+QString LibraryPanel::selected() const {
+  return list_->currentIndex().data(LibraryModel::id_role).toString();
+}
+
+void LibraryPanel::step(int rows) {
+  const int count = filter_.rowCount();
+  if (count == 0) return;
+  const int now = list_->currentIndex().isValid() ? list_->currentIndex().row() : (rows > 0 ? -1 : count);
+  list_->setCurrentIndex(filter_.index((now + rows % count + count) % count, 0));
+}
+
+void LibraryPanel::make_chips() {
+  const QStringList classes = model_.classes();
+  if (classes.size() == chip_group_->buttons().size()) return;
+  for (QAbstractButton* old : chip_group_->buttons()) delete old;
+  for (const QString& each : classes) {
+    auto* chip = new QToolButton(chips_);
+    chip->setText(each);
+    chip->setCheckable(true);
+    chip->setProperty("chip", true);
+    chip->setFocusPolicy(Qt::StrongFocus);
+    chip->setAccessibleName(tr("Only class %1").arg(each));
+    chip_row_->addWidget(chip);
+    chip_group_->addButton(chip);
+    connect(chip, &QToolButton::toggled, this, [this, each, chip](bool on) {
+      if (on)
+        for (QAbstractButton* other : chip_group_->buttons())
+          if (other != chip) other->setChecked(false);
+      const QAbstractButton* chosen = nullptr;
+      for (const QAbstractButton* button : chip_group_->buttons())
+        if (button->isChecked()) chosen = button;
+      filter_.set_class(chosen == nullptr ? QString() : chosen->text());
+      tell_count();
+    });
+  }
+}
+
+void LibraryPanel::tell_count() {
+  const int shown = filter_.rowCount(), all = model_.rowCount();
+  // What is asked for and not there: why, or what comes near.
+  if (shown == 0 && library_ && !search_->text().trimmed().isEmpty()) {
+    const auto missing = library_->missing(search_->text().trimmed().toStdString());
+    const std::string told =
+        missing.found + (missing.found.empty() || missing.expected.empty() ? "" : "; ") + missing.expected;
+    if (!told.empty()) {
+      count_->setText(QString::fromStdString(told));
+      return;
+    }
+  }
+  count_->setText(shown == all ? tr("%1 materials").arg(all) : tr("%1 of %2").arg(shown).arg(all));
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/editor/document/document.h"
+#include "app/editor/panels/sections.h"
+
+class QCheckBox;
+class QLineEdit;
+
+namespace etak::editor {
+
+class ColorField;
+class FineSpinBox;
+class NumberField;
+
+/// Lights, hemispheres, environment, as numbers; dragging in the viewport moves the same ones.
+class LightPanel : public PanelScroll {
+  Q_OBJECT
+
+ public:
+  explicit LightPanel(Document& document, QWidget* parent = nullptr);
+
+ private:
+  Section* make_light();
+  Section* make_hemispheres();
+  Section* make_environment();
+  void show_view();
+  void edit_light(const QString& what, int press_id, const std::function<void(Light&)>& change);
+  void edit_lights(const QString& what, int press_id, const std::function<void(LightSetup&)>& change);
+
+  Document& document_;
+  QuietComboBox *which_ = nullptr, *kind_ = nullptr, *form_ = nullptr, *environment_ = nullptr;
+  ColorField *color_ = nullptr, *upper_ = nullptr, *lower_ = nullptr;
+  NumberField *intensity_ = nullptr, *inner_ = nullptr, *outer_ = nullptr, *scale_ = nullptr,
+              *turn_ = nullptr;
+  std::array<FineSpinBox*, 3> position_{}, direction_{}, axis_{};
+  QCheckBox *hemispheres_ = nullptr, *pi_scaled_ = nullptr;
+  bool showing_ = false;
+};
+
+}  // namespace etak::editor

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/model_section.h"
+
+#include <algorithm>
+
+#include "app/editor/fields/number_field.h"
+#include "app/editor/fields/press_id.h"
+#include "core/base/error.h"
+
+namespace etak::editor {
+namespace {
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+// What has fields of its own in the inspector.
+bool has_own_field(Role role) {
+  return role == Role::diffuse || role == Role::f0 || role == Role::gloss;
+}
+
+// Typed values may go as far as the model takes them; a slider is of use over the range that is met.
+double most_of(const Parameter& p) {
+  return p.role == Role::n ? 5 : p.role == Role::k ? 10 : p.role == Role::exponent ? 4096 : p.max;
+}
+
+double least_of(const Parameter& p) {
+  return p.role == Role::n ? 0.05 : p.role == Role::exponent ? 1 : p.min;
+}
+
+}  // namespace
+
+ModelSection::ModelSection(Document& document, QWidget* parent)
+    : Section(tr("Shading model"), parent),
+      document_(document),
+      specular_(new QuietComboBox(tr("Specular model"), this)),
+      diffuse_(new QuietComboBox(tr("Diffuse model"), this)),
+      about_(quiet_label(tr("About the model"), this)),
+      sliders_(new QWidget(this)),
+      slider_rows_(new QFormLayout(sliders_)) {
+  slider_rows_->setContentsMargins(0, 0, 0, 0);
+  slider_rows_->setVerticalSpacing(4);
+  sliders_->setAccessibleName(tr("Parameters of the models"));
+  specular_->addItem(tr("none"), QString());
+  diffuse_->addItem(tr("none"), QString());
+  for (const Model& each : models()) {
+    QuietComboBox* box = each.kind == ModelKind::diffuse ? diffuse_ : specular_;
+    box->addItem(text(each.id), text(each.id));
+    box->setItemData(box->count() - 1, text(each.title), Qt::ToolTipRole);
+  }
+  add(tr("Specular"), specular_);
+  add(tr("Diffuse"), diffuse_);
+  add(about_);
+  add(sliders_);
+  const auto take = [this](QuietComboBox* box, std::string ProjectMaterial::*member) {
+    connect(box, &QComboBox::activated, this, [this, box, member] {
+      if (document_.material() == nullptr) return;
+      ProjectMaterial next = *document_.material();
+      next.*member = box->currentData().toString().toStdString();
+      // Values set for another model mean nothing to this one.
+      next.parameters.clear();
+      document_.edit(document_.current(), next, tr("shading model"), next_press_id());
+    });
+  };
+  take(specular_, &ProjectMaterial::specular_model);
+  take(diffuse_, &ProjectMaterial::diffuse_model);
+}
+
+void ModelSection::rebuild() {
+  while (slider_rows_->rowCount() > 0) slider_rows_->removeRow(0);
+  rows_.clear();
+  const auto add_model = [this](const Model* model, bool diffuse) {
+    if (model == nullptr) return;
+    std::size_t at = 0;
+    for (const Parameter& p : model->parameters) {
+      if (!has_own_field(p.role)) {
+        auto* field = new NumberField(text(p.name), least_of(p), most_of(p), p.initial, sliders_);
+        field->setToolTip(p.color ? tr("%1 (all three channels)").arg(text(p.meaning)) : text(p.meaning));
+        field->leave_reset_to_owner();
+        field->box().setRange(p.min, p.max);
+        const std::string parameter(p.name);
+        slider_rows_->addRow(text(p.name), field);
+        connect(field, &NumberField::edited, this,
+                [this, parameter](double value, int press) { set(parameter, value, press); });
+        connect(field, &NumberField::reset_asked, this,
+                [this, parameter] { set(parameter, std::nullopt, next_press_id()); });
+        rows_.push_back({parameter, at, diffuse, field});
+      }
+      at += p.color ? 3 : 1;
+    }
+  };
+  add_model(shown_specular_, false);
+  add_model(shown_diffuse_, true);
+  sliders_->setVisible(!rows_.empty());
+}
+
+void ModelSection::set(const std::string& parameter, std::optional<double> value, int press_id) {
+  if (document_.material() == nullptr) return;
+  ProjectMaterial next = *document_.material();
+  std::erase_if(next.parameters, [&](const auto& each) {
+    return each.first == parameter || each.first.starts_with(parameter + ".");
+  });
+  if (value) next.parameters.emplace_back(parameter, *value);
+  document_.edit(document_.current(), next, text(parameter), press_id);
+}
+
+void ModelSection::show_material() {
+  const ProjectMaterial* m = document_.material();
+  const Model* specular = m == nullptr ? nullptr : find_model(m->specular_model);
+  const Model* diffuse = m == nullptr ? nullptr : find_model(m->diffuse_model);
+  specular_->setCurrentIndex(std::max(0, m == nullptr ? 0 : specular_->findData(text(m->specular_model))));
+  diffuse_->setCurrentIndex(std::max(0, m == nullptr ? 0 : diffuse_->findData(text(m->diffuse_model))));
+  const bool both = specular != nullptr && specular->kind == ModelKind::both;
+  diffuse_->setEnabled(!both);
+  diffuse_->setToolTip(both ? tr("The specular model has a diffuse part of its own") : QString());
+  if (both) diffuse = nullptr;
+  if (!built_ || specular != shown_specular_ || diffuse != shown_diffuse_) {
+    built_ = true;
+    shown_specular_ = specular;
+    shown_diffuse_ = diffuse;
+    rebuild();
+    QString about;
+    if (specular != nullptr) {
+      about = text(specular->title) + QStringLiteral(". ") + text(specular->source);
+      if (!specular->claims.reciprocal) about += tr(". Not reciprocal");
+      if (!specular->claims.conserves_energy) about += tr(". May give off more light than it takes");
+    }
+    about_->setText(about);
+  }
+  if (m == nullptr) return;
+  SurfaceValues surface = document_.surface_of(*m);
+  try {
+    const FittedModels fitted = fit_models(specular, diffuse, m->parameters, surface);
+    for (const Row& row : rows_)
+      row.field->show_value((row.diffuse ? fitted.diffuse_values : fitted.specular_values)[row.at]);
+  } catch (const Error& error) {
+    about_->setText(QString::fromUtf8(error.what()));
+  }
+}
+
+}  // namespace etak::editor

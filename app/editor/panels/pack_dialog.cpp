@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/pack_dialog.h"
+
+#include <QFontDatabase>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/editor/document/background.h"
+#include "core/atlas/pack/pack.h"
+#include "core/atlas/sources/picture_door.h"
+#include "core/base/error.h"
+#include "core/project/project_pack.h"
+
+namespace etak::editor {
+namespace {
+
+struct Done {
+  bool written = false;
+  QString text;
+};
+
+}  // namespace
+
+PackDialog::PackDialog(const Project& project, std::shared_ptr<const MaterialLibrary> library,
+                       const QString& label, const QString& folder, QWidget* parent)
+    : QDialog(parent),
+      project_(project),
+      library_(std::move(library)),
+      label_(label),
+      folder_(folder),
+      bar_(new QProgressBar(this)),
+      text_(new QLabel(tr("Packing %1 materials into %2").arg(project.materials.size()).arg(folder), this)),
+      report_(new QPlainTextEdit(this)),
+      button_(new QPushButton(tr("Cancel"), this)) {
+  setWindowTitle(tr("Pack the atlas"));
+  setAccessibleName(tr("Pack the atlas"));
+  pool_.setMaxThreadCount(1);
+  auto* column = new QVBoxLayout(this);
+  text_->setWordWrap(true);
+  text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text_->setAccessibleName(tr("What packing is at"));
+  text_->setMinimumWidth(420);
+  // A table, in columns.
+  report_->setReadOnly(true);
+  report_->setTabChangesFocus(true);
+  report_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
+  report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  report_->setAccessibleName(tr("Report of packing"));
+  report_->setMinimumSize(680, 220);
+  report_->hide();
+  bar_->setRange(0, 0);
+  bar_->setAccessibleName(tr("Progress"));
+  button_->setAccessibleName(tr("Cancel packing"));
+  column->addWidget(text_);
+  column->addWidget(bar_);
+  column->addWidget(report_, 1);
+  column->addWidget(button_, 0, Qt::AlignRight);
+  connect(button_, &QPushButton::clicked, this, [this] {
+    if (running_)
+      reject();
+    else
+      accept();
+  });
+}
+
+PackDialog::~PackDialog() {
+  *cancelled_ = true;
+  pool_.waitForDone();
+}
+
+void PackDialog::start() {
+  running_ = true;
+  PackOptions options;
+  options.door = picture_door();
+  options.threads = static_cast<unsigned>(std::max(1, QThread::idealThreadCount()));
+  options.version = ETAK_VERSION;
+  options.overwrite = false;
+  options.cancelled = [flag = cancelled_] { return flag->load(); };
+  // Told at most every hundredth, so that thousands of regions do not flood the UI.
+  const QPointer<PackDialog> self(this);
+  auto told = std::make_shared<std::size_t>(0);
+  options.progress = [self, told](std::size_t done, std::size_t all) {
+    const std::size_t share = all == 0 ? 0 : 100 * done / all;
+    if (share == *told) return;
+    *told = share;
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [self, share] {
+          if (!self) return;
+          self->bar_->setRange(0, 100);
+          self->bar_->setValue(static_cast<int>(share));
+        },
+        Qt::QueuedConnection);
+  };
+  in_background(
+      pool_, this,
+      [project = project_, library = library_, label = label_.toStdString(), folder = folder_.toStdString(),
+       options] {
+        Done out;
+        try {
+          const PackReport report =
+              pack(packed_manifest(project, *library), label, folder, options, *library);
+          out.written = true;
+          out.text = QString::fromStdString(report_text(report, false));
+          for (const std::string& remark : report.remarks)
+            out.text += QString::fromStdString(remark) + QLatin1Char('\n');
+        } catch (const PackCancelled&) {
+          out.text = QObject::tr("Cancelled: nothing was written.");
+        } catch (const Error& error) {
+          out.text = QString::fromUtf8(error.what());
+        } catch (const std::bad_alloc&) {
+          out.text = QObject::tr("Not enough memory: nothing was written.");
+        }
+        return out;
+      },
+      [this](const Done& done) {
+        running_ = false;
+        bar_->setRange(0, 1);
+        bar_->setValue(done.written ? 1 : 0);
+        if (done.written) {
+          text_->setText(tr("Packed into %1").arg(folder_));
+          report_->setPlainText(done.text.trimmed());
+          report_->show();
+          adjustSize();
+        } else {
+          text_->setText(done.text.trimmed());
+        }
+        button_->setText(tr("Close"));
+        button_->setAccessibleName(tr("Close"));
+        emit finished_packing(done.written);
+      });
+}
+
+void PackDialog::reject() {
+  if (!running_) return QDialog::reject();
+  *cancelled_ = true;
+  button_->setText(tr("Cancelling\u2026"));
+}
+
+QString PackDialog::result_text() const {
+  return (text_->text() + QLatin1Char('\n') + report_->toPlainText()).trimmed();
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+#include <QThreadPool>
+#include <atomic>
+#include <memory>
+
+#include "core/project/project.h"
+
+class QLabel;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace etak::editor {
+
+/// Packs a project's atlas on a worker's thread, with progress, and can be cancelled: the folder is then as
+/// it was.
+class PackDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  PackDialog(const Project& project, std::shared_ptr<const MaterialLibrary> library, const QString& label,
+             const QString& folder, QWidget* parent = nullptr);
+  ~PackDialog() override;
+
+  void start();
+  void reject() override;  // cancels while packing
+  bool is_running() const { return running_; }
+  QString result_text() const;
+
+ signals:
+  void finished_packing(bool written);
+
+ private:
+  Project project_;
+  std::shared_ptr<const MaterialLibrary> library_;
+  QString label_, folder_;
+  std::shared_ptr<std::atomic<bool>> cancelled_ = std::make_shared<std::atomic<bool>>(false);
+  QThreadPool pool_;
+  QProgressBar* bar_;
+  QLabel* text_;
+  QPlainTextEdit* report_;
+  QPushButton* button_;
+  bool running_ = false;
+};
+
+}  // namespace etak::editor

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/project_panel.h"
+
+#include <QHBoxLayout>
+#include <QIcon>
+#include <QItemSelectionModel>
+#include <QListView>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <functional>
+
+#include "app/editor/fields/press_id.h"
+#include "core/color/srgb.h"
+
+namespace etak::editor {
+namespace {
+
+constexpr int side = 32;
+
+// Names one look of a material; the picture on disk is known by it.
+std::string look_text(const ProjectMaterial& m) {
+  Project one;
+  one.materials = {m};
+  one.materials.front().name = "m";
+  return format_project(one, "");
+}
+
+}  // namespace
+
+ProjectModel::ProjectModel(Document& document, Thumbnails& thumbnails, QObject* parent)
+    : QAbstractListModel(parent), document_(document), thumbnails_(thumbnails) {
+  connect(&document, &Document::replaced, this, [this] {
+    beginResetModel();
+    endResetModel();
+  });
+  connect(&document, &Document::material_changed, this,
+          [this](int row) { emit dataChanged(index(row), index(row)); });
+  connect(&document, &Document::materials_added, this, [this](int first, int count) {
+    beginInsertRows({}, first, first + count - 1);
+    endInsertRows();
+  });
+  connect(&document, &Document::materials_removed, this, [this](int first, int count) {
+    beginRemoveRows({}, first, first + count - 1);
+    endRemoveRows();
+  });
+  connect(&thumbnails, &Thumbnails::ready, this, [this](const QString& key) {
+    if (key.startsWith(QLatin1String("project|")) && rowCount() > 0)
+      emit dataChanged(index(0), index(rowCount() - 1), {Qt::DecorationRole});
+  });
+}
+
+int ProjectModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(document_.project().materials.size());
+}
+
+QPixmap ProjectModel::picture(int row) const {
+  const ProjectMaterial& m = document_.project().materials[static_cast<std::size_t>(row)];
+  // Equal looks share a picture; the hash keeps the key short.
+  std::size_t seed = 0;
+  const auto mix = [&](std::size_t value) {
+    seed ^= value + 0x9e3779b97f4a7c15u + (seed << 6) + (seed >> 2);
+  };
+  for (const double v : {m.diffuse.r, m.diffuse.g, m.diffuse.b, m.specular.r, m.specular.g, m.specular.b,
+                         m.gloss.alpha(), m.alpha})
+    mix(std::hash<double>()(v));
+  if (m.measured) {
+    mix(std::hash<std::string>()(m.measured->material));
+    mix(std::hash<std::string>()(m.measured->dataset + '|' + m.measured->outside));
+  }
+  const QString key = QStringLiteral("project|%1").arg(seed, 0, 16);
+  return thumbnails_.get(key, Shape::sphere, side, 2, [&] {
+    return Thumbnails::Subject{[m] { return look_text(m); },
+                               [m, library = document_.library()] { return surface_of(m, *library); }};
+  });
+}
+
+QVariant ProjectModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const ProjectMaterial& m = document_.project().materials[static_cast<std::size_t>(index.row())];
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+      return QString::fromStdString(m.name);
+    case Qt::ToolTipRole:
+      return tr("%1: F0 %2, %3")
+          .arg(QString::fromStdString(m.name), QString::fromStdString(hex(srgb_u8(m.specular))),
+               QString::fromStdString(roughness_text(m.gloss)));
+    case Qt::DecorationRole: {
+      const QPixmap made = picture(index.row());
+      if (!made.isNull()) {
+        // The style would lay the selection's colour over the picture.
+        QIcon icon(made);
+        icon.addPixmap(made, QIcon::Selected);
+        return icon;
+      }
+      QPixmap empty(side, side);
+      const Srgb8 codes = srgb_u8(m.specular);
+      empty.fill(QColor(codes.r, codes.g, codes.b));
+      return empty;
+    }
+    default:
+      return {};
+  }
+}
+
+bool ProjectModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  const std::string wanted = value.toString().trimmed().toStdString();
+  if (role != Qt::EditRole || wanted.empty()) return false;
+  ProjectMaterial m = document_.project().materials[static_cast<std::size_t>(index.row())];
+  if (m.name == wanted) return true;
+  m.name = free_name(document_.project(), wanted);
+  document_.edit(index.row(), m, tr("rename"), next_press_id());
+  return true;
+}
+
+Qt::ItemFlags ProjectModel::flags(const QModelIndex& index) const {
+  return QAbstractListModel::flags(index) | Qt::ItemIsEditable;
+}
+
+ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* parent)
+    : QWidget(parent), document_(document), model_(document, thumbnails), list_(new QListView(this)) {
+  setAccessibleName(tr("Project"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->setSpacing(4);
+  list_->setModel(&model_);
+  list_->setIconSize({side, side});
+  list_->setUniformItemSizes(true);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  list_->setAccessibleName(tr("Materials of the project"));
+  column->addWidget(list_, 1);
+  auto* row = new QHBoxLayout;
+  const auto button = [&](const QString& text, const QString& tip, void (ProjectPanel::*signal)()) {
+    auto* made = new QToolButton(this);
+    made->setText(text);
+    made->setToolTip(tip);
+    made->setAccessibleName(tip);
+    connect(made, &QToolButton::clicked, this, signal);
+    row->addWidget(made);
+  };
+  button(tr("New"), tr("New material (Ctrl+Shift+N)"), &ProjectPanel::new_asked);
+  button(tr("Copy"), tr("Duplicate material (Ctrl+D)"), &ProjectPanel::copy_asked);
+  button(tr("Remove"), tr("Remove material (Del)"), &ProjectPanel::remove_asked);
+  row->addStretch(1);
+  column->addLayout(row);
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& now) {
+            if (!showing_ && now.isValid()) document_.set_current(now.row());
+          });
+  connect(&document, &Document::current_changed, this, &ProjectPanel::show_current);
+  connect(&document, &Document::replaced, this, &ProjectPanel::show_current);
+  connect(&document, &Document::materials_added, this, &ProjectPanel::show_current);
+}
+
+void ProjectPanel::show_current() {
+  showing_ = true;
+  list_->setCurrentIndex(model_.index(document_.current(), 0));
+  showing_ = false;
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractListModel>
+#include <QWidget>
+
+#include "app/editor/document/document.h"
+#include "app/editor/document/thumbnails.h"
+
+class QListView;
+
+namespace etak::editor {
+
+/// The project's materials.
+class ProjectModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  ProjectModel(Document& document, Thumbnails& thumbnails, QObject* parent = nullptr);
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+ private:
+  QPixmap picture(int row) const;
+  Document& document_;
+  Thumbnails& thumbnails_;
+};
+
+/// The materials under work: pick one, rename it (F2), add a new one, take one out.
+class ProjectPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* parent = nullptr);
+  QListView& list() { return *list_; }
+
+ signals:
+  void new_asked();
+  void copy_asked();
+  void remove_asked();
+
+ private:
+  void show_current();
+  Document& document_;
+  ProjectModel model_;
+  QListView* list_;
+  bool showing_ = false;
+};
+
+}  // namespace etak::editor

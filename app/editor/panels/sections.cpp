@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/sections.h"
+
+#include <QEvent>
+#include <QLayout>
+#include <QScrollBar>
+#include <QTimer>
+
+namespace etak::editor {
+
+QuietComboBox::QuietComboBox(const QString& name, QWidget* parent) : QComboBox(parent) {
+  setAccessibleName(name);
+  setFocusPolicy(Qt::StrongFocus);
+  setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  setMinimumContentsLength(8);
+}
+
+void QuietComboBox::wheelEvent(QWheelEvent* event) {
+  if (hasFocus())
+    QComboBox::wheelEvent(event);
+  else
+    event->ignore();
+}
+
+Section::Section(const QString& title, QWidget* parent)
+    : QGroupBox(title, parent), rows_(new QFormLayout(this)) {
+  setAccessibleName(title);
+  rows_->setContentsMargins(6, 4, 6, 6);
+  rows_->setVerticalSpacing(4);
+  rows_->setHorizontalSpacing(6);
+  rows_->setRowWrapPolicy(QFormLayout::DontWrapRows);
+  rows_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+}
+
+void Section::add(const QString& name, QWidget* field) {
+  if (field->accessibleName().isEmpty()) field->setAccessibleName(name);
+  rows_->addRow(name, field);
+}
+
+void Section::add(QWidget* wide) {
+  rows_->addRow(wide);
+}
+
+void Section::add_below(const QString& name, QWidget* field) {
+  rows_->addRow(new QLabel(name, this));
+  rows_->addRow(field);
+}
+
+PanelScroll::PanelScroll(const QString& name, QWidget* parent) : QScrollArea(parent) {
+  setAccessibleName(name);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFrameShape(QFrame::NoFrame);
+}
+
+QSize PanelScroll::minimumSizeHint() const {
+  QSize out = QScrollArea::minimumSizeHint();
+  if (widget() != nullptr)
+    out.setWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+  return out;
+}
+
+bool PanelScroll::eventFilter(QObject* object, QEvent* event) {
+  // QScrollArea watches its page for the same event to resize it.
+  if (object == widget() && event->type() == QEvent::LayoutRequest) {
+    updateGeometry();
+    // The height is asked for before the parts inside have told that theirs is another: once more when they
+    // have.
+    QTimer::singleShot(0, this, [this] {
+      QWidget* page = widget();
+      if (page == nullptr || page->layout() == nullptr) return;
+      page->layout()->activate();
+      if (page->height() >= page->heightForWidth(page->width())) return;
+      QEvent again(QEvent::LayoutRequest);
+      QScrollArea::event(&again);
+    });
+  }
+  return QScrollArea::eventFilter(object, event);
+}
+
+QLabel* quiet_label(const QString& name, QWidget* parent) {
+  auto* out = new QLabel(parent);
+  out->setProperty("quiet", true);
+  out->setWordWrap(true);
+  out->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  out->setAccessibleName(name);
+  return out;
+}
+
+}  // namespace etak::editor

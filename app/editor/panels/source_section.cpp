@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/source_section.h"
+
+#include <QCompleter>
+#include <QLineEdit>
+
+#include "app/editor/document/background.h"
+#include "app/editor/fields/press_id.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/color/srgb.h"
+#include "core/material/quality.h"
+#include "core/pages/f0_report.h"
+
+namespace etak::editor {
+namespace {
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+// What is told of a measured F0; made on a worker, because every dataset of the material is solved for the
+// spread.
+struct Told {
+  QString result, body, spread, citation;
+};
+
+Told told(const ProjectMaterial& material, const MaterialLibrary& library) {
+  Told out;
+  const MeasuredF0& measured = *material.measured;
+  try {
+    const FoundF0 found = find_f0(measured, library);
+    const F0Result& r = found.result;
+    out.result = QStringLiteral("%1   Y %2%3   F82 %4")
+                     .arg(text(hex(r.srgb8)), text(fixed(r.luminance, 3)),
+                          r.zone ? QStringLiteral(" (%1)").arg(text(name(*r.zone))) : QString(),
+                          r.f82 ? text(hex(srgb_u8(*r.f82))) : QStringLiteral("-"));
+    out.result +=
+        QStringLiteral("\n") + QObject::tr("data %1").arg(text(quality_text(found.chosen().origin, r.flags)));
+    if (const std::string why = doubt(found.material, found.chosen()); !why.empty())
+      out.result += QObject::tr("\ndoubtful: %1").arg(text(why));
+    if (const std::string flags = flags_text(r); !flags.empty())
+      out.result += QStringLiteral("\n") + text(flags).replace(QLatin1Char(';'), QStringLiteral("; "));
+    out.body = text(body_note(material, found));
+    out.citation = text(one_line(found.chosen().citation));
+    MaterialReport report{found.material, {}};
+    const F0Solver solver(f0_options(measured, library));
+    for (const Dataset& each : found.material.datasets)
+      report.results.push_back(solve(solver, found.material, each));
+    const Spread all = spread(report);
+    out.spread = all.count > 1 ? QObject::tr("%1 datasets: %2 to %3")
+                                     .arg(all.count)
+                                     .arg(text(hex(all.least8)), text(hex(all.most8)))
+                               : QObject::tr("one dataset");
+  } catch (const Error& error) {
+    out.result = QString::fromUtf8(error.what());
+  }
+  return out;
+}
+
+}  // namespace
+
+SourceSection::SourceSection(Document& document, QWidget* parent)
+    : Section(tr("Measured F0"), parent),
+      document_(document),
+      material_(new QuietComboBox(tr("Use measured F0 of"), this)),
+      dataset_(new QuietComboBox(tr("Dataset"), this)),
+      outside_(new QuietComboBox(tr("Outside medium"), this)),
+      illuminant_(new QuietComboBox(tr("Illuminant"), this)),
+      observer_(new QuietComboBox(tr("Observer"), this)),
+      result_(quiet_label(tr("Measured F0, result"), this)),
+      body_(quiet_label(tr("About the body and the roughness"), this)),
+      spread_(quiet_label(tr("Spread of the datasets"), this)),
+      citation_(quiet_label(tr("Citation"), this)) {
+  pool_.setMaxThreadCount(1);
+  material_->setEditable(true);
+  material_->setInsertPolicy(QComboBox::NoInsert);
+  material_->completer()->setCompletionMode(QCompleter::PopupCompletion);
+  material_->completer()->setFilterMode(Qt::MatchContains);
+  material_->lineEdit()->setAccessibleName(tr("Use measured F0 of, text"));
+  material_->lineEdit()->setPlaceholderText(tr("typed numbers"));
+  outside_->setEditable(true);
+  outside_->setInsertPolicy(QComboBox::NoInsert);
+  outside_->lineEdit()->setAccessibleName(tr("Outside medium, text"));
+  outside_->lineEdit()->setPlaceholderText(tr("vacuum"));
+  outside_->setToolTip(tr("A transparent material of the library, or an index such as 1.33"));
+  for (const char* medium : {"", "air", "water", "1.5"}) outside_->addItem(text(medium));
+  for (const Illuminant each : {Illuminant::d65, Illuminant::d50, Illuminant::a, Illuminant::e})
+    illuminant_->addItem(text(name(each)));
+  for (const Observer each : {Observer::cie1931_2deg, Observer::cie1964_10deg})
+    observer_->addItem(text(name(each)));
+  add(tr("Use"), material_);
+  add(tr("Dataset"), dataset_);
+  add(spread_);
+  add(tr("Outside"), outside_);
+  add(tr("Illum."), illuminant_);
+  add(tr("Observer"), observer_);
+  add(result_);
+  add(body_);
+  add(citation_);
+  set_library();
+  connect(material_, &QComboBox::activated, this, &SourceSection::take);
+  connect(material_->lineEdit(), &QLineEdit::editingFinished, this, &SourceSection::take);
+  connect(dataset_, &QComboBox::activated, this, &SourceSection::take);
+  connect(outside_, &QComboBox::activated, this, &SourceSection::take);
+  connect(outside_->lineEdit(), &QLineEdit::editingFinished, this, &SourceSection::take);
+  connect(illuminant_, &QComboBox::activated, this, &SourceSection::take);
+  connect(observer_, &QComboBox::activated, this, &SourceSection::take);
+}
+
+SourceSection::~SourceSection() {
+  pool_.clear();
+  pool_.waitForDone();
+}
+
+void SourceSection::set_library() {
+  showing_ = true;
+  material_->clear();
+  material_->addItem(QString());
+  for (const std::string& id : document_.library()->ids()) material_->addItem(text(id));
+  showing_ = false;
+  datasets_of_.clear();
+  show_material();
+}
+
+void SourceSection::fill_datasets(const std::string& material) {
+  if (material == datasets_of_) return;
+  datasets_of_ = material;
+  dataset_->clear();
+  const auto found = material.empty() ? std::nullopt : document_.library()->find(material);
+  if (!found) return;
+  dataset_->addItem(tr("preferred: %1").arg(text(found->preferred_dataset().id)), QString());
+  for (const Dataset& each : found->datasets) {
+    const std::string quality = quality_text(each.origin, quality_flags(*found, each));
+    dataset_->addItem(tr("%1 (%2)").arg(text(each.id), text(quality)), text(each.id));
+  }
+}
+
+void SourceSection::show_material() {
+  const ProjectMaterial* m = document_.material();
+  showing_ = true;
+  const MeasuredF0 measured = m != nullptr && m->measured ? *m->measured : MeasuredF0{};
+  const bool on = m != nullptr && m->measured.has_value();
+  material_->setCurrentIndex(std::max(0, material_->findText(text(measured.material))));
+  material_->lineEdit()->setText(text(measured.material));
+  fill_datasets(measured.material);
+  dataset_->setCurrentIndex(std::max(0, dataset_->findData(text(measured.dataset))));
+  outside_->setCurrentText(text(measured.outside));
+  illuminant_->setCurrentText(text(name(measured.viewing.illuminant)));
+  observer_->setCurrentText(text(name(measured.viewing.observer)));
+  for (QWidget* each : {static_cast<QWidget*>(dataset_), static_cast<QWidget*>(outside_),
+                        static_cast<QWidget*>(illuminant_), static_cast<QWidget*>(observer_)})
+    each->setEnabled(on);
+  for (QLabel* each : {result_, spread_, citation_}) each->setVisible(on);
+  body_->setVisible(on && !body_->text().isEmpty());
+  showing_ = false;
+  if (on) tell(*m);
+}
+
+void SourceSection::tell(const ProjectMaterial& material) {
+  in_background(
+      pool_, this, [material, library = document_.library()] { return told(material, *library); },
+      [this, measured = material.measured](const Told& what) {
+        const ProjectMaterial* m = document_.material();
+        if (m == nullptr || m->measured != measured) return;  // of an older one
+        result_->setText(what.result);
+        body_->setText(what.body);
+        body_->setVisible(!what.body.isEmpty());
+        spread_->setText(what.spread);
+        citation_->setText(what.citation);
+      });
+}
+
+void SourceSection::take() {
+  const ProjectMaterial* now = document_.material();
+  if (showing_ || now == nullptr) return;
+  ProjectMaterial next = *now;
+  const std::string wanted = material_->lineEdit()->text().trimmed().toStdString();
+  if (wanted.empty()) {
+    next.measured.reset();
+  } else {
+    MeasuredF0 measured;
+    measured.material = wanted;
+    if (now->measured && now->measured->material == wanted)
+      measured.dataset = dataset_->currentData().toString().toStdString();
+    measured.outside = outside_->currentText().trimmed().toStdString();
+    if (measured.outside == "vacuum") measured.outside.clear();
+    measured.viewing.illuminant =
+        illuminant_named(illuminant_->currentText().toStdString()).value_or(Illuminant::d65);
+    measured.viewing.observer =
+        observer_named(observer_->currentText().toStdString()).value_or(Observer::cie1931_2deg);
+    next.measured = measured;
+    // The surface over a measured total is the assumed one, not that of what was measured before.
+    if (!now->measured || now->measured->material != wanted) next.specular = ProjectMaterial{}.specular;
+    try {
+      next = with_measured(std::move(next), *document_.library());
+    } catch (const Error& error) {
+      show_material();
+      result_->setVisible(true);
+      result_->setText(QString::fromUtf8(error.what()));
+      return;
+    }
+  }
+  document_.edit(document_.current(), next, tr("measured F0"), next_press_id());
+}
+
+}  // namespace etak::editor

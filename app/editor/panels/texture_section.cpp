@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/texture_section.h"
+
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QToolButton>
+#include <QUrl>
+
+#include "app/editor/document/files.h"
+#include "app/editor/fields/press_id.h"
+
+namespace etak::editor {
+namespace {
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+QString title_of(Channel channel) {
+  switch (channel) {
+    case Channel::diffuse:
+      return QObject::tr("Diffuse");
+    case Channel::specular:
+      return QObject::tr("Specular");
+    case Channel::gloss:
+      return QObject::tr("Gloss");
+    case Channel::alpha:
+      break;
+  }
+  return QObject::tr("Alpha");
+}
+
+QStringList local_files(const QMimeData* data) {
+  QStringList out;
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile()) out << url.toLocalFile();
+  return out;
+}
+
+}  // namespace
+
+std::optional<Channel> channel_of_name(const QString& path) {
+  const QString name = QFileInfo(path).completeBaseName().toLower();
+  const auto ends = [&](std::initializer_list<const char*> words) {
+    return std::any_of(words.begin(), words.end(), [&](const char* word) {
+      return name == QLatin1String(word) || name.endsWith(QLatin1Char('_') + QLatin1String(word)) ||
+             name.endsWith(QLatin1Char('-') + QLatin1String(word));
+    });
+  };
+  if (ends({"diffuse", "diff", "albedo", "basecolor", "color"})) return Channel::diffuse;
+  if (ends({"specular", "spec", "f0"})) return Channel::specular;
+  if (ends({"gloss", "glossiness", "smoothness"})) return Channel::gloss;
+  if (ends({"alpha", "opacity", "mask"})) return Channel::alpha;
+  return std::nullopt;
+}
+
+TextureSection::TextureSection(Document& document, QWidget* parent)
+    : Section(tr("Textures"), parent), document_(document) {
+  for (const Channel channel : all_channels) {
+    Row& row = rows_[static_cast<std::size_t>(channel)];
+    auto* box = new QWidget(this);
+    auto* line = new QHBoxLayout(box);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(3);
+    const QString title = title_of(channel);
+    row.path = new QLineEdit(box);
+    row.path->setPlaceholderText(tr("drop a picture here"));
+    row.path->setAccessibleName(tr("%1 texture, file").arg(title));
+    row.path->setAcceptDrops(false);  // the row takes drops: a line would paste the address
+    line->addWidget(row.path, 1);
+    const auto button = [&](const QString& label, const QString& tip) {
+      auto* made = new QToolButton(box);
+      made->setText(label);
+      made->setToolTip(tip);
+      made->setAccessibleName(tip);
+      line->addWidget(made);
+      return made;
+    };
+    row.open = button(QStringLiteral("\u2026"), tr("Open the %1 texture").arg(title));
+    row.look = button(tr("2D"), tr("Look at the %1 texture").arg(title));
+    row.clear = button(QStringLiteral("\u2715"), tr("Remove the %1 texture").arg(title));
+    box->setAcceptDrops(true);
+    box->installEventFilter(this);
+    box->setProperty("channel", static_cast<int>(channel));
+    box->setAccessibleName(tr("%1 texture").arg(title));
+    add(title, box);
+    connect(row.path, &QLineEdit::editingFinished, this, [this, channel] {
+      set(channel, rows_[static_cast<std::size_t>(channel)].path->text().trimmed());
+    });
+    connect(row.open, &QToolButton::clicked, this, [this, channel, title] {
+      const QString file = QFileDialog::getOpenFileName(
+          this, tr("%1 texture").arg(title), {}, tr("Pictures (%1);;All files (*)").arg(picture_patterns()));
+      if (!file.isEmpty()) set(channel, file);
+    });
+    connect(row.clear, &QToolButton::clicked, this, [this, channel] { set(channel, {}); });
+    connect(row.look, &QToolButton::clicked, this, [this, channel] { emit look_asked(channel); });
+  }
+}
+
+bool TextureSection::eventFilter(QObject* object, QEvent* event) {
+  if (event->type() == QEvent::DragEnter) {
+    auto* drag = static_cast<QDragEnterEvent*>(event);
+    if (!local_files(drag->mimeData()).isEmpty()) drag->acceptProposedAction();
+    return true;
+  }
+  if (event->type() == QEvent::Drop) {
+    auto* drop = static_cast<QDropEvent*>(event);
+    const QStringList files = local_files(drop->mimeData());
+    if (files.isEmpty()) return true;
+    const QString& file = files.front();
+    if (kind_of_file(file) == FileKind::picture)
+      set(static_cast<Channel>(object->property("channel").toInt()), file);
+    else
+      emit refused(tr("%1 is no picture; expected %2").arg(QFileInfo(file).fileName(), picture_patterns()));
+    drop->acceptProposedAction();
+    return true;
+  }
+  return Section::eventFilter(object, event);
+}
+
+void TextureSection::take_files(const QStringList& paths, Channel other) {
+  if (document_.material() == nullptr) return;
+  ProjectMaterial next = *document_.material();
+  for (const QString& path : paths) {
+    const Channel channel = channel_of_name(path).value_or(other);
+    next.texture(channel) = ImageSource{path.toStdString(), {}, {}};
+  }
+  document_.edit(document_.current(), next, tr("textures"), next_press_id());
+}
+
+void TextureSection::set(Channel channel, const QString& path) {
+  if (document_.material() == nullptr) return;
+  ProjectMaterial next = *document_.material();
+  auto& texture = next.texture(channel);
+  if (path.toStdString() == (texture ? texture->path : std::string())) return;
+  if (path.isEmpty())
+    texture.reset();
+  else
+    texture = ImageSource{path.toStdString(), {}, {}};
+  document_.edit(document_.current(), next, tr("%1 texture").arg(text(name(channel))), next_press_id());
+}
+
+void TextureSection::show_material() {
+  const ProjectMaterial* m = document_.material();
+  for (const Channel channel : all_channels) {
+    Row& row = rows_[static_cast<std::size_t>(channel)];
+    const bool has = m != nullptr && m->texture(channel).has_value();
+    const QString path = has ? text(m->texture(channel)->path) : QString();
+    // A long path shows its end, where the file's name is.
+    if (row.path->text() != path) row.path->setText(path);
+    row.path->setToolTip(path);
+    row.clear->setEnabled(has);
+    row.look->setEnabled(has);
+  }
+}
+
+}  // namespace etak::editor

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/editor/document/document.h"
+#include "app/editor/panels/sections.h"
+
+class QLineEdit;
+class QToolButton;
+
+namespace etak::editor {
+
+/// A picture file for each of the four channels: by dialog, by dropping a file on the row, by a typed name.
+class TextureSection : public Section {
+  Q_OBJECT
+
+ public:
+  explicit TextureSection(Document& document, QWidget* parent = nullptr);
+  void show_material();
+  /// Puts pictures to the channels that their names tell ("crate_gloss.png"); those that tell none go to
+  /// `other`.
+  void take_files(const QStringList& paths, Channel other);
+
+ signals:
+  void look_asked(etak::Channel channel);
+  void refused(const QString& why);
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  void set(Channel channel, const QString& path);
+  struct Row {
+    QLineEdit* path = nullptr;
+    QToolButton *open = nullptr, *clear = nullptr, *look = nullptr;
+  };
+  Document& document_;
+  std::array<Row, all_channels.size()> rows_;
+};
+
+/// The channel that a file's name tells, if any.
+std::optional<Channel> channel_of_name(const QString& path);
+
+}  // namespace etak::editor

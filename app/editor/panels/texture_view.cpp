@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/texture_view.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/editor/document/background.h"
+#include "app/editor/panels/sections.h"
+#include "core/atlas/sources/picture_door.h"
+#include "core/base/error.h"
+#include "core/project/project_pictures.h"
+
+namespace etak::editor {
+namespace {
+
+constexpr int most_side = 1024;  // of what is looked at
+constexpr std::size_t most_texels = std::size_t{128} << 20;
+
+struct Loaded {
+  std::array<QImage, all_channels.size()> pictures;
+  std::shared_ptr<const SurfaceTextures> textures;
+  QString text;
+};
+
+Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library) {
+  Loaded out;
+  try {
+    const MaterialPair pair = pictures_of(m, library, picture_door(), most_texels);
+    for (const Channel channel : all_channels) {
+      const Image8 codes = channel_picture(pair, channel, most_side);
+      QImage picture(codes.width, codes.height, QImage::Format_RGB888);
+      for (int y = 0; y < codes.height; ++y)
+        std::copy_n(codes.at(0, y).data(), std::size_t{3} * static_cast<std::size_t>(codes.width),
+                    picture.scanLine(y));
+      out.pictures[static_cast<std::size_t>(channel)] = picture;
+    }
+    out.textures = std::make_shared<const SurfaceTextures>(surface_textures(pair, most_side));
+    out.text = QObject::tr("%1 x %2 texels").arg(pair.diffuse_alpha.width).arg(pair.diffuse_alpha.height);
+  } catch (const Error& error) {
+    out.text = QString::fromUtf8(error.what());
+  } catch (const std::bad_alloc&) {
+    out.text = QObject::tr("not enough memory for these pictures");
+  }
+  return out;
+}
+
+}  // namespace
+
+class TextureView::Sheet : public QWidget {
+ public:
+  explicit Sheet(QWidget* parent) : QWidget(parent) {
+    setAccessibleName(tr("Texture picture"));
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumHeight(60);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  }
+  void set_picture(const QImage& picture) {
+    picture_ = picture;
+    update();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.fillRect(rect(), QColor(60, 60, 60));
+    if (picture_.isNull()) return;
+    const double fit = std::min(double(width()) / picture_.width(), double(height()) / picture_.height());
+    const QSizeF size = QSizeF(picture_.size()) * fit * zoom_;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, fit * zoom_ < 2);
+    painter.drawImage(
+        QRectF(QPointF((width() - size.width()) / 2, (height() - size.height()) / 2) + shift_, size),
+        picture_);
+  }
+  void wheelEvent(QWheelEvent* event) override {
+    zoom_ = std::clamp(zoom_ * std::pow(1.2, event->angleDelta().y() / 120.0), 0.2, 64.0);
+    update();
+    event->accept();
+  }
+  void mousePressEvent(QMouseEvent* event) override { last_ = event->position(); }
+  void mouseMoveEvent(QMouseEvent* event) override {
+    shift_ += event->position() - last_;
+    last_ = event->position();
+    update();
+  }
+  void mouseDoubleClickEvent(QMouseEvent*) override {
+    zoom_ = 1;
+    shift_ = {};
+    update();
+  }
+
+ private:
+  QImage picture_;
+  double zoom_ = 1;
+  QPointF shift_, last_;
+};
+
+TextureView::TextureView(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      channel_(new QuietComboBox(tr("Texture channel"), this)),
+      told_(quiet_label(tr("About the textures"), this)),
+      sheet_(new Sheet(this)) {
+  setAccessibleName(tr("Textures"));
+  pool_.setMaxThreadCount(1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(4, 4, 4, 4);
+  auto* row = new QHBoxLayout;
+  for (const Channel each : all_channels)
+    channel_->addItem(QString::fromUtf8(name(each).data(), static_cast<qsizetype>(name(each).size())));
+  row->addWidget(channel_);
+  row->addWidget(told_, 1);
+  column->addLayout(row);
+  column->addWidget(sheet_, 1);
+  connect(channel_, &QComboBox::currentIndexChanged, this, &TextureView::show_picture);
+  connect(&document, &Document::current_changed, this, &TextureView::load);
+  connect(&document, &Document::replaced, this, &TextureView::load);
+  connect(&document, &Document::material_changed, this, &TextureView::load);
+  load();
+}
+
+TextureView::~TextureView() {
+  pool_.clear();
+  pool_.waitForDone();
+}
+
+QString TextureView::told() const {
+  return told_->text();
+}
+
+void TextureView::show_channel(Channel channel) {
+  channel_->setCurrentIndex(static_cast<int>(channel));
+}
+
+void TextureView::load() {
+  const ProjectMaterial* m = document_.material();
+  if (m == nullptr || !has_textures(*m)) {
+    const bool had = textures_ != nullptr;
+    loaded_.reset();
+    reading_ = false;
+    textures_.reset();
+    pictures_ = {};
+    told_->setText(tr("no textures: drop pictures on the viewport or on the channels in the inspector"));
+    show_picture();
+    if (had) emit textures_changed();
+    return;
+  }
+  // Names, models and the like change no texel.
+  ProjectMaterial key = *m;
+  key.name.clear();
+  key.specular_model.clear();
+  key.diffuse_model.clear();
+  key.parameters.clear();
+  if (loaded_ == key) return;
+  loaded_ = key;
+  pool_.clear();
+  reading_ = true;
+  in_background(
+      pool_, this, [m = *m, library = document_.library()] { return loaded_from(m, *library); },
+      [this, key](Loaded loaded) {
+        if (loaded_ != key) return;
+        reading_ = false;
+        pictures_ = std::move(loaded.pictures);
+        textures_ = std::move(loaded.textures);
+        told_->setText(loaded.text);
+        show_picture();
+        emit textures_changed();
+      });
+}
+
+void TextureView::show_picture() {
+  sheet_->set_picture(pictures_[static_cast<std::size_t>(std::max(0, channel_->currentIndex()))]);
+}
+
+}  // namespace etak::editor

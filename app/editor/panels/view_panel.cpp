@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/view_panel.h"
+
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include "app/editor/fields/number_field.h"
+#include "app/editor/fields/press_id.h"
+#include "app/editor/panels/sections.h"
+#include "core/base/error.h"
+#ifdef ETAK_HAS_OCIO
+#include "core/color/ocio.h"
+#endif
+
+namespace etak::editor {
+namespace {
+
+QString text(std::string_view view) {
+  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+}
+
+QCheckBox* check(const QString& label, QWidget* parent) {
+  auto* out = new QCheckBox(label, parent);
+  out->setAccessibleName(label);
+  return out;
+}
+
+}  // namespace
+
+ViewPanel::ViewPanel(Document& document, Look& look, QWidget* parent)
+    : PanelScroll(tr("View"), parent), document_(document), look_(look) {
+  auto* page = new QWidget(this);
+  page->setAccessibleName(tr("View settings"));
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(4, 4, 4, 4);
+  column->addWidget(make_display());
+  column->addWidget(make_shape());
+  column->addWidget(make_compare());
+  column->addStretch(1);
+  setWidget(page);
+  connect(&document, &Document::view_changed, this, &ViewPanel::show_look);
+  connect(&document, &Document::replaced, this, &ViewPanel::show_look);
+  show_look();
+}
+
+Section* ViewPanel::make_display() {
+  auto* out = new Section(tr("Display"), this);
+  exposure_ = new NumberField(tr("Exposure"), 1.0 / 64, 64, 1, out);
+  exposure_->setToolTip(tr("Linear factor"));
+  display_ = new QuietComboBox(tr("Display"), out);
+  view_ = new QuietComboBox(tr("View of the display"), out);
+  config_ = quiet_label(tr("OpenColorIO config"), out);
+  auto* buttons = new QWidget(out);
+  buttons->setAccessibleName(tr("OpenColorIO config, choice"));
+  auto* line = new QHBoxLayout(buttons);
+  line->setContentsMargins(0, 0, 0, 0);
+  auto* open = new QPushButton(tr("Config\u2026"), buttons);
+  open->setAccessibleName(tr("Open an OpenColorIO config"));
+  auto* own = new QPushButton(tr("Own config"), buttons);
+  own->setAccessibleName(tr("Take etak's own config"));
+  line->addWidget(open);
+  line->addWidget(own);
+  out->add(tr("Exposure"), exposure_);
+  out->add(tr("Display"), display_);
+  out->add(tr("View"), view_);
+  out->add(config_);
+  out->add(buttons);
+  connect(exposure_, &NumberField::edited, this, [this](double value, int press) {
+    ProjectView view = document_.project().view;
+    view.exposure = value;
+    document_.edit_view(view, tr("exposure"), press);
+  });
+  connect(display_, &QComboBox::activated, this, [this] {
+    showing_ = true;
+    view_->clear();
+    view_->addItems(display_->currentData().toStringList());
+    showing_ = false;
+    take_display();
+  });
+  connect(view_, &QComboBox::activated, this, &ViewPanel::take_display);
+  const auto take_config = [this](const QString& file) {
+    ProjectView view = document_.project().view;
+    view.config = file.toStdString();
+    view.display.clear();
+    view.view.clear();
+    document_.edit_view(view, tr("OpenColorIO config"), next_press_id());
+  };
+  connect(open, &QPushButton::clicked, this, [this, take_config] {
+    const QString file = QFileDialog::getOpenFileName(this, tr("OpenColorIO config"), {},
+                                                      tr("Configs (*.ocio);;All files (*)"));
+    if (!file.isEmpty()) take_config(file);
+  });
+  connect(own, &QPushButton::clicked, this, [take_config] { take_config({}); });
+  return out;
+}
+
+void ViewPanel::take_display() {
+  ProjectView view = document_.project().view;
+  const bool plain = display_->currentIndex() <= 0;
+  view.display = plain ? "" : display_->currentText().toStdString();
+  view.view = plain ? "" : view_->currentText().toStdString();
+  document_.edit_view(view, tr("display"), next_press_id());
+}
+
+void ViewPanel::fill_displays() {
+  const std::string& config = document_.project().view.config;
+  if (config == filled_config_) return;
+  filled_config_ = config;
+  display_->clear();
+  display_->addItem(tr("sRGB curve"), QStringList{});
+  QString told = tr("own OpenColorIO config");
+#ifdef ETAK_HAS_OCIO
+  try {
+    for (const OcioDisplayInfo& each : ocio_displays(config)) {
+      QStringList views;
+      for (const std::string& view : each.views) views << text(view);
+      display_->addItem(text(each.name), views);
+    }
+    if (!config.empty()) told = text(config);
+  } catch (const Error& error) {
+    told = QString::fromUtf8(error.what());
+  }
+#else
+  told = tr("built without OpenColorIO");
+#endif
+  config_->setText(told);
+}
+
+Section* ViewPanel::make_shape() {
+  auto* out = new Section(tr("Shape"), this);
+  shape_ = new QuietComboBox(tr("Shape"), out);
+  shape_->addItems({tr("sphere"), tr("quad"), tr("wedge of a parameter")});
+  parameter_ = new QuietComboBox(tr("Parameter of the wedge"), out);
+  steps_ = new QSpinBox(out);
+  steps_->setRange(Wedge::least_steps, Wedge::most_steps);
+  steps_->setAccessibleName(tr("Steps of the wedge"));
+  textured_ = check(tr("show textures"), out);
+  zone_ = check(tr("forbidden zone overlay"), out);
+  energy_ = check(tr("energy overlay"), out);
+  out->add(tr("Shape"), shape_);
+  out->add(tr("Wedge of"), parameter_);
+  out->add(tr("Steps"), steps_);
+  out->add(textured_);
+  out->add(zone_);
+  out->add(energy_);
+  connect(shape_, &QComboBox::activated, this, [this](int row) {
+    ProjectView view = document_.project().view;
+    view.wedge.on = row == 2;
+    if (row != 2) view.shape = row == 1 ? etak::Shape::quad : etak::Shape::sphere;
+    document_.edit_view(view, tr("shape"), next_press_id());
+  });
+  const auto wedge = [this](int press_id) {
+    if (showing_) return;
+    Wedge to = document_.project().view.wedge;
+    to.parameter = parameter_->currentText().toStdString();
+    to.steps = steps_->value();
+    document_.edit_wedge(to, tr("wedge"), press_id);
+  };
+  connect(parameter_, &QComboBox::activated, this, [wedge] { wedge(next_press_id()); });
+  connect(steps_, &QSpinBox::valueChanged, this, [wedge] { wedge(next_press_id()); });
+  const auto told = [this] {
+    if (showing_) return;
+    look_.zone_overlay = zone_->isChecked();
+    look_.energy_overlay = energy_->isChecked();
+    look_.textured = textured_->isChecked();
+    emit look_changed();
+  };
+  for (QCheckBox* each : {zone_, energy_, textured_}) connect(each, &QCheckBox::clicked, this, told);
+  return out;
+}
+
+Section* ViewPanel::make_compare() {
+  auto* out = new Section(tr("Compare A and B"), this);
+  split_ = check(tr("split the picture"), out);
+  pinned_ = quiet_label(tr("Side B"), out);
+  model_ = new QuietComboBox(tr("Specular model of side B"), out);
+  model_->addItem(tr("as the material"), QString());
+  for (const Model& each : models())
+    if (each.kind != ModelKind::diffuse) model_->addItem(text(each.id), text(each.id));
+  auto* buttons = new QWidget(out);
+  buttons->setAccessibleName(tr("Side B, choice"));
+  auto* line = new QHBoxLayout(buttons);
+  line->setContentsMargins(0, 0, 0, 0);
+  auto* pin = new QPushButton(tr("Pin as B"), buttons);
+  pin->setToolTip(tr("Keep the material as it is now as side B (Ctrl+B)"));
+  pin->setAccessibleName(tr("Pin the material as side B"));
+  unpin_ = new QPushButton(tr("Unpin"), buttons);
+  unpin_->setAccessibleName(tr("Unpin side B"));
+  line->addWidget(pin);
+  line->addWidget(unpin_);
+  patch_ = quiet_label(tr("Difference under the cursor"), out);
+  out->add(split_);
+  out->add(pinned_);
+  out->add(buttons);
+  out->add(tr("B model"), model_);
+  out->add(patch_);
+  connect(split_, &QCheckBox::clicked, this, [this](bool on) {
+    Comparison compare = document_.project().view.compare;
+    compare.on = on;
+    document_.edit_compare(compare, tr("compare"));
+  });
+  connect(pin, &QPushButton::clicked, this, &ViewPanel::pin_asked);
+  connect(unpin_, &QPushButton::clicked, this, [this] {
+    Comparison compare = document_.project().view.compare;
+    compare.pinned.reset();
+    document_.edit_compare(compare, tr("unpin B"));
+  });
+  connect(model_, &QComboBox::activated, this, [this] {
+    Comparison compare = document_.project().view.compare;
+    compare.model = model_->currentData().toString().toStdString();
+    document_.edit_compare(compare, tr("model of B"));
+  });
+  return out;
+}
+
+void ViewPanel::show_patch(const QString& told) {
+  patch_->setText(told);
+}
+
+void ViewPanel::show_look() {
+  showing_ = true;
+  const ProjectView& view = document_.project().view;
+  exposure_->show_value(view.exposure);
+  fill_displays();
+  display_->setCurrentIndex(view.display.empty() ? 0 : std::max(0, display_->findText(text(view.display))));
+  const QStringList views = display_->currentData().toStringList();
+  view_->clear();
+  view_->addItems(views);
+  if (!view.view.empty()) view_->setCurrentText(text(view.view));
+  view_->setEnabled(!views.isEmpty());
+  shape_->setCurrentIndex(view.wedge.on ? 2 : view.shape == etak::Shape::quad ? 1 : 0);
+  QStringList parameters{QStringLiteral("gloss"), QStringLiteral("opacity")};
+  if (const ProjectMaterial* m = document_.material())
+    if (const Model* model = find_model(m->specular_model))
+      for (const Parameter& each : model->parameters)
+        if (!each.color && each.role != Role::gloss) parameters << text(each.name);
+  parameter_->clear();
+  parameter_->addItems(parameters);
+  parameter_->setCurrentText(text(view.wedge.parameter));
+  parameter_->setEnabled(view.wedge.on);
+  steps_->setValue(view.wedge.steps);
+  steps_->setEnabled(view.wedge.on);
+  zone_->setChecked(look_.zone_overlay);
+  energy_->setChecked(look_.energy_overlay);
+  textured_->setChecked(look_.textured);
+  split_->setChecked(view.compare.on);
+  pinned_->setText(view.compare.pinned
+                       ? tr("B is %1, as it was when pinned").arg(text(view.compare.pinned->name))
+                       : tr("B is the material in hand; choose another model for it, or pin one"));
+  unpin_->setEnabled(view.compare.pinned.has_value());
+  model_->setCurrentIndex(std::max(0, model_->findData(text(view.compare.model))));
+  showing_ = false;
+}
+
+}  // namespace etak::editor

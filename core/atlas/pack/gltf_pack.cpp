@@ -1,0 +1,540 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/pack/gltf_pack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <set>
+
+#include "core/atlas/pack/gltf_files.h"
+#include "core/atlas/pack/pack.h"
+#include "core/atlas/sources/floats.h"
+#include "core/base/content_hash.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/parallel.h"
+#include "core/color/srgb.h"
+#include "core/image/files/png.h"
+#include "core/scene/gltf_convert.h"
+#include "core/scene/material_texels.h"
+#include "core/scene/texel_scale.h"
+#include "core/scene/uri.h"
+#include "core/scene/uv_use.h"
+
+namespace etak {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A box more takes a gutter and a place; that is worth about so many texels.
+constexpr std::size_t island_cost = 256;
+constexpr int island_margin = 0;  // footprints hold what bilinear filtering reads; gutters serve the mips
+constexpr int sampled_gutter_levels = 4;
+// Surfaces are seen at an angle, and isotropic filters go by the longer side of a pixel's footprint: so many
+// levels more are an angle of 83 degrees (a cosine of 1/8).
+constexpr int oblique_levels = 3;
+
+PixelBox box_of(const std::array<int, 4>& box) {
+  return {box[0], box[1], box[2], box[3]};
+}
+std::array<int, 4> array_of(const PixelBox& box) {
+  return {box.x, box.y, box.width, box.height};
+}
+
+// Texels of `use` as ranges and hashes.
+void look_at(const MaterialPair& pair, const TexelUse* use, bool opaque, MaterialFacts& facts) {
+  const std::size_t texels = pair.diffuse_alpha.pixel_count();
+  const bool masked = use != nullptr && use->touched > 0 && use->mask.size() == texels;
+  ContentHash color, alpha, specular;
+  std::vector<std::uint8_t> rgb, a;
+  const auto width = static_cast<std::size_t>(pair.diffuse_alpha.width);
+  for (std::size_t row = 0; row < texels; row += width) {
+    rgb.clear(), a.clear();
+    for (std::size_t i = row; i < row + width; ++i) {
+      const std::uint8_t* t = pair.diffuse_alpha.values.data() + 4 * i;
+      rgb.insert(rgb.end(), {t[0], t[1], t[2]});
+      a.push_back(t[3]);
+      if (masked && use->mask[i] == 0) continue;
+      add_texels(facts.range, Texture::diffuse_alpha, t, 1);
+      add_texels(facts.range, Texture::specular_gloss, pair.specular_gloss.values.data() + 4 * i, 1);
+    }
+    color.add(rgb.data(), rgb.size());
+    alpha.add(a.data(), a.size());
+    specular.add(pair.specular_gloss.values.data() + 4 * row, 4 * width);
+  }
+  facts.color_hash = color.value();
+  facts.alpha_hash = opaque ? std::array<std::uint64_t, 2>{} : alpha.value();
+  facts.specular_hash = specular.value();
+  facts.learned = true;
+}
+
+// What a material is where it has no texture: its own factors where it never had one, else our codes.
+void scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to) {
+  if (replaced_textures(m).empty()) {
+    DiffuseSpecular ds;
+    if (m.specular_glossiness)
+      ds = {{m.diffuse[0], m.diffuse[1], m.diffuse[2]},
+            {m.specular_f0[0], m.specular_f0[1], m.specular_f0[2]}};
+    else
+      ds = diffuse_specular(
+          {m.base_color[0], m.base_color[1], m.base_color[2]}, m.metallic,
+          dielectric_f0(m.ior, m.specular, {m.specular_color[0], m.specular_color[1], m.specular_color[2]}));
+    to.diffuse = {ds.diffuse[0], ds.diffuse[1], ds.diffuse[2],
+                  m.specular_glossiness ? m.diffuse[3] : m.base_color[3]};
+    to.specular = {ds.f0[0], ds.f0[1], ds.f0[2]};
+    to.roughness = m.specular_glossiness ? 1 - m.glossiness : m.roughness;
+  } else {
+    const auto& code = facts.range.most;
+    for (std::size_t c = 0; c < 3; ++c) {
+      to.diffuse[c] = srgb_decode(code[c] / 255.0);
+      to.specular[c] = srgb_decode(code[specular_channel + c] / 255.0);
+    }
+    to.diffuse[3] = code[alpha_channel] / 255.0;
+    to.roughness = converted_gloss(code[gloss_channel] / 255.0, gloss, GlossForm::roughness);
+  }
+  DiffuseSpecular texel;
+  for (std::size_t c = 0; c < 3; ++c) texel.diffuse[c] = to.diffuse[c], texel.f0[c] = to.specular[c];
+  const MetalRough solved = metal_rough_of(texel);
+  to.base_color = {solved.base[0], solved.base[1], solved.base[2], to.diffuse[3]};
+  to.metallic = solved.metallic;
+}
+
+PixelBox fate_box(const std::vector<Region>& regions, std::size_t owner) {
+  for (const Region& region : regions)
+    if (region.material == owner) return region.box;
+  return {};
+}
+
+}  // namespace
+
+struct ScenePack::State {
+  struct Entry {
+    int material = -1;  // in the document
+    std::optional<TexelUse> use;
+    std::shared_ptr<const MaterialPair> pair;
+    bool tiles = false;  // on a page of its own
+  };
+
+  GltfScene scene;
+  std::optional<MaterialUses> uses;  // of the scene, once that is read
+  const PackOptions& options;
+  GlossForm gloss;
+  std::vector<Entry> entries;  // beside the inputs
+  PackInputs inputs;
+  std::vector<std::string> remarks;
+  std::map<int, Image8> pictures;
+  std::map<int, int> pictures_awaited;  // by image: lookups in learn() that are still to come
+  std::mutex pictures_lock;
+  std::set<std::string> written;
+
+  explicit State(const PackOptions& options_)
+      : options(options_), gloss(options_.gloss.value_or(GlossForm::one_minus_roughness)) {}
+
+  bool writes_floats() const {
+    const auto& formats = options.write.formats;
+    return std::any_of(formats.begin(), formats.end(), [](const auto& each) { return holds_floats(each); });
+  }
+
+  // The bytes of an image, inside the document or from its file.
+  std::string_view bytes_of(const GltfImage& image, FileBytes& file) const {
+    if (image.path.empty()) return image.bytes;
+    file.load(image.path);
+    return file.view();
+  }
+
+  FloatPair floats_of(int material) const {
+    std::map<int, Image> images;
+    const SceneFloats floats = [&](int index) -> const Image& {
+      const auto [found, fresh] = images.try_emplace(index);
+      if (!fresh) return found->second;
+      const GltfImage& image = scene.images[static_cast<std::size_t>(index)];
+      FileBytes file;
+      const std::string_view bytes = bytes_of(image, file);
+      auto png = png_fractions(bytes, image.label);
+      return found->second = png ? std::move(*png) : fractions(options.door.load_bytes(bytes, image.label));
+    };
+    return scene_material_floats(scene.materials[static_cast<std::size_t>(material)], floats, gloss,
+                                 options.keep.contains("alpha"));
+  }
+
+  const Image8& picture(int index) {
+    const std::lock_guard lock(pictures_lock);
+    auto [found, fresh] = pictures.try_emplace(index);
+    if (!fresh) return found->second;
+    const GltfImage& image = scene.images[static_cast<std::size_t>(index)];
+    FileBytes file;
+    const std::string_view bytes = bytes_of(image, file);
+    try {
+      if (auto codes = read_png8(bytes, image.label)) return found->second = std::move(*codes);
+      const auto loaded = options.door.load_bytes(bytes, image.label);
+      if (const auto* codes = std::get_if<Image8>(&loaded)) return found->second = *codes;
+      const Image& wide = std::get<Image>(loaded);
+      Image8 codes(wide.width, wide.height, wide.channels);
+      std::transform(wide.values.begin(), wide.values.end(), codes.values.begin(), to_code);
+      return found->second = std::move(codes);
+    } catch (...) {
+      pictures.erase(index);
+      throw;
+    }
+  }
+
+  void await_pictures(const GltfMaterial& m) {
+    for (const GltfTexture* texture : replaced_textures(m)) ++pictures_awaited[texture->image];
+  }
+
+  // A picture that no other material asks for is given back: all of a scene's at once would be most of the
+  // memory.
+  void give_back_pictures(const GltfMaterial& m) {
+    const std::lock_guard lock(pictures_lock);
+    for (const GltfTexture* texture : replaced_textures(m))
+      if (--pictures_awaited[texture->image] == 0) pictures.erase(texture->image);
+  }
+
+  std::string name_of(const GltfMaterial& m, std::set<std::string>& names) const {
+    std::string name = m.name.empty() ? "material" + std::to_string(m.index) : m.name;
+    if (!names.insert(name).second) name += "#" + std::to_string(m.index);
+    names.insert(name);
+    return name;
+  }
+
+  void add_material(const GltfMaterial& m, std::set<std::string>& names) {
+    const bool used = scene.material_used[static_cast<std::size_t>(m.index)];
+    if (used && !textures_agree(m)) {
+      remarks.push_back((m.name.empty() ? "material " + std::to_string(m.index) : m.name) +
+                        ": its textures are looked up at different places; it stays as it is");
+      return;
+    }
+    PackInput in;
+    in.name = name_of(m, names);
+    in.document_index = m.index;
+    in.alpha_mode = m.alpha_mode;
+    in.alpha_cutoff = m.alpha_cutoff;
+    in.streamed = false;
+    in.facts.name = in.name;
+    in.facts.reached = used;
+    in.facts.opaque = m.alpha_mode == AlphaMode::opaque && !options.keep.contains("alpha");
+    in.facts.source = std::to_string(m.index);
+    await_pictures(m);
+    inputs.materials.push_back(std::move(in));
+    entries.push_back({m.index, {}, {}, false});
+  }
+
+  // Size, texels and their use, for one material.
+  void learn(std::size_t i) {
+    PackInput& in = inputs.materials[i];
+    Entry& entry = entries[i];
+    const GltfMaterial& m = scene.materials[static_cast<std::size_t>(entry.material)];
+    const SceneImages images = [this](int index) -> const Image8& { return picture(index); };
+    std::size_t clamped = 0;
+    auto pair = std::make_shared<MaterialPair>(
+        scene_material_pair(m, images, gloss, options.keep.contains("alpha"), clamped));
+    give_back_pictures(m);
+    in.width = in.facts.width = pair->diffuse_alpha.width;
+    in.height = in.facts.height = pair->diffuse_alpha.height;
+    in.facts.crop = {0, 0, in.width, in.height};
+    const GltfTexture* lead = leading_texture(m);
+    if (in.facts.reached && lead != nullptr) {
+      use_of(in, entry, *lead);
+      scale_of(in, entry, *lead);
+      normals_of(in, m, entry, *lead);
+    }
+    look_at(*pair, entry.use ? &*entry.use : nullptr, in.facts.opaque, in.facts);
+    if (writes_floats()) {
+      in.convert_floats = [this, material = entry.material] { return floats_of(material); };
+      const bool masked =
+          entry.use && entry.use->touched > 0 && entry.use->mask.size() == pair->diffuse_alpha.pixel_count();
+      look_at_floats(floats_of(entry.material), masked ? entry.use->mask.data() : nullptr, in.facts.opaque,
+                     in.facts);
+    }
+    if (clamped > 0)
+      clamped_[i] =
+          100 * static_cast<double>(clamped) / static_cast<double>(pair->diffuse_alpha.pixel_count());
+    entry.pair = std::move(pair);
+    in.convert = [shared = entry.pair](std::vector<std::string>&) { return *shared; };
+  }
+
+  // What the cameras, and the density that was asked for, leave of the texture's resolution and mips.
+  void scale_of(PackInput& in, const Entry& entry, const GltfTexture& lead) {
+    in.facts.levels = lead.sampler.mipmaps ? 0 : 1;
+    if (options.texel_density == 0 && options.view_height == 0) return;
+    const TexelScale scale =
+        texel_scale(*uses, entry.material, lead, in.width, in.height, options.view_height);
+    constexpr double rounding = 1e-6;
+    std::optional<double> halvings;
+    if (options.texel_density > 0 && scale.least_density > 0)
+      halvings = std::log2(scale.least_density / options.texel_density);
+    if (scale.seen && std::isfinite(scale.least_level))
+      halvings = std::min(halvings.value_or(scale.least_level), scale.least_level);
+    if (options.view_height == 0 || scale.seen)
+      in.facts.unseen = std::clamp(static_cast<int>(std::floor(halvings.value_or(0) + rounding)), 0, 15);
+    if (scale.seen && lead.sampler.mipmaps && std::isfinite(scale.most_level))
+      in.facts.levels =
+          1 + oblique_levels + std::clamp(static_cast<int>(std::ceil(scale.most_level - rounding)), 0, 15);
+  }
+
+  // The normal map as it lies on the pair, at the pair's size.
+  void normals_of(PackInput& in, const GltfMaterial& m, const Entry& entry, const GltfTexture& lead) {
+    if (!m.normal_texture) return;
+    const GltfTexture& map = *m.normal_texture;
+    const auto place = normals_on_pair(map, lead, *entry.use);
+    if (!place) {
+      remarks.push_back(in.name + ": its normal map is looked up elsewhere and does not widen its gloss");
+      return;
+    }
+    in.load_normals = [this, image = map.image, scale = m.normal_scale, width = in.width, height = in.height,
+                       at = *place] { return scaled_normals(picture(image), scale, width, height, at); };
+  }
+
+  void use_of(PackInput& in, Entry& entry, const GltfTexture& lead) {
+    entry.use = texel_use(*uses, entry.material, lead, in.width, in.height);
+    const TexelUse& use = *entry.use;
+    in.wrap = {lead.sampler.wrap_u, lead.sampler.wrap_v};
+    if (use.touched == 0) return;
+    const bool by_islands = options.islands && !options.keep.contains("islands") && use.foldable;
+    if (use.tiles && !by_islands) {
+      // The whole period: only a page of its own can repeat it.
+      in.own_page = entry.tiles = in.facts.tiles = true;
+      return;
+    }
+    in.facts.crop = box_of(use.box);
+    if (!by_islands) return;
+    for (const Island& island : islands(use, island_margin, island_cost))
+      in.facts.islands.push_back({island.x, island.y, island.width, island.height});
+  }
+
+  std::map<std::size_t, double> clamped_;  // percent of the texels
+
+  // ---- output
+
+  bool writes_scene() const {
+    const auto& formats = options.write.formats;
+    return std::find(formats.begin(), formats.end(), "png") != formats.end();
+  }
+
+  bool has_form(GltfForm form) const {
+    return std::find(options.forms.begin(), options.forms.end(), form) != options.forms.end();
+  }
+};
+
+ScenePack::ScenePack(const std::string& path, const PackOptions& options)
+    : state_(std::make_unique<State>(options)) {
+  State& s = *state_;
+  s.scene = read_gltf(path, options.scene);
+  s.uses.emplace(s.scene);
+  s.inputs.gloss = s.gloss;
+  if (s.gloss == GlossForm::roughness)
+    throw Error::at("--gloss", "roughness", "schueler or one_minus_roughness for a glTF scene");
+  if (s.gloss == GlossForm::schueler && s.has_form(GltfForm::specular_glossiness))
+    throw Error::at("--gltf-form", "specular-glossiness, whose gloss is 1 - roughness",
+                    "--gloss one_minus_roughness");
+  std::set<std::string> names;
+  for (const GltfMaterial& m : s.scene.materials) s.add_material(m, names);
+  parallel_chunks(s.inputs.materials.size(), options.threads, 1,
+                  [&](std::size_t begin, std::size_t, unsigned) { s.learn(begin); });
+  for (const auto& [i, share] : s.clamped_)
+    s.remarks.push_back(s.inputs.materials[i].name + ": gloss of " + number(share, 3) +
+                        " % of the texels lies outside of what the form " + std::string(name(s.gloss)) +
+                        " can hold and was brought back to its ends");
+  ContentHash hash;
+  hash.add(*s.scene.json);
+  for (const std::string& buffer : *s.scene.buffers) hash.add(buffer);
+  s.inputs.settings = hash.hex();
+}
+
+ScenePack::~ScenePack() = default;
+
+PackInputs ScenePack::inputs() {
+  return state_->inputs;
+}
+
+int ScenePack::sampled_levels(int levels) const {
+  bool mips = false;
+  for (const auto& entry : state_->entries) {
+    const GltfMaterial& m = state_->scene.materials[static_cast<std::size_t>(entry.material)];
+    const GltfTexture* lead = leading_texture(m);
+    mips = mips || (lead != nullptr && lead->sampler.mipmaps);
+  }
+  if (!mips) return 1;
+  return levels == 0 ? 0 : std::max(levels, sampled_gutter_levels);
+}
+
+void ScenePack::add_files(std::vector<std::string>& files) const {
+  for (std::size_t i = 0; i < state_->scene.images.size(); ++i)
+    if (const std::string& path = state_->scene.images[i].path; !path.empty() && fs::exists(path))
+      files.push_back(path);
+}
+
+void ScenePack::add_remarks(std::vector<std::string>& remarks) const {
+  remarks.insert(remarks.end(), state_->remarks.begin(), state_->remarks.end());
+  if (!state_->writes_scene())
+    remarks.push_back("no scene.gltf was written: its pictures are PNG, which --format does not name");
+}
+
+namespace {
+
+std::string extra_file(int page, const char* what) {
+  return "page" + std::to_string(page) + "_" + what + ".png";
+}
+
+using TexelMap = std::function<void(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* out)>;
+
+void write_mapped(OutputFolder& folder, const std::string& name, const PagePixels& pixels, int channels,
+                  const WriteOptions& options, const TexelMap& map) {
+  const PixelsView8 a = pixels.view(Texture::diffuse_alpha), b = pixels.view(Texture::specular_gloss);
+  const PixelsView8& some = a.data != nullptr ? a : b;
+  constexpr std::uint8_t none[4] = {0, 0, 0, 255};
+  Image8 out(some.width, some.height, channels);
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x)
+      map(a.data != nullptr ? a.at(x, y) : none, b.data != nullptr ? b.at(x, y) : none, out.at(x, y).data());
+  PngOptions png;
+  png.level = options.png_level;
+  png.threads = options.threads;
+  folder.write(name, [&](const std::function<void(std::string_view)>& sink) {
+    write_png({{out.width, out.height, channels, 8},
+               out.values.data(),
+               static_cast<std::size_t>(out.width) * static_cast<std::size_t>(channels)},
+              png, sink);
+  });
+}
+
+}  // namespace
+
+void ScenePack::write_page(OutputFolder& folder, int page, const PagePixels& pixels,
+                           const WriteOptions& options) {
+  State& s = *state_;
+  if (!s.writes_scene()) return;
+  const auto convention =
+      s.gloss == GlossForm::schueler ? GlossConvention::schueler : GlossConvention::one_minus_roughness;
+  const auto roughness = roughness_codes(convention);
+  const bool b = pixels.view(Texture::specular_gloss).data != nullptr;
+  const auto write = [&](const char* what, int channels, const TexelMap& map) {
+    write_mapped(folder, extra_file(page, what), pixels, channels, options, map);
+    s.written.insert(extra_file(page, what));
+  };
+  if (b && s.has_form(GltfForm::specular_ior))
+    write("roughness", 3, [&](const std::uint8_t*, const std::uint8_t* sg, std::uint8_t* out) {
+      out[0] = 255, out[1] = roughness[sg[3]], out[2] = 0;
+    });
+  if (!s.has_form(GltfForm::metal_rough)) return;
+  const auto solved = [](const std::uint8_t* da, const std::uint8_t* sg) {
+    DiffuseSpecular texel;
+    for (std::size_t c = 0; c < 3; ++c)
+      texel.diffuse[c] = srgb_decode(da[c] / 255.0), texel.f0[c] = srgb_decode(sg[c] / 255.0);
+    return metal_rough_of(texel);
+  };
+  write("base_color", 4, [&](const std::uint8_t* da, const std::uint8_t* sg, std::uint8_t* out) {
+    const MetalRough m = solved(da, sg);
+    for (std::size_t c = 0; c < 3; ++c) out[c] = srgb_u8(m.base[c]);
+    out[3] = da[3];
+  });
+  write("metal_rough", 3, [&](const std::uint8_t* da, const std::uint8_t* sg, std::uint8_t* out) {
+    const double metallic = std::clamp(solved(da, sg).metallic, 0.0, 1.0);
+    out[0] = 255, out[1] = roughness[sg[3]], out[2] = static_cast<std::uint8_t>(255 * metallic + 0.5);
+  });
+}
+
+std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const AtlasLayout& layout,
+                                                const Plan& plan, const std::vector<Region>& regions,
+                                                const LeaveOut& left_out) {
+  State& s = *state_;
+  if (!s.writes_scene()) return {};
+  GltfOutput out;
+  out.forms = s.options.forms;
+  std::map<std::string, int> images;
+  const auto image = [&](const std::string& file) {
+    const auto [found, fresh] = images.try_emplace(file, static_cast<int>(out.images.size()));
+    if (fresh) out.images.push_back(file);
+    return found->second;
+  };
+  for (std::size_t i = 0; i < s.entries.size(); ++i) {
+    const auto& entry = s.entries[i];
+    if (!s.scene.material_used[static_cast<std::size_t>(entry.material)]) continue;
+    const GltfMaterial& m = s.scene.materials[static_cast<std::size_t>(entry.material)];
+    const MaterialFate& fate = left_out.fates[i];
+    AtlasMaterial to;
+    to.material = entry.material;
+    if (const GltfTexture* lead = leading_texture(m)) to.uv_set = lead->uv_set;
+    scene_constants(s.inputs.materials[i].facts, m, s.gloss, to);
+    if (fate.texels) {
+      int page = -1;
+      bool own_page = false;
+      const PackInput& in = s.inputs.materials[i];
+      for (std::size_t r = 0; r < regions.size(); ++r) {
+        if (regions[r].material != fate.owner) continue;
+        const Place& at = plan.places[r];
+        const PixelBox& box = regions[r].box;
+        const Page& size = plan.pages[static_cast<std::size_t>(at.page)];
+        const int width = regions[r].width(), height = regions[r].height();
+        const std::array<int, 4> place{at.x, at.y, at.rotated ? height : width, at.rotated ? width : height};
+        const UvTransform region =
+            region_transform(array_of(box), in.width, in.height, place, at.rotated, size.width, size.height);
+        if (page >= 0 && page != at.page)
+          throw Error::at(in.name, "its islands lie on several pages, which one material cannot read",
+                          "a larger --page, or no --islands");
+        page = at.page;
+        own_page = regions[r].own_page;
+        to.islands.push_back({array_of(box), region});
+      }
+      if (to.islands.size() == 1) {
+        to.region = to.islands.front().region;
+        if (entry.use && !entry.tiles)
+          if (const auto both = composed(to.region, entry.use->fold)) to.region = *both;
+        to.islands.clear();
+        // One box for triangles of several periods: their UVs must be folded one by one.
+        if (entry.use && entry.use->tiles && !entry.tiles)
+          to.islands.push_back({array_of(fate_box(regions, fate.owner)), to.region});
+      }
+      to.texture_width = in.width;
+      to.texture_height = in.height;
+      const AtlasPage& files = layout.pages[static_cast<std::size_t>(page)];
+      const auto varies = [&](std::size_t first, std::size_t count) {
+        for (std::size_t c = first; c < first + count; ++c)
+          if (!fate.constant[c]) return true;
+        return false;
+      };
+      const bool a = varies(0, 4) && !files.files[0].empty();
+      const bool f0 = varies(4, 3) && !files.files[1].empty(),
+                 gloss = varies(7, 1) && !files.files[1].empty();
+      if (a) to.diffuse_alpha_image = image(page_file(page, Texture::diffuse_alpha, "png"));
+      const bool sg = s.has_form(GltfForm::specular_glossiness) ? f0 || gloss : f0;
+      if (sg) to.specular_gloss_image = image(page_file(page, Texture::specular_gloss, "png"));
+      if (gloss && s.has_form(GltfForm::specular_ior))
+        to.roughness_image = image(extra_file(page, "roughness"));
+      if (s.has_form(GltfForm::metal_rough)) {
+        to.base_color_image = image(extra_file(page, "base_color"));
+        to.metallic_roughness_image = image(extra_file(page, "metal_rough"));
+      }
+      if (own_page)
+        if (const GltfTexture* lead = leading_texture(m)) to.sampler = lead->sampler;
+    }
+    out.materials.push_back(std::move(to));
+  }
+  std::set<std::string> taken(s.written.begin(), s.written.end());
+  for (const AtlasPage& page : layout.pages)
+    for (const auto& files : page.files) taken.insert(files.begin(), files.end());
+  taken.insert({out.buffer_name, "scene.gltf", "layout.json"});
+  const auto copied_names = names_beside(*s.scene.json, s.scene.path, taken);
+  for (const auto& [uri, name] : copied_names) out.uris[uri] = uri_of_file(name);
+  std::string buffer;
+  const std::string json = write_gltf(s.scene, out, buffer);
+  std::vector<std::string> names(s.written.begin(), s.written.end());
+  for (const CopiedFile& copy :
+       files_to_copy(json, fs::path(s.scene.path).parent_path().string(), copied_names)) {
+    FileBytes file;
+    file.load(copy.from);
+    folder.write(copy.name, file.view());
+    names.push_back(copy.name);
+  }
+  folder.write("scene.gltf", json);
+  names.push_back("scene.gltf");
+  if (!buffer.empty()) {
+    folder.write(out.buffer_name, buffer);
+    names.push_back(out.buffer_name);
+  }
+  return names;
+}
+
+}  // namespace etak

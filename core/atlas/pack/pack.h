@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/atlas/leave_out.h"
+#include "core/atlas/manifest.h"
+#include "core/atlas/outputs.h"
+#include "core/atlas/plan.h"
+#include "core/atlas/sources/sources.h"
+#include "core/atlas/variant.h"
+#include "core/base/files/output_folder.h"
+#include "core/material/library.h"
+
+namespace etak {
+
+// The street from a list of materials to an atlas on disk (target etak::pack, no part of etak::core: it reads
+// and writes picture files).
+
+using PageCheck = std::function<bool(const AtlasLayout&, int page, const PagePixels&)>;
+/// The same of PNG files that are written but not yet in place.
+using WrittenPageCheck =
+    std::function<bool(const AtlasLayout&, int page, const std::function<std::string(Texture)>& path)>;
+
+struct PackReport;
+
+/// A manifest in memory, in the place of a file.
+///   remarks    what had to be changed to get there; they come first in the report
+///   settings   all that decides the result besides the bytes of the pictures: an atlas of other settings is
+///              not up to date
+struct PackManifest {
+  AtlasManifest manifest;
+  std::vector<std::string> remarks;
+  std::string settings;
+};
+
+struct PackOptions {
+  // input
+  // Asked of every JSON file: the manifest that it stands for where it is none itself, such as a project.
+  // Empty: every one is a manifest.
+  std::function<std::optional<PackManifest>(const std::string& text, const std::string& file)> other_manifest;
+  std::string pattern = "{name}_{role}.png";  // of a folder
+  std::optional<GlossForm> gloss;             // what texture B is to hold; none: as the input
+  GltfOptions scene;
+  SpaceOpener open_space;
+  std::map<std::string, std::string> spaces;  // of pictures of a role that name none
+  std::string space_config;                   // the file that open_space reads; empty: none
+  PictureDoor door;
+  // leaving out
+  std::set<std::string> keep;
+  bool islands = false;
+  std::optional<ShadingVariants> variants;  // what etak choose found: defines, flat textures, unread mips
+  // Where fewer texels do: differences up to `max_error` (CIEDE2000; and percent of alpha and gloss) against
+  // what is seen; below so many texels per unit of a scene's world, and in pictures of so many pixels' height
+  // from its cameras, nothing is. None and 0: resolutions stay.
+  std::optional<double> max_error;
+  double texel_density = 0;
+  int view_height = 0;
+  // layout
+  int page = 4096;
+  std::optional<PageForm> form;  // none: mixed; for scenes one free page where that holds everything
+  bool rotate = false;
+  int effort = 100;
+  double max_seconds = 0;
+  std::optional<int> gutter;  // none: from the mips
+  std::optional<int> mips;    // levels; 0: down to 1 x 1; none: 1, or all where a format holds them
+  std::string previous;       // layout.json of an earlier run; empty: none
+  double most_extra_area = 0.05;
+  // output
+  WriteOptions write;
+  std::vector<GltfForm> forms{GltfForm::specular_ior};
+  bool bleed = false;
+  bool overwrite = false;
+  bool update = false;     // nothing is done when the result in place is of the same input and options
+  bool dry_run = false;    // everything but writing
+  std::size_t memory = 0;  // bytes that pages and decoded pictures may take; 0: any
+  unsigned threads = 1;
+  std::string version;  // of the program: part of the settings
+  std::function<void(std::size_t done, std::size_t all)> progress;
+  std::function<bool()> cancelled;  // asked between regions, pages and stages, from any thread; true: stop
+  // Called with every page when its pixels are whole, before they are written; says whether they are good
+  // enough. Pages begin again at 0 when what later ones teach changes the layout, whose hashes are not known
+  // yet. Last comes the number of pages, for materials that are on none. An atlas with a page that is not
+  // good enough is written, but never up to date.
+  PageCheck check_page;
+  // In place of it for pages that are never whole in memory; without this one, check_page makes them whole.
+  WrittenPageCheck check_written_page;
+  std::string check_settings;  // what the check goes by: part of the settings
+  // Asked when all files of the atlas are on the disk and none is in place, also in a dry run. What it gives
+  // (or null) is put in place together with the atlas; it may write files into the folder as well, which is
+  // null in a dry run.
+  std::function<std::unique_ptr<Output>(PackReport&, OutputFolder*)> beside;
+};
+
+/// Thrown by pack() when PackOptions::cancelled said so: the folder is as it was.
+class PackCancelled : public std::runtime_error {
+ public:
+  PackCancelled() : std::runtime_error("packing was cancelled") {}
+};
+
+/// A region that was stored with fewer texels.
+struct ReducedRegion {
+  std::string material;
+  int width = 0, height = 0;                // of what it shows
+  int stored_width = 0, stored_height = 0;  // of what was stored
+  double seen_delta_e = 0;                  // against what can be seen at most
+  double delta_e = 0, codes = 0;            // against level 0
+};
+
+struct PackStage {
+  std::string name;
+  double seconds = 0;
+};
+
+/// What was done, for people and machines.
+struct PackReport {
+  std::string input, output;
+  bool up_to_date = false, dry_run = false;
+  std::size_t materials = 0, regions = 0;
+  std::vector<Page> pages;
+  std::uint64_t region_texels = 0, gutter_texels = 0, waste_texels = 0;  // level 0, both textures
+  LeaveOut left_out;                                                     // fates are emptied
+  std::string method;
+  int tries = 0, levels = 1;
+  bool cut_by_time = false, kept_previous = false, inset = false;
+  std::size_t moved = 0;
+  int passes = 1;  // 2: what the texels taught changed the layout
+  std::vector<std::string> files, remarks;
+  std::vector<PackStage> stages;
+  std::vector<ReducedRegion> reduced;
+  std::string validation;  // JSON of the validator's report on the pages; empty: they were not checked
+  GlossForm gloss = GlossForm::schueler;
+};
+
+/// Packs one input into the folder `output`: all files of it appear at once, or none.
+///   input   manifest or what options.other_manifest knows (.json), glTF scene (.gltf, .glb) or folder of
+///           pictures
+/// Throws Error, and PackCancelled.
+PackReport pack(const std::string& input, const std::string& output, const PackOptions& options,
+                const MaterialLibrary& library);
+
+/// The same of a manifest in memory.
+///   label   what the report calls it
+PackReport pack(const PackManifest& manifest, const std::string& label, const std::string& output,
+                const PackOptions& options, const MaterialLibrary& library);
+
+std::string report_text(const PackReport& report, bool stages);
+std::string report_json(const PackReport& report, bool stages);
+
+}  // namespace etak

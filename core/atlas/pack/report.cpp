@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/pack/pack.h"
+#include "core/base/json_text.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
+
+namespace etak {
+namespace {
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+// 12345678 as "12.35 M".
+std::string count(std::uint64_t value) {
+  const double v = static_cast<double>(value);
+  if (v >= 1e6) return fixed(v / 1e6, 2) + " M";
+  if (v >= 1e4) return fixed(v / 1e3, 1) + " k";
+  return std::to_string(value);
+}
+
+std::string right(const std::string& text, std::size_t width) {
+  const std::size_t have = display_width(text);
+  return have < width ? std::string(width - have, ' ') + text : text;
+}
+
+std::string account_json(const TexelAccount& account) {
+  return "{\"texels\": " + json(account.texels) + ", \"channel_texels\": " + json(account.channel_texels) +
+         "}";
+}
+
+std::string line_json(const LeaveOutLine& line) {
+  return "{\"what\": " + json(line.what) + ", \"materials\": " + json(line.materials) +
+         ", \"detail\": " + json(line.detail) + ", \"texels\": " + json(line.texels) +
+         ", \"channel_texels\": " + json(line.channel_texels) + ", \"bytes\": " + json(line.bytes) +
+         ", \"error\": " + json(line.error) + "}";
+}
+
+std::string reduced_json(const ReducedRegion& r) {
+  const auto size = [](int width, int height) {
+    return "[" + std::to_string(width) + ", " + std::to_string(height) + "]";
+  };
+  return "{\"material\": " + json(r.material) + ", \"size\": " + size(r.width, r.height) +
+         ", \"stored\": " + size(r.stored_width, r.stored_height) +
+         ", \"seen_delta_e\": " + json(r.seen_delta_e) + ", \"delta_e\": " + json(r.delta_e) +
+         ", \"codes\": " + json(r.codes) + "}";
+}
+
+std::string page_json(const Page& page) {
+  return "{\"width\": " + std::to_string(page.width) + ", \"height\": " + std::to_string(page.height) +
+         ", \"diffuse_alpha\": " + json(page.has[0]) + ", \"specular_gloss\": " + json(page.has[1]) + "}";
+}
+
+template <class Items, class Form>
+std::string list_json(const Items& items, Form form) {
+  std::vector<std::string> out;
+  for (const auto& item : items) out.push_back(form(item));
+  return json_array(out);
+}
+
+std::string pages_text(const PackReport& r) {
+  std::string out;
+  for (const Page& page : r.pages) {
+    out += (out.empty() ? "" : ", ") + std::to_string(page.width) + "x" + std::to_string(page.height);
+    if (!page.has[0] || !page.has[1]) out += page.has[0] ? " (diffuse_alpha only)" : " (specular_gloss only)";
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string report_text(const PackReport& r, bool stages) {
+  if (r.up_to_date) return line_text(r.output) + ": up to date\n";
+  std::string out = std::to_string(r.materials) + (r.materials == 1 ? " material, " : " materials, ") +
+                    std::to_string(r.regions) + (r.regions == 1 ? " region" : " regions") + " on " +
+                    std::to_string(r.pages.size()) + (r.pages.size() == 1 ? " page" : " pages");
+  if (!r.pages.empty()) out += ": " + pages_text(r);
+  out += "\nregions " + count(r.region_texels) + " texels, gutters " + count(r.gutter_texels) +
+         ", page waste " + count(r.waste_texels) + "; gloss is " + std::string(name(r.gloss)) + "\n";
+  if (r.inset) out += "no gutters: UVs must stay inside by each region's inset (layout.json)\n";
+  if (!r.left_out.lines.empty()) {
+    out += "\n" + padded("left out", 12) + right("texels", 10) + right("channels", 11) + right("bytes", 10) +
+           right("error", 7) + "  what\n";
+    for (const LeaveOutLine& line : r.left_out.lines)
+      out += padded(line.what, 12) + right(count(line.texels), 10) + right(count(line.channel_texels), 11) +
+             right(count(line.bytes), 10) + right(number(line.error, 3), 7) + "  " + line_text(line.detail) +
+             "\n";
+  }
+  const TexelAccount &before = r.left_out.before, &after = r.left_out.after;
+  // Two counts of level 0: a byte for each channel that varies, and the four of each RGBA texel.
+  out += "left of two full-size textures, gutters and page waste apart: " +
+         fixed(percent(after.channel_texels, before.channel_texels), 1) + " % by channel, " +
+         fixed(percent(after.texels, before.texels), 1) + " % as RGBA texels\n";
+  for (const ReducedRegion& each : r.reduced)
+    out += line_text(each.material) + ": " + std::to_string(each.width) + "x" + std::to_string(each.height) +
+           " stored as " + std::to_string(each.stored_width) + "x" + std::to_string(each.stored_height) +
+           ", dE " + number(each.delta_e, 3) + ", " + number(each.seen_delta_e, 3) + " of what is seen\n";
+  if (stages)
+    for (const PackStage& stage : r.stages)
+      out += padded(stage.name, 18) + right(fixed(1000 * stage.seconds, 1), 9) + " ms\n";
+  return out;
+}
+
+std::string report_json(const PackReport& r, bool stages) {
+  const auto quoted = [](const std::string& text) { return json(text); };
+  std::vector<JsonMember> members{
+      {"schema", json("etak-pack-report/1")},
+      {"input", json(r.input)},
+      {"output", json(r.output)},
+      {"up_to_date", json(r.up_to_date)},
+      {"dry_run", json(r.dry_run)},
+      {"materials", json(r.materials)},
+      {"regions", json(r.regions)},
+      {"pages", list_json(r.pages, page_json)},
+      {"texels", "{\"regions\": " + json(r.region_texels) + ", \"gutters\": " + json(r.gutter_texels) +
+                     ", \"waste\": " + json(r.waste_texels) + "}"},
+      {"gloss", json(name(r.gloss))},
+      {"layout", "{\"method\": " + json(r.method) + ", \"tries\": " + std::to_string(r.tries) +
+                     ", \"cut_by_time\": " + json(r.cut_by_time) +
+                     ", \"kept_previous\": " + json(r.kept_previous) + ", \"moved\": " + json(r.moved) +
+                     ", \"inset\": " + json(r.inset) + ", \"levels\": " + std::to_string(r.levels) +
+                     ", \"passes\": " + std::to_string(r.passes) + "}"},
+      {"left_out", list_json(r.left_out.lines, line_json)},
+      {"reduced", list_json(r.reduced, reduced_json)},
+      {"before", account_json(r.left_out.before)},
+      {"after", account_json(r.left_out.after)},
+      {"files", list_json(r.files, quoted)},
+      {"remarks", list_json(r.remarks, quoted)},
+  };
+  if (!r.validation.empty()) members.push_back({"validation", r.validation});
+  if (stages)
+    members.push_back({"stages", list_json(r.stages, [](const PackStage& stage) {
+                         return "{\"name\": " + json(stage.name) + ", \"seconds\": " + json(stage.seconds) +
+                                "}";
+                       })});
+  return json_object(members, 0) + "\n";
+}
+
+}  // namespace etak

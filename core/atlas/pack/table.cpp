@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/pack/table.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+
+#include "core/atlas/defines.h"
+#include "core/atlas/pack/pack.h"
+#include "core/base/number.h"
+
+namespace etak {
+namespace {
+
+void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decision, AtlasLayout& out) {
+  const Plan& plan = decision.plan();
+  const std::vector<Region>& regions = decision.regions();
+  int island = 0;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (regions[r].material != owner) continue;
+    const PixelBox& box = regions[r].box;
+    const Place& at = plan.places[r];
+    AtlasRect rect;
+    rect.name = m.name;
+    rect.island = island++;
+    rect.page = at.page;
+    rect.x = at.x;
+    rect.y = at.y;
+    rect.width = at.rotated ? regions[r].height() : regions[r].width();
+    rect.height = at.rotated ? regions[r].width() : regions[r].height();
+    rect.rotated = at.rotated;
+    rect.crop = box;
+    rect.source_width = m.width;
+    rect.source_height = m.height;
+    rect.gutter = at.gutter;
+    rect.mips = at.clean_levels;
+    rect.inset = plan.inset ? 0.5 * (1 << (at.clean_levels - 1)) : 0;
+    rect.repeats = regions[r].own_page;
+    const bool whole = box == PixelBox{0, 0, m.width, m.height};
+    rect.source_gutter = at.gutter > 0 && !(whole && m.wrap == std::array{Wrap::clamp, Wrap::clamp});
+    out.rects.push_back(rect);
+  }
+}
+
+std::uint64_t texels_of(int width, int height) {
+  return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+}
+
+void account_resolution(const PackInputs& inputs, PackDecision& decision, PackReport& report) {
+  LeaveOutLine line;
+  line.what = "resolution";
+  double worst = 0, seen = 0;
+  for (const Region& region : decision.regions()) {
+    if (region.shrink == 0) continue;
+    const Resolution& found = decision.resolution(region);
+    const PixelBox& box = region.box;
+    const std::uint64_t gone = texels_of(box.width, box.height) - texels_of(region.width(), region.height());
+    ++line.materials;
+    line.texels += 2 * gone;
+    line.channel_texels += report.left_out.fates[region.material].channels * gone;
+    line.error = std::max(line.error, found.whole.codes);
+    worst = std::max(worst, found.whole.delta_e);
+    seen = std::max(seen, found.seen.delta_e);
+    report.reduced.push_back({inputs.materials[region.material].name, box.width, box.height, region.width(),
+                              region.height(), found.seen.delta_e, found.whole.delta_e, found.whole.codes});
+  }
+  if (line.materials == 0) return;
+  line.bytes = 4 * line.texels;
+  line.detail = std::to_string(line.materials) + " regions, up to dE " + number(worst, 3) +
+                " from the full size and " + number(seen, 3) + " from what is seen";
+  report.left_out.after.texels -= line.texels;
+  report.left_out.after.channel_texels -= line.channel_texels;
+  report.left_out.lines.push_back(std::move(line));
+}
+
+// Levels are no texels of level 0: their bytes alone are counted.
+void account_mips(const PackDecision& decision, PackReport& report) {
+  LeaveOutLine line;
+  line.what = "mips";
+  int levels = 0;
+  for (int p = 0; p < static_cast<int>(decision.plan().pages.size()); ++p) {
+    const Page& page = decision.plan().pages[static_cast<std::size_t>(p)];
+    const auto textures = static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
+    for (int l = decision.page_levels(p); l < decision.offered_levels(p); ++l, ++levels)
+      line.bytes += 4 * textures * texels_of(std::max(1, page.width >> l), std::max(1, page.height >> l));
+  }
+  if (levels == 0) return;
+  line.detail = std::to_string(levels) + " levels that nothing reads";
+  report.left_out.lines.push_back(std::move(line));
+}
+
+}  // namespace
+
+AtlasLayout layout_table(const PackOptions& options, const PackInputs& inputs, const PackDecision& decision,
+                         bool scene) {
+  const Plan& plan = decision.plan();
+  AtlasLayout out;
+  out.gloss = inputs.gloss;
+  out.diffuse_reduced = scene;
+  for (int p = 0; p < static_cast<int>(plan.pages.size()); ++p) {
+    const Page& page = plan.pages[static_cast<std::size_t>(p)];
+    AtlasPage row{page.width, page.height, {}};
+    out.levels = std::max(out.levels, decision.page_levels(p));
+    for (const Texture texture : both_textures)
+      if (page.has[static_cast<std::size_t>(texture)])
+        row.files[static_cast<std::size_t>(texture)] =
+            page_files(p, texture, decision.page_levels(p), options.write.formats);
+    out.pages.push_back(std::move(row));
+  }
+  for (std::size_t i = 0; i < inputs.materials.size(); ++i) {
+    const PackInput& m = inputs.materials[i];
+    const MaterialFate& fate = decision.left_out().fates[i];
+    if (!m.facts.reached && !fate.texels) continue;
+    AtlasMaterialRow row{m.name, fate.texels, m.alpha_mode, m.alpha_cutoff, fate.constant, {}, {}};
+    for (std::size_t c = 0; c < channel_count && m.facts.floats; ++c)
+      if (fate.constant[c]) row.value[c] = c == alpha_channel && m.facts.opaque ? 1 : m.facts.exact[c];
+    row.defines = material_defines(fate, m.alpha_mode);
+    if (const MaterialVariant* variant = options.variants ? options.variants->find(m.name) : nullptr)
+      row.defines.insert(row.defines.end(), variant->defines.begin(), variant->defines.end());
+    out.materials.push_back(std::move(row));
+    if (fate.texels) add_rects(m, fate.owner, decision, out);
+  }
+  return out;
+}
+
+void account(const PackInputs& inputs, PackDecision& decision, PackReport& report) {
+  std::uint64_t cells = 0, regions = 0, single = 0;
+  std::size_t singles = 0;
+  for (std::size_t r = 0; r < decision.regions().size(); ++r) {
+    const PixelBox& cell = decision.plan().places[r].cell;
+    const Page& page = decision.plan().pages[static_cast<std::size_t>(decision.plan().places[r].page)];
+    const auto textures = static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
+    const std::uint64_t area = texels_of(decision.regions()[r].width(), decision.regions()[r].height());
+    regions += textures * area;
+    cells += textures * static_cast<std::uint64_t>(cell.width) * static_cast<std::uint64_t>(cell.height);
+    if (textures == 1) single += area, ++singles;
+  }
+  report.region_texels = regions;
+  report.gutter_texels = cells - regions;
+  report.waste_texels = decision.plan().page_texels() - cells;
+  account_resolution(inputs, decision, report);
+  account_mips(decision, report);
+  if (singles == 0) return;
+  report.left_out.lines.push_back({"textures", std::to_string(singles) + " regions need one texture only",
+                                   singles, single, 0, 4 * single, 0});
+  report.left_out.after.texels -= single;
+}
+
+}  // namespace etak

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/sources/floats.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/base/content_hash.h"
+#include "core/base/error.h"
+#include "core/color/srgb.h"
+#include "core/image/files/png.h"
+
+namespace etak {
+namespace {
+
+constexpr std::size_t piece = 1024;  // texels hashed at a time
+
+// A picture's numbers: codes as they are, which floats hold exactly.
+struct Numbers {
+  Image image;
+  double full = 1;      // the code that stands for 1
+  bool floats = false;  // of a file of floats, whose colours are linear by themselves
+
+  double at(std::size_t i) const { return double{image.values[i]} / full; }
+};
+
+template <class Code>
+Numbers numbers_of(const Pixels<Code>& codes) {
+  Numbers out{Image(codes.width, codes.height, codes.channels), std::numeric_limits<Code>::max(), false};
+  std::copy(codes.values.begin(), codes.values.end(), out.image.values.begin());
+  return out;
+}
+
+template <class Code>
+Numbers read_all(PngReader& reader) {
+  const PngInfo& info = reader.info();
+  Pixels<Code> codes(info.width, info.height, info.channels);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): codes as bytes
+  reader.read_rows(reinterpret_cast<std::uint8_t*>(codes.values.data()),
+                   static_cast<std::size_t>(info.width * info.channels) * sizeof(Code), info.height);
+  return numbers_of(codes);
+}
+
+std::optional<Numbers> png_numbers(std::string_view bytes, const std::string& label) {
+  auto png = PngReader::open(bytes, label);
+  if (!png) return std::nullopt;
+  return png->info().bits == 16 ? read_all<std::uint16_t>(*png) : read_all<std::uint8_t>(*png);
+}
+
+Numbers numbers_of(const PlaneSource& source) {
+  FileBytes file;
+  file.load(source.path);
+  if (auto png = png_numbers(file.view(), source.path)) return std::move(*png);
+  auto loaded = source.door->load(source.path);
+  if (const auto* codes = std::get_if<Image8>(&loaded)) return numbers_of(*codes);
+  Image& image = std::get<Image>(loaded);
+  if (source.door->header(source.path).bits != 16) return {std::move(image), 1, true};
+  constexpr float full = 65535;
+  for (float& v : image.values) v = std::round(full * v);
+  return {std::move(image), double{full}, false};
+}
+
+Image fractions_of(const Numbers& numbers) {
+  Image out = numbers.image;
+  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = static_cast<float>(numbers.at(i));
+  return out;
+}
+
+double value_of(const PlaneSource& source, double v, bool floats) {
+  const CodeCurve* curve = source.curve.get();
+  if (!source.color) return curve != nullptr && curve->apply ? curve->apply(v) : v;
+  if (curve != nullptr && floats && curve->linear_float) return curve->linear_float(v);
+  if (curve != nullptr && curve->linear) return curve->linear(v);
+  return srgb_decode(v);
+}
+
+// Colour and grey planes side by side.
+Image joined(const Image& color, const Image& grey) {
+  Image out(color.width, color.height, 4);
+  for (std::size_t i = 0; i < out.pixel_count(); ++i) {
+    std::copy_n(color.values.data() + 3 * i, 3, out.values.data() + 4 * i);
+    out.values[4 * i + 3] = grey.values[i];
+  }
+  return out;
+}
+
+// Which channel of a pair: a colour's code or a plain one.
+std::uint8_t code(std::size_t channel, float value) {
+  if (channel % 4 != 3) return srgb_u8(double{value});
+  return static_cast<std::uint8_t>(255 * std::clamp(double{value}, 0.0, 1.0) + 0.5);
+}
+
+}  // namespace
+
+Image fractions(const std::variant<Image8, Image>& picture) {
+  if (const auto* codes = std::get_if<Image8>(&picture)) return fractions_of(numbers_of(*codes));
+  return std::get<Image>(picture);
+}
+
+std::optional<Image> png_fractions(std::string_view bytes, const std::string& label) {
+  const auto numbers = png_numbers(bytes, label);
+  if (!numbers) return std::nullopt;
+  return fractions_of(*numbers);
+}
+
+Image plane_floats(const PlaneSource& source, int width, int height) {
+  const std::size_t channels = source.color ? 3 : 1;
+  Image out(width, height, static_cast<int>(channels));
+  if (!source.is_image()) {
+    for (std::size_t i = 0; i < out.values.size(); ++i)
+      out.values[i] = static_cast<float>(source.exact[i % channels]);
+    return out;
+  }
+  const Numbers numbers = numbers_of(source);
+  const Image& from = numbers.image;
+  if (from.width != width || from.height != height)
+    throw Error::at(source.path, "is " + std::to_string(from.width) + " x " + std::to_string(from.height),
+                    std::to_string(width) + " x " + std::to_string(height) + ", as when it was looked at");
+  std::array<int, 3> pick = source.pick;
+  if (source.color && !source.picked && from.channels <= 2) pick = {0, 0, 0};
+  const auto step = static_cast<std::size_t>(from.channels);
+  for (std::size_t c = 0; c < channels; ++c)
+    if (pick[c] >= from.channels)
+      throw Error::at(source.path, "has " + std::to_string(from.channels) + " channels",
+                      "at least " + std::to_string(pick[c] + 1));
+  for (std::size_t i = 0; i < out.pixel_count(); ++i)
+    for (std::size_t c = 0; c < channels; ++c) {
+      const double v = numbers.at(step * i + static_cast<std::size_t>(pick[c]));
+      if (!std::isfinite(v))
+        throw Error::at(source.path, "holds a value that is no finite number", "finite numbers");
+      out.values[channels * i + c] =
+          static_cast<float>(source.space ? v : value_of(source, v, numbers.floats));
+    }
+  if (source.space) source.space(out.values.data(), out.pixel_count());
+  return out;
+}
+
+FloatPair load_floats(const PackInput& m) {
+  if (m.convert_floats) return m.convert_floats();
+  const int width = m.files.empty() ? 1 : m.width, height = m.files.empty() ? 1 : m.height;
+  const auto texture = [&](std::size_t t) {
+    return joined(plane_floats(m.color[t], width, height), plane_floats(m.grey[t], width, height));
+  };
+  return {texture(0), texture(1)};
+}
+
+FloatPair metallic_floats(const PlaneSource& base, const PlaneSource& alpha, const PlaneSource& metallic,
+                          const PlaneSource& gloss, int width, int height) {
+  Image diffuse = plane_floats(base, width, height), f0 = diffuse;
+  const Image metal = plane_floats(metallic, width, height);
+  for (std::size_t i = 0; i < metal.values.size(); ++i)
+    for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
+      const double color = double{diffuse.values[c]}, m = double{metal.values[i]};
+      f0.values[c] = static_cast<float>(0.04 + (color - 0.04) * m);
+      diffuse.values[c] = static_cast<float>(color * (1 - m));
+    }
+  return {joined(diffuse, plane_floats(alpha, width, height)),
+          joined(f0, plane_floats(gloss, width, height))};
+}
+
+void look_at_floats(const FloatPair& pair, const std::uint8_t* used, bool opaque, MaterialFacts& facts) {
+  std::array<float, channel_count> least, most;
+  least.fill(std::numeric_limits<float>::infinity());
+  most.fill(-std::numeric_limits<float>::infinity());
+  facts.range = {};
+  ContentHash color, alpha, specular;
+  std::vector<float> rgb, a;
+  const auto flush = [&] {
+    color.add(rgb.data(), sizeof(float) * rgb.size());
+    alpha.add(a.data(), sizeof(float) * a.size());
+    rgb.clear(), a.clear();
+  };
+  for (std::size_t i = 0; i < pair.diffuse_alpha.pixel_count(); ++i) {
+    const float *da = pair.diffuse_alpha.values.data() + 4 * i,
+                *sg = pair.specular_gloss.values.data() + 4 * i;
+    rgb.insert(rgb.end(), {da[0], da[1], da[2]});
+    a.push_back(da[3]);
+    if (a.size() == piece) flush();
+    if (used != nullptr && used[i] == 0) continue;
+    for (std::size_t c = 0; c < channel_count; ++c) {
+      const float v = c < 4 ? da[c] : sg[c - 4];
+      least[c] = std::min(least[c], v);
+      most[c] = std::max(most[c], v);
+    }
+    facts.range.grey = facts.range.grey && sg[0] == sg[1] && sg[1] == sg[2];
+  }
+  flush();
+  specular.add(pair.specular_gloss.values.data(), sizeof(float) * pair.specular_gloss.values.size());
+  for (std::size_t c = 0; c < channel_count; ++c) {
+    if (!(least[c] <= most[c])) continue;
+    facts.exact[c] = double{least[c]};
+    facts.range.least[c] = code(c, least[c]);
+    facts.range.most[c] = code(c, most[c]);
+    if (least[c] != most[c] && facts.range.constant(c)) facts.range.least[c] = 0, facts.range.most[c] = 255;
+  }
+  facts.color_hash = color.value();
+  facts.alpha_hash = opaque ? std::array<std::uint64_t, 2>{} : alpha.value();
+  facts.specular_hash = specular.value();
+  facts.learned = facts.floats = true;
+}
+
+}  // namespace etak

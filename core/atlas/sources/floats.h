@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "core/atlas/leave_out.h"
+#include "core/atlas/sources/sources.h"
+#include "core/image/image.h"
+
+namespace etak {
+
+// Materials as floats, for outputs that hold floats: from the numbers of the files, not from 8-bit codes.
+
+/// A picture as floats, codes as fractions of full scale.
+Image fractions(const std::variant<Image8, Image>& picture);
+/// A PNG file of png.h likewise, of 8 or 16 bits; none for other files.
+std::optional<Image> png_fractions(std::string_view bytes, const std::string& label);
+
+/// One plane at its full size: a colour in linear light (three channels) or a grey quantity (one). Values
+/// outside of 0..1 stay. Throws Error: what PlaneRows throws, and for values that are not finite.
+Image plane_floats(const PlaneSource& source, int width, int height);
+
+/// Both textures of a material. What its pictures do not say is constant; sides of 1 for numbers alone.
+FloatPair load_floats(const PackInput& material);
+
+/// diffuse = c (1 - m), F0 = 0.04 (1 - m) + c m.
+FloatPair metallic_floats(const PlaneSource& base, const PlaneSource& alpha, const PlaneSource& metallic,
+                          const PlaneSource& gloss, int width, int height);
+
+/// What is constant and what is equal, decided on floats: a channel whose floats differ varies, though its
+/// codes may be one.
+///   used     1 per texel in use, null for all
+///   opaque   alpha plays no part
+void look_at_floats(const FloatPair& pair, const std::uint8_t* used, bool opaque, MaterialFacts& facts);
+
+}  // namespace etak

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/atlas/page_memory.h"
+#include "core/image/files/png.h"
+#include "core/image/image.h"
+
+namespace etak {
+
+/// What a picture's header says.
+struct PictureHeader {
+  int width = 0, height = 0, channels = 0, bits = 0;
+  bool strips = false;  // readable row by row
+};
+
+/// How pictures other than the PNGs of png.h are read: OpenImageIO's door (image_io.h), which only the second
+/// program links, because loading that library takes as long and as much memory as packing does. Codes of 16
+/// bits come as floats, code / 65535. Both throw Error.
+struct PictureDoor {
+  std::function<PictureHeader(const std::string& path)> header;
+  std::function<std::variant<Image8, Image>(const std::string& path)> load;
+  std::function<std::variant<Image8, Image>(std::string_view bytes, const std::string& label)> load_bytes;
+
+  /// The way out: a file of 32-bit floats, "tiff" or "exr". `fourth` names the fourth channel.
+  std::function<std::string(const Image& image, std::string_view format, std::string_view fourth)> encode;
+};
+
+/// Colours of a space that etak does not have itself: linear sRGB from its values, `count` pixels of three in
+/// place.
+using SpaceCurve = std::function<void(float* rgb, std::size_t count)>;
+
+/// How the numbers of a file become what a texture holds: both as fractions of full scale, encoded.
+///   apply   empty: unchanged. May leave [0, 1]; such values are brought back and counted
+struct CodeCurve {
+  std::function<double(double)> apply;
+  std::function<double(double)> apply_float;  // for files of floats, whose colours are linear by themselves
+
+  /// Of colours: linear light from the numbers, for outputs of floats. Empty: they are sRGB-encoded.
+  std::function<double(double)> linear, linear_float;
+
+  /// Of files of `bits` (8 or 16): the output code of every input code, and whether it had to be clamped.
+  std::vector<std::uint8_t> codes(int bits, std::vector<bool>* clamped = nullptr) const;
+};
+
+/// The colour or the grey part of one texture of a material.
+struct PlaneSource {
+  std::string path;                        // of the picture; empty: `constant` everywhere
+  bool color = true;                       // three channels, else one
+  std::array<int, 3> pick{0, 1, 2};        // which channels of the picture; [0] alone for grey
+  bool picked = false;                     // the manifest named the channels: they must be there
+  std::shared_ptr<const CodeCurve> curve;  // none: codes stay as they are
+  SpaceCurve space;                        // of a colour; then there is no curve
+  std::string space_name;                  // "" for the usual
+  std::array<std::uint8_t, 3> constant{};
+  std::array<double, 3> exact{};      // what `constant` is the code of: linear light, or a plain quantity
+  const PictureDoor* door = nullptr;  // for pictures that are not read in strips
+
+  bool is_image() const { return !path.empty(); }
+};
+
+/// Looks at the head of a PNG only; other formats go through the door. Throws Error.
+PictureHeader picture_header(const std::string& path, const PictureDoor& door);
+
+/// Reads one plane from the top: 8-bit codes, converted.
+class PlaneRows {
+ public:
+  /// Opens the file (into `memory`, which must outlive this). Throws Error for what cannot be read and for
+  /// channels that are not there.
+  PlaneRows(const PlaneSource& source, FileBytes& memory);
+
+  int width() const { return width_; }  // 0: a constant
+  int height() const { return height_; }
+  const PlaneSource& source() const { return *source_; }
+
+  /// `count` further rows, `step()` bytes a texel, without gaps; valid until the next call. Not for
+  /// constants.
+  const std::uint8_t* read(int count);
+  int step() const { return channels_; }
+  std::array<int, 3> pick() const { return source_->space ? std::array{0, 1, 2} : pick_; }
+
+  /// Texels so far whose value had to be clamped.
+  std::size_t clamped() const { return clamped_; }
+
+ private:
+  void open_whole(const PlaneSource& source);
+  void check_channels(int channels);
+  template <class Sample>
+  void convert_space(const Sample* in, std::size_t texels, int step, float scale);
+  template <class Sample>
+  void convert(const Sample* in, std::size_t samples);
+
+  const PlaneSource* source_;
+  std::optional<PngReader> png_;
+  Image8 whole_;  // where the file is not read in strips
+  int row_ = 0;
+  int width_ = 0, height_ = 0, bits_ = 8;
+  int file_channels_ = 0, channels_ = 0;  // as read; as given
+  std::array<int, 3> pick_{0, 1, 2};
+  std::vector<std::uint8_t> codes_, raw_, rows_;
+  std::vector<float> floats_;
+  std::vector<bool> clamps_;
+  bool may_clamp_ = false;
+  std::size_t clamped_ = 0;
+};
+
+/// Interleaves a colour and a grey row to RGBA. Either may be null: the constant then.
+void interleave(std::uint8_t* rgba, std::size_t texels, const std::uint8_t* color,
+                const PlaneRows& color_rows, const std::uint8_t* grey, const PlaneRows& grey_rows);
+
+}  // namespace etak

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/atlas/leave_out.h"
+#include "core/atlas/manifest.h"
+#include "core/atlas/sources/plane.h"
+#include "core/image/channels.h"
+#include "core/image/material_pair.h"
+#include "core/material/library.h"
+
+namespace etak {
+
+/// A material as the packer reads it: two planes a texture that can be read in strips, or a function that
+/// makes the whole pair.
+struct PackInput {
+  std::string name;
+  int width = 1, height = 1;
+  AlphaMode alpha_mode = AlphaMode::blend;
+  double alpha_cutoff = 0.5;
+  PlaneSource normal;                      // tangent-space normal map, or a constant for none
+  std::function<Image8()> load_normals;    // the same of a scene, at the material's size, RGB; empty: none
+  std::array<PlaneSource, 2> color, grey;  // by Texture
+  std::function<MaterialPair(std::vector<std::string>& remarks)> convert;  // set: in place of the planes
+  std::function<FloatPair()> convert_floats;                               // the same for floats.h
+  MaterialFacts facts;
+  bool streamed = true;                                // every picture can be read in strips
+  std::array<Wrap, 2> wrap{Wrap::clamp, Wrap::clamp};  // what lies beyond the picture's edges, by axis
+  bool own_page = false;           // tiles over a surface, which only a page of its own can do
+  int document_index = -1;         // in a glTF
+  std::vector<std::string> files;  // all that are read
+
+  bool has_normals() const { return normal.is_image() || load_normals; }
+  bool repeats() const { return wrap[0] == Wrap::repeat && wrap[1] == Wrap::repeat; }
+};
+
+struct PackInputs {
+  GlossForm gloss = GlossForm::schueler;  // what comes out
+  std::vector<PackInput> materials;
+  std::vector<std::string> remarks;  // what had to be changed
+  std::string settings;              // everything but the files' bytes that decides the result
+};
+
+/// Opens a colour space that etak does not have itself. Throws Error that tells the nearest names.
+using SpaceOpener = std::function<SpaceCurve(const std::string& name)>;
+
+/// Turns manifest entries into inputs: sizes from the headers, constants and library materials into codes.
+///   gloss        what texture B is to hold; as in the manifest where not given
+///   door         must outlive the inputs
+///   open_space   for spaces of pictures other than srgb, linear and power-2.2; empty: there are no others
+///   spaces       of pictures that name none, by role
+/// Throws Error: files that are missing or of different sizes, unknown materials, spaces and channels.
+PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,
+                            std::optional<GlossForm> gloss, const PictureDoor& door,
+                            const SpaceOpener& open_space,
+                            const std::map<std::string, std::string>& spaces = {});
+
+}  // namespace etak

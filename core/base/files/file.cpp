@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/files/file.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "core/base/error.h"
+#include "core/base/files/input.h"
+#include "core/base/files/output_file.h"
+#include "core/base/memory.h"
+
+namespace etak {
+namespace {
+
+std::string reason() {
+  return std::strerror(errno);
+}
+
+std::string too_large(std::size_t most) {
+  return "at most " + std::to_string(most >> 20) + " MiB of text";
+}
+
+// Reads up to `wanted` bytes behind the present end of `out`; returns how many came.
+std::size_t read_some(int fd, std::string& out, std::size_t wanted, const std::string& path) {
+  const std::size_t old = out.size();
+  out.resize(old + wanted);
+  for (;;) {
+    const ssize_t got = ::read(fd, out.data() + old, wanted);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw Error::at(path, "cannot be read: " + reason());
+    out.resize(old + static_cast<std::size_t>(got));
+    return static_cast<std::size_t>(got);
+  }
+}
+
+}  // namespace
+
+void read_file(const std::string& path, std::string& out, std::size_t most) {
+  out.clear();
+  const OpenedInput opened = open_input(path, most);
+  const std::size_t size = opened.size;
+  const auto read_all = [&] {
+    // One byte more than the size, so that the usual file ends in a single short read.
+    while (read_some(opened.file.get(), out, (out.size() < size ? size - out.size() : 0) + 1, path) != 0) {
+      if (out.size() > most) throw Error::at(path, "grew while it was read", too_large(most));
+      if (out.size() == size) break;
+    }
+  };
+  with_memory_for(
+      path, [&] { return "its " + mebibytes(size); }, read_all);
+}
+
+std::string read_file(const std::string& path, std::size_t most) {
+  std::string out;
+  read_file(path, out, most);
+  return out;
+}
+
+void write_file(const std::string& path, std::string_view bytes, bool overwrite) {
+  OutputFile(path, bytes, overwrite).commit();
+}
+
+}  // namespace etak

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/files/input.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/base/memory.h"
+#include "core/base/number.h"
+
+namespace etak {
+namespace {
+
+constexpr const char* what_is_read = "a regular file, a pipe, or - for standard input";
+constexpr std::size_t most_handed_over = std::size_t{4} << 30;
+// "PID:DESCRIPTOR:PATH" and a NUL byte's stand-in after each: what the program before this one had read.
+constexpr const char* handed_over = "ETAK_READ_PIPES";
+constexpr char end_of_entry = '\x1f';
+
+std::string reason() {
+  return std::strerror(errno);
+}
+
+// N of "/dev/fd/N" and its other names; nothing for other paths.
+std::optional<int> descriptor_of(std::string_view path) {
+  if (path == "-" || path == "/dev/stdin") return STDIN_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder)) continue;
+    const std::string_view digits = path.substr(folder.size());
+    int number = 0;
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (fault == std::errc() && end == digits.data() + digits.size() && number >= 0) return number;
+  }
+  return std::nullopt;
+}
+
+// A pipe whose bytes are kept.
+class Pipe {
+ public:
+  explicit Pipe(std::string path) : path_(std::move(path)) {}
+
+  // A fresh descriptor of the whole, which holds at most `most` bytes.
+  OpenedInput open(std::size_t most, double timeout) {
+    const std::lock_guard guard(lock_);
+    if (!fill(most, timeout)) fail_endless(most);
+    return reopened();
+  }
+
+  std::string head(std::size_t count, double timeout) {
+    const std::lock_guard guard(lock_);
+    (void)fill(count - 1, timeout);
+    std::string out(std::min(count, size_), '\0');
+    std::size_t at = 0;
+    while (at < out.size()) {
+      const ssize_t got = ::pread(memory_, out.data() + at, out.size() - at, static_cast<off_t>(at));
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) throw Error::at(path_, "cannot be read: " + reason());
+      at += static_cast<std::size_t>(got);
+    }
+    return out;
+  }
+
+  // The entry for the program that follows; empty where nothing was read.
+  std::string hand_over(double timeout) {
+    const std::lock_guard guard(lock_);
+    if (memory_ < 0) return {};
+    if (!fill(most_handed_over, timeout)) fail_endless(most_handed_over);
+    if (descriptor_ >= 0) return {};  // its own number stands for the memory already
+    ::fcntl(memory_, F_SETFD, 0);
+    return std::to_string(::getpid()) + ':' + std::to_string(memory_) + ':' + path_ + end_of_entry;
+  }
+
+ private:
+  [[noreturn]] void fail_endless(std::size_t most) const {
+    throw Error::at(path_, "does not end", "at most " + mebibytes(most));
+  }
+
+  // Reads until the end or until more than `wanted` bytes are there; true at the end.
+  bool fill(std::size_t wanted, double timeout) {
+    if (memory_ < 0) start(timeout);
+    std::string buffer(std::size_t{1} << 16, '\0');
+    while (!ended_ && size_ <= wanted) {
+      const ssize_t got = ::read(source_.get(), buffer.data(), buffer.size());
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0 && errno == EAGAIN) {  // another program has made this end non-blocking
+        pollfd waiting{source_.get(), POLLIN, 0};
+        (void)::poll(&waiting, 1, -1);
+        continue;
+      }
+      if (got < 0) throw Error::at(path_, "cannot be read: " + reason());
+      if (got == 0) {
+        finish();
+        break;
+      }
+      if (!write_all(memory_, {buffer.data(), static_cast<std::size_t>(got)}))
+        throw Error::at(path_, "cannot be kept in memory: " + reason());
+      size_ += static_cast<std::size_t>(got);
+    }
+    return ended_ && size_ <= wanted;
+  }
+
+  void start(double timeout) {
+    if (take_handed_over()) return;
+    descriptor_ = descriptor_of(typed_input(path_)).value_or(-1);
+    if (descriptor_ == STDIN_FILENO) {
+      // As it stands: it may be a socket or a terminal, or a file that somebody has read a part of.
+      source_ = Descriptor(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3));
+    } else {
+      source_ = Descriptor(::open(typed_input(path_).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+      if (source_) wait_for_first_byte(timeout);
+    }
+    if (!source_) throw Error::at(path_, "cannot be opened: " + reason());
+    memory_ = ::memfd_create("etak-input", MFD_CLOEXEC);
+    if (memory_ < 0) throw Error::at(path_, "cannot be kept in memory: " + reason());
+  }
+
+  void wait_for_first_byte(double timeout) {
+    using Clock = std::chrono::steady_clock;
+    const auto end =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout));
+    for (;;) {
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
+      pollfd waiting{source_.get(), POLLIN, 0};
+      const int found = ::poll(&waiting, 1, static_cast<int>(std::max<long>(0, left)));
+      if (found > 0) break;
+      if (found < 0 && errno != EINTR) throw Error::at(path_, "cannot be read: " + reason());
+      if (Clock::now() < end) continue;
+      throw Error::at(path_, "nothing came from this pipe in " + number(timeout, 6) + " s",
+                      "a program that writes to it, or more time by --input-timeout");
+    }
+    // What follows may take as long as the writer likes.
+    ::fcntl(source_.get(), F_SETFL, ::fcntl(source_.get(), F_GETFL) & ~O_NONBLOCK);
+  }
+
+  void finish() {
+    ended_ = true;
+    source_ = Descriptor();
+    if (descriptor_ < 0) return;
+    // Whoever opens this number now, also the program that takes this one's place, finds the bytes again.
+    ::lseek(memory_, 0, SEEK_SET);
+    ::dup2(memory_, descriptor_);
+  }
+
+  bool take_handed_over() {
+    const char* const text = std::getenv(handed_over);
+    std::string_view rest = text == nullptr ? "" : text;
+    const std::string start = std::to_string(::getpid()) + ':';
+    while (!rest.empty()) {
+      const std::string_view entry = rest.substr(0, rest.find(end_of_entry));
+      rest.remove_prefix(std::min(entry.size() + 1, rest.size()));
+      if (!entry.starts_with(start)) continue;
+      const std::string_view number = entry.substr(start.size());
+      int descriptor = -1;
+      const auto [end, fault] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
+      const std::size_t used = static_cast<std::size_t>(end - number.data());
+      struct stat info {};
+      if (fault != std::errc() || number.substr(std::min(used + 1, number.size())) != path_ ||
+          ::fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode))
+        continue;
+      memory_ = descriptor;
+      size_ = static_cast<std::size_t>(info.st_size);
+      ended_ = true;
+      return true;
+    }
+    return false;
+  }
+
+  OpenedInput reopened() const {
+    OpenedInput out{
+        Descriptor(::open(("/proc/self/fd/" + std::to_string(memory_)).c_str(), O_RDONLY | O_CLOEXEC)),
+        size_};
+    if (!out.file) throw Error::at(path_, "cannot be opened: " + reason());
+    return out;
+  }
+
+  const std::string path_;
+  std::mutex lock_;
+  Descriptor source_;
+  int memory_ = -1;      // open until the program ends
+  int descriptor_ = -1;  // that the user named; -1: a named pipe
+  std::size_t size_ = 0;
+  bool ended_ = false;
+};
+
+// What the user named. The pipes of a process exist once, and so does this.
+//   descriptors   by "<stdin>" or "<fd N>"
+//   named         named pipes, by their whole path, however it is spelled
+struct Accepted {
+  std::mutex lock;
+  std::map<std::string, std::unique_ptr<Pipe>> descriptors;
+  std::map<std::string, std::unique_ptr<Pipe>> named;
+  double timeout = 60;
+};
+
+Accepted& accepted() {
+  static Accepted all;
+  return all;
+}
+
+bool has_name_of_descriptor(std::string_view path) {
+  return path == stdin_name || (path.starts_with("<fd ") && path.ends_with('>'));
+}
+
+// Without links, "." and ".."; empty where there is nothing.
+std::string whole_path(const std::string& path) {
+  std::error_code failure;
+  return std::filesystem::canonical(path, failure).string();
+}
+
+// The pipe behind an accepted path; null where there is none.
+Pipe* accepted_pipe(const std::string& path) {
+  Accepted& all = accepted();
+  const std::lock_guard guard(all.lock);
+  if (has_name_of_descriptor(path)) {
+    const auto found = all.descriptors.find(path);
+    return found == all.descriptors.end() ? nullptr : found->second.get();
+  }
+  if (all.named.empty()) return nullptr;
+  const auto found = all.named.find(whole_path(path));
+  return found == all.named.end() ? nullptr : found->second.get();
+}
+
+[[noreturn]] void refuse(const std::string& path, mode_t mode) {
+  if (S_ISDIR(mode)) throw Error::at(path, "is a folder", "a file");
+  if (S_ISFIFO(mode))
+    throw Error::at(path, "is a pipe, and pipes are read only where they are named on the command line",
+                    "a regular file");
+  throw Error::at(path, S_ISSOCK(mode) ? "is a socket" : "is a device", what_is_read);
+}
+
+OpenedInput open_regular(const std::string& path) {
+  OpenedInput out;
+  // Looked at before it is opened, because opening a pipe is seen by whoever writes to it.
+  struct stat info {};
+  if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) refuse(path, info.st_mode);
+  // O_NONBLOCK: what has become a pipe since must not hang the call; regular files ignore it.
+  out.file = Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!out.file) throw Error::at(path, "cannot be opened: " + reason());
+  if (::fstat(out.file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason());
+  if (!S_ISREG(info.st_mode)) refuse(path, info.st_mode);
+  out.size = static_cast<std::size_t>(info.st_size);
+  return out;
+}
+
+double timeout_of_inputs() {
+  Accepted& all = accepted();
+  const std::lock_guard guard(all.lock);
+  return all.timeout;
+}
+
+}  // namespace
+
+std::string accept_input(const std::string& typed) {
+  Accepted& all = accepted();
+  if (const auto number = descriptor_of(typed)) {
+    const std::string path =
+        *number == STDIN_FILENO ? std::string(stdin_name) : "<fd " + std::to_string(*number) + '>';
+    const std::lock_guard guard(all.lock);
+    const auto [place, fresh] = all.descriptors.try_emplace(path);
+    if (fresh)
+      place->second = std::make_unique<Pipe>(path);
+    else if (path == stdin_name)
+      throw Error::at(typed, "standard input is asked for twice", "once");
+    return path;
+  }
+  struct stat info {};
+  if (::stat(typed.c_str(), &info) == 0 && S_ISFIFO(info.st_mode)) {
+    const std::lock_guard guard(all.lock);
+    const auto [place, fresh] = all.named.try_emplace(whole_path(typed));
+    if (fresh) place->second = std::make_unique<Pipe>(typed);
+  }
+  return typed;
+}
+
+std::string skipped_remark(const std::vector<std::string>& skipped) {
+  if (skipped.empty()) return {};
+  std::string out = printable(skipped.front(), 200);
+  if (skipped.size() > 1) out += " and " + std::to_string(skipped.size() - 1) + " more";
+  return out + ": skipped, because pipes, sockets and devices are read only where they are named";
+}
+
+std::string typed_input(const std::string& path) {
+  if (path == stdin_name) return "-";
+  if (!has_name_of_descriptor(path)) return path;
+  return "/dev/fd/" + path.substr(4, path.size() - 5);
+}
+
+bool is_pipe_input(const std::string& path) {
+  return accepted_pipe(path) != nullptr;
+}
+
+void set_input_timeout(double seconds) {
+  Accepted& all = accepted();
+  const std::lock_guard guard(all.lock);
+  all.timeout = seconds;
+}
+
+OpenedInput open_input(const std::string& path, std::size_t most) {
+  if (Pipe* const pipe = accepted_pipe(path)) return pipe->open(most, timeout_of_inputs());
+  OpenedInput out = open_regular(path);
+  if (out.size > most) throw Error::at(path, "holds " + mebibytes(out.size), "at most " + mebibytes(most));
+  return out;
+}
+
+std::string read_head(const std::string& path, std::size_t count) {
+  if (Pipe* const pipe = accepted_pipe(path)) return pipe->head(count, timeout_of_inputs());
+  const OpenedInput opened = open_regular(path);
+  std::string out(count, '\0');
+  std::size_t at = 0;
+  while (at < count) {
+    const ssize_t got = ::read(opened.file.get(), out.data() + at, count - at);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw Error::at(path, "cannot be read: " + reason());
+    if (got == 0) break;
+    at += static_cast<std::size_t>(got);
+  }
+  out.resize(at);
+  return out;
+}
+
+void hand_over_inputs() {
+  const double timeout = timeout_of_inputs();
+  std::string text;
+  for (const auto& [path, pipe] : accepted().descriptors) text += pipe->hand_over(timeout);
+  for (const auto& [path, pipe] : accepted().named) text += pipe->hand_over(timeout);
+  if (!text.empty()) ::setenv(handed_over, text.c_str(), 1);
+}
+
+}  // namespace etak

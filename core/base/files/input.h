@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/files/descriptor.h"
+
+namespace etak {
+
+// The one door to everything that is read. What may be opened:
+//   regular files   always
+//   pipes           only those that the user named (accept_input): standard input, /dev/fd/N as the shell's
+//                   <(...) gives it, named pipes. A pipe can be read once, so its bytes are kept in memory
+//                   from the first look on, and it can be opened as often as a file
+//   anything else   never: folders, sockets, other devices. A pipe that another file names, or that lies in
+//                   a folder, is refused as well, because nobody promised that something writes to it
+
+/// How paths and messages call standard input.
+inline constexpr std::string_view stdin_name = "<stdin>";
+
+/// Takes `typed` as an input that the user named, and returns the path to open it by: "<stdin>" for "-",
+/// /dev/stdin and /dev/fd/0, "<fd 63>" for /dev/fd/63, else `typed` itself. Names that such an input holds
+/// are thereby relative to the working folder. Throws Error when standard input is named a second time.
+std::string accept_input(const std::string& typed);
+
+/// The path of accept_input() as it is typed: "-" for "<stdin>", "/dev/fd/63" for "<fd 63>".
+std::string typed_input(const std::string& path);
+
+/// Whether `path` is an accepted pipe, or standard input or a descriptor whatever lies behind it: its name
+/// tells no kind and it lies in no folder.
+bool is_pipe_input(const std::string& path);
+
+/// What is said of what a search of a folder came by and left alone, since it is no regular file; empty where
+/// there is nothing of the kind.
+std::string skipped_remark(const std::vector<std::string>& skipped);
+
+/// How long a pipe may be without its first byte, in seconds (default 60); standard input waits without
+/// limit.
+void set_input_timeout(double seconds);
+
+/// A file opened for reading at its first byte, and its size in bytes.
+struct OpenedInput {
+  Descriptor file;
+  std::size_t size = 0;
+};
+
+/// Opens `path`. Throws Error that names it when it cannot be opened, is none of the above, holds more than
+/// `most` bytes (a pipe is not read further than that), or is a pipe that nothing came from in time.
+OpenedInput open_input(const std::string& path, std::size_t most);
+
+/// The first `count` bytes, fewer where the file is shorter; of a pipe no more is read. Throws as
+/// open_input().
+std::string read_head(const std::string& path, std::size_t count);
+
+/// Makes what was read of pipes so far readable for the program that takes this one's place, under the same
+/// names.
+void hand_over_inputs();
+
+}  // namespace etak

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/files/links.h"
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+
+#include "core/base/error.h"
+
+namespace etak {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> follow_all{false};
+
+fs::path or_here(const fs::path& folder) {
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+// Whether `target`, which holds no links, is the folder or lies in it.
+bool lies_in(const fs::path& target, const fs::path& folder) {
+  std::error_code failure;
+  const fs::path whole = fs::canonical(or_here(folder), failure);
+  if (failure) return false;
+  return std::mismatch(whole.begin(), whole.end(), target.begin(), target.end()).first == whole.end();
+}
+
+}  // namespace
+
+void set_follow_links(bool follow) {
+  follow_all = follow;
+}
+
+bool follows_links() {
+  return follow_all;
+}
+
+std::string path_beside(const std::string& folder, const std::string& name) {
+  const fs::path root(folder), whole = root / name;
+  if (follow_all || fs::path(name).is_absolute()) return whole.string();
+  fs::path at = root;
+  for (const fs::path& part : fs::path(name)) {
+    const fs::path holder = at;
+    at /= part;
+    std::error_code failure;
+    if (!fs::is_symlink(fs::symlink_status(at, failure))) continue;
+    const fs::path target = fs::canonical(at, failure);
+    if (failure) break;  // leads nowhere, which the reader tells
+    if (!lies_in(target, root) && !lies_in(target, holder))
+      throw Error::at(at.string(), "is a link to " + printable(target.string(), 200) + ", out of its folder",
+                      "a file of that folder, or --follow-links");
+  }
+  return whole.string();
+}
+
+}  // namespace etak

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/files/output_file.h"
+
+#include <fcntl.h>
+#include <linux/fs.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "core/base/error.h"
+
+namespace etak {
+
+void OutputFile::fail(const char* what) const {
+  throw Error::at(path_, std::string(what) + ": " + std::strerror(errno));
+}
+
+OutputFile::OutputFile(const std::string& path, std::string_view bytes, bool overwrite)
+    : path_(path), overwrite_(overwrite), target_(file_target(path, overwrite)) {
+  if (target_.is_device) {
+    for_device_ = bytes;
+    return;
+  }
+  folder_ = open_folder_of(target_);
+  if (!folder_) fail("cannot be written");
+  temporary_ = Temporary(folder_.get(), target_.name, Temporary::Kind::file);
+  if (!temporary_) fail("cannot be written");
+  const int file = temporary_.open().get();
+  const mode_t mode = target_.exists ? target_.mode & 07777 : mode_of_new_file();
+  if (!write_all(file, bytes) || ::fchmod(file, mode) != 0 || ::fsync(file) != 0) fail("cannot be written");
+}
+
+void OutputFile::prepare() {
+  if (!target_.is_device) return;
+  Descriptor device(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!device || !write_all(device.get(), for_device_) || !device.close()) fail("cannot be written");
+}
+
+void OutputFile::place() {
+  if (target_.is_device) return;
+  const auto rename = [&](unsigned flags) {
+    return ::syscall(SYS_renameat2, folder_.get(), temporary_.name().c_str(), folder_.get(),
+                     target_.name.c_str(), flags) == 0;
+  };
+  if (overwrite_) {
+    if (!rename(0)) fail("cannot be put in place");
+  } else if (!rename(RENAME_NOREPLACE)) {
+    if (errno == EEXIST) throw exists_already(path_);
+    // Some network file systems cannot say it in one step.
+    if (errno != EINVAL && errno != ENOSYS) fail("cannot be put in place");
+    (void)file_target(path_, false);
+    if (!rename(0)) fail("cannot be put in place");
+  }
+  if (!temporary_.keep()) fail("cannot be put in place");
+}
+
+}  // namespace etak

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/base/files/output.h"
+#include "core/base/files/output_target.h"
+
+namespace etak {
+
+/// Whether `name` is the name of a file in a folder and of nothing elsewhere: not empty, no '/', no NUL,
+/// neither "." nor "..". The one question that decides what etak may write, replace or remove there, also
+/// where the name comes from a file that a stranger made.
+bool is_plain_file_name(std::string_view name);
+
+/// A folder of files that belong together (textures and their layout): all of them appear at once or none,
+/// and an old set stays whole until then, even when the process is killed.
+///   How: everything is written to a new folder beside the target (temporary.h), then the two are exchanged
+///   in one step (renameat2 RENAME_EXCHANGE; a plain rename when the target is not there yet). Files of the
+///   target that the new set does not replace and the caller did not name to remove_old move along as they
+///   are (hard links; folders are moved). Where that cannot be, the files are renamed into the target one by
+///   one, "layout*.json" last: each file is then whole at any time, but a process killed between two renames
+///   leaves a mixed set, in which the layout is the old one. It cannot be where the file system has no
+///   exchange or no hard links; where the target is a mount point; where its parent cannot be written (the
+///   new folder is then made in the target); and where the target holds the working folder, which a shell
+///   would lose.
+/// A symbolic link to a folder stays, and the folder it leads to is the target.
+class OutputFolder : public Output {
+ public:
+  /// Creates the new folder. The parents of `path` must exist. Throws Error.
+  OutputFolder(const std::string& path, Replace replace);
+  ~OutputFolder() override;
+
+  /// A new file "name" (no '/'), written by calling `body` with a sink for its bytes. It goes on to the disk
+  /// while others are made; commit() waits for that. Throws Error, also for a full disk; what `body` throws
+  /// comes out, and the file is gone. Different files may be written from different threads.
+  void write(const std::string& name,
+             const std::function<void(const std::function<void(std::string_view)>&)>& body);
+  void write(const std::string& name, std::string_view bytes);
+
+  /// The same piece by piece. A file that is not closed is gone. Lives no longer than its folder.
+  class File {
+   public:
+    ~File();
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    void add(std::string_view bytes);
+    /// Puts bytes over those from byte `at` on, which are there already.
+    void patch(std::size_t at, std::string_view bytes);
+    void close();
+
+   private:
+    friend class OutputFolder;
+    struct Open;
+    explicit File(std::unique_ptr<Open> open);
+    std::unique_ptr<Open> open_;
+  };
+  std::unique_ptr<File> open(const std::string& name);
+
+  /// Where a file that is written lies until commit(), to be read again.
+  std::string path_until_commit(const std::string& name) const;
+
+  /// Names of files of an earlier set in the target that are not to live on. A name that is not there, or
+  /// that this set has too, does nothing. Throws Error for a name that could lead out of the target
+  /// (is_plain_file_name): such names come from layouts that others have written.
+  void remove_old(const std::string& name);
+
+ private:
+  void prepare() override;
+  void place() override;
+  void tidy() override;
+
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace etak

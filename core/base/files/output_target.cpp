@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/files/output_target.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "core/base/files/output_folder.h"
+#include "core/base/files/temporary.h"
+
+namespace etak {
+namespace {
+
+// Where a symbolic link leads, so that the link stays and its target is replaced.
+std::string behind_links(const std::string& path) {
+  std::error_code failure;
+  const auto target = std::filesystem::canonical(path, failure);
+  return failure ? path : target.string();
+}
+
+}  // namespace
+
+Error exists_already(const std::string& path) {
+  return Error::at(path, "exists already", "a new name, or --force to replace it");
+}
+
+FileTarget file_target(const std::string& path, bool overwrite) {
+  FileTarget out;
+  struct stat info {};
+  out.exists = ::stat(path.c_str(), &info) == 0;
+  out.mode = info.st_mode;
+  if (out.exists && S_ISDIR(info.st_mode)) throw Error::at(path, "is a folder", "a file to write");
+  out.is_device = out.exists && !S_ISREG(info.st_mode);
+  if (out.exists && !out.is_device && !overwrite) throw exists_already(path);
+  const std::filesystem::path whole = out.exists ? behind_links(path) : path;
+  out.folder = whole.parent_path().string();
+  out.name = whole.filename().string();
+  if (out.name.empty()) throw Error::at(path.empty() ? "\"\"" : path, "is no file's name", "a file to write");
+  return out;
+}
+
+Descriptor open_folder_of(const FileTarget& target) {
+  const char* const path = target.folder.empty() ? "." : target.folder.c_str();
+  Descriptor out(::open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // Of a folder that may not be read, files can be made all the same.
+  if (!out && errno == EACCES) out = Descriptor(::open(path, O_PATH | O_DIRECTORY | O_CLOEXEC));
+  return out;
+}
+
+void check_file_target(const std::string& path, bool overwrite) {
+  const FileTarget target = file_target(path, overwrite);
+  if (target.is_device) return;
+  const Descriptor folder = open_folder_of(target);
+  if (!folder || !Temporary(folder.get(), target.name, Temporary::Kind::file))
+    throw Error::at(path, std::string("cannot be written: ") + std::strerror(errno));
+}
+
+void check_folder_target(const std::string& path, std::span<const std::string> names, Replace replace) {
+  // Made beside the target and removed with the object.
+  const OutputFolder probe(path, replace);
+  if (replace != Replace::nothing) return;
+  struct stat info {};
+  for (const std::string& name : names)
+    if (::stat((path + "/" + name).c_str(), &info) == 0) throw exists_already(path + "/" + name);
+}
+
+}  // namespace etak

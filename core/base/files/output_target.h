@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <span>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/base/files/descriptor.h"
+
+namespace etak {
+
+// Where output will go, looked at before long work: nobody waits for a result that cannot be put in place.
+// The errors are those that write_file() and OutputFolder would end with.
+
+/// What stands where a file is to be written.
+struct FileTarget {
+  bool exists = false;
+  bool is_device = false;  // or a pipe: is written to and not replaced
+  mode_t mode = 0;         // of the file that exists
+  std::string folder;      // behind a symbolic link, which stays; "" is the working folder
+  std::string name;        // in it
+};
+/// Throws Error for a folder, and for a file where `overwrite` is false.
+FileTarget file_target(const std::string& path, bool overwrite);
+
+/// The folder that the target lies in. Nothing is open where that cannot be, and errno tells why.
+Descriptor open_folder_of(const FileTarget& target);
+
+/// The same, and Error where no file can be made beside the target (a temporary is made and removed).
+void check_file_target(const std::string& path, bool overwrite);
+
+/// What a folder of files may take the place of.
+enum class Replace {
+  nothing,   // a file of the set that the target already has is an Error
+  files,     // files are replaced, but a target that nobody may write is an Error
+  anything,  // and such a target is replaced as well
+};
+
+/// The same for a folder of files (OutputFolder): throws Error where `path` is a file, where it can be
+/// neither made nor changed, and, with Replace::nothing, where it holds one of `names`.
+void check_folder_target(const std::string& path, std::span<const std::string> names, Replace replace);
+
+/// "PATH: exists already; expected a new name, or --force to replace it"
+Error exists_already(const std::string& path);
+
+}  // namespace etak

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/files/temporary.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <linux/fs.h>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <thread>
+
+#include "core/base/signals.h"
+
+namespace etak {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::string_view mark = ".etak-";
+constexpr std::size_t letters = 6;
+constexpr std::size_t longest_name = 255;
+// Cleaning up can wait for the next run; this one has work to do.
+constexpr auto most_wait_to_clean = 1s;
+
+std::string prefix_of(std::string_view name) {
+  constexpr std::size_t most = longest_name - 1 - mark.size() - letters;
+  std::string shown(name);
+  if (name.size() > most) {
+    // FNV-1a: tells names apart whose beginnings are the same.
+    std::uint64_t hash = 14695981039346656037U;
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    std::array<char, 18> digits{};
+    const int length =
+        std::snprintf(digits.data(), digits.size(), "-%016llx", static_cast<unsigned long long>(hash));
+    std::size_t cut = most - static_cast<std::size_t>(length);
+    while (cut > 0 && (static_cast<unsigned char>(name[cut]) & 0xC0) == 0x80) --cut;
+    shown = std::string(name.substr(0, cut)) + digits.data();
+  }
+  return "." + shown + std::string(mark);
+}
+
+std::string random_letters() {
+  constexpr std::string_view alphabet = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+  std::array<std::uint32_t, letters> numbers{};
+  if (::getrandom(numbers.data(), sizeof numbers, 0) != static_cast<ssize_t>(sizeof numbers)) return {};
+  std::string out;
+  for (const std::uint32_t number : numbers) out += alphabet[number % alphabet.size()];
+  return out;
+}
+
+// Folders in it were somebody else's, on their way to a new target: they go (back) to `home`, and where that
+// cannot be everything that is left stays.
+void remove_folder(int parent, const std::string& name, int home) {
+  if (const Descriptor folder = open_folder(parent, name))
+    for (const std::string& entry : names_in(folder.get())) {
+      if (!is_folder(folder.get(), entry))
+        ::unlinkat(folder.get(), entry.c_str(), 0);
+      else if (home >= 0)
+        ::syscall(SYS_renameat2, folder.get(), entry.c_str(), home, entry.c_str(), RENAME_NOREPLACE);
+    }
+  ::unlinkat(parent, name.c_str(), AT_REMOVEDIR);
+}
+
+void remove_remains(int parent, const std::string& prefix, int home) {
+  for (const std::string& entry : names_in(parent)) {
+    if (!entry.starts_with(prefix) || entry.size() != prefix.size() + letters) continue;
+    const Descriptor remains(::openat(parent, entry.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    struct stat info {};
+    if (!remains || ::flock(remains.get(), LOCK_EX | LOCK_NB) != 0 || ::fstat(remains.get(), &info) != 0)
+      continue;
+    if (S_ISDIR(info.st_mode))
+      remove_folder(parent, entry, home);
+    else if (S_ISREG(info.st_mode))
+      ::unlinkat(parent, entry.c_str(), 0);
+  }
+}
+
+// Whether the name still stands for what is open.
+bool stands_for(int folder, const std::string& name, int open) {
+  struct stat named {
+  }, opened{};
+  return ::fstatat(folder, name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 && ::fstat(open, &opened) == 0 &&
+         named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+}
+
+}  // namespace
+
+Descriptor open_folder(int at, const std::string& name) {
+  return Descriptor(::openat(at, name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+}
+
+bool is_folder(int at, const std::string& name) {
+  struct stat info {};
+  return ::fstatat(at, name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(info.st_mode);
+}
+
+std::vector<std::string> names_in(int folder) {
+  std::vector<std::string> out;
+  const int again = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  DIR* const listing = again < 0 ? nullptr : ::fdopendir(again);
+  if (listing == nullptr) return out;
+  while (const dirent* entry = ::readdir(listing)) {
+    const std::string name = entry->d_name;
+    if (name != "." && name != "..") out.push_back(name);
+  }
+  ::closedir(listing);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+namespace {
+
+// The system tells the mask only in exchange for another, which other threads would see: asked once.
+mode_t user_mask() {
+  static const mode_t mask = [] {
+    const mode_t found = ::umask(0);
+    ::umask(found);
+    return found;
+  }();
+  return mask;
+}
+
+}  // namespace
+
+mode_t mode_of_new_file() {
+  return 0666 & ~user_mask();
+}
+
+mode_t mode_of_new_folder() {
+  return 0777 & ~user_mask();
+}
+
+FolderLock::FolderLock(int folder, std::chrono::milliseconds most) {
+  const auto end = std::chrono::steady_clock::now() + most;
+  auto pause = 1ms;
+  while (::flock(folder, LOCK_EX | LOCK_NB) != 0) {
+    taken_ = errno == EWOULDBLOCK;
+    if ((!taken_ && errno != EINTR) || std::chrono::steady_clock::now() >= end) return;
+    std::this_thread::sleep_for(pause);
+    pause = std::min(2 * pause, 20ms);
+  }
+  folder_ = folder;
+  taken_ = false;
+}
+
+FolderLock::FolderLock(FolderLock&& other) noexcept
+    : folder_(std::exchange(other.folder_, -1)), taken_(other.taken_) {}
+
+FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
+  std::swap(folder_, other.folder_);
+  std::swap(taken_, other.taken_);
+  return *this;
+}
+
+void FolderLock::release() {
+  if (folder_ >= 0) ::flock(folder_, LOCK_UN);
+  folder_ = -1;
+}
+
+Temporary::Temporary(int folder, std::string_view name, Kind kind, int home) : folder_(folder), kind_(kind) {
+  const std::string prefix = prefix_of(name);
+  // Between making one and locking it, it looks like remains: this lock keeps those who clean away. Where
+  // locks do not work nothing is removed.
+  const FolderLock lock(folder, most_wait_to_clean);
+  if (lock.held()) remove_remains(folder, prefix, home);
+  constexpr int most_tries = 100;
+  for (int i = 0; i < most_tries; ++i) {
+    const std::string random = random_letters();
+    if (random.empty()) return;
+    const std::string made = prefix + random;
+    // So that a signal finds it remembered or not there at all.
+    const SignalsHeld held;
+    if (kind == Kind::file) {
+      open_ = Descriptor(
+          ::openat(folder, made.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
+      if (!open_ && errno == EEXIST) continue;
+    } else {
+      if (::mkdirat(folder, made.c_str(), 0700) != 0) {
+        if (errno == EEXIST) continue;
+        return;
+      }
+      open_ = open_folder(folder, made);
+    }
+    if (!open_) return;
+    if (::flock(open_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) continue;
+    if (!stands_for(folder, made, open_.get())) continue;
+    name_ = made;
+    remembered_ = remember_temporary(folder, made.c_str(), kind == Kind::folder);
+    return;
+  }
+  errno = EEXIST;
+}
+
+Temporary::Temporary(Temporary&& other) noexcept
+    : folder_(other.folder_),
+      kind_(other.kind_),
+      name_(std::exchange(other.name_, {})),
+      open_(std::move(other.open_)),
+      remembered_(std::exchange(other.remembered_, -1)) {}
+
+Temporary& Temporary::operator=(Temporary&& other) noexcept {
+  std::swap(folder_, other.folder_);
+  std::swap(kind_, other.kind_);
+  std::swap(name_, other.name_);
+  std::swap(open_, other.open_);
+  std::swap(remembered_, other.remembered_);
+  return *this;
+}
+
+void Temporary::remove(int home) {
+  if (name_.empty()) return;
+  const int before = errno;
+  if (kind_ == Kind::folder)
+    remove_folder(folder_, name_, home);
+  else
+    ::unlinkat(folder_, name_.c_str(), 0);
+  (void)keep();
+  errno = before;
+}
+
+bool Temporary::keep() {
+  name_.clear();
+  forget_temporary(std::exchange(remembered_, -1));
+  return open_.close();
+}
+
+}  // namespace etak

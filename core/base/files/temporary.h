@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/files/descriptor.h"
+
+namespace etak {
+
+/// The folder itself, without following a link; nothing is open where that cannot be.
+Descriptor open_folder(int at, const std::string& name);
+/// Whether `name` in the open folder `at` is a folder itself and not a link to one.
+bool is_folder(int at, const std::string& name);
+/// What the open folder holds, in the order of bytes, without "." and "..".
+std::vector<std::string> names_in(int folder);
+
+/// What the user's mask leaves of 0666 and 0777, the modes that new files and folders usually have.
+mode_t mode_of_new_file();
+mode_t mode_of_new_folder();
+
+/// The lock (flock) of an open folder, which etak's runs hold for moments while they make and place files in
+/// it. Whoever may read a folder can hold its lock for ever, so nobody waits for it without a limit.
+class FolderLock {
+ public:
+  FolderLock() = default;
+  FolderLock(int folder, std::chrono::milliseconds most);
+  ~FolderLock() { release(); }
+  FolderLock(FolderLock&& other) noexcept;
+  FolderLock& operator=(FolderLock&& other) noexcept;
+  bool held() const { return folder_ >= 0; }
+  /// Whether somebody else held it to the end; false too where the file system knows no locks.
+  bool is_taken() const { return taken_; }
+  void release();
+
+ private:
+  int folder_ = -1;
+  bool taken_ = false;
+};
+
+/// A new file or folder under a name of its own beside what it is to become: ".NAME.etak-XXXXXX", random and
+/// made exclusively. It goes with the object; with a signal that ends the program (signals.h); and after a
+/// kill with the next one for the same NAME, which knows those that live by a lock (flock) on them. Of names
+/// too long to be lengthened the beginning and a hash stand for the whole.
+class Temporary {
+ public:
+  enum class Kind { file, folder };
+
+  Temporary() = default;
+  /// Where none can be made, nothing is open, and errno tells why.
+  ///   folder    an open folder to make it in; stays the caller's, open as long as this lives
+  ///   name      of what it is to become
+  ///   home      an open folder that takes what others had put into a folder which remained; -1: it stays
+  Temporary(int folder, std::string_view name, Kind kind, int home = -1);
+  ~Temporary() { remove(-1); }
+  Temporary(Temporary&& other) noexcept;
+  Temporary& operator=(Temporary&& other) noexcept;
+
+  explicit operator bool() const { return !name_.empty(); }
+  /// Its name in the folder; empty when there is none (any more).
+  const std::string& name() const { return name_; }
+  /// Open for writing, or the open folder.
+  const Descriptor& open() const { return open_; }
+  /// Removes it now; folders in a folder go to `home`, or stay where that is -1.
+  void remove(int home);
+  /// It has got its name: nothing is removed any more. False where closing it says that bytes are lost.
+  bool keep();
+
+ private:
+  int folder_ = -1;
+  Kind kind_ = Kind::file;
+  std::string name_;
+  Descriptor open_;
+  int remembered_ = -1;
+};
+
+}  // namespace etak

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The formula texts in float: what a GPU gets, with the C library's exp and pow.
+#include <cmath>
+
+#include "core/brdf/evaluate/evaluators.h"
+
+namespace etak::f32 {
+namespace {
+using real = float;
+constexpr real tiny = 1e-37f;
+constexpr real power_floor = -90;
+constexpr real exponent_floor = -62;  // e^-62 is about 2^-90
+constexpr real largest_reflectance = 1 - 1e-6f;
+#include "core/brdf/evaluate/evaluate.h"
+#include "core/brdf/evaluate/evaluate_one.inc"
+}  // namespace
+}  // namespace etak::f32
+
+namespace etak::evaluators {
+std::span<const One<float>> all_f32() {
+  return f32::one_table;
+}
+}  // namespace etak::evaluators

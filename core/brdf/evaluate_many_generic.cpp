@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-// The vectorised loops for any processor of the target architecture.
-#define ETAK_MANY many_generic
-#include "core/brdf/evaluate_many.inc"

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+// KTX 2.0 by the Khronos specification (KTX File Format Specification 2.0; Khronos Data Format 1.3 for the
+// descriptor). The one door to Zstandard.
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
+#include <new>
+
+#include "core/base/bytes_le.h"
+#include "core/base/error.h"
+#include "core/image/files/containers.h"
+#include "core/image/mips.h"
+#ifdef ETAK_HAS_ZSTD
+#include <zstd.h>
+#endif
+
+namespace etak {
+namespace {
+
+using namespace bytes_le;
+
+constexpr std::string_view identifier("\xabKTX 20\xbb\r\n\x1a\n", 12);
+constexpr std::uint32_t vk_r8g8b8a8_unorm = 37, vk_r8g8b8a8_srgb = 43;
+constexpr std::uint32_t scheme_none = 0, scheme_zstd = 2;
+constexpr std::size_t header_bytes = 80, index_entry_bytes = 24;  // the level index follows the header
+
+std::size_t level_bytes(int width, int height) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
+}
+
+void pad_to_4(std::string& out) {
+  while (out.size() % 4 != 0) out.push_back('\0');
+}
+
+// Basic data format descriptor of RGBA8. Transfer is that of the colour; the opacity's sample says that it is
+// linear where the colour is not.
+std::string data_format_descriptor(bool srgb) {
+  constexpr std::uint32_t samples = 4, block_bytes = 24 + 16 * samples;
+  constexpr std::uint64_t model_rgbsda = 1, primaries_bt709 = 1, transfer_linear = 1, transfer_srgb = 2;
+  constexpr std::uint64_t alpha_channel = 15, linear_sample = 0x10;
+  std::string out;
+  append32(out, 4 + block_bytes);
+  append32(out, 0);                      // vendor Khronos, basic descriptor
+  append32(out, 2 | block_bytes << 16);  // version 1.3
+  append(out, model_rgbsda, 1);
+  append(out, primaries_bt709, 1);
+  append(out, srgb ? transfer_srgb : transfer_linear, 1);
+  append(out, 0, 1);  // straight alpha
+  append32(out, 0);   // texel blocks of 1 x 1 x 1 x 1
+  append64(out, 4);   // 4 bytes in plane 0, where compressed too (older revisions wanted 0 there)
+  for (std::uint64_t c = 0; c < samples; ++c) {
+    const std::uint64_t channel = c < 3 ? c : alpha_channel | (srgb ? linear_sample : 0);
+    append(out, 8 * c, 2);
+    append(out, 7, 1);  // 8 bits
+    append(out, channel, 1);
+    append32(out, 0);    // position
+    append32(out, 0);    // 0 is 0
+    append32(out, 255);  // 255 is 1
+  }
+  return out;
+}
+
+// Sorted by key, values with their final zero.
+std::string key_values() {
+  std::string out;
+  for (const std::string_view pair :
+       {std::string_view("KTXorientation\0rd\0", 18), std::string_view("KTXwriter\0etak\0", 15)}) {
+    append32(out, pair.size());
+    out += pair;
+    pad_to_4(out);
+  }
+  return out;
+}
+
+// All of a level; rows lie without gaps.
+std::string_view bytes_of(const ConstPixelsView8& level) {
+  return {reinterpret_cast<const char*>(level.data), level_bytes(level.width, level.height)};
+}
+
+#ifdef ETAK_HAS_ZSTD
+// One frame, handed on as it comes; returns its length.
+std::size_t compress(std::string_view bytes, int level, const std::function<void(std::string_view)>& add) {
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
+  if (!context) throw std::bad_alloc();
+  const auto checked = [](std::size_t result) {
+    if (ZSTD_isError(result) != 0) throw Error::at("KTX2", ZSTD_getErrorName(result), "Zstandard to work");
+    return result;
+  };
+  checked(ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level));
+  checked(ZSTD_CCtx_setPledgedSrcSize(context.get(), bytes.size()));
+  std::string piece(ZSTD_CStreamOutSize(), '\0');
+  ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
+  std::size_t length = 0, left = 1;
+  while (left != 0) {
+    ZSTD_outBuffer out{piece.data(), piece.size(), 0};
+    left = checked(ZSTD_compressStream2(context.get(), &out, &in, ZSTD_e_end));
+    add(std::string_view(piece).substr(0, out.pos));
+    length += out.pos;
+  }
+  return length;
+}
+#endif
+
+struct Reader {
+  std::string_view bytes, path;
+
+  [[noreturn]] void fail(std::string_view found, std::string_view expected) const {
+    throw Error::at(path, found, expected);
+  }
+  void expect(bool good, std::string_view what, std::uint64_t value, std::string_view expected) const {
+    if (!good) fail(std::string(what) + ' ' + std::to_string(value), expected);
+  }
+  std::uint32_t u32(std::size_t at) const { return number32(bytes, at); }
+
+  // A part of the file behind header and level index.
+  std::string_view part(std::string_view what, std::uint64_t offset, std::uint64_t length,
+                        std::size_t first) const {
+    if (offset < first || offset > bytes.size() || length > bytes.size() - offset)
+      fail(
+          std::string(what) + " at " + std::to_string(offset) + ", " + std::to_string(length) + " bytes long",
+          "a place between " + std::to_string(first) + " and the end of the file, " +
+              std::to_string(bytes.size()));
+    return bytes.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
+  }
+
+  void check_descriptor(std::string_view found, bool srgb, bool supercompressed) const {
+    const std::string expected = data_format_descriptor(srgb);
+    // Primaries may be unspecified; bytesPlane0 is 0 in compressed files of older revisions.
+    constexpr std::size_t primaries_at = 13, plane_at = 20;
+    std::string same(found);
+    if (same.size() == expected.size()) {
+      if (same[primaries_at] == 0) same[primaries_at] = expected[primaries_at];
+      if (supercompressed && same[plane_at] == 0) same[plane_at] = expected[plane_at];
+      constexpr std::size_t flags_at = 15;
+      if ((static_cast<unsigned char>(same[flags_at]) & 1) != 0)
+        fail("premultiplied alpha", "straight alpha");
+    }
+    if (same != expected)
+      fail("a data format descriptor that is not that of the Vulkan format",
+           srgb ? "R8G8B8A8_SRGB's" : "R8G8B8A8_UNORM's");
+  }
+
+  // Only orientation matters: a picture stored from the bottom would come in upside down.
+  void check_key_values(std::string_view data) const {
+    for (std::size_t at = 0; at < data.size();) {
+      if (data.size() - at < 4) fail("key/value data that break off", "whole entries");
+      const std::size_t length = number32(data, at);
+      at += 4;
+      if (length > data.size() - at) fail("key/value data that break off", "whole entries");
+      const std::string_view pair = data.substr(at, length);
+      const std::size_t end = pair.find('\0');
+      if (end == pair.npos || end == 0) fail("a key/value pair without a key", "key, zero, value");
+      std::string_view value = pair.substr(end + 1);
+      while (!value.empty() && value.back() == '\0') value.remove_suffix(1);
+      if (pair.substr(0, end) == "KTXorientation" && value != "rd")
+        fail("KTXorientation \"" + printable(value) + '"', "\"rd\": columns to the right, rows down");
+      at += std::min(data.size() - at, (length + 3) / 4 * 4);
+    }
+  }
+
+  void decompress(std::string_view from, Image8& to) const {
+#ifdef ETAK_HAS_ZSTD
+    const std::size_t size = ZSTD_decompress(to.values.data(), to.values.size(), from.data(), from.size());
+    if (ZSTD_isError(size) != 0)
+      fail(std::string("Zstandard data: ") + ZSTD_getErrorName(size), "a whole frame");
+    expect(size == to.values.size(), "Zstandard data of uncompressed size", size,
+           std::to_string(to.values.size()));
+#else
+    static_cast<void>(from);
+    static_cast<void>(to);
+    fail("Zstandard supercompression", "none (this etak was built without Zstandard)");
+#endif
+  }
+};
+
+}  // namespace
+
+bool has_zstd() {
+#ifdef ETAK_HAS_ZSTD
+  return true;
+#else
+  return false;
+#endif
+}
+
+std::string ktx2_bytes(const TextureLevels& texture, int zstd_level) {
+  std::vector<ConstPixelsView8> levels;
+  for (const Image8& level : texture.levels) levels.push_back(view(level));
+  std::string out;
+  write_ktx2(levels, texture.srgb, zstd_level,
+             {[&](std::string_view bytes) { out += bytes; },
+              [&](std::size_t at, std::string_view bytes) { out.replace(at, bytes.size(), bytes); }});
+  return out;
+}
+
+void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink) {
+  assert(!levels.empty() && zstd_level >= 0 && zstd_level <= 22);
+  if (zstd_level > 0 && !has_zstd())
+    throw Error::at("KTX2", "Zstandard supercompression", "none (this etak was built without Zstandard)");
+  const ConstPixelsView8& first = levels[0];
+  const std::size_t count = levels.size();
+  const std::string descriptor = data_format_descriptor(srgb), pairs = key_values();
+  const std::size_t descriptor_at = header_bytes + index_entry_bytes * count;
+  const std::size_t pairs_at = descriptor_at + descriptor.size();
+
+  // Smallest level first, so that a reader may stop early; the index is from the largest. All that stands
+  // before is a multiple of 4 bytes, and so is every level that is not compressed: aligned as they come. The
+  // lengths of compressed levels are put in when they are known.
+  std::vector<std::size_t> offset(count), length(count);
+  std::size_t end = pairs_at + pairs.size();
+  for (std::size_t l = count; l-- > 0;) {
+    const ConstPixelsView8& level = levels[l];
+    assert(level.channels == 4 && level.width == std::max(1, first.width >> l) &&
+           level.height == std::max(1, first.height >> l) &&
+           level.stride == 4 * static_cast<std::size_t>(level.width));
+    length[l] = level_bytes(level.width, level.height);
+    offset[l] = end;
+    end += length[l];
+  }
+  const auto index = [&] {
+    std::string out;
+    for (std::size_t l = 0; l < count; ++l) {
+      append64(out, offset[l]);
+      append64(out, length[l]);
+      append64(out, level_bytes(levels[l].width, levels[l].height));
+    }
+    return out;
+  };
+
+  std::string out(identifier);
+  append32(out, srgb ? vk_r8g8b8a8_srgb : vk_r8g8b8a8_unorm);
+  append32(out, 1);  // bytes of a typed unit
+  append32(out, static_cast<std::uint64_t>(first.width));
+  append32(out, static_cast<std::uint64_t>(first.height));
+  append32(out, 0);  // no depth
+  append32(out, 0);  // no layers
+  append32(out, 1);  // one face
+  append32(out, count);
+  append32(out, zstd_level > 0 ? scheme_zstd : scheme_none);
+  append32(out, descriptor_at);
+  append32(out, descriptor.size());
+  append32(out, pairs_at);
+  append32(out, pairs.size());
+  append64(out, 0);  // no global data
+  append64(out, 0);
+  assert(out.size() == header_bytes);
+  sink.add(out + index() + descriptor + pairs);
+  if (zstd_level == 0) {
+    for (std::size_t l = count; l-- > 0;) sink.add(bytes_of(levels[l]));
+    return;
+  }
+#ifdef ETAK_HAS_ZSTD
+  end = pairs_at + pairs.size();
+  for (std::size_t l = count; l-- > 0;) {
+    offset[l] = end;
+    length[l] = compress(bytes_of(levels[l]), zstd_level, sink.add);
+    end += length[l];
+  }
+  sink.patch(header_bytes, index());
+#endif
+}
+
+TextureFile read_ktx2(std::string_view bytes, std::string_view path) {
+  const Reader r{bytes, path};
+  if (bytes.substr(0, identifier.size()) != identifier) r.fail("no KTX 2.0 identifier", "a KTX 2.0 file");
+  if (bytes.size() < header_bytes) r.fail("a header that breaks off", "80 bytes");
+  const std::uint32_t format = r.u32(12), scheme = r.u32(44);
+  r.expect(format == vk_r8g8b8a8_unorm || format == vk_r8g8b8a8_srgb, "Vulkan format", format,
+           "37 (R8G8B8A8_UNORM) or 43 (R8G8B8A8_SRGB)");
+  r.expect(r.u32(16) == 1, "typeSize", r.u32(16), "1");
+  const std::uint32_t width = r.u32(20), height = r.u32(24);
+  for (const std::uint32_t side : {width, height})
+    r.expect(side >= 1 && side <= max_image_side, "side", side, "1 to " + std::to_string(max_image_side));
+  r.expect(r.u32(28) == 0, "depth", r.u32(28), "0: a 2-D texture");
+  r.expect(r.u32(32) == 0, "layers", r.u32(32), "0: no array");
+  r.expect(r.u32(36) == 1, "faces", r.u32(36), "1: no cube map");
+  const auto full =
+      static_cast<std::uint32_t>(full_mip_levels(static_cast<int>(width), static_cast<int>(height)));
+  r.expect(r.u32(40) <= full, "levels", r.u32(40), "at most " + std::to_string(full));
+  const std::size_t count = std::max<std::size_t>(1, r.u32(40));  // 0: the reader is to make the rest
+  r.expect(scheme == scheme_none || scheme == scheme_zstd, "supercompression scheme", scheme,
+           "0 (none) or 2 (Zstandard)");
+  r.expect(number64(bytes, 72) == 0, "supercompression global data of bytes", number64(bytes, 72), "none");
+  const std::size_t behind_index = header_bytes + index_entry_bytes * count;
+  if (bytes.size() < behind_index) r.fail("a level index that breaks off", std::to_string(count) + " levels");
+  const bool srgb = format == vk_r8g8b8a8_srgb;
+  r.check_descriptor(r.part("data format descriptor", r.u32(48), r.u32(52), behind_index), srgb,
+                     scheme == scheme_zstd);
+  if (r.u32(60) != 0) r.check_key_values(r.part("key/value data", r.u32(56), r.u32(60), behind_index));
+
+  TextureFile file;
+  file.srgb = srgb;
+  std::vector<std::string_view> data;
+  for (std::size_t l = 0; l < count; ++l) {
+    const std::size_t at = header_bytes + index_entry_bytes * l;
+    const std::string name = "level " + std::to_string(l);
+    const std::size_t size =
+        level_bytes(std::max(1, static_cast<int>(width >> l)), std::max(1, static_cast<int>(height >> l)));
+    data.push_back(r.part(name, number64(bytes, at), number64(bytes, at + 8), behind_index));
+    r.expect(number64(bytes, at + 16) == size, name + " of uncompressed bytes", number64(bytes, at + 16),
+             std::to_string(size));
+    if (scheme == scheme_none) {
+      r.expect(data[l].size() == size, name + " of bytes", data[l].size(), std::to_string(size));
+      r.expect(number64(bytes, at) % 4 == 0, name + " at", number64(bytes, at), "a multiple of 4");
+    } else {
+      // A block of Zstandard is at least 4 bytes and holds at most 128 KiB, so a small file cannot ask for
+      // much memory.
+      r.expect(size / 32768 <= data[l].size(), name + " of compressed bytes", data[l].size(),
+               "enough for " + std::to_string(size));
+    }
+  }
+  for (std::size_t l = 0; l < count; ++l) {
+    Image8& level = file.levels.emplace_back(std::max(1, static_cast<int>(width >> l)),
+                                             std::max(1, static_cast<int>(height >> l)), 4);
+    if (scheme == scheme_none)
+      std::memcpy(level.values.data(), data[l].data(), data[l].size());
+    else
+      r.decompress(data[l], level);
+  }
+  return file;
+}
+
+}  // namespace etak

@@ -1,0 +1,473 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstring>
+#include <span>
+
+#include "core/base/error.h"
+#include "core/image/files/deflate.h"
+#include "core/image/files/png.h"
+#include "core/image/files/png_filters.h"
+
+namespace etak {
+namespace {
+
+constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
+constexpr std::size_t chunk_overhead = 12;     // length, type, checksum
+constexpr std::size_t deflate_at_most = 1032;  // bytes from one byte of a deflate stream
+
+// Small enough to stay in the second-level cache between inflating and unfiltering.
+constexpr std::size_t input_bytes = std::size_t{64} << 10;
+constexpr std::size_t filtered_bytes = std::size_t{256} << 10;
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t out = 0;
+  for (std::size_t i = 0; i < 4; ++i) out = out << 8 | static_cast<std::uint8_t>(bytes[at + i]);
+  return out;
+}
+
+std::span<const std::uint8_t> octets(std::string_view bytes) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): characters as bytes
+  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+struct Chunk {
+  std::size_t start = 0;  // of its length field
+  std::size_t size = 0;   // of its data
+  std::string type;
+
+  std::size_t data() const { return start + 8; }
+  std::size_t end() const { return start + chunk_overhead + size; }
+  bool critical() const { return (static_cast<unsigned char>(type[0]) & 32) == 0; }
+};
+
+// The chunk at `start`; nullopt when it is not whole.
+std::optional<Chunk> chunk_at(ByteSource& bytes, std::size_t start) {
+  if (start > bytes.size() || bytes.size() - start < chunk_overhead) return std::nullopt;
+  const std::string_view head = bytes.view(start, 8);
+  const std::size_t size = big_endian(head, 0);
+  if (size > bytes.size() - start - chunk_overhead) return std::nullopt;
+  return Chunk{start, size, std::string(head.substr(4))};
+}
+
+bool has_signature(ByteSource& bytes) {
+  return bytes.size() >= signature.size() && bytes.view(0, signature.size()) == signature;
+}
+
+std::uint32_t stored_checksum(ByteSource& bytes, const Chunk& chunk) {
+  return big_endian(bytes.view(chunk.end() - 4, 4), 0);
+}
+
+// That of type and data, in pieces: a chunk may be as long as the file.
+std::uint32_t checksum(ByteSource& bytes, const Chunk& chunk) {
+  std::uint32_t out = 0;
+  for (std::size_t at = chunk.start + 4, left = chunk.size + 4; left > 0;) {
+    const std::size_t take = std::min(left, input_bytes);
+    out = crc32_of(out, octets(bytes.view(at, take)));
+    at += take;
+    left -= take;
+  }
+  return out;
+}
+
+struct Header {
+  std::uint32_t width, height;
+  int bits, colour, compression, filter, interlace;
+};
+
+// Which channels a colour type has; 0 for those that PNG does not have.
+int channels_of(int colour) {
+  switch (colour) {
+    case 0:
+    case 3:
+      return 1;
+    case 2:
+      return 3;
+    case 4:
+      return 2;
+    case 6:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+bool valid(const Header& h) {
+  const bool depth = h.bits == 8 || (h.bits == 16 && h.colour != 3) ||
+                     ((h.bits == 1 || h.bits == 2 || h.bits == 4) && (h.colour == 0 || h.colour == 3));
+  return channels_of(h.colour) != 0 && depth && h.compression == 0 && h.filter == 0 && h.interlace <= 1;
+}
+
+}  // namespace
+
+struct PngReader::State {
+  std::unique_ptr<ByteSource> own;  // where the reader was given bytes in memory
+  ByteSource* bytes = nullptr;
+  std::string path;
+  PngInfo info;
+  std::size_t row_bytes = 0;
+  int rows_done = 0;
+
+  // Image data: the IDAT chunk that is being taken apart, and what of it has been handed to the inflater.
+  Chunk idat;
+  std::size_t idat_taken = 0;
+  std::uint32_t idat_checksum = 0;
+  bool idat_over = false;
+  std::vector<std::uint8_t> input;
+  Inflater inflater;
+
+  // Inflated rows: those in [filtered_used, filtered_end) of `filtered` wait, `data_left` bytes are still to
+  // come.
+  std::vector<std::uint8_t> filtered;
+  std::size_t filtered_used = 0, filtered_end = 0, data_left = 0;
+  std::vector<std::uint8_t> above;                // the last row finished, as in the file
+  std::array<std::vector<std::uint8_t>, 2> wide;  // rows of 16 bits before they get the machine's byte order
+  const PngFilters* filters = &png_filters();
+
+  [[noreturn]] void fail(const std::string& found, std::string_view expected = "an undamaged PNG") const {
+    throw Error::at(path, found, expected);
+  }
+  [[noreturn]] void fail(const Chunk& chunk, const char* what) const {
+    fail("PNG chunk " + printable(chunk.type) + " at byte " + std::to_string(chunk.start) + " " + what);
+  }
+
+  Chunk next_chunk(std::size_t start) const;
+  Chunk checked_chunk(std::size_t start) const;
+  Header header() const;
+  bool read_header();
+  bool read_until_idat();
+  void begin_idat(const Chunk& chunk);
+  void end_idat();
+  void gather_input();
+  void fill();
+  void finish();
+  void finish_chunks();
+  void check_rows(std::size_t rows, std::size_t length);
+};
+
+Chunk PngReader::State::next_chunk(std::size_t start) const {
+  const std::optional<Chunk> chunk = chunk_at(*bytes, start);
+  if (!chunk)
+    fail("ends at byte " + std::to_string(bytes->size()) + ", in the PNG chunk that begins at byte " +
+         std::to_string(std::min(start, bytes->size())));
+  for (const char c : chunk->type)
+    if (const int letter = c & ~32; letter < 'A' || letter > 'Z') fail(*chunk, "has no valid type");
+  return *chunk;
+}
+
+Chunk PngReader::State::checked_chunk(std::size_t start) const {
+  const Chunk chunk = next_chunk(start);
+  if (chunk.type != "IDAT" && checksum(*bytes, chunk) != stored_checksum(*bytes, chunk))
+    fail(chunk, "has a wrong checksum");
+  return chunk;
+}
+
+Header PngReader::State::header() const {
+  const Chunk chunk = checked_chunk(signature.size());
+  if (chunk.type != "IHDR") fail(chunk, "comes first, where IHDR belongs");
+  if (chunk.size != 13) fail(chunk, "is not 13 bytes long");
+  const std::string data(bytes->view(chunk.data(), chunk.size));
+  const auto byte = [&](std::size_t i) { return int{static_cast<std::uint8_t>(data[i])}; };
+  const Header h{big_endian(data, 0), big_endian(data, 4), byte(8), byte(9), byte(10), byte(11), byte(12)};
+  if (!valid(h))
+    fail("PNG header with bit depth " + std::to_string(h.bits) + ", colour type " + std::to_string(h.colour) +
+             ", compression " + std::to_string(h.compression) + ", filter " + std::to_string(h.filter) +
+             ", interlacing " + std::to_string(h.interlace),
+         "a combination that PNG has");
+  if (h.width < 1 || h.height < 1 || h.width > max_image_side || h.height > max_image_side)
+    fail("is " + std::to_string(h.width) + " x " + std::to_string(h.height) + " pixels",
+         "1 to " + std::to_string(max_image_side) + " on a side");
+  return h;
+}
+
+// False for forms that are not read here.
+bool PngReader::State::read_header() {
+  const Header h = header();
+  if (h.colour == 3 || h.bits < 8 || h.interlace != 0) return false;
+  info = {static_cast<int>(h.width), static_cast<int>(h.height), channels_of(h.colour), h.bits};
+  row_bytes = std::size_t{h.width} * static_cast<std::size_t>(info.channels * info.bits / 8);
+  data_left = (row_bytes + 1) * h.height;
+  // Before any memory is taken: no deflate stream of this length can hold so much.
+  if (data_left / deflate_at_most > bytes->size())
+    fail("holds " + std::to_string(bytes->size()) + " bytes, too few for its " + std::to_string(h.width) +
+         " x " + std::to_string(h.height) + " pixels");
+  return true;
+}
+
+bool PngReader::State::read_until_idat() {
+  bool palette = false;
+  for (std::size_t at = signature.size() + chunk_overhead + 13;;) {
+    const Chunk chunk = checked_chunk(at);
+    if (chunk.type == "IDAT") {
+      begin_idat(chunk);
+      return true;
+    }
+    if (chunk.type == "tRNS") return false;
+    if (chunk.type == "PLTE") {
+      // A palette suggested for displays of few colours.
+      if (palette || info.channels < 3 || chunk.size % 3 != 0 || chunk.size > 768)
+        fail(chunk, "is no palette that belongs here");
+      palette = true;
+    } else if (chunk.critical()) {
+      fail(chunk, "is one that etak does not know or expect here, and no decoder may skip it");
+    }
+    at = chunk.end();
+  }
+}
+
+void PngReader::State::begin_idat(const Chunk& chunk) {
+  idat = chunk;
+  idat_taken = 0;
+  idat_checksum = crc32_of(0, octets(chunk.type));
+}
+
+// Another chunk of image data is begun where one follows.
+void PngReader::State::end_idat() {
+  if (idat_checksum != stored_checksum(*bytes, idat)) fail(idat, "has a wrong checksum");
+  const Chunk next = checked_chunk(idat.end());
+  if (next.type == "IDAT")
+    begin_idat(next);
+  else
+    idat_over = true;
+}
+
+// Image data of as many chunks as fit, one behind the other: files with an IDAT for every few bytes are
+// common.
+void PngReader::State::gather_input() {
+  std::size_t size = 0;
+  while (size < input.size() && !idat_over) {
+    const std::size_t take = std::min(input.size() - size, idat.size - idat_taken);
+    std::copy_n(octets(bytes->view(idat.data() + idat_taken, take)).data(), take, input.data() + size);
+    idat_checksum = crc32_of(idat_checksum, std::span(input).subspan(size, take));
+    size += take;
+    idat_taken += take;
+    if (idat_taken < idat.size) break;
+    end_idat();
+  }
+  inflater.feed(std::span(input).first(size));
+}
+
+// Inflates until at least a row waits, and as much more as there is room for.
+void PngReader::State::fill() {
+  std::copy(filtered.data() + filtered_used, filtered.data() + filtered_end, filtered.data());
+  filtered_end -= filtered_used;
+  filtered_used = 0;
+  const std::size_t room = filtered.size() - png_row_slack;
+  while (filtered_end <= row_bytes || (data_left > 0 && filtered_end < room)) {
+    std::size_t written = 0;
+    const std::size_t wanted = std::min(data_left, room - filtered_end);
+    const Inflater::Status status = inflater.read(std::span(filtered).subspan(filtered_end, wanted), written);
+    filtered_end += written;
+    data_left -= written;
+    if (status == Inflater::Status::damaged) fail(std::string("image data is damaged: ") + inflater.what());
+    if (status == Inflater::Status::ended && data_left > 0)
+      fail("image data ends before the last of its " + std::to_string(info.height) + " rows");
+    if (status == Inflater::Status::ended) return;
+    if (status == Inflater::Status::hungry) {
+      if (idat_over) fail("image data is cut short");
+      gather_input();
+    }
+  }
+}
+
+// The stream must end here, with its checksum, and so must the image data.
+void PngReader::State::finish() {
+  std::array<std::uint8_t, 1> more;
+  for (Inflater::Status status{}; status != Inflater::Status::ended;) {
+    std::size_t written = 0;
+    status = inflater.read(more, written);
+    if (status == Inflater::Status::damaged)
+      fail(std::string("image data is damaged behind its last row: ") + inflater.what());
+    if (written > 0)
+      fail("image data goes on behind the last of its " + std::to_string(info.height) + " rows");
+    if (status == Inflater::Status::hungry) {
+      if (idat_over) fail("image data has no end");
+      gather_input();
+    }
+  }
+  if (inflater.unused() > 0) fail("image data goes on behind its end");
+  finish_chunks();
+}
+
+void PngReader::State::finish_chunks() {
+  // What is left of the image data: empty chunks at most.
+  while (!idat_over) {
+    if (idat_taken < idat.size) fail("image data goes on behind its end");
+    end_idat();
+  }
+  for (std::size_t at = idat.end();;) {
+    const Chunk chunk = checked_chunk(at);
+    if (chunk.type == "IEND") {
+      if (chunk.size != 0) fail(chunk, "is not empty");
+      return;
+    }
+    if (chunk.critical()) fail(chunk, "has no place behind the image data");
+    at = chunk.end();
+  }
+}
+
+// Goes over rows of `length` bytes each, with the filter's number before them.
+void PngReader::State::check_rows(std::size_t rows, std::size_t length) {
+  std::size_t in_row = 0;
+  for (std::size_t row = 0; row < rows;) {
+    std::size_t written = 0;
+    const std::size_t room = std::min(filtered.size(), length + 1 - in_row);
+    const Inflater::Status status = inflater.read(std::span(filtered).first(room), written);
+    if (written > 0 && in_row == 0 && filtered[0] > 4)
+      fail("a row of its image data has filter " + std::to_string(int{filtered[0]}), "0 to 4");
+    in_row += written;
+    if (in_row > length) {
+      in_row = 0;
+      ++row;
+    }
+    if (status == Inflater::Status::damaged) fail(std::string("image data is damaged: ") + inflater.what());
+    if (status == Inflater::Status::ended) {
+      if (row < rows) fail("image data ends before the last of its rows");
+      return;
+    }
+    if (status == Inflater::Status::hungry && row < rows) {
+      if (idat_over) fail("image data is cut short");
+      gather_input();
+    }
+  }
+}
+
+std::optional<PngReader> PngReader::open(std::string_view bytes, std::string_view path) {
+  auto own = std::make_unique<BytesInMemory>(bytes);
+  std::optional<PngReader> out = open(*own, path);
+  if (out) out->state_->own = std::move(own);
+  return out;
+}
+
+std::optional<PngReader> PngReader::open(ByteSource& bytes, std::string_view path) {
+  if (!has_signature(bytes)) return std::nullopt;
+  auto state = std::make_unique<State>();
+  state->bytes = &bytes;
+  state->path = path;
+  if (!state->read_header() || !state->read_until_idat()) return std::nullopt;
+  const std::size_t row = state->row_bytes + 1;
+  state->input.resize(std::min(input_bytes, bytes.size()));
+  state->filtered.resize(std::min(std::max(filtered_bytes, row), state->data_left) + png_row_slack);
+  state->above.resize(state->row_bytes);
+  if (state->info.bits == 16)
+    for (auto& wide : state->wide) wide.resize(state->row_bytes);
+  return PngReader(std::move(state));
+}
+
+PngReader::PngReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PngReader::PngReader(PngReader&&) noexcept = default;
+PngReader& PngReader::operator=(PngReader&&) noexcept = default;
+PngReader::~PngReader() = default;
+
+const PngInfo& PngReader::info() const {
+  return state_->info;
+}
+
+void PngReader::read_rows(std::uint8_t* out, std::size_t stride, int count) {
+  State& s = *state_;
+  assert(count >= 0 && count <= s.info.height - s.rows_done);
+  if (count == 0) return;
+  const std::size_t pixel = s.row_bytes / static_cast<std::size_t>(s.info.width);
+  const std::uint8_t* above = s.above.data();
+  for (int i = 0; i < count; ++i, out += stride) {
+    if (s.filtered_end - s.filtered_used <= s.row_bytes) s.fill();
+    const std::uint8_t* row = s.filtered.data() + s.filtered_used;
+    s.filtered_used += s.row_bytes + 1;
+    if (*row > 4)
+      s.fail("row " + std::to_string(s.rows_done) + " has filter " + std::to_string(int{*row}), "0 to 4");
+    std::uint8_t* finished =
+        s.info.bits == 8 ? out : s.wide[static_cast<std::size_t>(s.rows_done & 1)].data();
+    s.filters->unfilter(*row, row + 1, above, s.row_bytes, pixel, finished);
+    if (s.info.bits == 16) {
+      if constexpr (std::endian::native == std::endian::little)
+        for (std::size_t k = 0; k < s.row_bytes; k += 2) {
+          out[k] = finished[k + 1];
+          out[k + 1] = finished[k];
+        }
+      else
+        std::copy_n(finished, s.row_bytes, out);
+    }
+    above = finished;
+    ++s.rows_done;
+  }
+  // The caller may change what it was given.
+  std::copy_n(above, s.row_bytes, s.above.data());
+  if (s.rows_done == s.info.height) s.finish();
+}
+
+std::optional<Image8> read_png8(std::string_view bytes, std::string_view path) {
+  std::optional<PngReader> reader = PngReader::open(bytes, path);
+  if (!reader || reader->info().bits != 8) return std::nullopt;
+  const PngInfo& info = reader->info();
+  Image8 out(info.width, info.height, info.channels);
+  reader->read_rows(out.values.data(), static_cast<std::size_t>(info.width * info.channels), info.height);
+  return out;
+}
+
+PngColour png_colour(std::string_view in_memory) {
+  PngColour out;
+  BytesInMemory bytes(in_memory);
+  if (!has_signature(bytes)) return out;
+  for (auto chunk = chunk_at(bytes, signature.size()); chunk && chunk->type != "IDAT";
+       chunk = chunk_at(bytes, chunk->end())) {
+    if (chunk->type == "sRGB") out.srgb = true;
+    if (chunk->type == "iCCP") out.icc_profile = true;
+    if (chunk->type == "gAMA" && chunk->size == 4)
+      out.gamma = big_endian(bytes.view(chunk->data(), 4), 0) / 1e5;
+  }
+  return out;
+}
+
+void check_png(std::string_view in_memory, std::string_view path) {
+  BytesInMemory bytes(in_memory);
+  for (std::size_t at = signature.size();;) {
+    const std::optional<Chunk> chunk = chunk_at(bytes, at);
+    if (!chunk) throw Error::at(path, "is cut short", "a whole picture file");
+    if (checksum(bytes, *chunk) != stored_checksum(bytes, *chunk))
+      throw Error::at(
+          path,
+          "PNG chunk " + printable(chunk->type) + " at byte " + std::to_string(at) + " has a wrong checksum",
+          "an undamaged PNG");
+    if (chunk->type == "IEND") break;
+    at = chunk->end();
+  }
+  PngReader::State s;
+  s.bytes = &bytes;
+  s.path = path;
+  const Header h = s.header();
+  bool palette = false;
+  std::size_t at = signature.size() + chunk_overhead + 13;
+  for (Chunk chunk = s.checked_chunk(at); chunk.type != "IDAT"; chunk = s.checked_chunk(at)) {
+    if (chunk.type == "IEND") s.fail("holds no image data");
+    palette |= chunk.type == "PLTE";
+    at = chunk.end();
+  }
+  if (h.colour == 3 && !palette) s.fail("holds codes of a palette before any palette");
+  s.info = {static_cast<int>(h.width), static_cast<int>(h.height), channels_of(h.colour), h.bits};
+  s.begin_idat(s.next_chunk(at));
+  s.input.resize(std::min(input_bytes, bytes.size()));
+  s.filtered.resize(filtered_bytes);
+  // First column and row of each pass, and the steps to the next. Interlaced pictures have the first seven,
+  // others the last.
+  struct Pass {
+    std::uint32_t x, y, dx, dy;
+  };
+  constexpr std::array<Pass, 8> passes{{{0, 0, 8, 8},
+                                        {4, 0, 8, 8},
+                                        {0, 4, 4, 8},
+                                        {2, 0, 4, 4},
+                                        {0, 2, 2, 4},
+                                        {1, 0, 2, 2},
+                                        {0, 1, 1, 2},
+                                        {0, 0, 1, 1}}};
+  const auto bits = static_cast<std::size_t>(channels_of(h.colour) * h.bits);
+  for (const Pass& pass : h.interlace != 0 ? std::span(passes).first(7) : std::span(passes).last(1)) {
+    if (pass.x >= h.width || pass.y >= h.height) continue;
+    const std::size_t columns = (h.width - pass.x + pass.dx - 1) / pass.dx;
+    s.check_rows((h.height - pass.y + pass.dy - 1) / pass.dy, (columns * bits + 7) / 8);
+  }
+}
+
+}  // namespace etak

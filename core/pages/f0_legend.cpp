@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands below a table of F0 for who asks: what its flags mean, and how its numbers were computed.
+#include <algorithm>
+
+#include "core/base/text.h"
+#include "core/base/wrap.h"
+#include "core/pages/f0_report.h"
+
+namespace etak {
+namespace {
+
+void append_meanings(std::string& out, std::span<const F0Row> rows, std::size_t line_width) {
+  Flags seen;
+  for (const F0Row& row : rows) seen |= row.result.flags;
+  if (seen.none()) return;
+  std::size_t width = 0;
+  seen.for_each([&](Flag flag) { width = std::max(width, name(flag).size()); });
+  out += '\n';
+  seen.for_each([&](Flag flag) {
+    // The name takes the place of the first line's blanks.
+    std::string lines = wrapped(meaning(flag), width + 2, line_width);
+    lines.replace(0, name(flag).size(), name(flag));
+    out += lines;
+  });
+}
+
+}  // namespace
+
+std::string f0_legend(std::span<const F0Row> rows, const F0Options& options, std::size_t line_width) {
+  std::string out;
+  append_meanings(out, rows, line_width);
+  if (!rows.empty()) out += '\n';
+  return out + wrapped(policy(options), 0, line_width);
+}
+
+std::string short_policy(const F0Options& options) {
+  std::string out(name(options.viewing.illuminant));
+  append(out, ", ", name(options.viewing.observer), " observer, ", options.custom_space ? "" : "linear ",
+         space_name(options));
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+// The text forms of an F0 report: CSV for programs, a table for people, and the spread between datasets.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "core/base/csv.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
+#include "core/color/srgb.h"
+#include "core/pages/f0_report.h"
+
+namespace etak {
+namespace {
+
+constexpr int csv_digits = 9;
+constexpr int excess_digits = 3;
+constexpr std::array channel_letters{'r', 'g', 'b'};
+
+// ---- CSV
+
+// `value` with 9 significant digits, the same text as append_number(). A folder run prints twelve numbers a
+// page, so the common magnitudes are scaled to a whole number of nine digits. Its rounding is certain unless
+// the scaled value lies nearer to a tie than its own rounding error (below 1e-6); then, and for all other
+// magnitudes, the slow way.
+void append_csv_number(std::string& out, double value) {
+  constexpr std::array<double, 5> least{1, 0.1, 0.01, 0.001, 0.0001};
+  constexpr std::array<double, 5> scale{1e8, 1e9, 1e10, 1e11, 1e12};
+  const double magnitude = std::abs(value);
+  if (!(magnitude >= least.back() && magnitude < 10)) return append_number(out, value, csv_digits);
+  std::size_t decade = 0;
+  while (magnitude < least[decade]) ++decade;
+  const double scaled = magnitude * scale[decade];
+  const double whole = std::floor(scaled), rest = scaled - whole;
+  auto digits = static_cast<std::uint64_t>(whole) + (rest > 0.5 ? 1u : 0u);
+  if (std::abs(rest - 0.5) < 1e-6 || digits >= 1'000'000'000) return append_number(out, value, csv_digits);
+
+  std::array<char, 9> text;
+  for (std::size_t i = text.size(); i-- > 0; digits /= 10) text[i] = static_cast<char>('0' + digits % 10);
+  std::size_t length = text.size();
+  while (length > 1 && text[length - 1] == '0') --length;
+  if (value < 0) out += '-';
+  if (decade == 0) {
+    out += text[0];
+    if (length > 1) out.append(1, '.').append(text.data() + 1, length - 1);
+  } else {
+    out.append("0.").append(decade - 1, '0').append(text.data(), length);
+  }
+}
+
+void append_code(std::string& out, std::uint8_t code) {
+  if (code >= 100) out += static_cast<char>('0' + code / 100);
+  if (code >= 10) out += static_cast<char>('0' + code / 10 % 10);
+  out += static_cast<char>('0' + code % 10);
+}
+
+// ---- flags
+
+void append_gamut(std::string& out, const F0Result& result) {
+  bool any = false;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double excess = result.gamut_excess[c];
+    if (excess == 0) continue;
+    if (any) out += ';';
+    append(out, name(Flag::out_of_gamut), ':', channel_letters[c]);
+    if (excess > 0) out += '+';
+    append_number(out, excess, excess_digits);
+    any = true;
+  }
+  if (!any) out += name(Flag::out_of_gamut);
+}
+
+// ---- table
+
+struct Column {
+  std::string title;
+  bool right = false;
+};
+
+using Cells = std::vector<std::string>;
+
+// "1nm, 3.1e-06"
+std::string integration_text(const IntegrationStep& step) {
+  std::string out(name(step.method));
+  out += ", " + number(step.error, 2);
+  return step.within_bound ? out : out + ", above the bound";
+}
+
+// The columns that only some tables have.
+struct Extra {
+  bool integration = false, kind = false;
+};
+
+void append_last_cells(Cells& cells, const F0Row& row, Extra extra) {
+  if (extra.kind) cells.push_back(row.kind.empty() ? "-" : row.kind);
+  cells.push_back(line_text(flags_text(row.result)));
+}
+
+Cells cells_of(const F0Row& row, Extra extra) {
+  const F0Result& r = row.result;
+  Cells cells{line_text(row.path)};
+  if (r.refused()) {
+    cells.resize(extra.integration ? 11 : 10, "-");
+    append_last_cells(cells, row, extra);
+    return cells;
+  }
+  for (const double value : vec(r.linear)) cells.push_back(fixed(value, 4));
+  cells.push_back(hex(r.srgb8));
+  std::string codes;
+  for (const int code : {r.srgb8.r, r.srgb8.g, r.srgb8.b}) {
+    const std::string text = std::to_string(code);
+    codes.append(codes.empty() ? 0 : 1, ' ').append(3 - text.size(), ' ').append(text);
+  }
+  cells.push_back(codes);
+  cells.push_back(fixed(r.luminance, 4));
+  std::string edge = "-";
+  if (r.f82) edge = fixed(r.f82->r, 4) + " " + fixed(r.f82->g, 4) + " " + fixed(r.f82->b, 4);
+  cells.push_back(edge);
+  cells.emplace_back(r.zone ? name(*r.zone) : "-");
+  cells.push_back(fixed(r.coverage.least(), 4));
+  if (extra.integration) cells.push_back(r.integration ? integration_text(*r.integration) : "-");
+  append_last_cells(cells, row, extra);
+  return cells;
+}
+
+constexpr std::size_t swatch_width = 6;  // with the blanks behind it
+constexpr std::size_t fold_indent = 4;
+
+// A row that is wider than `most` columns (0: any width) goes on in a line below, indented; all rows break at
+// the same columns but for the last one, which is as long as it is.
+void append_line(std::string& out, const Cells& cells, std::span<const Column> columns,
+                 std::span<const std::size_t> width, std::size_t most, std::size_t at) {
+  std::size_t owed = 0;  // blanks are written only before something, so that no line ends in them
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t taken = i + 1 < cells.size() ? width[i] : display_width(cells[i]);
+    if (i > 0 && most > 0 && at + 2 + taken > most && at > fold_indent && taken > 0) {
+      out += '\n';
+      owed = at = fold_indent;
+    } else if (i > 0) {
+      owed += 2;
+      at += 2;
+    }
+    at += taken;
+    const std::size_t padding = width[i] - display_width(cells[i]);
+    if (columns[i].right) owed += padding;
+    if (!cells[i].empty()) {
+      out.append(owed, ' ').append(cells[i]);
+      owed = 0;
+    }
+    if (!columns[i].right) owed += padding;
+  }
+  out += '\n';
+}
+
+void append_swatch(std::string& out, const F0Result& result) {
+  if (result.refused()) {
+    out += "      ";
+    return;
+  }
+  const auto& c = result.srgb8;
+  append(out, "\x1b[48;2;", std::to_string(c.r), ';', std::to_string(c.g));
+  append(out, ';', std::to_string(c.b), "m    \x1b[0m  ");
+}
+
+template <class Color, class Value>
+void widen(Color& least, Color& most, const Color& value, Value Color::*channel) {
+  least.*channel = std::min(least.*channel, value.*channel);
+  most.*channel = std::max(most.*channel, value.*channel);
+}
+
+}  // namespace
+
+Spread spread(const MaterialReport& report) {
+  Spread s;
+  for (const F0Result& result : report.results) {
+    if (result.refused()) continue;
+    if (s.count++ == 0) {
+      s.least = s.most = result.linear;
+      s.least8 = s.most8 = result.srgb8;
+    }
+    for (const auto channel : {&LinearRgb::r, &LinearRgb::g, &LinearRgb::b})
+      widen(s.least, s.most, result.linear, channel);
+    for (const auto channel : {&Srgb8::r, &Srgb8::g, &Srgb8::b})
+      widen(s.least8, s.most8, result.srgb8, channel);
+  }
+  return s;
+}
+
+std::string f0_csv_header() {
+  return "path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags,kind\n";
+}
+
+std::string flags_text(const F0Result& result) {
+  std::string out;
+  result.flags.for_each([&](Flag flag) {
+    if (!out.empty()) out += ';';
+    if (flag == Flag::out_of_gamut)
+      append_gamut(out, result);
+    else
+      out += name(flag);
+  });
+  if (result.refused()) append(out, out.empty() ? "" : ";", "refused: ", result.refusal);
+  return out;
+}
+
+void append_f0_csv(std::string& out, std::string_view path, const F0Result& result, std::string_view kind) {
+  append_csv_field(out, path);
+  if (result.refused()) {
+    out += ",,,,,,,,,,,,,";
+    append_csv_field(out, flags_text(result));
+    append(out, ',', kind, '\n');
+    return;
+  }
+  const auto add = [&](double value) {
+    out += ',';
+    append_csv_number(out, value);
+  };
+  add(result.coverage.least());
+  for (const double value : vec(result.linear)) add(value);
+  for (const std::uint8_t code : {result.srgb8.r, result.srgb8.g, result.srgb8.b}) {
+    out += ',';
+    append_code(out, code);
+  }
+  add(result.luminance);
+  if (result.f82)
+    for (const double value : vec(*result.f82)) add(value);
+  else
+    out += ",,,";
+  append(out, ',', result.zone ? name(*result.zone) : "", ',');
+  if (!result.flags.none()) append_csv_field(out, flags_text(result));
+  append(out, ',', kind, '\n');
+}
+
+std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool color,
+                     std::size_t line_width) {
+  const bool is_xyz = !options.custom_space && options.space == RgbSpace::xyz;
+  const std::array<std::string, 3> channel =
+      is_xyz ? std::array<std::string, 3>{"X", "Y", "Z"} : std::array<std::string, 3>{"r", "g", "b"};
+  // Bare tables and pages do not tell of what kind they are.
+  const Extra extra{
+      options.method == Method::automatic,
+      std::any_of(rows.begin(), rows.end(), [](const F0Row& row) { return !row.kind.empty(); })};
+  std::vector<Column> columns{{"id"},   {channel[0], true}, {channel[1], true}, {channel[2], true},
+                              {"hex"},  {"8 bit", true},    {"Y", true},        {"F82"},
+                              {"zone"}, {"coverage", true}, {"flags"}};
+  if (extra.integration) columns.insert(columns.end() - 1, {"integration, error"});
+  if (extra.kind) columns.insert(columns.end() - 1, {"kind"});
+  std::vector<Cells> lines{{}};
+  for (const Column& column : columns) lines.front().push_back(column.title);
+  for (const F0Row& row : rows) lines.push_back(cells_of(row, extra));
+  std::vector<std::size_t> width(columns.size(), 0);
+  for (const Cells& cells : lines)
+    for (std::size_t i = 0; i < cells.size(); ++i) width[i] = std::max(width[i], display_width(cells[i]));
+
+  std::string out;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (color && i == 0) out += "      ";
+    if (color && i > 0) append_swatch(out, rows[i - 1].result);
+    append_line(out, lines[i], columns, width, line_width, color ? swatch_width : 0);
+  }
+  return out;
+}
+
+}  // namespace etak

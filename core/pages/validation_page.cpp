@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/pages/validation_page.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+
+#include "core/base/base64.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
+#include "core/pages/page_style.h"
+#include "core/pages/validation_pictures.h"
+#include "core/validate/output/formats.h"
+#include "core/validate/rules.h"
+
+namespace etak {
+namespace {
+
+constexpr std::string_view validation_css = R"css(
+.verdict { display: inline-block; padding: 0.3rem 0.9rem; border-radius: 8px; font-size: 1.15rem; font-weight: 600; }
+.verdict.passed { background: #d9efdc; color: #12481c; }
+.verdict.failed { background: #f7d4d4; color: #7a1010; }
+.severity { display: inline-block; min-width: 4.6rem; text-align: center; padding: 0 0.45rem; border-radius: 4px;
+  font-size: 0.8rem; font-weight: 700; }
+.severity.error { background: #b3261e; color: #fff; }
+.severity.warning { background: #ffc46b; color: #3b2500; }
+.severity.info { background: #cfe0f5; color: #12314f; }
+.shots { display: flex; flex-wrap: wrap; gap: 1.25rem; margin: 0.75rem 0; align-items: flex-start; }
+.shot { margin: 0; max-width: 100%; }
+.shot figcaption { font-size: 0.83rem; color: var(--ink-soft); overflow-wrap: anywhere; max-width: 256px; }
+.stack { position: relative; display: inline-block; line-height: 0; background: #777; }
+.stack img, .stack svg { display: block; width: 100%; height: 100%; image-rendering: auto; }
+.stack .over { position: absolute; inset: 0; }
+.heat:not(:checked) ~ .stack .heat-map { display: none; }
+.toggle { font-size: 0.83rem; }
+.stack rect { fill: none; stroke: #fff; stroke-width: 2; vector-effect: non-scaling-stroke; paint-order: stroke; }
+.stack rect.dark { stroke: #000; stroke-width: 4; }
+.hist { width: 460px; max-width: 100%; height: auto; background: var(--card); }
+.hist .zone { fill: var(--warn-bg); }
+.hist .bar { fill: var(--ink); }
+.hist .bar.in { fill: var(--bad); }
+.hist line { stroke: var(--ink-soft); }
+.hist text { font-size: 12px; fill: var(--ink-soft); }
+.finding { border-top: 1px solid var(--line); padding: 0.6rem 0; }
+.finding p { margin: 0.2rem 0; max-width: 100ch; overflow-wrap: anywhere; }
+.finding .place { color: var(--ink-soft); font-size: 0.87rem; }
+.finding i { display: inline-block; width: 1.6rem; height: 1rem; border: 1px solid var(--line); vertical-align: -2px; }
+.taken { opacity: 0.75; }
+.clean { columns: 22rem; font-size: 0.87rem; padding-left: 1.1rem; overflow-wrap: anywhere; }
+article h3 { margin: 0; overflow-wrap: anywhere; }
+)css";
+
+// ---- histogram
+
+// Bars of F0 by code; heights by the square root of the count, because one flat material outweighs all
+// others.
+void append_histogram(std::string& out, const std::array<std::size_t, 256>& counts,
+                      const Settings& settings) {
+  constexpr double left = 10, width = 440, top = 16, height = 110, step = width / 256;
+  const auto x_of = [&](double code) { return left + (code + 0.5) * step; };
+  const double low = x_of(encoded(settings.zone.low, settings.transfer));
+  const double high = x_of(encoded(settings.zone.high, settings.transfer));
+  const std::size_t most = std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
+  std::size_t all = 0, inside = 0;
+  for (std::size_t code = 0; code < 256; ++code) {
+    all += counts[code];
+    const double y = decoded(static_cast<double>(code), settings.transfer);
+    if (y > settings.zone.low && y < settings.zone.high) inside += counts[code];
+  }
+  const std::string share = fixed(all == 0 ? 0 : 100 * double(inside) / double(all), 2);
+  append(out,
+         "<figure class=\"shot\"><svg class=\"hist\" viewBox=\"0 0 460 170\" role=\"img\" "
+         "aria-label=\"Histogram of F0: ",
+         share, " % of the texels lie in the forbidden zone\">");
+  append(out, "<rect class=\"zone\" x=\"", fixed(low, 1), "\" y=\"", fixed(top, 1), "\" width=\"",
+         fixed(high - low, 1), "\" height=\"", fixed(height, 1), "\"/>");
+  for (std::size_t code = 0; code < 256; ++code) {
+    if (counts[code] == 0) continue;
+    const double tall = std::max(1.0, height * std::sqrt(double(counts[code]) / double(most)));
+    const double y = decoded(static_cast<double>(code), settings.transfer);
+    const bool in = y > settings.zone.low && y < settings.zone.high;
+    append(out, "<rect class=\"bar", in ? " in" : "", "\" x=\"", fixed(left + double(code) * step, 1),
+           "\" y=\"", fixed(top + height - tall, 1), "\" width=\"", fixed(std::max(1.2, step), 1),
+           "\" height=\"", fixed(tall, 1), "\"><title>code ", std::to_string(code), ", F0 ", number(y, 3),
+           ": ", grouped(counts[code]), " texels</title></rect>");
+  }
+  append(out, "<line x1=\"10\" y1=\"126\" x2=\"450\" y2=\"126\"/>");
+  for (const double tick : {0.0, 0.04, 0.2, 0.45, 0.7, 1.0}) {
+    const double x = x_of(encoded(tick, settings.transfer));
+    append(out, "<line x1=\"", fixed(x, 1), "\" y1=\"126\" x2=\"", fixed(x, 1), "\" y2=\"131\"/><text x=\"",
+           fixed(x, 1), "\" y=\"145\" text-anchor=\"",
+           tick == 1   ? "end"
+           : tick == 0 ? "start"
+                       : "middle",
+           "\">", number(tick, 3), "</text>");
+  }
+  append(out,
+         "<text x=\"230\" y=\"163\" text-anchor=\"middle\">luminance of F0 (square-root heights)</text>");
+  append(out, "</svg><figcaption>F0 against the forbidden zone: ", share, " % of ", grouped(all),
+         " texels inside</figcaption></figure>\n");
+}
+
+// ---- pictures
+
+void append_picture(std::string& out, const ValidationPicture& picture, const std::string& id) {
+  append(out, "<figure class=\"shot\">");
+  if (!picture.heat_png.empty())
+    append(out, "<input type=\"checkbox\" class=\"heat\" id=\"", id,
+           "\" checked> <label class=\"toggle\" for=\"", id, "\">heat map</label><br>");
+  // Small pictures are enlarged so that their boxes can be seen.
+  const int longest = std::max({picture.width, picture.height, 1});
+  const double scale = 256.0 / longest;
+  append(out, "<div class=\"stack\" style=\"width: ", fixed(std::max(8.0, picture.width * scale), 0),
+         "px; height: ", fixed(std::max(8.0, picture.height * scale), 0), "px\">");
+  append(out, "<img alt=\"", escape_html(picture.label), "\" src=\"data:image/png;base64,",
+         base64(picture.png), "\">");
+  if (!picture.heat_png.empty())
+    append(out, "<img class=\"over heat-map\" alt=\"where the findings lie\" src=\"data:image/png;base64,",
+           base64(picture.heat_png), "\">");
+  append(out, "<svg class=\"over\" viewBox=\"0 0 ", std::to_string(picture.width), ' ',
+         std::to_string(picture.height), "\" preserveAspectRatio=\"none\" aria-hidden=\"true\">");
+  for (std::size_t i = 0; i < picture.boxes.size(); ++i) {
+    const PixelBox& box = picture.boxes[i];
+    const auto before = picture.boxes.begin() + static_cast<std::ptrdiff_t>(i);
+    const bool whole = box.width >= picture.width && box.height >= picture.height;
+    if (whole || std::find(picture.boxes.begin(), before, box) != before) continue;
+    for (const char* name : {"dark", "light"})
+      append(out, "<rect class=\"", name, "\" x=\"", std::to_string(box.x), "\" y=\"", std::to_string(box.y),
+             "\" width=\"", std::to_string(box.width), "\" height=\"", std::to_string(box.height), "\"/>");
+  }
+  append(out, "</svg></div><figcaption>", escape_html(picture.label), ", ", std::to_string(picture.width),
+         " x ", std::to_string(picture.height), "</figcaption></figure>\n");
+}
+
+// ---- findings
+
+void append_finding(std::string& out, const Finding& finding) {
+  append(out, "<div class=\"finding", counts(finding) ? "" : " taken", "\"><p><span class=\"severity ",
+         name(finding.severity), "\">", name(finding.severity), "</span> <a href=\"#", finding.rule, "\">",
+         finding.rule, ' ', escape_html(finding.slug), "</a> <span class=\"place\">",
+         escape_html(place_of(finding)), "</span></p>\n<p>");
+  if (finding.byte) {
+    const auto& b = *finding.byte;
+    append(out, "<i style=\"background: rgb(", std::to_string(b[0]), ',', std::to_string(b[1]), ',',
+           std::to_string(b[2]), ")\"></i> ");
+  }
+  append(out, escape_html(sentence_of(finding)), ".</p>");
+  if (!finding.limit.empty())
+    append(out, "<p>Found ", escape_html(finding.value), "; limit ", escape_html(finding.limit), ".</p>");
+  if (!finding.fix.empty()) append(out, "<p><b>Fix.</b> ", escape_html(finding.fix), "</p>");
+  if (!finding.nearest.empty()) {
+    out += "<p>Nearest materials: ";
+    for (std::size_t i = 0; i < finding.nearest.size(); ++i)
+      append(out, i == 0 ? "" : ", ", escape_html(finding.nearest[i].id), " (",
+             escape_html(finding.nearest[i].dataset), ", ", number(finding.nearest[i].bytes, 2), " codes)");
+    out += ".</p>";
+  }
+  if (finding.suppressed)
+    append(out, "<p><b>Allowed.</b> ", escape_html(finding.suppression), "</p>");
+  else if (finding.baseline)
+    out += "<p><b>Known</b> from the baseline.</p>";
+  out += "</div>\n";
+}
+
+void append_file(std::string& out, const CheckedFile& file, const ValidationPageFile& pictures,
+                 std::size_t index, const ValidationPageOptions& options) {
+  append(out, "<article id=\"file-", std::to_string(index), "\"><h3>", escape_html(file.path), "</h3>");
+  for (const std::string& companion : file.companions)
+    append(out, "<p class=\"policy\">with ", escape_html(companion), "</p>");
+  if (!pictures.pictures.empty() || pictures.f0) {
+    out += "<div class=\"shots\">\n";
+    for (std::size_t i = 0; i < pictures.pictures.size(); ++i)
+      append_picture(out, pictures.pictures[i], "heat-" + std::to_string(index) + "-" + std::to_string(i));
+    if (pictures.f0) append_histogram(out, *pictures.f0, options.settings);
+    out += "</div>\n";
+  }
+  // The worst first; what is allowed or known goes last.
+  std::vector<const Finding*> sorted;
+  for (const Finding& finding : file.findings) sorted.push_back(&finding);
+  const auto weight = [](const Finding* finding) {
+    return counts(*finding) ? static_cast<int>(finding->severity) : 0;
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const Finding* a, const Finding* b) { return weight(a) > weight(b); });
+  for (const Finding* finding : sorted) append_finding(out, *finding);
+  out += "</article>\n";
+}
+
+// ---- the page's frame
+
+std::map<std::string, std::size_t> rules_found(const ValidationReport& report) {
+  std::map<std::string, std::size_t> found;
+  for (const CheckedFile& file : report.files)
+    for (const Finding& finding : file.findings) ++found[finding.rule];
+  return found;
+}
+
+void append_navigation(std::string& out, const ValidationReport& report) {
+  out += "<nav aria-label=\"Rules\">";
+  for (const auto& [id, count] : rules_found(report))
+    if (const Rule* rule = find_rule(id))
+      append(out, "<a href=\"#", id, "\">", id, ' ', rule->slug, " <span>", grouped(count), "</span></a>");
+  out += "</nav>";
+}
+
+void append_rules(std::string& out, const ValidationReport& report) {
+  const auto found = rules_found(report);
+  if (found.empty()) return;
+  out += "<section id=\"rules\"><h2>The rules that spoke</h2>\n";
+  for (const auto& [id, count] : found) {
+    const Rule* rule = find_rule(id);
+    if (rule == nullptr) continue;
+    append(out, "<article id=\"", id, "\"><h3>", id, ' ', rule->slug, "</h3><p class=\"policy\">",
+           rule->family(), "; ", grouped(count), count == 1 ? " finding" : " findings", "; severity ",
+           name(rule->severity), ", strict profile ", name(rule->strict_severity), "</p>\n<p>",
+           escape_html(rule->what), "</p><p><b>Why.</b> ", escape_html(rule->why), "</p>");
+    append(out, "<p><b>Example.</b> ", escape_html(rule->example), "</p><p><b>Fix.</b> ",
+           escape_html(rule->fix), "</p>");
+    append(out, "<p class=\"policy\">", escape_html(rule->source), "</p></article>\n");
+  }
+  out += "</section>\n";
+}
+
+}  // namespace
+
+std::string validation_page(const ValidationReport& report, std::span<const ValidationPageFile> files,
+                            const ValidationPageOptions& options) {
+  assert(files.size() == report.files.size());
+  std::string out =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\"><title>etak validate</title>\n<style>";
+  append(out, page_css, validation_css, "</style></head>\n<body>\n<header><h1>Materials checked</h1>\n");
+  const bool passed = report.passed && !report.incomplete;
+  append(out, "<p class=\"verdict ", passed ? "passed" : "failed", "\">", escape_html(verdict_of(report)),
+         "</p>\n");
+  append(out, "<p class=\"policy\">Profile ", escape_html(report.profile), ", transfer ",
+         escape_html(report.transfer), ", fails on ", name(options.settings.fail_on), ". etak ",
+         escape_html(options.version), ", settings ", escape_html(report.settings_hash), ".</p>\n");
+  append_navigation(out, report);
+  out += "</header>\n<main>\n";
+  std::vector<std::size_t> told, clean;
+  for (std::size_t i = 0; i < report.files.size(); ++i)
+    (report.files[i].findings.empty() ? clean : told).push_back(i);
+  if (!told.empty()) {
+    out += "<section id=\"findings\"><h2>Findings</h2>\n";
+    for (const std::size_t i : told) append_file(out, report.files[i], files[i], i, options);
+    out += "</section>\n";
+  }
+  append_rules(out, report);
+  if (!clean.empty()) {
+    append(out, "<section id=\"clean\"><h2>Without findings</h2>\n<details><summary>", grouped(clean.size()),
+           clean.size() == 1 ? " file or set" : " files and sets", "</summary><ul class=\"clean\">\n");
+    for (const std::size_t i : clean) append(out, "<li>", escape_html(report.files[i].path), "</li>\n");
+    out += "</ul></details></section>\n";
+  }
+  return out + "</main>\n</body></html>\n";
+}
+
+}  // namespace etak

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/project.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/material/appearance.h"
+#include "core/material/name_limit.h"
+#include "core/material/names.h"
+#include "core/material/quality.h"
+
+namespace etak {
+namespace {
+
+LinearRgb in_unit(const LinearRgb& color) {
+  return {std::clamp(color.r, 0.0, 1.0), std::clamp(color.g, 0.0, 1.0), std::clamp(color.b, 0.0, 1.0)};
+}
+
+TextureSource source_of(const ProjectMaterial& m, Channel channel, const LinearRgb& color,
+                        std::vector<std::string>& remarks) {
+  if (m.texture(channel)) return *m.texture(channel);
+  const LinearRgb inside = in_unit(color);
+  if (inside != color)
+    remarks.push_back(m.name + ": " + std::string(name(channel)) + " (" + number(color.r, 4) + ", " +
+                      number(color.g, 4) + ", " + number(color.b, 4) +
+                      " linear) is outside of what a texture holds; brought back to 0..1");
+  return ConstantSource{inside, {}};
+}
+
+OutsideMedium medium_of(const std::string& text, const MaterialLibrary& library) {
+  OutsideMedium out;
+  if (text.empty()) return out;
+  out.label = text;
+  if (double index = 0; parse_number(text, index)) {
+    if (!(index > 0)) throw Error::at("outside", text, "an index of refraction above 0, or a material");
+    out.index = index;
+    return out;
+  }
+  const auto material = library.find(text);
+  const auto* constants =
+      material ? std::get_if<OpticalConstants>(&material->preferred_dataset().optics) : nullptr;
+  if (constants == nullptr)
+    throw Error::at("outside", printable(text), "a transparent material of the library, or a number");
+  out.index = *constants;
+  return out;
+}
+
+}  // namespace
+
+namespace {
+
+bool is_total(const FoundF0& found) {
+  return !gives_f0(found.material.material_class);
+}
+
+// Nothing was put into a body that light goes through.
+bool is_clear(const ProjectMaterial& material, const FoundF0& found) {
+  return material.diffuse == LinearRgb{} && clarity(found.material, found.chosen()).clear;
+}
+
+}  // namespace
+
+std::string_view name(Channel channel) {
+  constexpr std::array<std::string_view, all_channels.size()> names{"diffuse", "specular", "gloss", "alpha"};
+  return names[static_cast<std::size_t>(channel)];
+}
+
+const ProjectMaterial* Project::find(std::string_view material) const {
+  const auto found = std::find_if(materials.begin(), materials.end(),
+                                  [&](const ProjectMaterial& each) { return each.name == material; });
+  return found == materials.end() ? nullptr : &*found;
+}
+
+Project single(const Project& project, const ProjectMaterial& material) {
+  Project out;
+  out.materials = {material};
+  out.view = project.view;
+  out.view.compare = {};
+  if (!material.measured) return out;
+  for (const Material& each : project.spectra)
+    if (each.id == material.measured->material || each.id == material.measured->outside)
+      out.spectra.push_back(each);
+  return out;
+}
+
+MaterialLibrary library_of(const Project& project, const MaterialLibrary& library) {
+  MaterialLibrary out = library;
+  for (const Material& each : project.spectra) out.add(each);
+  return out;
+}
+
+F0Options f0_options(const MeasuredF0& measured, const MaterialLibrary& library) {
+  F0Options options;
+  options.viewing = measured.viewing;
+  options.outside = medium_of(measured.outside, library);
+  return options;
+}
+
+FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library) {
+  auto material = library.find(measured.material);
+  if (!material) {
+    const MaterialLibrary::Missing missing = library.missing(measured.material);
+    throw Error::at(printable(measured.material),
+                    missing.found.empty() ? "is no material of the library or the project" : missing.found,
+                    missing.expected);
+  }
+  FoundF0 out;
+  const Dataset& dataset = dataset_named(*material, measured.dataset, material->id);
+  out.dataset = static_cast<std::size_t>(&dataset - material->datasets.data());
+  out.result = solve(F0Solver(f0_options(measured, library)), *material, dataset);
+  if (out.result.refused())
+    throw Error::at(material->id + "/" + dataset.id, "has no F0: " + out.result.refusal,
+                    "data over the visible range");
+  out.material = std::move(*material);
+  return out;
+}
+
+void take_measured(ProjectMaterial& material, const FoundF0& found) {
+  const LinearRgb& color = found.result.srgb_linear;
+  if (!is_total(found)) {
+    material.specular = color;
+    return;
+  }
+  const TotalReflectance parts = divided(color, material.specular);
+  material.diffuse = parts.diffuse;
+  material.specular = parts.f0;
+}
+
+std::string body_note(const ProjectMaterial& material, const FoundF0& found) {
+  std::string out;
+  const bool clear = is_clear(material, found);
+  if (is_total(found)) {
+    const LinearRgb &r = found.result.srgb_linear, &f0 = material.specular;
+    out = "total reflectance " + number(r.r, 3) + " " + number(r.g, 3) + " " + number(r.b, 3) +
+          ": diffuse is what F0 " + number(f0.g, 3) + " leaves of it";
+  } else if (clear) {
+    out = "the body is clear (" + clarity(found.material, found.chosen()).reason +
+          "): exports say so; here alpha 0 lets the background through, unbent";
+  }
+  if (const DefaultGloss standard = default_gloss(found.material, clear); material.gloss == standard.gloss)
+    out += (out.empty() ? "" : "\n") + told(standard);
+  return out;
+}
+
+std::vector<std::string> resolve(Project& project, const MaterialLibrary& library) {
+  std::vector<std::string> problems;
+  std::optional<MaterialLibrary> all;  // copied only where something is measured
+  const auto take = [&](ProjectMaterial& each) {
+    if (!each.measured) return;
+    if (!all) all = library_of(project, library);
+    try {
+      take_measured(each, find_f0(*each.measured, *all));
+    } catch (const Error& error) {
+      problems.push_back(each.name + ": " + error.what());
+      each.measured.reset();
+    }
+  };
+  for (ProjectMaterial& each : project.materials) take(each);
+  if (project.view.compare.pinned) take(*project.view.compare.pinned);
+  return problems;
+}
+
+SurfaceValues surface_of(const ProjectMaterial& material, const MaterialLibrary& library) {
+  SurfaceValues out;
+  if (material.measured) {
+    const FoundF0 found = find_f0(*material.measured, library);
+    out = surface_of(found.material, found.chosen(), found.result, vec(material.diffuse), material.gloss);
+    // The index of the record is that against vacuum.
+    if (!material.measured->outside.empty()) out.optics.reset();
+    const bool rough = !gives_f0(found.material.material_class);
+    out.diffuse = vec(material.diffuse);
+    if (rough) {
+      out.f0 = vec(material.specular);
+      complete_from_f0(out);
+    }
+  } else {
+    out.f0 = vec(material.specular);
+    out.diffuse = vec(material.diffuse);
+    complete_from_f0(out);
+  }
+  out.gloss = material.gloss;
+  out.opacity = material.alpha;
+  return out;
+}
+
+ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibrary& library) {
+  ExportSurface out;
+  if (material.measured) {
+    const FoundF0 found = find_f0(*material.measured, library);
+    out = export_surface(found.material, found.chosen(), f0_options(*material.measured, library),
+                         found.result, material.diffuse, material.gloss);
+    // The author may have given a body of measured total another surface than the assumed one.
+    if (out.total && out.f0 != material.specular) {
+      out.f0 = material.specular;
+      out.notes.push_back("F0 " + number(out.f0.g, 3) + " is the author's");
+    }
+  } else {
+    out.f0 = material.specular;
+    out.kind = authored_kind(material.diffuse, material.specular);
+    out.source = "typed";
+  }
+  out.diffuse = material.diffuse;
+  out.gloss = material.gloss;
+  // Alpha is of the body, whose clearness targets are told by themselves; theirs would take the reflection
+  // away too.
+  out.opacity = out.clear ? 1 : material.alpha;
+  out.name = material.name;
+  out.id = material.name;
+  return out;
+}
+
+AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library,
+                          std::vector<std::string>& remarks) {
+  Project with_colors = project;
+  for (std::string& problem : resolve(with_colors, library)) remarks.push_back(std::move(problem));
+  AtlasManifest out;
+  for (const ProjectMaterial& m : with_colors.materials) {
+    ManifestMaterial row;
+    row.name = m.name;
+    row.place = m.name;
+    row.diffuse = source_of(m, Channel::diffuse, m.diffuse, remarks);
+    row.specular = source_of(m, Channel::specular, m.specular, remarks);
+    // As it was given, so that the packer tells what its form of gloss cannot hold.
+    if (m.gloss.given_roughness() && !m.texture(Channel::gloss)) {
+      const double r = *m.gloss.given_roughness();
+      row.roughness = ConstantSource{{r, r, r}, {}};
+    } else {
+      row.gloss = source_of(m, Channel::gloss, {m.gloss, m.gloss, m.gloss}, remarks);
+    }
+    row.alpha = source_of(m, Channel::alpha, {m.alpha, m.alpha, m.alpha}, remarks);
+    row.alpha_mode = m.alpha_mode;
+    row.alpha_cutoff = m.alpha_cutoff;
+    out.materials.push_back(std::move(row));
+  }
+  std::sort(out.materials.begin(), out.materials.end(),
+            [](const ManifestMaterial& a, const ManifestMaterial& b) { return a.name < b.name; });
+  return out;
+}
+
+FreeNames names_of(const Project& project) {
+  FreeNames out;
+  for (const ProjectMaterial& each : project.materials) out.take(each.name);
+  return out;
+}
+
+std::string free_name(FreeNames& names, const std::string& wanted) {
+  // Of at most so many bytes, and whole characters.
+  const auto front = [&](std::size_t most) {
+    std::size_t end = std::min(wanted.size(), most);
+    const auto goes_on = [&] { return (static_cast<unsigned char>(wanted[end]) & 0xC0) == 0x80; };
+    while (end > 0 && end < wanted.size() && goes_on()) --end;
+    return wanted.substr(0, end);
+  };
+  const auto numbered = [&](int i) {
+    const std::string number = " " + std::to_string(i);
+    return front(most_name_bytes - number.size()) + number;
+  };
+  return names.free(front(most_name_bytes), numbered);
+}
+
+std::string free_name(const Project& project, const std::string& wanted) {
+  FreeNames names = names_of(project);
+  return free_name(names, wanted);
+}
+
+bool is_project(std::string_view text) {
+  return text.substr(0, std::size_t{4} << 10).find("\"etak-project/1\"") != text.npos;
+}
+
+}  // namespace etak

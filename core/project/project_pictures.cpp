@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/project/project_pictures.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/atlas/compose.h"
+#include "core/base/error.h"
+#include "core/color/srgb.h"
+#include "core/image/linear_tables.h"
+
+namespace etak {
+namespace {
+
+constexpr int plain_side = 16;
+
+// Means over areas are taken of linear light. Rows are gathered one by one, so that no picture of floats of
+// the whole size is made.
+Image linear_small(const Image8& codes, int most_side) {
+  const int longest = std::max(codes.width, codes.height);
+  const int step = std::max(1, (longest + most_side - 1) / most_side);
+  const int width = (codes.width + step - 1) / step, height = (codes.height + step - 1) / step;
+  Image out(width, height, 4);
+  const auto& linear = linear_tables().srgb;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      std::array<double, 4> sum{};
+      int count = 0;
+      for (int v = y * step; v < std::min(codes.height, (y + 1) * step); ++v)
+        for (int u = x * step; u < std::min(codes.width, (x + 1) * step); ++u, ++count) {
+          const auto texel = codes.at(u, v);
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += linear[texel[c]];
+          sum[3] += texel[3] / 255.0;
+        }
+      for (std::size_t c = 0; c < 4; ++c) out.at(x, y)[c] = static_cast<float>(sum[c] / count);
+    }
+  return out;
+}
+
+}  // namespace
+
+bool has_textures(const ProjectMaterial& material) {
+  return std::any_of(material.textures.begin(), material.textures.end(),
+                     [](const auto& texture) { return texture.has_value(); });
+}
+
+MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary& library,
+                         const PictureDoor& door, std::size_t most_texels) {
+  Project one;
+  one.materials = {material};
+  std::vector<std::string> remarks;
+  const AtlasManifest manifest = manifest_of(one, library, remarks);
+  PackInputs inputs = resolve_manifest(manifest, library, std::nullopt, door, {});
+  PackInput& input = inputs.materials.front();
+  const auto texels = static_cast<std::size_t>(input.width) * static_cast<std::size_t>(input.height);
+  if (most_texels != 0 && texels > most_texels)
+    throw Error::at(
+        material.name,
+        "its pictures have " + std::to_string(input.width) + " x " + std::to_string(input.height) + " texels",
+        "at most " + std::to_string(most_texels) + " for this");
+  MaterialPair pair = load_pair(input, remarks);
+  if (has_textures(material)) return pair;
+  // A single texel is no plateau for rules that look at areas.
+  const auto spread = [](const Image8& texel) {
+    Image8 out(plain_side, plain_side, 4);
+    for (int y = 0; y < plain_side; ++y)
+      for (int x = 0; x < plain_side; ++x) std::copy_n(texel.at(0, 0).data(), 4, out.at(x, y).data());
+    return out;
+  };
+  return {spread(pair.diffuse_alpha), spread(pair.specular_gloss)};
+}
+
+SurfaceTextures surface_textures(const MaterialPair& pair, int most_side) {
+  return {linear_small(pair.diffuse_alpha, most_side), linear_small(pair.specular_gloss, most_side)};
+}
+
+Image8 channel_picture(const MaterialPair& pair, Channel channel, int most_side) {
+  const bool color = channel == Channel::diffuse || channel == Channel::specular;
+  const Image8& from =
+      channel == Channel::diffuse || channel == Channel::alpha ? pair.diffuse_alpha : pair.specular_gloss;
+  const Image small = linear_small(from, most_side);
+  Image8 out(small.width, small.height, 3);
+  for (int y = 0; y < small.height; ++y)
+    for (int x = 0; x < small.width; ++x) {
+      const auto in = small.at(x, y);
+      for (std::size_t c = 0; c < 3; ++c)
+        out.at(x, y)[c] = color ? srgb_u8(static_cast<double>(in[c])) : to_code(in[3]);
+    }
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/rects/pack.h"
+
+namespace etak::rects {
+namespace {
+
+// The search without rotation comes first and in full even where rotation is allowed: what it finds is then a
+// candidate, so that rotation never hurts. The search with rotation starts from there and gets a part of the
+// tries.
+int turned_part(const Frame& frame, int effort) {
+  return std::max(1, frame.form == PageForm::strip ? effort / 2 : effort * 3 / 4);
+}
+
+int effort_of(const Frame& frame, bool rotate) {
+  return rotate ? turned_part(frame, frame.effort) : frame.effort;
+}
+
+// The efforts at which rounds with rotation begin: 1, 10, 100 ...
+std::vector<int> levels(const Frame& frame) {
+  std::vector<int> out;
+  for (int level = 1; level <= frame.effort; level *= 10) out.push_back(level);
+  return out;
+}
+
+std::vector<bool> rotations(const Frame& frame) {
+  return frame.rotate ? std::vector<bool>{false, true} : std::vector<bool>{false};
+}
+
+// More effort never gives a larger page, because what happens with less is a part of what happens with more.
+// So a round with rotation starts from what the search without had found at its level, not from what it came
+// to in the end, and its length depends on nothing else.
+void search_both(const Set& set, const Frame& frame, const Family& upright, const Family& turned,
+                 Budget& budget, Best& best) {
+  const std::vector<int> marks = levels(frame);
+  std::vector<Best> seeds;
+  if (upright.least <= upright.most) {
+    budget.allow(effort_of(frame, false));
+    Search search(set, false, frame.threads, budget);
+    search.run(upright, best, marks, seeds);
+  }
+  if (!frame.rotate || turned.least > turned.most) return;
+  Search search(set, true, frame.threads, budget);
+  Best round;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (i < seeds.size() && seeds[i].any &&
+        (!round.any || side_of(turned, seeds[i]) < side_of(turned, round)))
+      round = std::move(seeds[i]);
+    budget.allow(turned_part(frame, marks[i]));
+    search.run(turned, round);
+  }
+  if (round.any && (!best.any || side_of(turned, round) < side_of(turned, best))) best = std::move(round);
+}
+
+Packed packed(const Best& best, Page page) {
+  return {{page}, best.spots, std::vector<int>(best.spots.size(), 0), best.method};
+}
+
+}  // namespace
+
+int Frame::side_texels(int length) const {
+  const std::int64_t texels = std::int64_t{length} * unit;
+  return static_cast<int>((texels + multiple - 1) / multiple * multiple);
+}
+
+int power_of_two_texels(const Frame& frame, int length) {
+  const int texels = frame.side_texels(length);
+  int out = 1;
+  while (out < texels) out *= 2;
+  return out;
+}
+
+std::optional<Packed> pack_square(const Set& set, const Frame& frame, Budget& budget) {
+  Family families[2];
+  for (const bool rotate : {false, true}) {
+    Family& family = families[rotate];
+    family.most = frame.largest;
+    family.unit = frame.unit;
+    family.multiple = frame.multiple;
+    family.least = least_square(set, rotate);
+  }
+  Best best;
+  search_both(set, frame, families[0], families[1], budget, best);
+  if (!best.any) return std::nullopt;
+  const int side = std::max(best.width, best.height);
+  return packed(best, {side, side});
+}
+
+std::optional<Packed> pack_strip(const Set& set, const Frame& frame, Budget& budget) {
+  Family families[2];
+  for (const bool rotate : {false, true}) {
+    Family& family = families[rotate];
+    family.width = frame.side;
+    family.most = frame.largest;
+    const bool fits = (rotate ? set.longest_short_side : set.widest) <= frame.side;
+    family.least = fits ? least_height(set, rotate, frame.side) : frame.largest + 1;
+  }
+  Best best;
+  search_both(set, frame, families[0], families[1], budget, best);
+  if (!best.any) return std::nullopt;
+  return packed(best, {frame.side, best.height});
+}
+
+namespace {
+
+std::int64_t area_of(const Frame& frame, int width, int height) {
+  return std::int64_t{frame.side_texels(width)} * frame.side_texels(height);
+}
+
+struct Width {
+  int width;
+  std::int64_t area;  // of what a first look found
+};
+
+// Widths from half to twice the side of a full square, where long thin pages begin.
+std::vector<int> widths_to_try(const Set& set, const Frame& frame, bool rotate) {
+  std::vector<int> out;
+  const double middle = std::sqrt(static_cast<double>(set.area));
+  const int least = std::max(1, rotate ? set.longest_short_side : set.widest);
+  for (int k = -8; k <= 8; ++k) out.push_back(static_cast<int>(std::ceil(middle * std::exp2(k / 16.0))));
+  for (const int side : {set.widest, set.tallest, 2 * set.widest})
+    if (side > middle / 2 && side < middle * 2) out.push_back(side);
+  for (int& width : out) {
+    width = std::clamp(width, least, std::max(least, frame.largest));
+    width = std::max(least, width / set.width_step * set.width_step);
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+// A page with two free sides: a first look at many widths, then a search at each of the best. Monotone in the
+// effort as search_both is.
+class FreeSearch {
+ public:
+  FreeSearch(const Set& set, const Frame& frame, Budget& budget, bool rotate)
+      : set_(set),
+        frame_(frame),
+        budget_(budget),
+        rotate_(rotate),
+        search_(set, rotate, frame.threads, budget) {}
+
+  // What a look finds at each width goes into `best`.
+  void look(Best& best) {
+    for (const int width : widths_to_try(set_, frame_, rotate_)) {
+      const Family family = family_of(width);
+      if (width > frame_.largest || family.least > family.most) continue;
+      budget_.allow(look_effort);
+      Best found;
+      search_.look(family, found);
+      if (!found.any) continue;
+      const std::int64_t area = area_of(frame_, found.width, found.height);
+      keep(std::move(found), best);
+      seen_.push_back({width, area});
+    }
+    std::stable_sort(seen_.begin(), seen_.end(),
+                     [](const Width& a, const Width& b) { return a.area < b.area; });
+    if (seen_.size() > finalists) seen_.resize(finalists);
+  }
+
+  // The best of all that is smaller than `bound` within that effort at each width, and within each of
+  // `marks`.
+  void search(const Best& bound, int effort, std::span<const int> marks, Best& best,
+              std::vector<Best>& noted) {
+    noted.resize(marks.size());
+    std::vector<int> parts;
+    for (const int mark : marks) parts.push_back(part(mark));
+    for (const Width& candidate : seen_) {
+      Family family = family_of(candidate.width);
+      // The first height whose page would be no improvement.
+      const std::int64_t area = area_of(frame_, bound.width, bound.height);
+      const std::int64_t across = frame_.side_texels(candidate.width);
+      family.below = static_cast<int>(
+          std::min<std::int64_t>((area + across - 1) / across / frame_.unit + 1, INT32_MAX / 2));
+      while (family.below > 1 && area_of(frame_, candidate.width, family.below - 1) >= area) --family.below;
+      budget_.allow(part(effort));
+      Best found;
+      std::vector<Best> found_at;
+      search_.run(family, found, parts, found_at);
+      keep(std::move(found), best);
+      for (std::size_t i = 0; i < found_at.size(); ++i) keep(std::move(found_at[i]), noted[i]);
+    }
+  }
+
+  void keep(Best&& found, Best& best) const {
+    if (found.any &&
+        (!best.any || area_of(frame_, found.width, found.height) < area_of(frame_, best.width, best.height)))
+      best = std::move(found);
+  }
+
+ private:
+  static constexpr std::size_t finalists = 6;
+  static constexpr int look_effort = 12;
+  static int part(int effort) { return std::max(1, effort / 3); }
+
+  Family family_of(int width) const {
+    Family family;
+    family.width = width;
+    family.most = frame_.largest;
+    family.unit = frame_.unit;
+    family.multiple = frame_.multiple;
+    family.least = least_height(set_, rotate_, width);
+    return family;
+  }
+
+  const Set& set_;
+  const Frame& frame_;
+  Budget& budget_;
+  bool rotate_;
+  Search search_;
+  std::vector<Width> seen_;
+};
+
+}  // namespace
+
+std::optional<Packed> pack_free(const Set& set, const Frame& frame, Budget& budget) {
+  const std::vector<int> marks = levels(frame);
+  FreeSearch upright(set, frame, budget, false);
+  Best looked;
+  upright.look(looked);
+  Best best = looked;
+  std::vector<Best> seeds(marks.size());
+  if (looked.any) upright.search(looked, effort_of(frame, false), marks, best, seeds);
+  if (frame.rotate) {
+    FreeSearch turned(set, frame, budget, true);
+    turned.look(looked);
+    for (std::size_t i = 0; i < marks.size() && looked.any; ++i) {
+      turned.keep(std::move(seeds[i]), looked);
+      const Best bound = looked;
+      std::vector<Best> none;
+      turned.search(bound, turned_part(frame, marks[i]), {}, looked, none);
+    }
+    turned.keep(std::move(looked), best);
+  }
+  if (!best.any) return std::nullopt;
+  return packed(best, {best.width, best.height});
+}
+
+std::optional<Packed> pack_power_of_two(const Set& set, const Frame& frame, Budget& budget) {
+  struct Candidate {
+    std::int64_t width, height;
+  };
+  std::vector<Candidate> pages;
+  const std::int64_t largest = std::int64_t{frame.largest} * frame.unit + frame.unit - 1;
+  for (std::int64_t w = 1; w <= largest; w *= 2)
+    for (std::int64_t h = 1; h <= largest; h *= 2)
+      if (w % frame.multiple == 0 && h % frame.multiple == 0) pages.push_back({w, h});
+  std::sort(pages.begin(), pages.end(), [](const Candidate& a, const Candidate& b) {
+    if (a.width * a.height != b.width * b.height) return a.width * a.height < b.width * b.height;
+    const std::int64_t long_a = std::max(a.width, a.height), long_b = std::max(b.width, b.height);
+    return long_a != long_b ? long_a < long_b : a.width > b.width;  // the squarest first, then lying
+  });
+  for (const Candidate& page : pages) {
+    const int width = static_cast<int>(page.width / frame.unit),
+              height = static_cast<int>(page.height / frame.unit);
+    for (const bool rotate : rotations(frame)) {
+      if (!can_hold(set, rotate, width, height)) continue;
+      Family family;
+      family.width = width;
+      family.least = family.most = height;
+      // Below nine tenths the first few tries decide.
+      const double share = static_cast<double>(set.area) / (static_cast<double>(width) * height);
+      budget.allow(share < 0.9 ? std::max(1, effort_of(frame, rotate) / 4) : effort_of(frame, rotate));
+      Best best;
+      Search search(set, rotate, frame.threads, budget);
+      search.run(family, best);
+      if (best.any) return packed(best, {width, height});
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace etak::rects

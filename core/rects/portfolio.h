@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "core/rects/maxrects.h"
+#include "core/rects/skyline.h"
+
+namespace etak::rects {
+
+/// One way to pack: a placement rule and the order the rectangles are offered in.
+struct Try {
+  bool skyline = true;
+  bool transposed = false;  // width and height swapped: builds from the left instead of from below
+  SkylineRule rule;
+  Fit fit = Fit::short_side;
+  Key key = Key::area;
+  std::string name() const;
+};
+
+/// What is worth trying for n rectangles, the most promising first.
+std::vector<Try> portfolio(int n, bool rotate);
+
+}  // namespace etak::rects

@@ -1,0 +1,539 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/rects/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "core/base/parallel.h"
+
+namespace etak::rects {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+// What an ordinary try of n rectangles may cost. Few rectangles deserve many cheap tries; from some 2,000 on
+// the first tries are already within a percent of full.
+std::int64_t ordinary_work(int n) {
+  const std::int64_t count = n;
+  if (count <= 500) return 23'000;
+  return std::min(count * count / 10, std::max<std::int64_t>(300'000, 40 * count));
+}
+
+// With fewer rectangles a try takes no longer than a thread to start.
+constexpr int least_for_threads = 700;
+
+int round_up(std::int64_t value, std::int64_t multiple) {
+  return static_cast<int>(std::min<std::int64_t>((value + multiple - 1) / multiple * multiple, INT_MAX / 2));
+}
+
+}  // namespace
+
+Budget::Budget(int effort, int n, double max_seconds)
+    : n_(n),
+      timed_(max_seconds > 0),
+      end_(std::chrono::steady_clock::now() +
+           std::chrono::microseconds(static_cast<std::int64_t>(std::min(max_seconds, 1e9) * 1e6))) {
+  allow(effort);
+}
+
+void Budget::allow(int effort) {
+  allowed_ = tries_left_ = effort;
+  work_left_ = effort * ordinary_work(n_);
+}
+
+bool Budget::open() {
+  if (tries_left_ <= 0 || work_left_ <= 0 || cut_) return false;
+  // The first try is made in any case: without it there is no layout.
+  cut_ = timed_ && tries_ > 0 && std::chrono::steady_clock::now() > end_;
+  return !cut_;
+}
+
+void Budget::charge(std::int64_t work) {
+  ++tries_;
+  --tries_left_;
+  work_left_ -= work;
+}
+
+bool Budget::would_end(int effort) const {
+  const std::int64_t less = allowed_ - effort;
+  return tries_left_ <= less || work_left_ <= less * ordinary_work(n_);
+}
+
+int Family::full(int side) const {
+  return round_up(std::int64_t{side} * unit, multiple) / unit;
+}
+
+int Family::smaller(int side) const {
+  return (round_up(std::int64_t{side} * unit, multiple) - multiple) / unit;
+}
+
+int side_of(const Family& family, const Best& best) {
+  return family.width > 0 ? best.height : std::max(best.width, best.height);
+}
+
+bool can_hold(const Set& set, bool rotate, int width, int height) {
+  if (!rotate) {
+    width -= width % set.width_step;
+    height -= height % set.height_step;
+    return width >= set.widest && height >= set.tallest && std::int64_t{width} * height >= set.area;
+  }
+  if (std::int64_t{width} * height < set.area || std::min(width, height) < set.longest_short_side)
+    return false;
+  return std::max(width, height) >= set.longest_side;
+}
+
+int least_height(const Set& set, bool rotate, int width) {
+  int out = rotate ? set.longest_short_side : set.tallest;
+  if (rotate && width < set.longest_side) {
+    for (const RectSize& item : set.items) {
+      const int longer = std::max(item.width, item.height);
+      if (longer > width) out = std::max(out, longer);
+    }
+  }
+  const int usable = rotate ? width : std::max(1, width - width % set.width_step);
+  out = std::max(out, round_up(set.area, usable) / usable);
+  return rotate ? out : round_up(out, set.height_step);
+}
+
+namespace {
+
+// Upright rectangles wider than half the page lie one above the other, those higher than half of it side by
+// side.
+bool stacks_fit(const Set& set, int width, int height) {
+  std::int64_t up = 0, across = 0;
+  for (const RectSize& item : set.items) {
+    if (item.width > width - item.width) up += item.height;
+    if (item.height > height - item.height) across += item.width;
+  }
+  return up <= height && across <= width;
+}
+
+}  // namespace
+
+int least_square(const Set& set, bool rotate) {
+  int side = std::max({1, set.longest_side, static_cast<int>(std::sqrt(static_cast<double>(set.area))) - 1});
+  if (!rotate && !stacks_fit(set, side, side)) {
+    int bad = side, good = side;
+    while (!stacks_fit(set, good, good)) good *= 2;
+    while (good - bad > 1) {
+      const int middle = bad + (good - bad) / 2;
+      (stacks_fit(set, middle, middle) ? good : bad) = middle;
+    }
+    side = good;
+  }
+  while (!can_hold(set, rotate, side, side)) ++side;
+  return side;
+}
+
+struct Search::Worker {
+  Worker(const Set& set, const Set& turned, bool rotate)
+      : skyline{{set, rotate}, {turned, rotate}}, maxrects{{set, rotate}, {turned, rotate}} {}
+  Skyline skyline[2];
+  MaxRects maxrects[2];
+};
+
+/// An order that is being changed, and how far it got in the page now looked for.
+struct Search::Leader {
+  Try how;
+  std::vector<int> order;
+  double share = 0;          // of the page that was filled when it gave up
+  std::int64_t placed = -1;  // in the page of side `target`
+  int target = -1;
+};
+
+/// One try with its outcome.
+struct Search::Step {
+  Try how;
+  std::vector<int> changed;
+  std::span<const int> order;
+  int depth = 1;
+  int target = 0;
+  std::uint64_t print = 0;  // of the try in the page of side `target`
+  const Outcome* known = nullptr;
+  Outcome outcome;
+  std::vector<Spot> spots;
+};
+
+Search::Search(const Set& set, bool rotate, unsigned threads, Budget& budget)
+    : set_(set),
+      turned_(set.turned()),
+      rotate_(rotate),
+      threads_(set.size() < least_for_threads ? 1 : std::max(1u, threads)),
+      budget_(budget),
+      portfolio_(portfolio(set.size(), rotate)) {
+  workers_.push_back(std::make_unique<Worker>(set_, turned_, rotate));
+  all_.resize(set.items.size());
+  std::iota(all_.begin(), all_.end(), 0);
+  first_equal_ = all_;
+  for (std::size_t i = 1; i < all_.size(); ++i)
+    if (set.items[i] == set.items[i - 1]) first_equal_[i] = first_equal_[i - 1];
+  if (!all_equal()) return;
+  for (Try& how : portfolio_) {  // the first in the window is as good as any
+    how.rule.window = 1;
+    how.rule.late = 0;
+  }
+}
+
+Search::~Search() = default;
+
+const std::vector<int>& Search::order(const Try& how) {
+  // Of the keys only height and width change when all rectangles are turned.
+  Key key = how.key;
+  if (how.transposed && (key == Key::height || key == Key::width))
+    key = key == Key::height ? Key::width : Key::height;
+  std::vector<int>& out = orders_[static_cast<int>(key)];
+  if (out.empty()) out = ordered(set_, all_, key);
+  return out;
+}
+
+Outcome Search::evaluate(const Try& how, std::span<const int> order, int width, int height, bool partial,
+                         unsigned worker) {
+  const int side = how.transposed ? 1 : 0;
+  if (how.transposed) std::swap(width, height);
+  Outcome out = how.skyline ? workers_[worker]->skyline[side].pack(width, height, order, how.rule, partial)
+                            : workers_[worker]->maxrects[side].pack(width, height, order, how.fit, partial);
+  if (how.transposed) std::swap(out.width, out.height);
+  return out;
+}
+
+namespace {
+
+void mix(std::uint64_t& print, std::uint64_t value) {
+  print = (print ^ value) * 0x9e3779b97f4a7c15u;
+  print ^= print >> 32;
+}
+
+}  // namespace
+
+std::uint64_t Search::print_of(const Try& how, std::span<const int> order) const {
+  std::uint64_t out = how.skyline ? 1 : 2;
+  const SkylineRule& r = how.rule;
+  for (const int part : {r.window, r.exact, r.flush, r.ceiling, r.sliver, r.late, r.left_over, r.side,
+                         static_cast<int>(how.fit), how.transposed ? 1 : 0})
+    mix(out, static_cast<std::uint64_t>(part));
+  for (const int i : order) mix(out, static_cast<std::uint64_t>(i));
+  return out;
+}
+
+std::uint64_t Search::print_in(std::uint64_t print, int width, int height) {
+  mix(print, static_cast<std::uint64_t>(width) << 32 | static_cast<std::uint32_t>(height));
+  return print;
+}
+
+const Outcome* Search::known(std::uint64_t print) const {
+  const auto found = failed_.find(print);
+  return found == failed_.end() ? nullptr : &found->second;
+}
+
+void Search::learn(std::uint64_t print, const Outcome& outcome) {
+  constexpr std::size_t most = 1 << 16;
+  if (outcome.all) return;
+  if (failed_.size() >= most) failed_.clear();
+  failed_.emplace(print, outcome);
+}
+
+// Equal rectangles in the order of their indices, so that orders of the same sizes are the same.
+void Search::make_canonical(std::vector<int>& order) const {
+  std::vector<int> next = first_equal_;
+  for (int& i : order) i = next[at(first_equal_[at(i)])]++;
+}
+
+void Search::spots_of(const Try& how, unsigned worker, std::vector<Spot>& out) const {
+  const int side = how.transposed ? 1 : 0;
+  out = how.skyline ? workers_[worker]->skyline[side].spots() : workers_[worker]->maxrects[side].spots();
+  if (!how.transposed) return;
+  for (Spot& spot : out)
+    if (spot.x >= 0) std::swap(spot.x, spot.y);
+}
+
+// The side to try next, `depth` pages below the best; less than family.least where there is none.
+int Search::target(const Family& family, const Best& best, int depth) const {
+  int side = best.any ? family.smaller(side_of(family, best)) : family.most;
+  if (family.below != INT_MAX) side = std::min(side, family.smaller(family.below));
+  for (int i = 1; i < depth; ++i) side = family.smaller(side);
+  return std::min(side, family.most);
+}
+
+// The first layout: how high it gets in a page open at the top says what page to expect; from there up.
+void Search::start(const Family& family, Best& best) {
+  const Try& how = portfolio_.front();
+  const auto tried = [&](int width, int height) {
+    const Outcome outcome = evaluate(how, order(how), width, height, false, 0);
+    budget_.charge(outcome.work);
+    if (outcome.all && outcome.width <= family.width_at(family.most) && outcome.height <= family.most &&
+        (family.width > 0 || width == height || outcome.height <= width)) {
+      best.any = true;
+      best.width = outcome.width;
+      best.height = outcome.height;
+      spots_of(how, 0, best.spots);
+      best.method = how.name();
+    }
+    return outcome;
+  };
+  int side = std::min(family.most, family.least + family.least / 64);
+  const int open_height = std::min(family.most, round_up(std::int64_t{2} * family.least, 1) + 16);
+  const Outcome open = tried(family.width_at(side), open_height);
+  if (!best.any && family.width == 0 && open.all)
+    side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(side) * open.height)));
+  // Without a layout there is nothing to hand back: this goes on past the end of the budget. The steps do not
+  // depend on what is left, so that a larger budget finds all that a smaller one does.
+  int steps = 0;
+  for (int last = 0; !best.any && last < family.most; side += std::max(1, side / (++steps < 12 ? 50 : 8))) {
+    last = std::min(family.full(std::clamp(side, family.least, family.most)), family.most);
+    tried(family.width_at(last), last);
+  }
+  if (best.any) descend(family, best, how, order(how));
+}
+
+// Smaller and smaller pages with one try that has just succeeded: longer and longer steps, then halves.
+void Search::descend(const Family& family, Best& best, const Try& how, std::span<const int> order) {
+  const std::uint64_t print = print_of(how, order);
+  int bad = family.least - 1, jump = std::max(1, (side_of(family, best) - family.least) / 8);
+  bool growing = true;
+  while (budget_.open()) {
+    const int good = side_of(family, best), next = family.smaller(good);
+    if (next <= bad) break;
+    const int middle = (good + bad) / 2;
+    const int target =
+        std::clamp(family.full(growing ? std::max(good - jump, middle) : middle), bad + 1, next);
+    const std::uint64_t here = print_in(print, family.width_at(target), target);
+    const Outcome* const before = known(here);
+    const Outcome outcome =
+        before ? *before : evaluate(how, order, family.width_at(target), target, false, 0);
+    budget_.charge(outcome.work);
+    if (!before) learn(here, outcome);
+    if (outcome.all) {
+      note(best);
+      best.width = outcome.width;
+      best.height = outcome.height;
+      spots_of(how, 0, best.spots);
+      jump *= 2;
+    } else {
+      bad = target;
+      growing = false;
+    }
+  }
+}
+
+// Takes over a step that succeeded.
+bool Search::settle(const Family& family, Best& best, Step& step) {
+  if (!step.outcome.all) return false;
+  note(best);
+  best.any = true;
+  best.width = step.outcome.width;
+  best.height = step.outcome.height;
+  best.spots = std::move(step.spots);
+  best.method = step.how.name();
+  descend(family, best, step.how, step.order);
+  return true;
+}
+
+// Makes the steps 0 .. count - 1 one after the other. make(i, step) fills how, order and depth (or leaves the
+// order empty: no step); done(i, step) says whether what later steps are made from has changed. With threads
+// some steps are computed ahead; those behind a change are thrown away and made again.
+template <class Make, class Done>
+void Search::go_through(std::size_t count, const Family& family, Best& best, Make make, Done done) {
+  const std::size_t batch = threads_ > 1 ? 4 * threads_ : 1;
+  while (workers_.size() < threads_) workers_.push_back(std::make_unique<Worker>(set_, turned_, rotate_));
+  std::vector<Step> steps(batch);
+  for (std::size_t i = 0; i < count;) {
+    if (!budget_.open()) return;
+    const std::size_t made = std::min(batch, count - i);
+    for (std::size_t k = 0; k < made; ++k) {
+      steps[k].order = {};
+      steps[k].depth = 1;
+      make(i + k, steps[k]);
+      do {
+        steps[k].target = target(family, best, steps[k].depth);
+      } while (steps[k].target < family.least && --steps[k].depth > 0);
+      const int side = steps[k].target;
+      steps[k].print = print_in(print_of(steps[k].how, steps[k].order), family.width_at(side), side);
+      steps[k].known = known(steps[k].print);
+    }
+    parallel_chunks(made, threads_, 1, [&](std::size_t k, std::size_t, unsigned worker) {
+      Step& step = steps[k];
+      step.outcome = {};
+      if (step.order.empty() || step.target < family.least) return;
+      if (step.known) {
+        step.outcome = *step.known;
+        return;
+      }
+      step.outcome = evaluate(step.how, step.order, family.width_at(step.target), step.target, false, worker);
+      if (step.outcome.all) spots_of(step.how, worker, step.spots);
+    });
+    bool changed = false;
+    for (std::size_t k = 0; k < made && !changed; ++k, ++i) {
+      Step& step = steps[k];
+      if (step.outcome.work == 0) continue;
+      if (!budget_.open()) return;
+      budget_.charge(step.outcome.work);
+      learn(step.print, step.outcome);
+      const bool better = settle(family, best, step);
+      changed = done(i, step) || better;
+      if (best.any && side_of(family, best) <= family.least) return;
+    }
+  }
+}
+
+void Search::look(const Family& family, Best& best) {
+  std::size_t looked = 0;
+  for (const Try& how : portfolio_) {
+    if (how.transposed || (!how.skyline && how.fit != Fit::bottom_left)) continue;
+    if (looked == 4 || (best.any && !budget_.open())) return;
+    const int height = best.any ? best.height - 1 : family.most;
+    if (height < family.least) return;
+    const Outcome outcome = evaluate(how, order(how), family.width, height, false, 0);
+    budget_.charge(outcome.work);
+    ++looked;
+    if (!outcome.all) continue;
+    best.any = true;
+    best.width = outcome.width;
+    best.height = outcome.height;
+    spots_of(how, 0, best.spots);
+    best.method = how.name();
+  }
+}
+
+// Before the best changes: was it what a smaller budget would have ended with? A search for a first layout
+// does not end without.
+void Search::note(const Best& best) {
+  if (!noted_ || (!best.any && must_find_)) return;
+  while (noted_->size() < marks_.size() && budget_.would_end(marks_[noted_->size()])) noted_->push_back(best);
+}
+
+void Search::run(const Family& family, Best& best, std::span<const int> marks, std::vector<Best>& noted) {
+  marks_ = marks;
+  noted_ = &noted;
+  must_find_ = !best.any && family.below == INT_MAX;
+  go(family, best);
+  noted.resize(marks.size(), best);
+  noted_ = nullptr;
+}
+
+void Search::go(const Family& family, Best& best) {
+  if (family.most < family.least) return;
+  if (!best.any && family.below == INT_MAX) start(family, best);
+  const auto finished = [&] { return target(family, best, 1) < family.least || !budget_.open(); };
+  if (finished()) return;
+  std::vector<Leader> leaders(portfolio_.size());
+  go_through(
+      portfolio_.size(), family, best,
+      [&](std::size_t i, Step& step) {
+        step.how = portfolio_[i];
+        step.order = order(step.how);
+        // The slower rules are asked for a step that pays: they are not monotone and may well succeed there.
+        if (!step.how.skyline && best.any)
+          step.depth =
+              std::max(1, (side_of(family, best) - family.least) / (step.how.fit == Fit::contact ? 6 : 10));
+      },
+      [&](std::size_t i, const Step& step) {
+        const double page = static_cast<double>(family.width_at(step.target)) * step.target;
+        leaders[i] = {step.how, {}, static_cast<double>(step.outcome.placed) / page, -1, -1};
+        return false;
+      });
+  if (finished()) return;
+  std::stable_sort(leaders.begin(), leaders.end(),
+                   [](const Leader& a, const Leader& b) { return a.share > b.share; });
+  // A smaller page can succeed where a larger one did not: greedy rules are not monotone.
+  const std::size_t again = std::min<std::size_t>(8, leaders.size());
+  for (int depth = 2; depth <= 3; ++depth)
+    go_through(
+        again, family, best,
+        [&](std::size_t i, Step& step) {
+          step.how = leaders[i].how;
+          step.order = order(step.how);
+          step.depth = depth;
+        },
+        [](std::size_t, const Step&) { return false; });
+  if (finished() || all_equal()) return;
+  leaders.resize(std::min<std::size_t>(3, leaders.size()));
+  for (Leader& leader : leaders) leader.order = order(leader.how);
+  change_orders(family, best, leaders);
+}
+
+namespace {
+
+// A few rectangles change places or move within the order.
+void change(std::vector<int>& order, Random& random) {
+  const int n = static_cast<int>(order.size());
+  for (int k = 1 + random.below(3); k > 0; --k) {
+    const int i = random.below(n), j = random.below(n);
+    const auto from = order.begin() + std::min(i, j), to = order.begin() + std::max(i, j);
+    const int kind = random.below(4);
+    if (kind < 2) {
+      std::iter_swap(from, to);
+    } else if (kind == 2) {
+      std::rotate(from, to, to + 1);
+    } else {
+      std::rotate(from, from + 1, to + 1);
+    }
+  }
+}
+
+}  // namespace
+
+// Hill climbing on the orders that got furthest: a changed order stays when more was placed before it gave
+// up.
+void Search::change_orders(const Family& family, Best& best, std::vector<Leader>& leaders) {
+  go_through(
+      at(INT_MAX), family, best,
+      [&](std::size_t i, Step& step) {
+        Leader& leader = leaders[i % leaders.size()];
+        step.how = leader.how;
+        step.changed = leader.order;
+        Random random(i);
+        if (leader.target == target(family, best, 1)) {
+          change(step.changed, random);
+          make_canonical(step.changed);
+        }
+        step.order = step.changed;
+      },
+      [&](std::size_t i, const Step& step) {
+        Leader& leader = leaders[i % leaders.size()];
+        if (leader.target == step.target && step.outcome.placed <= leader.placed) return false;
+        leader.order = step.changed;
+        leader.placed = step.outcome.placed;
+        leader.target = step.target;
+        return true;
+      });
+}
+
+Outcome Search::fill(int width, int height, std::span<const int> members, std::size_t which,
+                     std::vector<Spot>& spots) {
+  const Try& how = portfolio_[which];
+  const std::vector<int> offered = ordered(how.transposed ? turned_ : set_, members, how.key);
+  const Outcome out = evaluate(how, offered, width, height, true, 0);
+  budget_.charge(out.work);
+  spots_of(how, 0, spots);
+  return out;
+}
+
+bool Search::offer(std::size_t which) {
+  const Try& how = portfolio_[which];
+  if (!how.skyline) return false;
+  offered_ = which;
+  workers_[0]->skyline[how.transposed ? 1 : 0].offer(order(how), how.rule);
+  return true;
+}
+
+Outcome Search::fill_next(int width, int height, std::vector<std::pair<int, Spot>>& placed) {
+  const Try& how = portfolio_[offered_];
+  Skyline& skyline = workers_[0]->skyline[how.transposed ? 1 : 0];
+  if (how.transposed) std::swap(width, height);
+  Outcome out = skyline.fill(width, height);
+  if (how.transposed) std::swap(out.width, out.height);
+  budget_.charge(out.work);
+  placed.clear();
+  for (const int i : skyline.placed()) {
+    Spot spot = skyline.spots()[at(i)];
+    if (how.transposed) std::swap(spot.x, spot.y);
+    placed.emplace_back(i, spot);
+  }
+  return out;
+}
+
+}  // namespace etak::rects

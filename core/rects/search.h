@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <climits>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+
+#include "core/rects/portfolio.h"
+
+namespace etak::rects {
+
+/// How much may still be tried. Counted in tries and in operations, so that it is the same on every machine;
+/// the clock only where it was asked for.
+class Budget {
+ public:
+  ///   effort        tries at most; all of them together take at most `effort` times what one of ordinary
+  ///                 cost takes
+  ///   max_seconds   0: no clock
+  Budget(int effort, int n, double max_seconds);
+  void allow(int effort);  // starts again with this much; the clock and the counts go on
+  bool open();             // is there anything left?
+  void charge(std::int64_t work);
+  bool would_end(int effort) const;  // had it been allowed this much
+  int tries() const { return tries_; }
+  bool cut() const { return cut_; }
+
+ private:
+  int n_, tries_left_ = 0, tries_ = 0;
+  int allowed_ = 0;
+  std::int64_t work_left_ = 0;
+  bool timed_, cut_ = false;
+  std::chrono::steady_clock::time_point end_;
+};
+
+/// The best layout on one page so far, in units.
+struct Best {
+  bool any = false;
+  int width = 0, height = 0;  // extent
+  std::vector<Spot> spots;
+  std::string method;
+};
+
+/// Pages with one free side. In units of `unit` texels; page sides are rounded up to `multiple` texels.
+struct Family {
+  int width = 0;  // 0: squares
+  int least = 1;  // no page with a smaller side holds the set
+  int most = 0;   // the largest allowed
+  int unit = 1, multiple = 1;
+  int below = INT_MAX;  // larger sides are of no use
+
+  int width_at(int side) const { return width > 0 ? width : side; }
+  /// The largest side whose page is not larger than that of `side`.
+  int full(int side) const;
+  /// The largest side with a smaller page; may be below `least`.
+  int smaller(int side) const;
+};
+
+/// The side of `best` in a family.
+int side_of(const Family& family, const Best& best);
+
+/// The least height that `width` allows: by area, by the largest rectangle, and, upright, because all sides
+/// may be multiples of a number.
+int least_height(const Set& set, bool rotate, int width);
+int least_square(const Set& set, bool rotate);
+bool can_hold(const Set& set, bool rotate, int width, int height);
+
+/// Looks for the layout with the least side within a family. The steps are taken as if one after the other:
+/// threads only compute results before they are asked for.
+class Search {
+ public:
+  Search(const Set& set, bool rotate, unsigned threads, Budget& budget);
+  ~Search();
+
+  /// Improves `best` (a layout of the family, or none) until the least side or the end of the budget: the
+  /// portfolio, the most promising on still smaller pages, then changed orders.
+  void run(const Family& family, Best& best) {
+    std::vector<Best> none;
+    run(family, best, {}, none);
+  }
+
+  /// The same; `noted` becomes what it would have come to with each of the efforts `marks` (rising, none
+  /// above the budget's).
+  void run(const Family& family, Best& best, std::span<const int> marks, std::vector<Best>& noted);
+
+  /// The heights that a few rules which build from below reach in a page of the family's width that is open
+  /// at the top.
+  void look(const Family& family, Best& best);
+
+  /// Places what it can of `members` in one page, by entry `which` of the portfolio.
+  Outcome fill(int width, int height, std::span<const int> members, std::size_t which,
+               std::vector<Spot>& spots);
+  std::size_t entries() const { return portfolio_.size(); }
+
+  /// For pages that entry `which` fills one after the other with the whole set, in time for what it places
+  /// alone: offer() once, then fill_next() for every page, as fill() of what is left.
+  ///   placed   what the page took, by index into the set
+  /// False where the entry's rule cannot do that.
+  bool offer(std::size_t which);
+  Outcome fill_next(int width, int height, std::vector<std::pair<int, Spot>>& placed);
+
+ private:
+  struct Worker;
+  struct Leader;
+  struct Step;
+  Outcome evaluate(const Try& how, std::span<const int> order, int width, int height, bool partial,
+                   unsigned worker);
+  void spots_of(const Try& how, unsigned worker, std::vector<Spot>& out) const;
+  const std::vector<int>& order(const Try& how);
+  static std::uint64_t print_in(std::uint64_t print, int width, int height);
+  std::uint64_t print_of(const Try& how, std::span<const int> order) const;
+  const Outcome* known(std::uint64_t print) const;
+  void learn(std::uint64_t print, const Outcome& outcome);
+  bool all_equal() const { return first_equal_.empty() || first_equal_.back() == 0; }
+  void make_canonical(std::vector<int>& order) const;
+  int target(const Family& family, const Best& best, int depth) const;
+  void start(const Family& family, Best& best);
+  void descend(const Family& family, Best& best, const Try& how, std::span<const int> order);
+  bool settle(const Family& family, Best& best, Step& step);
+  void go(const Family& family, Best& best);
+  void note(const Best& best);
+  template <class Make, class Done>
+  void go_through(std::size_t count, const Family& family, Best& best, Make make, Done done);
+  void change_orders(const Family& family, Best& best, std::vector<Leader>& leaders);
+
+  const Set& set_;
+  Set turned_;  // width and height swapped
+  bool rotate_;
+  unsigned threads_;
+  Budget& budget_;
+  std::vector<Try> portfolio_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  std::vector<int> all_;
+  std::span<const int> marks_;
+  std::vector<Best>* noted_ = nullptr;
+  bool must_find_ = false;
+  std::vector<int> first_equal_;  // of each rectangle: the first of its size
+  // What came of the tries that failed, by rule, order and page: the same is not done twice, though it counts
+  // as often as it is asked for.
+  std::unordered_map<std::uint64_t, Outcome> failed_;
+  std::vector<int> orders_[key_count];
+  std::size_t offered_ = 0;  // entry of offer()
+};
+
+}  // namespace etak::rects

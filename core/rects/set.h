@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/rects/rects.h"
+
+namespace etak::rects {
+
+// What the packing rules share. Inside, lengths are whole units (texels divided by RectOptions::align).
+
+struct Spot {
+  int x = 0, y = 0;
+  bool rotated = false;
+};
+
+/// What became of one try.
+struct Outcome {
+  bool all = false;           // every rectangle of the order has a spot
+  std::int64_t placed = 0;    // their area
+  int width = 0, height = 0;  // extent of what was placed
+  std::int64_t work = 0;      // operations done, about nanoseconds: the same on every machine
+};
+
+/// The rectangles in canonical order (long side, short side, width; largest first), so that nothing below
+/// depends on the order of the input.
+struct Set {
+  std::vector<RectSize> items;
+  std::int64_t area = 0;
+  int widest = 0, tallest = 0, longest_side = 0, longest_short_side = 0;
+  int width_step = 1, height_step = 1;  // all widths, all heights are multiples of it
+
+  Set() = default;
+  explicit Set(std::vector<RectSize> canonical);
+  Set turned() const;  // width and height swapped, the same indices
+  int size() const { return static_cast<int>(items.size()); }
+};
+
+/// What an order sorts by; the largest first, ties by the place in the set.
+enum class Key { height, width, area, long_side, short_side, perimeter, difference, ratio };
+inline constexpr int key_count = 8;
+const char* name_of(Key key);
+
+std::vector<int> ordered(const Set& set, std::span<const int> members, Key key);
+
+/// Small fixed generator, the same on every machine.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : numbers_(seed) {}
+  std::uint64_t next() { return numbers_.next(); }
+  int below(int limit) { return static_cast<int>((next() >> 32) * static_cast<std::uint64_t>(limit) >> 32); }
+
+ private:
+  SplitMix numbers_;
+};
+
+}  // namespace etak::rects

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/glsl/glsl_camera.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace etak {
+namespace {
+
+// A polygon around the object: on a rasteriser without a GPU the pixels beside it cost as much as those on
+// it.
+void fan(GlslGlue& glue, const Scene& scene, const Camera& camera, bool sphere) {
+  if (!sphere && scene.perspective) return;  // a near camera may see the square anywhere
+  const int corners = sphere || camera.turned() ? 32 : 4;
+  const double reach = (sphere ? 1 : std::sqrt(2.0)) + 2 * camera.pixel();
+  const double radius = reach / (corners == 4 ? 1 : std::cos(std::numbers::pi / corners)) / camera.pixel();
+  const auto two = [](double x, double y) {
+    return std::vector<float>{static_cast<float>(x), static_cast<float>(y)};
+  };
+  const double w = scene.width / 2.0, h = scene.height / 2.0;
+  glue.text.corners = corners;
+  glue.vertex_uniform(
+      {"fan_centre", 2, 1, false, two(camera.centre_column() / w - 1, 1 - camera.centre_row() / h)});
+  glue.vertex_uniform({"fan_radius", 2, 1, false, two(radius / w, radius / h)});
+  glue.vertex_uniform({"fan_corners", 1, 1, false, {static_cast<float>(corners)}});
+}
+
+// Up to position, normal and viewer of the pixel.
+void seen_from_the_front(GlslGlue& glue, const Scene& scene, bool sphere) {
+  glue.line("void main() {");
+  glue.line("  float pixel = 2.2 / picture_size.y;");
+  glue.line("  vec2 at = (gl_FragCoord.xy - picture_size * 0.5) * pixel;");
+  if (!sphere)
+    glue.line(scene.perspective ? "  float side = 1.0 / (camera_spread * camera_distance);"
+                                : "  float side = 1.0;");
+  glue.line(sphere ? "  float coverage = disc_coverage(at, pixel);"
+                   : "  float coverage = square_coverage(at, side, pixel);");
+  glue.line("  vec3 color = background;\n  if (coverage > 0.0) {");
+  if (sphere) {
+    glue.line(scene.perspective ? "    vec3 p = sphere_perspective(at, camera_distance, camera_spread);"
+                                : "    vec3 p = sphere_orthographic(at);");
+    glue.line("    vec3 n = p;");
+  } else {
+    glue.line(scene.perspective ? "    vec3 p = vec3(clamp(at / side, -1.0, 1.0), 0.0);"
+                                : "    vec3 p = vec3(clamp(at, -1.0, 1.0), 0.0);");
+    glue.line("    vec3 n = vec3(0.0, 0.0, 1.0);");
+  }
+  if (!scene.perspective)
+    glue.line("    vec3 v = vec3(0.0, 0.0, 1.0);");
+  else
+    glue.line(sphere ? "    vec3 v = viewer_perspective(drawn_in(at), camera_spread);"
+                     : "    vec3 v = viewer_perspective(clamp(at, -side, side), camera_spread);");
+}
+
+// The same for a camera that moves.
+void seen_from_anywhere(GlslGlue& glue, const Scene& scene, const Camera& camera, bool sphere) {
+  glue.declare("vec2", "picture_origin");
+  glue.uniform("picture_pixel", camera.pixel());
+  // Rows of the target count from below.
+  glue.uniform("picture_centre", camera.centre_column(), scene.height - camera.centre_row());
+  std::vector<float> axes, plane;
+  for (const Vec3& axis : camera.axes()) append_floats(axes, axis);
+  for (const Vec3& row : camera.plane()) append_floats(plane, row);
+  glue.uniforms("camera_axes", 3, axes);
+  fan(glue, scene, camera, sphere);
+  if (!sphere) glue.uniforms("square_rows", 3, plane);
+  const std::string out_of = "out_of_camera(", by = ", camera_axes[0], camera_axes[1], camera_axes[2])";
+  glue.line("void main() {");
+  glue.line("  float pixel = picture_pixel;");
+  glue.line("  vec2 at = (gl_FragCoord.xy - picture_origin - picture_centre) * pixel;");
+  if (sphere) {
+    glue.line("  float coverage = disc_coverage(at, pixel);");
+  } else {
+    glue.line("  vec3 place = plane_place(at, square_rows[0], square_rows[1], square_rows[2]);");
+    glue.line(
+        "  float coverage = plane_coverage(place, camera_axes[2].z, square_rows[0], square_rows[1], "
+        "square_rows[2], pixel);");
+  }
+  glue.line("  vec3 color = background;\n  if (coverage > 0.0) {");
+  if (sphere) {
+    glue.line("    vec3 p = " + out_of +
+              (scene.perspective ? "sphere_perspective(at, camera_distance, camera_spread)"
+                                 : "sphere_orthographic(at)") +
+              by + ";");
+    glue.line("    vec3 n = p;");
+    glue.line(scene.perspective
+                  ? "    vec3 v = " + out_of + "viewer_perspective(drawn_in(at), camera_spread)" + by + ";"
+                  : "    vec3 v = camera_axes[2];");
+  } else {
+    glue.line("    vec3 p = vec3(clamp(place.xy / max(place.z, 1e-6), -1.0, 1.0), 0.0);");
+    glue.line("    vec3 n = vec3(0.0, 0.0, camera_axes[2].z < 0.0 ? -1.0 : 1.0);");
+    glue.line(scene.perspective ? "    vec3 v = normalize(camera_axes[2] * camera_distance - p);"
+                                : "    vec3 v = camera_axes[2];");
+  }
+}
+
+}  // namespace
+
+void camera_text(GlslGlue& glue, const Scene& scene, const Camera& camera) {
+  const bool sphere = scene.shape == Shape::sphere;
+  if (scene.view)
+    seen_from_anywhere(glue, scene, camera, sphere);
+  else
+    seen_from_the_front(glue, scene, sphere);
+}
+
+}  // namespace etak

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/number.h"
+#include "core/render/glsl/glsl_source.h"
+#include "core/render/glsl/glsl_text.h"
+
+namespace etak {
+
+inline std::string glsl_type_name(int width) {
+  return width == 1 ? "float" : "vec" + std::to_string(width);
+}
+
+inline void append_floats(std::vector<float>& out, const Vec3& v) {
+  for (const double x : v) out.push_back(static_cast<float>(x));
+}
+
+/// As a real number in GLSL.
+inline std::string glsl_decimal(double value) {
+  const std::string text = number(value, 9);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+/// Grows the glue: the part of the text that is this scene's own.
+class GlslGlue {
+ public:
+  GlslText text;
+
+  void line(std::string_view code) { (body_ += code) += '\n'; }
+
+  void use(std::string name, std::string detail) {
+    text.features.push_back({std::move(name), true, std::move(detail)});
+  }
+  void leave_out(std::string name, std::string reason) {
+    text.features.push_back({std::move(name), false, std::move(reason)});
+  }
+
+  void uniform(const std::string& name, double value) {
+    add({name, 1, 1, false, {static_cast<float>(value)}});
+  }
+  void uniform(const std::string& name, const Vec3& value) { add({name, 3, 1, false, floats(value)}); }
+  void uniform(const std::string& name, double x, double y) {
+    add({name, 2, 1, false, {static_cast<float>(x), static_cast<float>(y)}});
+  }
+  // A uniform that the caller sets.
+  void declare(const std::string& type, const std::string& name) {
+    declarations_ += "uniform " + type + ' ' + name + ";\n";
+  }
+  // One of the vertex shader's own.
+  void vertex_uniform(GlslUniform uniform) { text.uniforms.push_back(std::move(uniform)); }
+  void uniforms(const std::string& name, int width, const std::vector<float>& values) {
+    add({name, width, static_cast<int>(values.size()) / width, true, values});
+  }
+
+  static std::vector<float> floats(const Vec3& v) {
+    return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+  }
+
+  void add(GlslUniform uniform) {
+    declarations_ += "uniform " + glsl_type_name(uniform.width) + ' ' + uniform.name +
+                     (uniform.array ? "[" + std::to_string(uniform.count) + "]" : "") + ";\n";
+    text.uniforms.push_back(std::move(uniform));
+  }
+
+  GlslText finish(GlslVersion version) && {
+    const std::string glue = declarations_ + '\n' + body_;
+    const std::string head =
+        "#version " + std::string(name(version)) + '\n' +
+        (version == GlslVersion::es_300 ? "precision highp float;\nprecision highp int;\n"
+                                          "precision highp sampler2D;\n"
+                                        : "");
+    const std::string_view vertex =
+        glsl_file(text.corners > 3 ? "shaders/around_object.vert" : "shaders/full_screen.vert");
+    text.vertex = head + std::string(vertex.substr(vertex.find('\n') + 1));
+    text.fragment = head + "#define real float\n\n" + glsl_needed_by(glue) + "// ---- this scene\n" + glue;
+    return std::move(text);
+  }
+
+ private:
+  std::string declarations_, body_;
+};
+
+}  // namespace etak

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/glsl/glsl_text.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/render/camera.h"
+#include "core/render/environment.h"
+#include "core/render/glsl/glsl_camera.h"
+#include "core/render/glsl/glsl_glue.h"
+#include "core/render/glsl/glsl_lights.h"
+#include "core/render/glsl/glsl_model.h"
+#include "core/render/glsl/glsl_source.h"
+#include "core/render/glsl/texture_fetch.h"
+
+namespace etak {
+namespace {
+
+// The text of one scene, part by part.
+class SceneText {
+ public:
+  SceneText(const Scene& scene, const GlslDisplay* display, const TextureUse* textures)
+      : scene_(scene),
+        display_(display),
+        textures_(textures),
+        camera_(scene),
+        textured_(scene.textures != nullptr),
+        opacity_(textures != nullptr ? 1 : scene.surface.opacity),
+        lit_(std::ranges::any_of(scene.lights.lights, shines)) {}
+
+  GlslText finish(GlslVersion version) {
+    if (display_ != nullptr) glue_.line(display_->text);
+    textures();
+    if (textures_ != nullptr) fetches();
+    brdf();
+    light_code_ += light_loops(glue_, scene_, lit_);
+    hemispheres();
+    environment();
+    glue_.line("out vec4 pixel_color;\n");
+    if (lit_) {
+      glue_.line(
+          "vec3 lit(vec3 l, vec3 v) {\n  Angles a = angles(l, v);\n  if (a.valid <= 0.0) return vec3(0.0);");
+      glue_.line("  return (" + brdf_ + ") * a.nl;\n}\n");
+    }
+    glue_.line("vec3 shade(vec3 p, vec3 n, vec3 v) {");
+    if (lit_)
+      glue_.line(
+          "  vec3 t = tangent_of(n);\n  vec3 b = cross(n, t);\n  vec3 local_v = in_frame(v, t, b, n);");
+    glue_.line("  vec3 sum = vec3(0.0);");
+    glue_.line(light_code_ + "  return sum;\n}\n");
+    picture();
+    return std::move(glue_).finish(version);
+  }
+
+ private:
+  bool body_is_black(bool both) const {
+    return is_black(scene_.surface.diffuse) ||
+           (both ? etak::body_is_black(*scene_.specular, scene_.specular_values)
+                 : scene_.diffuse != nullptr && etak::body_is_black(*scene_.diffuse, scene_.diffuse_values));
+  }
+
+  // Textures as globals that main() fills for its pixel.
+  void textures() {
+    if (!textured_) {
+      if (scene_.view) glue_.leave_out("textures", "the surface is the same everywhere");
+      return;
+    }
+    glue_.declare("sampler2D", "surface_body");
+    glue_.declare("sampler2D", "surface_gloss");
+    glue_.line("vec4 body_here;\nvec4 gloss_here;\n");
+    glue_.use("textures", "diffuse and opacity, F0 and gloss");
+  }
+
+  void brdf() {
+    const Model* specular = scene_.specular;
+    const Model* diffuse = scene_.diffuse;
+    if (specular == nullptr && diffuse == nullptr)
+      throw Error::at("scene", "no model", "a specular or a diffuse one");
+    const bool both = specular != nullptr && specular->kind == ModelKind::both;
+    const bool fetched = textures_ != nullptr && textures_->diffuse;
+    const bool black = !textured_ && !fetched && body_is_black(both);
+    has_diffuse_ = !black && (both || diffuse != nullptr);
+    if (!lit_) {
+      // Hemispheres and environment have forms of their own.
+      glue_.leave_out("specular", "no discrete light");
+      glue_.leave_out("diffuse", "no discrete light");
+      return;
+    }
+    if (specular != nullptr) {
+      brdf_ =
+          model_call(glue_, "specular", *specular, scene_.specular_values, opacity_, textured_, textures_);
+      glue_.use("specular", std::string(specular->id));
+    } else {
+      glue_.leave_out("specular", "no specular model");
+    }
+    if (both) {
+      glue_.use("diffuse", "part of " + std::string(specular->id));
+    } else if (has_diffuse_) {
+      brdf_ += brdf_.empty() ? "" : " + ";
+      brdf_ += model_call(glue_, "diffuse", *diffuse, scene_.diffuse_values, opacity_, textured_, textures_);
+      glue_.use("diffuse", std::string(diffuse->id));
+    } else {
+      glue_.leave_out("diffuse", diffuse == nullptr ? "no diffuse model" : "K_d is 0");
+    }
+    lit_ = !brdf_.empty();
+  }
+
+  void hemispheres() {
+    const auto& sky = scene_.lights.hemispheres;
+    const bool dark = !sky || (is_black(sky->upper) && is_black(sky->lower));
+    const std::string reason = !sky ? "none in the setup" : "both are black";
+    const bool diffuse = !dark && has_diffuse_;
+    const bool specular = !dark && scene_.specular != nullptr;
+    if (diffuse || specular) {
+      glue_.uniform("sky_upper", sky->upper);
+      glue_.uniform("sky_lower", sky->lower);
+      glue_.uniform("sky_axis", sky->axis);
+    }
+    if (diffuse) {
+      body_uniform();
+      light_code_ +=
+          "  sum += hemisphere_diffuse(" + body_color() + ", sky_lower, sky_upper, dot(n, sky_axis));\n";
+      glue_.use("diffuse hemispheres", "K_d is not 0");
+    } else {
+      glue_.leave_out("diffuse hemispheres", dark ? reason : no_body());
+    }
+    if (!specular) return glue_.leave_out("specular hemispheres", dark ? reason : "no specular model");
+    const HemisphereForm form = sky->form;
+    const std::string function = form == HemisphereForm::printed ? "hemisphere_specular_printed"
+                                 : form == HemisphereForm::wide  ? "hemisphere_specular_wide"
+                                                                 : "hemisphere_specular";
+    mirror();
+    light_code_ += "  sum += " + function + "(" + gloss_color() +
+                   ", nv, dot(mirrored, sky_axis), sky_lower, sky_upper);\n";
+    glue_.use("specular hemispheres", std::string(name(form)));
+  }
+
+  void environment() {
+    if (scene_.lights.environment.empty()) return glue_.leave_out("environment", "none in the setup");
+    std::string parts;
+    const bool turned = scene_.view || scene_.environment_turn_deg != 0;
+    const auto to_map = [turned](const std::string& d) {
+      return turned ? "turned_to_map(" + d + ", environment_turn)" : d;
+    };
+    if (turned && (has_diffuse_ || scene_.specular != nullptr)) {
+      const EnvironmentTurn turn(scene_.environment_turn_deg);
+      glue_.uniform("environment_turn", turn.cosine(), turn.sine());
+    }
+    if (has_diffuse_) {
+      body_uniform();
+      light_code_ += "  sum += " + body_color() + " * environment_diffuse(" + to_map("n") + ");\n";
+      parts = "diffuse";
+    }
+    if (scene_.specular != nullptr) {
+      mirror();
+      light_code_ += "  sum += hemisphere_fresnel(" + gloss_color() + ", nv) * environment_specular(" +
+                     to_map("mirrored") + ");\n";
+      parts += parts.empty() ? "specular" : " and specular";
+    }
+    if (parts.empty()) return glue_.leave_out("environment", "neither a diffuse nor a specular part");
+    glue_.use("environment", parts);
+  }
+
+  std::string no_body() const { return is_black(scene_.surface.diffuse) ? "K_d is 0" : "no diffuse model"; }
+
+  std::string body_color() const { return textured_ ? "(body_here.xyz * body_here.w)" : body_; }
+  std::string gloss_color() const {
+    return textured_ ? "gloss_here.xyz, gloss_here.w" : mirror_f0_ + ", " + mirror_gloss_;
+  }
+
+  void body_uniform() {
+    if (textured_) return;
+    if (textures_ != nullptr && textures_->diffuse)
+      body_ = "texel_diffuse";
+    else if (textures_ != nullptr && textures_->alpha == TextureUse::Alpha::blend)
+      body_ = "(body_K * texel_opacity)";
+    if (body_ != "texel_diffuse" && !std::exchange(body_declared_, true))
+      glue_.uniform("body_K", scaled(scene_.surface.diffuse, opacity_));
+  }
+
+  // What hemispheres and environment need of the mirror direction.
+  void mirror() {
+    if (std::exchange(mirror_declared_, true)) return;
+    if (textures_ != nullptr && textures_->specular)
+      mirror_f0_ = "texel_f0";
+    else if (!textured_)
+      glue_.uniform("gloss_K", scene_.surface.f0);
+    if (textures_ != nullptr && textures_->gloss)
+      mirror_gloss_ = "texel_gloss";
+    else if (!textured_)
+      glue_.uniform("gloss", scene_.surface.gloss);
+    light_code_ += "  float nv = dot(n, v);\n  vec3 mirrored = 2.0 * nv * n - v;\n";
+  }
+
+  void picture() {
+    glue_.uniform("picture_size", scene_.width, scene_.height);
+    glue_.uniform("background", scene_.background);
+    if (scene_.perspective) {
+      glue_.uniform("camera_distance", camera_.distance());
+      glue_.uniform("camera_spread", camera_.spread());
+    }
+    const bool sphere = scene_.shape == Shape::sphere;
+    glue_.use("shape", sphere ? "sphere" : "quad");
+    glue_.use("camera", scene_.perspective ? "perspective" : "orthographic");
+    camera_text(glue_, scene_, camera_);
+    if (textured_) {
+      glue_.line(sphere ? "    vec2 texel_at = sphere_texel(p);" : "    vec2 texel_at = square_texel(p);");
+      glue_.line("    body_here = texture(surface_body, texel_at);");
+      glue_.line("    gloss_here = texture(surface_gloss, texel_at);");
+    }
+    if (fetching_) glue_.line("    fetch(p.xy);");
+    glue_.line("    vec3 object = shade(p, n, v);");
+    transparency();
+    marks();
+    glue_.line("    color = mix(background, object, coverage);\n  }");
+    transfer();
+    glue_.line("  pixel_color = vec4(color, coverage);\n}");
+  }
+
+  void fetches() {
+    TextureFetch fetch = texture_fetch(*textures_, scene_.surface.opacity);
+    fetching_ = fetch.any;
+    glue_.line(fetch.code);
+    for (GlslUniform& uniform : fetch.uniforms) glue_.add(std::move(uniform));
+    for (GlslFeature& feature : fetch.features) glue_.text.features.push_back(std::move(feature));
+  }
+
+  void marks() {
+    const std::vector<float>& energy = scene_.mark_energy;
+    const bool zone = scene_.mark_zone;
+    // Of windows: no use telling everybody else.
+    if (!zone && scene_.view) glue_.leave_out("zone stripes", "not asked for");
+    if (energy.empty() && scene_.view) glue_.leave_out("energy stripes", "not asked for");
+    if (!zone && energy.empty()) return;
+    std::string in_zone = "false", in_energy = "false";
+    if (zone) {
+      in_zone = "in_forbidden_zone(" + (textured_ ? std::string("gloss_here.xyz") : zone_color()) + ")";
+      glue_.use("zone stripes", "luminance of F0");
+    }
+    if (!energy.empty() && textured_) {
+      in_energy = "sends_too_much(gloss_here.xyz, " + body_color() + ")";
+      glue_.use("energy stripes", "diffuse colour and F0");
+    } else if (!energy.empty()) {
+      const std::string last = std::to_string(energy.size() - 1),
+                        size = glsl_decimal(double(energy.size() - 1));
+      glue_.uniforms("mark_energy", 1, energy);
+      glue_.line("    float step = clamp(dot(n, v), 0.0, 1.0) * " + size + ";");
+      glue_.line("    int lower = min(int(step), " + last + " - 1);");
+      glue_.line("    float albedo = mix(mark_energy[lower], mark_energy[lower + 1], step - float(lower));");
+      in_energy = "albedo > too_much";
+      glue_.use("energy stripes", "albedo towards the viewer");
+    }
+    const bool anywhere = scene_.view.has_value();
+    glue_.line(std::string("    vec2 stripe_at = floor(gl_FragCoord.xy") +
+               (anywhere ? " - picture_origin" : "") + ");");
+    glue_.line("    object = with_stripes(object, " + in_zone + ", " + in_energy +
+               ", stripe_at.x, picture_size.y - 1.0 - stripe_at.y, " + exposure_name() + ");");
+  }
+
+  // F0 as a uniform of its own: hemispheres have one only where there are some.
+  std::string zone_color() {
+    glue_.uniform("zone_f0", scene_.surface.f0);
+    return "zone_f0";
+  }
+
+  std::string exposure_name() const { return scene_.exposure != 1 || scene_.view ? "exposure" : "1.0"; }
+
+  void transparency() {
+    if (textured_) {
+      glue_.line(
+          "    object += (1.0 - fresnel_opacity(body_here.w, luminance_of(gloss_here.xyz), dot(n, v))) * "
+          "background;");
+      return glue_.use("transparency", "of the texture");
+    }
+    if (textures_ != nullptr && textures_->alpha == TextureUse::Alpha::blend) {
+      std::string f0 = "dot(texel_f0, vec3(0.2126, 0.7152, 0.0722))";
+      if (!textures_->specular) {
+        glue_.uniform("f0_luminance", luminance(scene_.surface.f0));
+        f0 = "f0_luminance";
+      }
+      glue_.line("    object += (1.0 - fresnel_opacity(texel_opacity, " + f0 + ", dot(n, v))) * background;");
+      return glue_.use("transparency", "alpha blends");
+    }
+    if (opacity_ >= 1) return glue_.leave_out("transparency", "opacity is 1");
+    const Vec3& f0 = scene_.surface.f0;
+    glue_.uniform("opacity", opacity_);
+    glue_.uniform("f0_luminance", luminance(f0));
+    glue_.line("    object += (1.0 - fresnel_opacity(opacity, f0_luminance, dot(n, v))) * background;");
+    glue_.use("transparency", "opacity below 1");
+  }
+
+  static double luminance(const Vec3& rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
+
+  void transfer() {
+    if (scene_.exposure != 1 || scene_.view) {
+      glue_.uniform("exposure", scene_.exposure);
+      glue_.line("  color *= exposure;");
+      glue_.use("exposure", "a factor");
+    } else {
+      glue_.leave_out("exposure", "the factor is 1");
+    }
+    if (display_ != nullptr) {
+      glue_.line("  color = " + display_->function + "(color);");
+      return glue_.use("transfer", display_->name);
+    }
+    const char* curve = nullptr;
+    switch (scene_.transfer) {
+      case Transfer::srgb:
+        curve = "srgb_encode";
+        break;
+      case Transfer::power_045:
+        curve = "power045_encode";
+        break;
+      case Transfer::square_root:
+        curve = "root_encode";
+        break;
+      case Transfer::linear:
+        break;
+    }
+    if (curve == nullptr) return glue_.leave_out("transfer", "values stay linear");
+    const std::string call = curve;
+    glue_.line("  color = max(color, vec3(0.0));");
+    glue_.line("  color = vec3(" + call + "(color.x), " + call + "(color.y), " + call + "(color.z));");
+    glue_.use("transfer", call);
+  }
+
+  const Scene& scene_;
+  const GlslDisplay* display_;
+  const TextureUse* textures_;  // null: uniforms say everything
+  const Camera camera_;
+  const bool textured_;
+  const double opacity_;
+  GlslGlue glue_;
+  std::string brdf_, light_code_;
+  std::string body_ = "body_K", mirror_f0_ = "gloss_K", mirror_gloss_ = "gloss";  // names of the values
+  bool lit_;               // some discrete light meets some model
+  bool fetching_ = false;  // some texture is read
+  bool has_diffuse_ = false, body_declared_ = false, mirror_declared_ = false;
+};
+
+}  // namespace
+
+std::string_view name(GlslVersion version) {
+  return version == GlslVersion::core_330 ? "330 core" : "300 es";
+}
+
+const GlslFeature* GlslText::feature(std::string_view feature_name) const {
+  const auto found = std::find_if(features.begin(), features.end(),
+                                  [&](const GlslFeature& each) { return each.name == feature_name; });
+  return found == features.end() ? nullptr : &*found;
+}
+
+GlslText glsl_text(const Scene& scene, GlslVersion version, const GlslDisplay* display) {
+  return SceneText(scene, display, nullptr).finish(version);
+}
+
+GlslText glsl_text(const Scene& scene, const TextureUse& textures, GlslVersion version) {
+  return SceneText(scene, nullptr, &textures).finish(version);
+}
+
+GlslText glsl_evaluation_text(const Model& model, const std::vector<double>& values, GlslVersion version) {
+  GlslGlue glue;
+  const std::string call = model_call(glue, "model", model, values, 1);
+  glue.line("uniform sampler2D to_light, to_viewer;\nout vec4 value;\n");
+  glue.line("void main() {\n  ivec2 at = ivec2(gl_FragCoord.xy);");
+  glue.line("  Angles a = angles(texelFetch(to_light, at, 0).xyz, texelFetch(to_viewer, at, 0).xyz);");
+  glue.line("  value = vec4(a.valid <= 0.0 ? vec3(0.0) : " + call + ", 1.0);\n}");
+  return std::move(glue).finish(version);
+}
+
+GlslText glsl_expression_text(std::string_view expression, GlslVersion version) {
+  // Numbers come times a uniform of 1: what has no unknowns is computed by the compiler, not by the GPU.
+  std::string code(expression);
+  for (std::size_t at = 0; (at = code.find("real(", at)) != code.npos; at += 6) code.replace(at, 4, "given");
+  GlslGlue glue;
+  glue.uniform("one", 1);
+  glue.line("out vec4 value;\nfloat given(float x) {\n  return x * one;\n}");
+  glue.line("void main() {\n  value = vec4(" + real_literals(code) + ");\n}");
+  return std::move(glue).finish(version);
+}
+
+}  // namespace etak

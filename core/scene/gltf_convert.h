@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/color/gloss.h"
+#include "core/image/material_pair.h"
+#include "core/scene/gltf.h"
+#include "core/scene/uv_transform.h"
+#include "core/scene/uv_use.h"
+
+namespace etak {
+
+/// The picture of an image of the document, 8-bit codes.
+using SceneImages = std::function<const Image8&(int image)>;
+
+/// A glTF material as texture pair of its largest texture's size; smaller textures are filtered up
+/// bilinearly, colours in linear light. Alpha is 255 for opaque materials unless `keep_alpha`. Diffuse
+/// colours are those that glTF reduces when shading (material_texels.h).
+///   clamped   texels whose gloss had to be brought back to 0..1
+MaterialPair scene_material_pair(const GltfMaterial& material, const SceneImages& images, GlossForm gloss,
+                                 bool keep_alpha, std::size_t& clamped);
+
+/// The picture of an image of the document as floats: codes as fractions of full scale.
+using SceneFloats = std::function<const Image&(int image)>;
+
+/// The same as floats (FloatPair), from pictures of any depth; nothing is clamped.
+FloatPair scene_material_floats(const GltfMaterial& material, const SceneFloats& images, GlossForm gloss,
+                                bool keep_alpha);
+
+/// Where the texels of one texture of a material lie on another.
+struct TextureOnTexture {
+  UvMatrix to_map{1, 0, 0, 0, 1, 0};  // from the one's UVs over its picture, [0,1], to the other's
+  std::array<Wrap, 2> wrap{Wrap::repeat, Wrap::repeat};  // of the other
+};
+
+/// How a normal map lies on the pair whose first texture is `lead`.
+///   use       of the pair's texels
+///   returns   none where a texel of the pair would stand for several places of the map: another UV set, or
+///             periods of the pair that are none of the map's
+std::optional<TextureOnTexture> normals_on_pair(const GltfTexture& map, const GltfTexture& lead,
+                                                const TexelUse& use);
+
+/// A normal map at a pair's size, with x and y times `scale`: of each texel the mean over up to 8 x 8 places
+/// in it, unnormalised, so that its length tells how far they spread. A smaller map repeats.
+Image8 scaled_normals(const Image8& map, double scale, int width, int height,
+                      const TextureOnTexture& place = {});
+
+}  // namespace etak

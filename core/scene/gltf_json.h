@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the gltf_*json.cpp files share: no public header, because it names nlohmann-json.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/node_json.h"
+#include "core/scene/gltf.h"
+
+namespace etak {
+
+/// A document and the bytes of its buffers.
+struct GltfDocument {
+  const Json& root;
+  std::string_view file;                  // for messages
+  std::vector<std::string_view> buffers;  // one per buffer of the document
+
+  JsonNode node() const { return {root, file, ""}; }
+  /// Elements of an array of the document ("meshes"); 0 where it is absent.
+  std::size_t count(const char* array) const;
+  JsonNode element(const char* array, int index) const;
+  /// The number in `node`, as an index into that array. Throws Error out of range.
+  int index(const JsonNode& node, const char* array) const;
+};
+
+/// A count, length or offset.
+std::size_t size_at(const JsonNode& node, std::string_view key, std::size_t otherwise);
+/// Key `key` or the specification's default.
+double number_at(const JsonNode& node, std::string_view key, double otherwise, double least, double most);
+/// `node` as numbers in the array `to`.
+void numbers_into(const JsonNode& node, double* to, std::size_t count, double least, double most);
+template <std::size_t n>
+void numbers_at(const JsonNode& node, std::string_view key, std::array<double, n>& out, double least,
+                double most) {
+  if (node.has(key)) numbers_into(node.at(key), out.data(), n, least, most);
+}
+/// The extension of that name on an object; none when it has none.
+const Json* extension(const Json& object, std::string_view name);
+
+/// The elements of an accessor, sparse ones put in place. Every element lies within its buffer.
+struct GltfElements {
+  std::size_t count = 0, components = 0;
+  int type = 5126;  // the specification's componentType
+  bool normalized = false;
+  std::size_t size = 0;    // bytes of one element
+  std::size_t stride = 0;  // bytes from one element to the next
+  const char* first = nullptr;
+  std::vector<char> owned;  // where they had to be copied
+
+  GltfElements() = default;
+  GltfElements(GltfElements&&) = default;
+  GltfElements& operator=(GltfElements&&) = default;
+
+  /// Integers as numbers, or as shares of their range when normalised.
+  double number(std::size_t element, std::size_t component) const;
+  std::uint32_t integer(std::size_t element) const;
+};
+/// Opens accessor `index` of the document: SCALAR and VEC2..4.
+GltfElements open_accessor(const GltfDocument& document, int index);
+
+/// The vertex indices of the triangles a primitive draws, none for points and lines.
+///   vertices   all indices are below it
+///   most       more triangles than this throw Error
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const GltfDocument& document,
+                                                       const JsonNode& primitive, std::size_t vertices,
+                                                       std::size_t most);
+
+/// All materials of the document.
+std::vector<GltfMaterial> materials_of(const GltfDocument& document);
+/// The image of a texture of the document: its source, or that of an extension; -1 when it has none.
+int image_of_texture(const GltfDocument& document, int texture);
+
+/// The materials of a primitive: its own, then those of its variants.
+std::vector<int> materials_of_primitive(const GltfDocument& document, const JsonNode& primitive,
+                                        bool variants);
+
+/// Walks the scenes that `scene.options` names: uses, cameras, used materials.
+void walk_scenes(const GltfDocument& document, GltfScene& scene);
+
+/// Calls see(key, value) for every key of every object in `json`, outer ones first.
+template <class Value, class See>
+void each_key(Value& json, const See& see) {
+  if (json.is_object())
+    for (auto item = json.begin(); item != json.end(); ++item) see(item.key(), *item);
+  if (json.is_structured())
+    for (auto& child : json) each_key(child, see);
+}
+/// Calls see(texture_info) for every texture a material refers to, extensions included: what the glTF family
+/// of specifications calls a textureInfo stands under a key that ends so.
+template <class Value, class See>
+void each_texture_info(Value& material, const See& see) {
+  each_key(material, [&](const std::string& key, auto& value) {
+    if ((key.ends_with("Texture") || key == "texture") && value.is_object() && value.contains("index"))
+      see(value);
+  });
+}
+
+}  // namespace etak

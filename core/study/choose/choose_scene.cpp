@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/study/choose/choose_scene.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/atlas/compose.h"
+#include "core/atlas/manifest.h"
+#include "core/atlas/pack/gltf_pack.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
+#include "core/scene/gltf.h"
+
+namespace etak {
+namespace {
+
+constexpr int most_side = 2048;
+
+bool is_folder(const std::string& path) {
+  std::error_code failure;
+  return std::filesystem::is_directory(path, failure);
+}
+
+// The middle of what is too large to look at.
+PixelBox window(PixelBox box) {
+  const auto cut = [](int& first, int& size) {
+    first += std::max(0, size - most_side) / 2;
+    size = std::min(size, most_side);
+  };
+  cut(box.x, box.width);
+  cut(box.y, box.height);
+  return box;
+}
+
+// A material of the library as the source of F0. Under another medium than air F0 is a colour to us.
+void add_spectrum(const ManifestMaterial& m, const MaterialLibrary& library, ChooseSubject& out) {
+  const auto* source = m.specular ? std::get_if<LibrarySource>(&*m.specular) : nullptr;
+  if (source == nullptr || !source->outside.empty()) return;
+  const auto material = library.find(source->material);
+  if (!material) return;
+  const Dataset* dataset =
+      source->dataset.empty() ? &material->preferred_dataset() : material->dataset(source->dataset);
+  if (dataset == nullptr || !std::holds_alternative<OpticalConstants>(dataset->optics)) return;
+  out.library = material->id + "/" + dataset->id;
+  out.dataset = *dataset;
+}
+
+}  // namespace
+
+bool names_scene(const std::string& path) {
+  return is_gltf_file(path) || path.ends_with(".json") || is_folder(path) || is_pipe_input(path);
+}
+
+std::vector<ChooseSubject> scene_subjects(const std::string& path, const PackOptions& options,
+                                          const MaterialLibrary& library, std::vector<std::string>& remarks) {
+  PackInputs inputs;
+  AtlasManifest manifest;
+  std::unique_ptr<ScenePack> scene;
+  if (is_gltf_file(path)) {
+    scene = std::make_unique<ScenePack>(path, options);
+    inputs = scene->inputs();
+    scene->add_remarks(remarks);
+  } else {
+    manifest =
+        is_folder(path) ? manifest_of_folder(path, options.pattern) : parse_manifest(read_file(path), path);
+    inputs = resolve_manifest(manifest, library, options.gloss, options.door, options.open_space);
+  }
+  remarks.insert(remarks.end(), inputs.remarks.begin(), inputs.remarks.end());
+  std::vector<ChooseSubject> out;
+  for (std::size_t i = 0; i < inputs.materials.size(); ++i) {
+    const PackInput& in = inputs.materials[i];
+    if (!in.facts.reached) continue;
+    ChooseSubject subject;
+    subject.name = in.name;
+    if (!scene) add_spectrum(manifest.materials[i], library, subject);
+    subject.mipmaps = !scene || scene->sampled_levels(0) != 1;
+    const MaterialPair pair = load_pair(in, remarks);
+    const PixelBox box = window(in.facts.crop);
+    if (box != in.facts.crop)
+      remarks.push_back(in.name + ": of its texture the middle " + std::to_string(box.width) + " x " +
+                        std::to_string(box.height) + " texels were looked at");
+    subject.texture = std::make_shared<const TexelChain>(view(pair.diffuse_alpha), view(pair.specular_gloss),
+                                                         box, inputs.gloss);
+    out.push_back(std::move(subject));
+  }
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times for the cost table: every Fresnel form, visibility term, quadrature, filter and PNG level here and
+// now. Other programs on the machine may make a row three times as slow for a while, and never faster: each
+// row is timed in many short repeats, mixed among those of all others over the whole run, and the least
+// counts.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/brdf/models.h"
+#include "core/image/files/png.h"
+#include "core/material/f0.h"
+#include "core/material/library.h"
+#include "core/study/choose/choose.h"
+#include "core/study/error_time.h"
+#include "core/study/made_pages.h"
+#include "core/study/measure.h"
+
+namespace etak {
+namespace {
+
+constexpr std::size_t count = 4096;
+constexpr std::size_t rounds = 200;
+constexpr int png_side = 128;
+// 2 ms a repeat: a burst of others lasts longer, so some repeats miss it.
+constexpr double seconds_a_case = 0.4;
+
+// One set of directions for all models: light over the whole hemisphere, viewer too.
+struct Batch {
+  std::array<std::vector<float>, 6> directions;
+  std::array<std::vector<float>, 3> rgb;
+
+  Batch() {
+    Random random(3);
+    for (auto& each : directions) each.resize(count);
+    for (auto& each : rgb) each.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t d = 0; d < 6; d += 3) {
+        const double z = random.uniform(0.05, 1), phi = random.uniform(0, 6.283185307179586),
+                     s = std::sqrt(1 - z * z);
+        directions[d][i] = static_cast<float>(s * std::cos(phi));
+        directions[d + 1][i] = static_cast<float>(s * std::sin(phi));
+        directions[d + 2][i] = static_cast<float>(z);
+      }
+  }
+  void run(const Model& model, const std::vector<double>& values) {
+    const float* in[6];
+    float* out[3];
+    for (std::size_t i = 0; i < 6; ++i) in[i] = directions[i].data();
+    for (std::size_t i = 0; i < 3; ++i) out[i] = rgb[i].data();
+    model.f32_batch(count, in, values.data(), out);
+  }
+};
+
+// Something in every texel: slopes and grain, as photographs of surfaces have them.
+std::shared_ptr<const Image8> some_texture(int width, int height) {
+  const auto picture = std::make_shared<Image8>(width, height, 4);
+  Random random(5);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (std::size_t c = 0; c < 4; ++c)
+        picture->at(x, y)[c] = static_cast<std::uint8_t>(120 + 50 * std::sin(x / 9.0) * std::cos(y / 7.0) +
+                                                         random.uniform(-8, 8));
+  return picture;
+}
+
+void add_textures(std::vector<TimedCase>& cases) {
+  // Small enough for the caches of one core: of a shared one neighbours leave more or less. And for a short
+  // repeat.
+  constexpr int side = 64;
+  const auto texture = some_texture(side, side);
+  const auto chain = std::make_shared<const TexelChain>(view(*texture), view(*texture),
+                                                        PixelBox{0, 0, side, side}, GlossForm::schueler);
+  const auto places = random_floats(2 * count, 0, side);
+  for (const TextureFilter filter : all_filters)
+    cases.push_back({"filter/" + std::string(name(filter)), count, [chain, places, filter] {
+                       for (std::size_t i = 0; i < count; ++i) {
+                         const SurfaceTexel texel =
+                             chain->read(filter, static_cast<double>((*places)[2 * i]),
+                                         static_cast<double>((*places)[2 * i + 1]), 0.4);
+                         keep(&texel);
+                       }
+                     }});
+  // Larger than the window that deflate looks back in.
+  const auto pages = std::make_shared<const std::vector<MadePage>>(made_pages(png_side));
+  for (const auto& [level, id] :
+       {std::pair{PngLevel::fast, "png/fast"}, std::pair{PngLevel::small, "png/small"},
+        std::pair{PngLevel::smallest, "png/smallest"}})
+    cases.push_back({id, pages->size() * png_side * png_side, [pages, level = level] {
+                       PngOptions options;
+                       options.level = level;
+                       std::size_t bytes = 0;
+                       for (const MadePage& page : *pages)
+                         write_png({{png_side, png_side, 4, 8}, page.pixels.values.data(), png_side * 4},
+                                   options, [&](std::string_view part) { bytes += part.size(); });
+                       keep(&bytes);
+                     }});
+}
+
+}  // namespace
+
+CostTable measure_costs(std::string_view header,
+                        const std::function<void(std::size_t done, std::size_t all)>& progress) {
+  CostTable costs;
+  costs.header = std::string(header) + "; least of " + std::to_string(rounds) + " interleaved repeats";
+  const auto library = MaterialLibrary::builtin();
+  const Material gold = *library.find("gold"), water = *library.find("water");
+  const TimingOptions timing{rounds, seconds_a_case, progress};
+
+  std::vector<TimedCase> cases;
+  const auto cosines = random_floats(count, 0, 1);
+  // Of a clear thing and of a metal, in green, which sRGB can show of both: some forms take a shorter way for
+  // one of them (and for F0 above 1, as gold's red), which a shader for many materials cannot.
+  for (const Material* material : {&water, &gold}) {
+    const auto& optics = std::get<OpticalConstants>(material->preferred_dataset().optics);
+    const FresnelTruth truth = fresnel_truth(optics, material->id);
+    for (const FresnelForm& form : fresnel_forms()) {
+      const auto values = form.fit(truth);
+      std::array<float, 4> p{};
+      for (std::size_t i = 0; i < 4; ++i) p[i] = static_cast<float>(values[1][i]);
+      cases.push_back({"fresnel/" + std::string(form.id), count,
+                       [&form, p, cosines, out = std::make_shared<std::vector<float>>(count)] {
+                         form.many(p.data(), cosines->data(), out->data(), count);
+                         keep(out->data());
+                       }});
+    }
+  }
+  // A masking term costs what a GGX lobe with Schlick's F and that term costs: all have the rest in common.
+  const auto batch = std::make_shared<Batch>();
+  for (const Term& term : terms()) {
+    if (term.kind != TermKind::visibility || term.id.starts_with("smith-beckmann")) continue;
+    const Model* model = find_model("microfacet:ggx,schlick," + std::string(term.id));
+    cases.push_back({"visibility/" + std::string(term.id), count, [model, batch] {
+                       batch->run(*model, {0.9, 0.8, 0.4, 0.2});
+                     }});
+  }
+  for (const Method method : all_methods) {
+    F0Options options;
+    options.method = method;
+    const auto solver = std::make_shared<F0Solver>(options);
+    cases.push_back({"quadrature/" + std::string(name(method)), 1, [solver, &gold] {
+                       const F0Result result = solver->solve(gold.preferred_dataset().optics);
+                       keep(&result);
+                     }});
+  }
+  add_textures(cases);
+  const auto times = time_cases(cases, timing);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    double& ns = costs.ns[cases[i].id];
+    ns = std::max(ns, times[i].least_ns);
+  }
+  // One formula, three ways to find n and k: what differs between their times is noise.
+  const double exact = std::min(
+      {costs.ns["fresnel/index"], costs.ns["fresnel/mean_index"], costs.ns["fresnel/three_wavelengths"]});
+  for (const char* id : {"fresnel/index", "fresnel/mean_index", "fresnel/three_wavelengths"})
+    costs.ns[id] = exact;
+  // One of two forms and the choice between them: where that seems to take less, it is noise as well.
+  costs.ns["fresnel/by_f0"] =
+      std::max({costs.ns["fresnel/by_f0"], costs.ns["fresnel/from_f0"], costs.ns["fresnel/schlick"]});
+  return costs;
+}
+
+}  // namespace etak

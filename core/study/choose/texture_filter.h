@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/color/gloss.h"
+#include "core/image/channels.h"
+#include "core/image/pixels_view.h"
+#include "core/math/mat3.h"
+
+namespace etak {
+
+// A material's texture pair as a renderer reads it: what choosing a texture filter needs.
+
+/// Ways to read it, the cheapest first.
+///   constant      no texture: one number a channel, the mean
+///   nearest       one texel of level 0
+///   bilinear      four texels of level 0
+///   nearest_mip   four texels of the nearer mip
+///   trilinear     four texels of two mips
+enum class TextureFilter { constant, nearest, bilinear, nearest_mip, trilinear };
+inline constexpr std::array all_filters{TextureFilter::constant, TextureFilter::nearest,
+                                        TextureFilter::bilinear, TextureFilter::nearest_mip,
+                                        TextureFilter::trilinear};
+std::string_view name(TextureFilter filter);  // "constant", "nearest", "bilinear", "nearest-mip", "trilinear"
+/// Whether it reads mips.
+constexpr bool reads_mips(TextureFilter filter) {
+  return filter == TextureFilter::nearest_mip || filter == TextureFilter::trilinear;
+}
+
+/// A texel, linear.
+struct SurfaceTexel {
+  Vec3 diffuse{0, 0, 0}, f0{0.04, 0.04, 0.04};
+  Gloss gloss = 0.75;  // Schueler's g, or a roughness
+};
+
+/// Both textures with mips: colours are averaged in linear light, gloss by the lobe's variance (1 / e), as
+/// the packer does.
+class TexelChain {
+ public:
+  /// `pair` and `specular_gloss` RGBA codes as the packer has them; `box` the part that is in use, at least
+  /// one texel. Codes of alpha 0 count like others.
+  TexelChain(const ConstPixelsView8& diffuse_alpha, const ConstPixelsView8& specular_gloss,
+             const PixelBox& box, GlossForm gloss);
+
+  int width() const { return levels_[0].width; }
+  int height() const { return levels_[0].height; }
+  int levels() const { return static_cast<int>(levels_.size()); }
+  bool constant() const { return constant_; }  // every texel is the same
+
+  /// At x, y (in texels of level 0, centres at one half, edges repeated) and a level of detail: the base two
+  /// logarithm of the pixel's size in texels.
+  SurfaceTexel read(TextureFilter filter, double x, double y, double level) const;
+
+  /// F0 of up to `most` texels that differ, spread over their range of luminance, both ends among them.
+  std::vector<Vec3> some_f0(std::size_t most) const;
+
+  /// The mean texel as the codes of the pair.
+  std::array<std::uint8_t, channel_count> mean_codes() const { return mean_codes_; }
+
+ private:
+  // Diffuse, F0, 1 / e.
+  static constexpr std::size_t numbers = 7;
+  using Values = std::array<double, numbers>;
+  struct Level {
+    int width = 0, height = 0;
+    std::vector<float> values;
+    const float* at(int x, int y) const;
+  };
+  static Values bilinear(const Level& level, double x, double y);
+  static SurfaceTexel texel(const Values& values);
+
+  std::vector<Level> levels_;
+  std::vector<std::uint32_t> f0_codes_;  // that occur, by luminance
+  std::array<std::uint8_t, channel_count> mean_codes_{};
+  bool constant_ = false;
+};
+
+}  // namespace etak

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: Apache-2.0
+// Family h: whole pictures of a sphere against the spectral reference.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "core/base/number.h"
+#include "core/base/parallel.h"
+#include "core/brdf/models.h"
+#include "core/render/cpu_renderer.h"
+#include "core/render/reference.h"
+#include "core/study/error_time.h"
+#include "core/study/measure.h"
+#include "core/study/sphere_pictures.h"
+#ifdef ETAK_STUDY_HAS_GL
+#include "core/render/glsl/gl_runner.h"
+#endif
+
+namespace etak {
+namespace {
+
+constexpr int side = 256, rays = 4;
+constexpr int timed_side = 1024;  // in smaller frames the threads' start and end would show
+constexpr double timed_gloss = 0.5;
+constexpr const char* base_model = "schueler-full";
+
+struct Subject {
+  const char* id;
+  Vec3 body;
+  bool metal;  // or semiconductor
+  bool quick;
+};
+// The dielectrics with a body stand for plastics and paints.
+const std::vector<Subject>& subjects() {
+  static const std::vector<Subject> all{{"gold", {0, 0, 0}, true, true},
+                                        {"chromium", {0, 0, 0}, true, true},
+                                        {"silver", {0, 0, 0}, true, false},
+                                        {"copper", {0, 0, 0}, true, false},
+                                        {"aluminum", {0, 0, 0}, true, false},
+                                        {"iron", {0, 0, 0}, true, false},
+                                        {"silicon", {0, 0, 0}, true, false},
+                                        {"glass_bk7", {0, 0, 0}, false, true},
+                                        {"diamond", {0, 0, 0}, false, false},
+                                        {"water", {0.02, 0.1, 0.2}, false, false},
+                                        {"polystyrene", {0.5, 0.06, 0.04}, false, true}};
+  return all;
+}
+
+std::vector<const Model*> specular_models() {
+  std::vector<const Model*> out;
+  for (const Model& model : models())
+    if (model.kind != ModelKind::diffuse) out.push_back(&model);
+  return out;
+}
+
+// Lobes whose width does not come from the gloss have nothing in common with Full's.
+bool follows_gloss(const Model& model) {
+  return std::none_of(model.parameters.begin(), model.parameters.end(), [](const Parameter& parameter) {
+    return parameter.role == Role::other && !parameter.color;
+  });
+}
+
+struct ModelErrors {
+  PictureErrors own, full;  // against the spectral reference with the model's lobe, and with Full's
+};
+
+// All pictures of the grid, drawn and judged on the CPU; sums of one order whatever the threads.
+class Gallery {
+ public:
+  Gallery(const ReportOptions& options)
+      : models_(specular_models()), judged_(sphere_pixels(side)), threads_(options.threads) {
+    const MaterialLibrary library = MaterialLibrary::builtin();
+    for (const Subject& subject : subjects())
+      if (options.full || subject.quick) {
+        materials_.push_back(sphere_material(library, subject.id, subject.body));
+        metal_.push_back(subject.metal);
+      }
+    glosses_ = options.full ? std::vector<double>{0.25, 0.5, 0.75} : std::vector<double>{timed_gloss};
+  }
+
+  const std::vector<const Model*>& models() const { return models_; }
+  const SphereMaterial& first() const { return materials_.front(); }
+  std::string grid() const {
+    std::string names, glosses;
+    for (const SphereMaterial& material : materials_) names += (names.empty() ? "" : ", ") + material.id;
+    for (const double gloss : glosses_) glosses += (glosses.empty() ? "" : ", ") + number(gloss, 3);
+    return names + "; gloss " + glosses;
+  }
+
+  /// errors[model][material], summed over glosses, of pictures that `draw` makes (called by the threads, or
+  /// by one).
+  template <class Draw>
+  std::vector<std::vector<ModelErrors>> errors(unsigned threads, Draw draw) const {
+    std::vector<std::vector<ModelErrors>> out(models_.size(), std::vector<ModelErrors>(materials_.size()));
+    for (std::size_t g = 0; g < glosses_.size(); ++g) {
+      const double gloss = glosses_[g];
+      const SphereTruth& truth = truth_of(g);
+      // A lobe's reference serves all models that share it.
+      std::vector<std::vector<std::size_t>> lobes;
+      for (std::size_t m = 0; m < models_.size(); ++m) {
+        const auto same = [&](const std::vector<std::size_t>& lobe) {
+          return &lobe_model(*models_[lobe[0]]) == &lobe_model(*models_[m]);
+        };
+        const auto found = std::find_if(lobes.begin(), lobes.end(), same);
+        if (found == lobes.end())
+          lobes.push_back({m});
+        else
+          found->push_back(m);
+      }
+      const std::size_t tasks = materials_.size() * lobes.size();
+      parallel_chunks(tasks, threads, 1, [&](std::size_t task, std::size_t, unsigned) {
+        const std::size_t at = task / lobes.size();
+        const SphereMaterial& material = materials_[at];
+        const std::vector<std::size_t>& lobe = lobes[task % lobes.size()];
+        const Full& full = full_[g][at];
+        const SeenPicture own = seen(truth.picture(*models_[lobe[0]], material), full.exposure, judged_);
+        for (const std::size_t m : lobe) {
+          const SeenPicture test =
+              seen(draw(sphere_scene(*models_[m], material, gloss, side)), full.exposure, judged_);
+          out[m][at].own.add(picture_errors(own, test, judged_));
+          out[m][at].full.add(picture_errors(full.picture, test, judged_));
+        }
+      });
+    }
+    return out;
+  }
+
+  /// What the reference itself changes when it takes one ray per pixel as renderers do.
+  PictureErrors one_ray(bool metals) const {
+    PictureErrors sum;
+    const Model& model = *find_model(base_model);
+    ReferenceOptions options;
+    options.samples_per_side = 1;
+    options.light_samples = 0;
+    options.threads = threads_;
+    for (std::size_t g = 0; g < glosses_.size(); ++g)
+      for (std::size_t at = 0; at < materials_.size(); ++at) {
+        if (metal_[at] != metals) continue;
+        const Scene scene = sphere_scene(model, materials_[at], glosses_[g], side);
+        const Full& full = full_[g][at];
+        sum.add(picture_errors(
+            full.picture, seen(render_reference(scene, nullptr, options).picture, full.exposure, judged_),
+            judged_));
+      }
+    return sum;
+  }
+
+  template <class Use>
+  PictureErrors pooled(const std::vector<ModelErrors>& errors, PictureErrors ModelErrors::*which,
+                       Use use) const {
+    PictureErrors sum;
+    for (std::size_t at = 0; at < errors.size(); ++at)
+      if (use(metal_[at])) sum.add(errors[at].*which);
+    return sum;
+  }
+
+ private:
+  // The spectral picture with Full's lobe, exposed so that nothing of it clips: all of a material are.
+  struct Full {
+    double exposure = 1;
+    SeenPicture picture;
+  };
+
+  const SphereTruth& truth_of(std::size_t g) const {
+    if (truths_.size() == g) {
+      truths_.push_back(std::make_unique<SphereTruth>(models_, glosses_[g], side, rays, threads_));
+      std::vector<Full>& all = full_.emplace_back(materials_.size());
+      parallel_chunks(all.size(), threads_, 1, [&](std::size_t at, std::size_t, unsigned) {
+        const Image picture = truths_[g]->picture(*find_model(base_model), materials_[at]);
+        all[at].exposure = 1 / brightest(picture, judged_);
+        all[at].picture = seen(picture, all[at].exposure, judged_);
+      });
+    }
+    return *truths_[g];
+  }
+
+  std::vector<const Model*> models_;
+  std::vector<bool> judged_;
+  unsigned threads_;
+  std::vector<SphereMaterial> materials_;
+  std::vector<bool> metal_;
+  std::vector<double> glosses_;
+  // Made when first needed: GL pictures are judged by the same ones.
+  mutable std::vector<std::unique_ptr<SphereTruth>> truths_;
+  mutable std::vector<std::vector<Full>> full_;
+};
+
+std::vector<double> metrics_of(const PictureErrors& errors) {
+  return {errors.rms_codes(), errors.psnr_db(), errors.mean_de(), errors.worst_de, errors.mean_flip()};
+}
+
+ErrorTimeTable empty_table(const char* id, std::string title) {
+  ErrorTimeTable table;
+  table.id = id;
+  table.title = std::move(title);
+  table.metrics = {{"rms_codes", "root mean square error of sRGB", "codes"},
+                   {"psnr", "PSNR of sRGB codes", "dB"},
+                   {"mean_de", "mean \u0394E", "\u0394E2000"},
+                   {"max_de", "largest \u0394E", "\u0394E2000"},
+                   {"mean_flip", "mean FLIP", ""}};
+  table.time_unit = "ms per frame of 1024 x 1024";
+  table.base = base_model;
+  return table;
+}
+
+ErrorTimeRow row_of(const Model& model, const PictureErrors& errors, std::optional<RunTime> time) {
+  ErrorTimeRow row;
+  row.id = model.id;
+  row.title = model.title;
+  // What is usual goes without saying: names have to fit into a plot.
+  constexpr std::string_view usual = ", Smith height-correlated";
+  if (row.title.ends_with(usual)) row.title.resize(row.title.size() - usual.size());
+  row.errors = metrics_of(errors);
+  row.time = time;
+  if (model.id == "ashikhmin-shirley") row.note = "with a body of its own; the reference has Lambert's";
+  return row;
+}
+
+std::vector<RunTime> frame_times(const Gallery& gallery, const ReportOptions& options) {
+  std::vector<TimedCase> cases;
+  for (const Model* model : gallery.models())
+    cases.push_back({std::string(model->id), 1,
+                     [scene = sphere_scene(*model, gallery.first(), timed_gloss, timed_side),
+                      codes = std::make_shared<Image8>(), threads = options.threads] {
+                       render_cpu_codes(scene, nullptr, threads, *codes);
+                       keep(codes->values.data());
+                     }});
+  auto times = time_cases(cases, options.timing);
+  for (RunTime& time : times)
+    for (double RunTime::*part :
+         {&RunTime::median_ns, &RunTime::first_quartile_ns, &RunTime::third_quartile_ns, &RunTime::least_ns})
+      time.*part *= 1e-6;
+  return times;
+}
+
+const ErrorTimeRow& row(const ErrorTimeTable& table, std::string_view id) {
+  return *std::find_if(table.rows.begin(), table.rows.end(),
+                       [&](const ErrorTimeRow& each) { return each.id == id; });
+}
+
+void add_cpu_tables(const Gallery& gallery, const ReportOptions& options, ErrorTimeFamily& family) {
+  const auto errors = gallery.errors(options.threads, [](const Scene& scene) {
+    Image picture;
+    render_cpu(scene, nullptr, 1, Precision::f32, picture);
+    return picture;
+  });
+  const auto times = frame_times(gallery, options);
+  const std::size_t count = gallery.models().size();
+  for (const bool metals : {true, false}) {
+    ErrorTimeTable table = metals ? empty_table("metals", "Metals and semiconductors, same lobe, CPU")
+                                  : empty_table("dielectrics", "Dielectrics, same lobe, CPU");
+    const auto use = [metals](bool metal) { return metal == metals; };
+    for (std::size_t m = 0; m < count; ++m)
+      table.rows.push_back(
+          row_of(*gallery.models()[m], gallery.pooled(errors[m], &ModelErrors::own, use), times[m]));
+    ErrorTimeRow floor;
+    floor.id = "one_ray";
+    floor.title = "the reference with one ray";
+    floor.errors = metrics_of(gallery.one_ray(metals));
+    floor.note = "what 4 x 4 rays alone change";
+    table.rows.push_back(floor);
+    mark_dominated(table);
+    family.tables.push_back(table);
+  }
+
+  ErrorTimeTable table = empty_table("lobes", "Lobes against CookTorranceFull's, CPU");
+  std::set<const Model*> seen_lobes;
+  for (std::size_t m = 0; m < count; ++m) {
+    const Model& model = *gallery.models()[m];
+    if (!follows_gloss(model)) continue;
+    // Of those that differ in F alone the first stands for all.
+    if (model.distribution != nullptr && !seen_lobes.insert(&lobe_model(model)).second) continue;
+    table.rows.push_back(
+        row_of(model, gallery.pooled(errors[m], &ModelErrors::full, [](bool) { return true; }), times[m]));
+  }
+  mark_dominated(table);
+  family.tables.push_back(table);
+}
+
+#ifdef ETAK_STUDY_HAS_GL
+// GL frames are timed by rounds over all models, each of a few frames: by the GL's own clock, but for
+// software rasterisers, whose clocks stop before they have drawn (llvmpipe: 0.13 ms of 1.9).
+void add_gl_table(const Gallery& gallery, const ReportOptions& options, ErrorTimeFamily& family) {
+  std::string why;
+  auto gl = GlRunner::open(why);
+  if (!gl) {
+    family.notes.push_back("No OpenGL here: " + why + ".");
+    return;
+  }
+  const GlRunner::Info& info = gl->info();
+  ErrorTimeTable table =
+      empty_table("gl", "All materials, same lobe, OpenGL on " + info.renderer +
+                            (info.software ? " (a software rasteriser: no graphics card)" : ""));
+  const auto errors = gallery.errors(1, [&](const Scene& scene) { return gl->render(scene); });
+  const std::size_t count = gallery.models().size();
+  const int rounds = options.full ? 15 : 5, frames = options.full ? 9 : 3;
+  std::vector<std::vector<double>> ms(count);
+  bool by_queries = !info.software;
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t m = 0; m < count; ++m) {
+      const auto time = gl->frame_time(
+          sphere_scene(*gallery.models()[m], gallery.first(), timed_gloss, timed_side), nullptr, frames);
+      by_queries = by_queries && time.gpu_median_ms.has_value();
+      ms[m].push_back(by_queries ? *time.gpu_median_ms : time.median_ms);
+    }
+  const auto quantile = [](std::vector<double> values, std::size_t quarter) {
+    std::sort(values.begin(), values.end());
+    return values[(values.size() - 1) * quarter / 4];
+  };
+  for (std::size_t m = 0; m < count; ++m) {
+    RunTime time{quantile(ms[m], 2), quantile(ms[m], 1), quantile(ms[m], 3), 1};
+    std::vector<double> ratios;
+    for (std::size_t round = 0; round < ms[m].size(); ++round) ratios.push_back(ms[m][round] / ms[0][round]);
+    time.ratio = quantile(ratios, 2);
+    table.rows.push_back(row_of(
+        *gallery.models()[m], gallery.pooled(errors[m], &ModelErrors::own, [](bool) { return true; }), time));
+  }
+  mark_dominated(table);
+  family.tables.push_back(table);
+  family.notes.push_back(std::string("OpenGL frames are timed ") +
+                         (by_queries      ? "by timer queries"
+                          : info.software ? "from call to finish, for the timer queries of a software "
+                                            "rasteriser end before it has drawn"
+                                          : "from call to finish: there are no timer queries here") +
+                         "; medians of " + std::to_string(frames) + " frames in " + std::to_string(rounds) +
+                         " rounds.");
+}
+#endif
+
+std::string advice_of(const ErrorTimeFamily& family) {
+  const auto rms = [&](std::size_t table, std::string_view id) {
+    return number(row(family.tables[table], id).errors[0], 2);
+  };
+  return "Decide on the lobe first, for GGX in place of Beckmann changes " + rms(2, "ggx-schlick") +
+         " codes where Schlick's Fresnel is off by " + rms(1, "ggx-schlick") +
+         " at most; then draw dielectrics with exact Fresnel from F0 (off by " + rms(1, "ggx-from-f0") +
+         " codes) and metals with F82 (" + rms(0, "ggx-f82") + ", Schlick " + rms(0, "ggx-schlick") + ").";
+}
+
+}  // namespace
+
+ErrorTimeFamily image_family(const ReportOptions& options) {
+  const Gallery gallery(options);
+  ErrorTimeFamily family;
+  family.id = "image";
+  family.letter = "h";
+  family.title = "The rendered sphere";
+  family.reference =
+      "a sphere of 256 x 256 pixels with 4 x 4 rays each, F at every nanometre, with the model's own lobe, "
+      "in "
+      "double; lobes among themselves: with CookTorranceFull's";
+  family.grid =
+      gallery.grid() +
+      "; three directional lights 50, 100 and 150 degrees from the viewer; exposed so that the "
+      "brightest pixel of CookTorranceFull is white; errors over pixels that the sphere covers whole";
+  if (options.cpu) {
+    add_cpu_tables(gallery, options, family);
+    family.advice = advice_of(family);
+    family.notes.push_back("CPU frames: single precision to sRGB codes, on " +
+                           std::to_string(options.threads) +
+                           (options.threads == 1 ? " thread." : " threads.") +
+                           " Lights and viewer are far away, so that F is computed once per light and "
+                           "frames differ by their lobes.");
+  }
+  family.notes.push_back(
+      "FLIP at 67 pixels per degree, of the sRGB codes; mean over the judged pixels, those outside black.");
+#ifdef ETAK_STUDY_HAS_GL
+  if (options.gl) add_gl_table(gallery, options, family);
+#else
+  if (options.gl) family.notes.push_back("This etak was built without OpenGL.");
+#endif
+  if (family.advice.empty())
+    family.advice = "Measure on the CPU too: errors are those of the formulas, times those of the device.";
+  return family;
+}
+
+}  // namespace etak

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/files/files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <tuple>
+
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
+#include "core/base/parallel.h"
+#include "core/exchange/content_kind.h"
+#include "core/image/picture_bytes.h"
+#include "core/scene/gltf.h"
+#include "core/validate/engine.h"
+#include "core/validate/files/material_evidence.h"
+#include "core/validate/files/metal_rough.h"
+#include "core/validate/files/open_pictures.h"
+#include "core/validate/files/scene_use.h"
+#include "core/validate/pixels/flat_rows.h"
+#include "core/validate/rules.h"
+
+namespace etak {
+
+namespace {
+
+bool is_metal_rough(const CheckTarget& target) {
+  return std::ranges::any_of(target.files,
+                             [](const TargetFile& file) { return MetalRoughSet::is_part(file.role); });
+}
+
+const TargetFile* with_role(const CheckTarget& target, std::initializer_list<FileRole> roles) {
+  for (const TargetFile& file : target.files)
+    if (std::ranges::find(roles, file.role) != roles.end()) return &file;
+  return nullptr;
+}
+
+std::unique_ptr<RowSource> open_role(const CheckTarget& target, const PictureOpener& opener,
+                                     std::initializer_list<FileRole> roles) {
+  const TargetFile* file = with_role(target, roles);
+  return file == nullptr ? nullptr : opener(*file);
+}
+
+PictureEvidence picture_evidence(const TargetFile& file, const TextureHeader& header) {
+  PictureEvidence picture;
+  picture.header = header;
+  picture.label = file.label;
+  picture.role = file.role;
+  return picture;
+}
+
+// A pair, or F0 alone: read in strips.
+void check_pair(const CheckTarget& target, const PictureOpener& opener, const Settings& settings,
+                unsigned threads, Evidence& evidence, CheckedFile& file) {
+  const auto open = [&](Needs needs) {
+    PictureRows rows;
+    if (needs.has(Need::header) || needs.has(Need::bytes_a) || needs.has(Need::floats))
+      rows.a = open_role(target, opener, {FileRole::diffuse_alpha});
+    if (needs.has(Need::header) || needs.has(Need::bytes_b) || needs.has(Need::floats))
+      rows.b = open_role(target, opener, {FileRole::specular_gloss, FileRole::f0_only});
+    for (const auto& [source, roles] :
+         {std::pair(rows.a.get(), std::vector{FileRole::diffuse_alpha}),
+          std::pair(rows.b.get(), std::vector{FileRole::specular_gloss, FileRole::f0_only})})
+      if (source != nullptr && evidence.headers.size() < target.files.size())
+        for (const TargetFile& part : target.files)
+          if (std::ranges::find(roles, part.role) != roles.end())
+            evidence.headers.push_back(picture_evidence(part, source->header()));
+    // What only its header was wanted of is not decoded.
+    if (!needs.has(Need::bytes_a) && !(rows.a && rows.a->header().floating && needs.has(Need::floats)) &&
+        rows.a) {
+      evidence.a = evidence.headers.front();
+      rows.a.reset();
+      ++file.stats.pictures_left_out;
+    }
+    if (!needs.has(Need::bytes_b) && !(rows.b && rows.b->header().floating && needs.has(Need::floats)) &&
+        rows.b) {
+      evidence.b = evidence.headers.back();
+      rows.b.reset();
+      ++file.stats.pictures_left_out;
+    }
+    // What an atlas has left out of its pages because it does not vary.
+    const TextureHeader* page = rows.a ? &rows.a->header() : rows.b ? &rows.b->header() : nullptr;
+    const int width = page == nullptr ? 0 : page->width, height = page == nullptr ? 0 : page->height;
+    if (needs.has(Need::bytes_a) && !rows.a) rows.a = flat_rows(target, 0, width, height);
+    if (needs.has(Need::bytes_b) && !rows.b) rows.b = flat_rows(target, 1, width, height);
+    return rows;
+  };
+  look_at_pixels(target, open, settings, threads, evidence, file);
+}
+
+PictureRows rows_of_pictures(const LoadedPictures& pictures) {
+  PictureRows rows;
+  rows.a = rows_of(pictures.a);
+  rows.b = rows_of(pictures.b);
+  if (pictures.metallic.width != 0) rows.metallic = rows_of(pictures.metallic);
+  return rows;
+}
+
+void check_metal_rough(const CheckTarget& target, const Settings& settings, unsigned threads,
+                       Evidence& evidence, CheckedFile& file) {
+  MetalRoughSet set(target);
+  int image = 0;
+  for (const TargetFile& part : target.files)
+    if (MetalRoughSet::is_part(part.role))
+      evidence.headers.push_back(picture_evidence(part, set.header(image++)));
+  evidence.metal_rough = true;
+  CheckTarget weighed = target;
+  weighed.manifest.specular_weighs_diffuse = true;
+  std::optional<LoadedPictures> whole;
+  const auto open = [&](Needs) {
+    if (!whole)
+      if (PictureRows rows = set.rows(); rows.b) return rows;
+    if (!whole) whole = set.convert();
+    return rows_of_pictures(*whole);
+  };
+  look_at_pixels(weighed, open, settings, threads, evidence, file);
+  // Alpha is that of the base colour's file.
+  if (const TargetFile* base = with_role(target, {FileRole::base_color}); base != nullptr && evidence.a)
+    for (const PictureEvidence& header : evidence.headers)
+      if (header.label == base->label) evidence.a->header.channels = header.header.channels;
+}
+
+// Label of a file beside the scene: as the scene's own label is.
+std::string label_beside(const TargetFile& scene, const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(scene.path).parent_path();
+  const std::filesystem::path relative =
+      std::filesystem::path(path).lexically_relative(folder.empty() ? "." : folder);
+  if (relative.empty()) return path;
+  return (std::filesystem::path(scene.label).parent_path() / relative).generic_string();
+}
+
+// Every used material is judged on its own, where triangles read its texels; a texture that two of them use
+// has its header judged once.
+void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, const Settings& settings,
+                 unsigned threads, CheckedFile& file) {
+  const GltfScene scene = read_gltf(file_of_scene.path, GltfOptions{});
+  const MaterialUses uses(scene);
+  const MaterialLooks looks(scene);
+  ScenePictures pictures(scene.images);
+  const auto label_of = [&](const std::optional<GltfTexture>& texture) -> std::string {
+    if (!texture) return file_of_scene.label;
+    const auto image = static_cast<std::size_t>(texture->image);
+    if (scene.images[image].path.empty()) return file_of_scene.label + "#/images/" + std::to_string(image);
+    return label_beside(file_of_scene, scene.images[image].path);
+  };
+  const bool wants_pixels = needs_of(target, settings).pixels();
+  std::map<int, FileRole> roles;  // by image
+  std::vector<bool> done(scene.materials.size());
+  for (const GltfMaterial& material : scene.materials) {
+    const auto index = static_cast<std::size_t>(material.index);
+    if (!scene.material_used[index] || done[index]) continue;
+    // Materials of one look are judged once, under all their names.
+    const std::vector<int>& users = looks.of(material.index);
+    std::string names;
+    for (const int user : users) {
+      done[static_cast<std::size_t>(user)] = true;
+      names += (names.empty() ? "" : ", ") + scene.materials[static_cast<std::size_t>(user)].name;
+    }
+    CheckTarget part;
+    part.label = file_of_scene.label;
+    part.manifest = target.manifest;
+    part.manifest.tiles.clear();
+    part.manifest.specular_weighs_diffuse = true;
+    const auto& color = material.specular_glossiness ? material.diffuse_texture : material.base_color_texture;
+    const auto& second = material.specular_glossiness ? material.specular_glossiness_texture
+                                                      : material.metallic_roughness_texture;
+    const FileRole first_role = material.specular_glossiness ? FileRole::diffuse_alpha : FileRole::base_color;
+    const FileRole second_role =
+        material.specular_glossiness ? FileRole::specular_gloss : FileRole::metal_rough;
+    part.files = {{first_role, "", label_of(color), false}, {second_role, "", label_of(second), false}};
+    if (color) roles.emplace(color->image, first_role);
+    if (second) roles.emplace(second->image, second_role);
+    if (!wants_pixels) continue;
+
+    Evidence evidence;
+    evidence.metal_rough = !material.specular_glossiness;
+    CheckedFile one;
+    LoadedPictures converted = convert_material(material, pictures);
+    const std::size_t hidden =
+        hide_unused(converted, texels_in_use(uses, users, converted.a.width, converted.a.height));
+    look_at_pixels(
+        part, [&](Needs) { return rows_of_pictures(converted); }, settings, threads, evidence, one);
+    forget_unused(evidence, hidden);
+    // An opaque material's alpha is not looked at by anybody.
+    if (evidence.a) evidence.a->header.channels = material.alpha_mode == AlphaMode::opaque || !color ? 3 : 4;
+    if (evidence.b && !second) evidence.b->header.channels = evidence.metal_rough ? 3 : 4;
+    judge(part, evidence, settings, one);
+    for (Finding& finding : one.findings) {
+      finding.material = names;
+      finding.pointer = "/materials/" + std::to_string(material.index);
+      file.findings.push_back(std::move(finding));
+    }
+    file.unreadable = file.unreadable || one.unreadable;
+    file.plateau_px += one.plateau_px;
+    file.transition_px += one.transition_px;
+    file.stats.texels += one.stats.texels;
+    file.stats.passes += one.stats.passes;
+    file.stats.byte_seconds += one.stats.byte_seconds;
+    file.stats.region_seconds += one.stats.region_seconds;
+    for (const auto& [what, count] : one.counts) {
+      const auto same = std::ranges::find(file.counts, what, &std::pair<std::string, std::int64_t>::first);
+      if (same == file.counts.end())
+        file.counts.emplace_back(what, count);
+      else if (what == "gloss_min")
+        same->second = std::min(same->second, count);
+      else if (what == "gloss_max")
+        same->second = std::max(same->second, count);
+      else
+        same->second += count;
+    }
+  }
+  Evidence headers;
+  CheckTarget textures;
+  textures.label = file_of_scene.label;
+  for (const auto& [image, role] : roles) {
+    const std::string& path = scene.images[static_cast<std::size_t>(image)].path;
+    TargetFile texture;
+    texture.role = role;
+    texture.label = path.empty() ? file_of_scene.label + "#/images/" + std::to_string(image)
+                                 : label_beside(file_of_scene, path);
+    headers.headers.push_back(picture_evidence(texture, pictures.header(image)));
+    file.companions.push_back(texture.label);
+    file.roles.emplace_back(texture.label, name(role));
+  }
+  const std::size_t decoded = wants_pixels ? roles.size() : 0;
+  file.stats.pictures_decoded += decoded;
+  file.stats.pictures_left_out += scene.images.size() - decoded;
+  judge(textures, headers, settings, file);
+}
+
+void check_material(const TargetFile& part, Evidence& evidence) {
+  const std::string text = read_file(part.path);
+  evidence.material = part.role == FileRole::material ? evidence_of_material(text, part.label)
+                                                      : evidence_of_spectrum(text, part.path, part.label);
+}
+
+// Order of a CheckedFile's findings, as judge() leaves them.
+void sort_findings(CheckedFile& file) {
+  std::stable_sort(file.findings.begin(), file.findings.end(), [](const Finding& a, const Finding& b) {
+    return std::tie(a.rule, a.tile, a.pointer) < std::tie(b.rule, b.tile, b.pointer);
+  });
+}
+
+std::string relabelled(std::string message, const CheckTarget& target) {
+  // Readers name the path they were given; reports name the label.
+  for (const TargetFile& file : target.files)
+    if (!file.path.empty() && file.path != file.label && message.starts_with(file.path))
+      return file.label + message.substr(file.path.size());
+  return message;
+}
+
+}  // namespace
+
+CheckedFile check(const CheckTarget& target, const Settings& settings, unsigned threads) {
+  return check(
+      target, [](const TargetFile& file) { return open_picture(file.path); }, settings, threads);
+}
+
+CheckedFile check(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
+                  unsigned threads) {
+  const Settings own = settings_for(target, settings);
+  CheckedFile file = checked_file_of(target);
+  Evidence evidence;
+  try {
+    if (const TargetFile* scene = with_role(target, {FileRole::scene}))
+      check_scene(*scene, target, own, threads, file);
+    else if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
+      check_material(*material, evidence);
+    else if (is_metal_rough(target))
+      check_metal_rough(target, own, threads, evidence, file);
+    else
+      check_pair(target, open, own, threads, evidence, file);
+  } catch (const Error& error) {
+    evidence.unreadable.push_back(relabelled(error.what(), target));
+    evidence.tiles.clear();
+    file.unreadable = true;
+  } catch (const std::bad_alloc&) {
+    Finding finding = finding_of(*find_rule("ETK902"), Severity::warning);
+    finding.file = file.path;
+    finding.message = "not enough memory to check the file";
+    file.findings.push_back(std::move(finding));
+    file.unreadable = true;
+  } catch (const std::exception& error) {
+    Finding finding = finding_of(*find_rule("ETK901"), Severity::error);
+    finding.file = file.path;
+    finding.message = std::string("reading failed: ") + error.what();
+    file.findings.push_back(std::move(finding));
+    file.unreadable = true;
+  }
+  judge(target, evidence, own, file);
+  if (target.files.empty())  // numbers of a layout, which have no place in a picture
+    for (Finding& finding : file.findings) forget_place(finding);
+  sort_findings(file);
+  return file;
+}
+
+ValidationReport validate(const std::vector<CheckTarget>& targets, const Settings& settings,
+                          unsigned threads) {
+  std::vector<CheckedFile> files(targets.size());
+  // Many files: one thread each. One or few: threads inside.
+  const unsigned inside =
+      targets.size() >= threads
+          ? 1
+          : std::max(1u, threads / static_cast<unsigned>(std::max<std::size_t>(1, targets.size())));
+  parallel_chunks(targets.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t i = begin; i < end; ++i) files[i] = check(targets[i], settings, inside);
+  });
+  return report_of(std::move(files), settings);
+}
+
+namespace {
+
+std::optional<FileRole> kind_of_json(std::string_view head) {
+  const auto has = [&](std::string_view text) { return head.find(text) != std::string_view::npos; };
+  if (has("\"pages\"") && (has("\"rects\"") || has("etak-atlas-layout"))) return FileRole::layout;
+  if (has("\"datasets\"") || has("etak-material/")) return FileRole::material;
+  return std::nullopt;
+}
+
+// What comes from a pipe has no ending that could tell it.
+std::optional<FileRole> kind_of_content(std::string_view head) {
+  switch (content_kind(head)) {
+    case ContentKind::gltf:
+      return FileRole::scene;
+    case ContentKind::json:
+      return kind_of_json(head);
+    case ContentKind::page:
+    case ContentKind::table:
+      return FileRole::spectrum;
+    case ContentKind::binary:
+    case ContentKind::prose:
+      break;
+  }
+  // Of the formats of pictures Radiance HDR begins with lines of text.
+  if (!picture_format(head, "").empty()) return FileRole::specular_gloss;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<FileRole> file_kind(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* picture : {".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".webp", ".tga", ".hdr"})
+    if (ending == picture) return FileRole::specular_gloss;
+  if (ending == ".gltf" || ending == ".glb") return FileRole::scene;
+  if (ending == ".yml" || ending == ".yaml" || ending == ".csv") return FileRole::spectrum;
+  const bool pipe = is_pipe_input(path);
+  if (ending != ".json" && !pipe) return std::nullopt;
+  const std::string head = read_head(path, content_head);
+  return ending == ".json" ? kind_of_json(head) : kind_of_content(head);
+}
+
+PicturesInMemory LoadedPictures::in_memory() const {
+  return {a.width == 0 ? nullptr : &a, b.width == 0 ? nullptr : &b,
+          metallic.width == 0 ? nullptr : &metallic};
+}
+
+LoadedPictures load_pictures(const CheckTarget& target, const Settings&) {
+  if (is_metal_rough(target)) return MetalRoughSet(target).convert();
+  LoadedPictures out;
+  const auto load = [](const TargetFile* file, Image8& to) {
+    if (file == nullptr) return;
+    const auto source = open_picture(file->path);
+    const TextureHeader& header = source->header();
+    if (header.floating) {
+      TextureHeader ignored;
+      const Image8 codes = load_codes(file->path, "", file->label, ignored);
+      to = Image8(header.width, header.height, 4);
+      rows_of(codes)->read_rows(to.values.data(), 4 * static_cast<std::size_t>(header.width), header.height);
+      return;
+    }
+    to = Image8(header.width, header.height, 4);
+    source->read_rows(to.values.data(), 4 * static_cast<std::size_t>(header.width), header.height);
+  };
+  load(with_role(target, {FileRole::diffuse_alpha}), out.a);
+  load(with_role(target, {FileRole::specular_gloss, FileRole::f0_only}), out.b);
+  return out;
+}
+
+}  // namespace etak

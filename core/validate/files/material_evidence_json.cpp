@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/files/material_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/files/input.h"
+#include "core/base/node_json.h"
+#include "core/exchange/content_kind.h"
+#include "core/exchange/rii_page.h"
+#include "core/exchange/table.h"
+#include "core/material/dispersion.h"
+#include "core/material/f0.h"
+#include "core/material/json.h"
+
+namespace etak {
+
+namespace {
+
+std::string text_at(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+// Rows by the names of their columns; what is no number is left out, which ETK611 has said already.
+void read_rows(const Json& dataset, SpectralRows& rows) {
+  const double scale = text_at(dataset, "unit") == "um" ? 1000 : 1;
+  std::vector<std::string> columns;
+  if (const auto found = dataset.find("columns"); found != dataset.end() && found->is_array())
+    for (const Json& column : *found) columns.push_back(column.is_string() ? column.get<std::string>() : "");
+  const auto table = dataset.find("rows");
+  if (table == dataset.end() || !table->is_array()) return;
+  for (const Json& row : *table) {
+    if (!row.is_array() || row.size() < columns.size()) continue;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (!row[c].is_number()) continue;
+      const double value = row[c].get<double>();
+      if (columns[c] == "wavelength") rows.wavelength_nm.push_back(value * scale);
+      if (columns[c] == "n") rows.n.push_back(value);
+      if (columns[c] == "k") rows.k.push_back(value);
+      if (columns[c] == "reflectance") rows.reflectance.push_back(value);
+    }
+  }
+}
+
+SpectralRows rows_of(const Json& dataset, std::size_t index, const std::string& preferred) {
+  SpectralRows rows;
+  rows.pointer = "/datasets/" + std::to_string(index);
+  if (!dataset.is_object()) return rows;
+  rows.id = text_at(dataset, "id");
+  rows.preferred = preferred.empty() ? index == 0 : rows.id == preferred;
+  rows.sample = text_at(dataset, "sample");
+  rows.flagged = dataset.contains("flags") && !dataset["flags"].empty();
+  rows.is_formula = dataset.contains("formula");
+  if (const auto range = dataset.find("valid_range"); range != dataset.end() && range->is_array() &&
+                                                      range->size() == 2 && (*range)[0].is_number() &&
+                                                      (*range)[1].is_number()) {
+    const double scale = text_at(dataset, "unit") == "um" ? 1000 : 1;
+    rows.first_nm = (*range)[0].get<double>() * scale;
+    rows.last_nm = (*range)[1].get<double>() * scale;
+  }
+  if (const auto citation = dataset.find("citation"); citation != dataset.end() && citation->is_object()) {
+    rows.doi = text_at(*citation, "doi");
+    rows.url = text_at(*citation, "url");
+    rows.via = text_at(*citation, "via");
+    rows.licence = text_at(*citation, "licence");
+  }
+  if (!rows.is_formula) read_rows(dataset, rows);
+  return rows;
+}
+
+template <class Value>
+std::optional<std::array<Value, 3>> triple(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_array() || found->size() != 3) return std::nullopt;
+  std::array<Value, 3> out{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!(*found)[c].is_number()) return std::nullopt;
+    out[c] = (*found)[c].get<Value>();
+  }
+  return out;
+}
+
+// Reflectance at 550 nm, normal incidence.
+std::optional<double> reflectance_at_550(const Optics& optics) {
+  const double nm = 550;
+  const auto value = [&](const Spectrum& spectrum) {
+    double out = 0;
+    resample(spectrum, Interpolation::linear, {&nm, 1}, {&out, 1});
+    return out;
+  };
+  const auto inside = [&](const Spectrum& s) {
+    return !s.empty() && s.first_nm() <= nm && s.last_nm() >= nm;
+  };
+  if (const auto* measured = std::get_if<Reflectance>(&optics))
+    return inside(measured->spectrum) ? std::optional(value(measured->spectrum)) : std::nullopt;
+  const auto& constants = std::get<OpticalConstants>(optics);
+  double n = 1, k = 0;
+  if (const auto* table = std::get_if<Spectrum>(&constants.n)) {
+    if (!inside(*table)) return std::nullopt;
+    n = value(*table);
+  } else {
+    evaluate(std::get<DispersionFormula>(constants.n), {&nm, 1}, {&n, 1});
+  }
+  if (constants.k && inside(*constants.k)) k = value(*constants.k);
+  return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
+}
+
+void add_f0(MaterialEvidence& evidence, const F0Solver& solver, const Optics& optics, Flags flags) {
+  const F0Result f0 = solver.solve(optics, flags);
+  if (f0.refused()) return;
+  evidence.computed_f0 = {f0.srgb_linear.r, f0.srgb_linear.g, f0.srgb_linear.b};
+  evidence.computed_bytes = {f0.srgb8.r, f0.srgb8.g, f0.srgb8.b};
+  evidence.luminance = f0.luminance;
+}
+
+const F0Solver& default_solver() {
+  static const F0Solver solver{F0Options{}};
+  return solver;
+}
+
+// A table as rows again.
+void add_optics(MaterialEvidence& evidence, const Optics& optics, Flags flags, const std::string& id) {
+  SpectralRows& rows = evidence.datasets.emplace_back();
+  rows.id = id;
+  rows.preferred = true;
+  rows.contradicts = flags.has(Flag::duplicate_wavelength);
+  if (const auto* measured = std::get_if<Reflectance>(&optics)) {
+    rows.wavelength_nm = measured->spectrum.wavelength_nm;
+    rows.reflectance = measured->spectrum.value;
+  } else {
+    const auto& constants = std::get<OpticalConstants>(optics);
+    if (const auto* table = std::get_if<Spectrum>(&constants.n)) {
+      rows.wavelength_nm = table->wavelength_nm;
+      rows.n = table->value;
+      if (constants.k && constants.k->wavelength_nm == table->wavelength_nm) rows.k = constants.k->value;
+    } else {
+      const auto& formula = std::get<DispersionFormula>(constants.n);
+      rows.is_formula = true;
+      rows.first_nm = formula.first_nm;
+      rows.last_nm = formula.last_nm;
+    }
+  }
+  add_f0(evidence, default_solver(), optics, flags);
+}
+
+}  // namespace
+
+MaterialEvidence evidence_of_material(std::string_view text, const std::string& label) {
+  MaterialEvidence evidence;
+  try {
+    const Material material = parse_material(text, label);
+    evidence.name = material.name;
+    evidence.material_class = material.material_class;
+    for (const Dataset& dataset : material.datasets)
+      if (dataset.flags.none())
+        if (const auto r = reflectance_at_550(dataset.optics)) evidence.at_550.emplace_back(dataset.id, *r);
+    add_f0(evidence, default_solver(), material.preferred_dataset().optics,
+           material.preferred_dataset().flags);
+  } catch (const Error& error) {
+    evidence.schema_error = error.what();
+    const std::size_t hash = evidence.schema_error.find('#'), end = evidence.schema_error.find(": ");
+    if (hash != std::string::npos && end != std::string::npos && hash < end)
+      evidence.schema_pointer = evidence.schema_error.substr(hash + 1, end - hash - 1);
+  }
+  std::optional<JsonDocument> read;
+  try {
+    read.emplace(parse_json_strictly(text, label, 32, "a material file"));
+  } catch (const Error&) {
+    return evidence;  // said already
+  }
+  const Json& document = **read;
+  if (!document.is_object()) return evidence;
+  evidence.name = text_at(document, "name");
+  if (const auto datasets = document.find("datasets"); datasets != document.end() && datasets->is_array())
+    for (std::size_t i = 0; i < datasets->size(); ++i)
+      evidence.datasets.push_back(rows_of((*datasets)[i], i, text_at(document, "preferred")));
+  if (const auto f0 = document.find("f0"); f0 != document.end() && f0->is_object()) {
+    evidence.stored_f0 = triple<double>(*f0, "linear");
+    evidence.stored_bytes = triple<int>(*f0, "srgb8");
+    // With a stored F0 the strict reader has refused the file for that key: solve the rest all the same.
+    if (!evidence.computed_f0) {
+      Json rest = document;
+      rest.erase("f0");
+      MaterialEvidence again = evidence_of_material(rest.dump(), label);
+      evidence.computed_f0 = again.computed_f0;
+      evidence.computed_bytes = again.computed_bytes;
+      evidence.luminance = again.luminance;
+      evidence.at_550 = again.at_550;
+      evidence.material_class = again.material_class;
+      evidence.schema_error = again.schema_error;
+      evidence.schema_pointer = again.schema_pointer;
+    }
+  }
+  return evidence;
+}
+
+MaterialEvidence evidence_of_spectrum(std::string_view text, const std::string& path,
+                                      const std::string& label) {
+  MaterialEvidence evidence;
+  evidence.is_material_file = false;
+  const bool page = path.ends_with(".yml") || path.ends_with(".yaml") ||
+                    (is_pipe_input(path) && content_kind(text) == ContentKind::page);
+  if (page) {
+    RiiPage content;
+    parse_rii_page(text, label, content);
+    if (content.kind != PageKind::constants)
+      throw Error::at(label, "no optical constants", "a page with n or n and k");
+    if (!content.refusal.empty()) throw Error::at(label, content.refusal);
+    add_optics(evidence, content.optics, content.flags, "page");
+  } else {
+    TableOptions options;
+    options.duplicates = Duplicates::mean;
+    const Table table = parse_table(text, label, options);
+    add_optics(evidence, table.optics, table.flags, "table");
+  }
+  return evidence;
+}
+
+}  // namespace etak

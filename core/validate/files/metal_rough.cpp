@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/files/metal_rough.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <mutex>
+
+#include "core/scene/gltf_convert.h"
+#include "core/validate/files/open_pictures.h"
+
+namespace etak {
+
+namespace {
+
+// The texel of a picture of `source` texels on a side that lies under the centre of texel x of `width`.
+int under(int x, int width, int source) {
+  return static_cast<int>((2LL * x + 1) * source / (2LL * width));
+}
+
+}  // namespace
+
+ScenePictures::ScenePictures(const std::vector<GltfImage>& images)
+    : images_(&images), codes_(images.size()), headers_(images.size()) {}
+
+void ScenePictures::load(int image) {
+  const auto i = static_cast<std::size_t>(image);
+  if (codes_[i].width != 0) return;
+  const GltfImage& image_at = (*images_)[i];
+  codes_[i] = load_codes(image_at.path, image_at.bytes, image_at.label, headers_[i]);
+}
+
+void ScenePictures::set(int image, Image8 codes) {
+  codes_[static_cast<std::size_t>(image)] = std::move(codes);
+}
+
+const Image8& ScenePictures::codes(int image) {
+  load(image);
+  return codes_[static_cast<std::size_t>(image)];
+}
+
+const TextureHeader& ScenePictures::header(int image) {
+  const auto i = static_cast<std::size_t>(image);
+  const GltfImage& image_at = (*images_)[i];
+  if (headers_[i].width == 0)
+    headers_[i] = read_texture_header(image_at.path, image_at.bytes, image_at.label);
+  return headers_[i];
+}
+
+LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pictures) {
+  std::size_t clamped = 0;
+  MaterialPair pair = scene_material_pair(
+      material, [&](int image) -> const Image8& { return pictures.codes(image); },
+      GlossForm::one_minus_roughness, material.alpha_mode != AlphaMode::opaque, clamped);
+  LoadedPictures out;
+  out.a = std::move(pair.diffuse_alpha);
+  out.b = std::move(pair.specular_gloss);
+  if (material.specular_glossiness) return out;
+  out.metallic =
+      Image8(out.a.width, out.a.height, 1,
+             static_cast<std::uint8_t>(std::lround(255 * std::clamp(material.metallic, 0.0, 1.0))));
+  if (!material.metallic_roughness_texture) return out;
+  const Image8& source = pictures.codes(material.metallic_roughness_texture->image);
+  const std::size_t channel = source.channels >= 3 ? 2 : 0;
+  for (int y = 0; y < out.metallic.height; ++y)
+    for (int x = 0; x < out.metallic.width; ++x) {
+      // The texel under the centre: a mask of metal is not smoothed.
+      const int u = under(x, out.metallic.width, source.width),
+                v = under(y, out.metallic.height, source.height);
+      const double value = source.at(u, v)[channel] * material.metallic;
+      out.metallic.at(x, y)[0] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+    }
+  return out;
+}
+
+bool MetalRoughSet::is_part(FileRole role) {
+  return role >= FileRole::base_color && role <= FileRole::roughness;
+}
+
+MetalRoughSet::MetalRoughSet(const CheckTarget& target) : pictures_(images_) {
+  material_.alpha_mode = AlphaMode::blend;  // the file's alpha is kept
+  const auto texture = [](int image) {
+    GltfTexture out;
+    out.image = image;
+    out.sampler.wrap_u = out.sampler.wrap_v = Wrap::clamp;
+    return out;
+  };
+  for (const TargetFile& file : target.files) {
+    if (!is_part(file.role)) continue;
+    const auto image = static_cast<int>(images_.size());
+    images_.push_back({file.path, "", file.label});
+    if (file.role == FileRole::base_color) material_.base_color_texture = texture(image);
+    if (file.role == FileRole::metal_rough) material_.metallic_roughness_texture = texture(image);
+    if (file.role == FileRole::metallic) metallic_ = image;
+    if (file.role == FileRole::roughness) roughness_ = image;
+  }
+  const bool whole = material_.metallic_roughness_texture.has_value();
+  if (!whole && (metallic_ >= 0 || roughness_ >= 0)) {
+    joined_ = static_cast<int>(images_.size());
+    images_.push_back({"", "", target.label});
+    material_.metallic_roughness_texture = texture(joined_);
+  }
+  // A base colour without anything on metal is taken for that of a dielectric.
+  if (!whole && metallic_ < 0) material_.metallic = 0;
+  pictures_ = ScenePictures(images_);
+}
+
+LoadedPictures MetalRoughSet::convert() {
+  return convert(pictures_);
+}
+
+LoadedPictures MetalRoughSet::convert(ScenePictures& pictures) const {
+  if (joined_ >= 0) {
+    const Image8* metallic = metallic_ < 0 ? nullptr : &pictures.codes(metallic_);
+    const Image8* roughness = roughness_ < 0 ? nullptr : &pictures.codes(roughness_);
+    const Image8& larger = metallic == nullptr || (roughness != nullptr && roughness->width > metallic->width)
+                               ? *roughness
+                               : *metallic;
+    Image8 both(larger.width, larger.height, 3);
+    const auto fill = [&](const Image8* from, std::size_t channel) {
+      for (int y = 0; y < both.height; ++y)
+        for (int x = 0; x < both.width; ++x)
+          both.at(x, y)[channel] = from == nullptr ? std::uint8_t{255}
+                                                   : from->at(under(x, both.width, from->width),
+                                                              under(y, both.height, from->height))[0];
+    };
+    fill(roughness, 1);
+    fill(metallic, 2);
+    pictures.set(joined_, std::move(both));
+  }
+  return convert_material(material_, pictures);
+}
+
+/// The strip of a set that is being read, decoded and converted by the first of the three that asks.
+class MetalRoughStrips {
+ public:
+  MetalRoughStrips(const MetalRoughSet& set, std::vector<std::unique_ptr<RowSource>> files)
+      : set_(set), files_(std::move(files)), pictures_(set.images_) {}
+
+  void copy_rows(Image8 LoadedPictures::*picture, int first, int count, std::uint8_t* rgba,
+                 std::size_t stride) {
+    const std::lock_guard guard(lock_);
+    if (first == end_) decode(count);
+    rows_of(strip_.*picture)->read_rows(rgba, stride, count);
+  }
+
+ private:
+  void decode(int count) {
+    // Whoever asks after a failure hears of the same one.
+    if (failure_) std::rethrow_exception(failure_);
+    try {
+      for (std::size_t i = 0; i < files_.size(); ++i) {
+        Image8 codes(files_[i]->header().width, count, 4);
+        files_[i]->read_rows(codes.values.data(), 4 * static_cast<std::size_t>(codes.width), count);
+        pictures_.set(static_cast<int>(i), std::move(codes));
+      }
+      strip_ = set_.convert(pictures_);
+      end_ += count;
+    } catch (...) {
+      failure_ = std::current_exception();
+      throw;
+    }
+  }
+
+  const MetalRoughSet& set_;
+  const std::vector<std::unique_ptr<RowSource>> files_;
+  std::mutex lock_;
+  ScenePictures pictures_;
+  LoadedPictures strip_;
+  int end_ = 0;
+  std::exception_ptr failure_;
+};
+
+namespace {
+
+class ConvertedRows final : public RowSource {
+ public:
+  ConvertedRows(std::shared_ptr<MetalRoughStrips> strips, Image8 LoadedPictures::*picture,
+                TextureHeader header)
+      : strips_(std::move(strips)), picture_(picture), header_(std::move(header)) {}
+
+  const TextureHeader& header() const override { return header_; }
+
+  void read_rows(std::uint8_t* rgba, std::size_t stride, int count) override {
+    strips_->copy_rows(picture_, next_, count, rgba, stride);
+    next_ += count;
+  }
+
+ private:
+  std::shared_ptr<MetalRoughStrips> strips_;
+  Image8 LoadedPictures::*picture_;
+  TextureHeader header_;
+  int next_ = 0;
+};
+
+}  // namespace
+
+PictureRows MetalRoughSet::rows() const {
+  std::vector<std::unique_ptr<RowSource>> files;
+  for (const GltfImage& image : images_) {
+    if (image.path.empty()) continue;  // the joined one, which is last
+    auto file = open_rows(image.path);
+    if (!file || file->header().floating ||
+        (!files.empty() && (file->header().width != files[0]->header().width ||
+                            file->header().height != files[0]->header().height)))
+      return {};
+    files.push_back(std::move(file));
+  }
+  if (files.empty()) return {};
+  TextureHeader header;
+  header.width = files[0]->header().width;
+  header.height = files[0]->header().height;
+  header.channels = 4;
+  header.format = "memory";
+  const auto strips = std::make_shared<MetalRoughStrips>(*this, std::move(files));
+  PictureRows rows;
+  rows.a = std::make_unique<ConvertedRows>(strips, &LoadedPictures::a, header);
+  rows.b = std::make_unique<ConvertedRows>(strips, &LoadedPictures::b, header);
+  header.channels = 1;
+  rows.metallic = std::make_unique<ConvertedRows>(strips, &LoadedPictures::metallic, header);
+  return rows;
+}
+
+}  // namespace etak

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/scene/gltf.h"
+#include "core/validate/files/files.h"
+#include "core/validate/target.h"
+
+namespace etak {
+
+/// Pictures of a document, loaded when first asked for; of PNG the head alone where that is enough.
+class ScenePictures {
+ public:
+  explicit ScenePictures(const std::vector<GltfImage>& images);
+  const Image8& codes(int image);
+  const TextureHeader& header(int image);
+  /// An image that is no file's: in place of what would be loaded.
+  void set(int image, Image8 codes);
+
+ private:
+  void load(int image);
+  const std::vector<GltfImage>* images_;  // outlive this
+  std::vector<Image8> codes_;
+  std::vector<TextureHeader> headers_;
+};
+
+/// A material as the rules see it: diffuse + alpha, F0 + gloss (as 1 - roughness, so that what clips is the
+/// file and not the conversion), and the metallic channel, all of the size of its largest texture. metallic
+/// is empty for the specular-glossiness model.
+LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pictures);
+
+/// A base colour and a metal-rough file as a material; either may be missing. Metallic and roughness in files
+/// of their own become one picture of the larger's size (the texel under the centre is taken).
+class MetalRoughSet {
+ public:
+  /// Opens nothing yet.
+  explicit MetalRoughSet(const CheckTarget& target);
+  /// Throws Error for a file that cannot be read.
+  LoadedPictures convert();
+  /// The same in strips of rows, from the top whenever it is called; the three must be read in step, on any
+  /// threads. No rows where a file must be loaded whole or the files differ in size.
+  PictureRows rows() const;
+  /// Of the n-th file of the set, in the target's order.
+  const TextureHeader& header(int file) { return pictures_.header(file); }
+
+  static bool is_part(FileRole role);
+
+ private:
+  friend class MetalRoughStrips;
+  LoadedPictures convert(ScenePictures& pictures) const;
+
+  std::vector<GltfImage> images_;
+  GltfMaterial material_;
+  int metallic_ = -1, roughness_ = -1, joined_ = -1;  // images
+  ScenePictures pictures_;
+};
+
+}  // namespace etak

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/files/project_check.h"
+
+#include <new>
+
+#include "core/base/error.h"
+#include "core/material/appearance.h"
+#include "core/material/json.h"
+#include "core/material/names.h"
+#include "core/project/project_pictures.h"
+#include "core/validate/engine.h"
+#include "core/validate/files/material_evidence.h"
+#include "core/validate/rules.h"
+#include "core/validate/validate.h"
+
+namespace etak {
+namespace {
+
+void add(CheckedFile& to, CheckedFile from) {
+  for (Finding& each : from.findings) to.findings.push_back(std::move(each));
+  to.unreadable = to.unreadable || from.unreadable;
+}
+
+Finding told(std::string_view rule, Severity severity, const std::string& message) {
+  Finding out = finding_of(*find_rule(rule), severity);
+  out.message = message;
+  return out;
+}
+
+// Whether the black diffuse colour of a dielectric is right, because light goes through its body.
+bool is_clear_body(const ProjectMaterial& material, const MaterialLibrary& library) {
+  if (!material.measured || material.diffuse != LinearRgb{}) return false;
+  const auto record = library.find(material.measured->material);
+  return record && clarity(*record, dataset_named(*record, material.measured->dataset, record->id)).clear;
+}
+
+CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary& library,
+                         const PictureDoor& door, const Settings& settings, std::size_t most_texels,
+                         unsigned threads) {
+  CheckTarget target;
+  target.label = material.name;
+  target.files = {{FileRole::diffuse_alpha, "", material.name + " (diffuse, alpha)", false},
+                  {FileRole::specular_gloss, "", material.name + " (specular, gloss)", false}};
+  // Codes are sRGB by construction, and flat colours are meant to be flat.
+  Settings own = settings;
+  own.transfer_stated = true;
+  if (!has_textures(material)) {
+    for (const char* rule : {"ETK301", "ETK503"}) own.rules[rule].severity = Severity::off;
+    target.manifest.transparent = material.alpha_mode == AlphaMode::blend;
+  }
+  if (material.measured) target.manifest.material = material.measured->material;
+  MaterialPair pair = pictures_of(material, library, door, most_texels);
+  if (!has_textures(material)) {
+    // One alpha for all hides no texel: F0 is drawn whatever the body lets through.
+    std::vector<std::uint8_t>& texels = pair.diffuse_alpha.values;
+    for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
+    if (is_clear_body(material, library)) own.rules["ETK202"].severity = Severity::off;
+  }
+  return check_pictures(target, {&pair.diffuse_alpha, &pair.specular_gloss, nullptr}, own, threads);
+}
+
+CheckedFile check_record(const ProjectMaterial& material, const MaterialLibrary& library,
+                         const Settings& settings) {
+  CheckTarget target;
+  target.label = material.measured->material;
+  target.files = {{FileRole::material, "", material.measured->material, false}};
+  CheckedFile file = checked_file_of(target);
+  const auto record = library.find(material.measured->material);
+  if (!record) throw Error::at(material.measured->material, "is no material of the library or the project");
+  Evidence evidence;
+  evidence.material = evidence_of_material(format_material(*record), target.label);
+  judge(target, evidence, settings, file);
+  return file;
+}
+
+}  // namespace
+
+CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrary& library,
+                           const PictureDoor& door, const Settings& settings, std::size_t most_texels,
+                           unsigned threads) {
+  CheckedFile out;
+  out.path = material.name;
+  const auto part = [&](auto check) {
+    try {
+      add(out, check());
+    } catch (const Error& error) {
+      out.findings.push_back(told("ETK001", Severity::error, error.what()));
+      out.unreadable = true;
+    } catch (const std::bad_alloc&) {
+      out.findings.push_back(told("ETK902", Severity::warning, "not enough memory to check the pictures"));
+      out.unreadable = true;
+    }
+  };
+  part([&] { return check_texels(material, library, door, settings, most_texels, threads); });
+  if (material.measured) part([&] { return check_record(material, library, settings); });
+  for (Finding& each : out.findings) each.material = material.name;
+  return out;
+}
+
+std::optional<Channel> field_of(std::string_view rule) {
+  if (!rule.starts_with("ETK") || rule.size() < 4) return std::nullopt;
+  switch (rule[3]) {
+    case '1':
+    case '4':
+      return Channel::specular;
+    case '2':
+      return Channel::diffuse;
+    case '3':
+      return Channel::gloss;
+    case '5':
+      return Channel::alpha;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace etak

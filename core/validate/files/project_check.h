@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/atlas/sources/sources.h"
+#include "core/project/project.h"
+#include "core/validate/finding.h"
+#include "core/validate/settings.h"
+
+namespace etak {
+
+// The rules on materials under work (target etak::validate_files), the same as on files.
+
+/// Checks one material: its pictures or colours, and the record its F0 was measured in. Never throws for what
+/// is wrong with it. Findings carry its name as material.
+///   library       with the project's own spectra (library_of)
+///   most_texels   pictures of more are not looked at, which is a finding; 0: any
+CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrary& library,
+                           const PictureDoor& door, const Settings& settings, std::size_t most_texels = 0,
+                           unsigned threads = 1);
+
+/// Which field of a material a rule is about; none: the measured record.
+std::optional<Channel> field_of(std::string_view rule);
+
+}  // namespace etak

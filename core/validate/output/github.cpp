@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <map>
+
+#include "core/base/text.h"
+#include "core/validate/output/formats.h"
+
+namespace etak {
+namespace {
+
+// The escapes of GitHub's workflow commands, in line_text(): a property also ends at ':' and ','.
+std::string escaped(std::string_view text, bool property) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string out;
+  for (const char c : text) {
+    if (c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','))) {
+      const auto byte = static_cast<unsigned char>(c);
+      out += '%';
+      out += digits[byte >> 4];
+      out += digits[byte & 15];
+    } else {
+      out += c;
+    }
+  }
+  return line_text(out);
+}
+
+struct Level {
+  Severity severity;
+  std::string_view command, word;
+};
+constexpr std::array levels{Level{Severity::error, "error", "errors"},
+                            Level{Severity::warning, "warning", "warnings"},
+                            Level{Severity::info, "notice", "infos"}};
+constexpr std::size_t most_per_level = 10;
+
+}  // namespace
+
+std::string validation_github(const ValidationReport& report) {
+  std::string out;
+  for (const Level& level : levels) {
+    std::size_t shown = 0, dropped = 0;
+    std::map<std::string, std::size_t> dropped_by_rule;
+    for (const CheckedFile& file : report.files)
+      for (const Finding& finding : file.findings) {
+        if (!counts(finding) || finding.severity != level.severity) continue;
+        if (shown == most_per_level) {
+          ++dropped;
+          ++dropped_by_rule[finding.rule];
+          continue;
+        }
+        ++shown;
+        std::string message = place_of(finding) + ": " + sentence_of(finding) + '.';
+        if (!finding.fix.empty()) message += " Fix: " + finding.fix;
+        out += "::" + std::string(level.command) + " file=" + escaped(finding.file, true) +
+               ",title=" + escaped(finding.rule + ' ' + finding.slug, true) + "::" + escaped(message, false) +
+               '\n';
+      }
+    if (dropped == 0) continue;
+    out += grouped(dropped) + " more " + std::string(level.word) + " without annotation:";
+    for (const auto& [rule, count] : dropped_by_rule) out += ' ' + rule + " x " + grouped(count);
+    out += '\n';
+  }
+  return out + verdict_of(report) + '\n';
+}
+
+}  // namespace etak

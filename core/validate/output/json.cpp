@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// The JSON form, as resources/schema/validation.schema.json describes it.
+#include <nlohmann/json.hpp>
+
+#include "core/base/text.h"
+#include "core/validate/output/formats.h"
+
+namespace etak {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json value_json(const Finding& finding) {
+  if (!finding.linear && !finding.byte && !finding.luminance) return nullptr;
+  Json out = Json::object();
+  out["linear"] = finding.linear ? Json(*finding.linear) : Json(nullptr);
+  out["byte"] = finding.byte ? Json(*finding.byte) : Json(nullptr);
+  out["Y"] = finding.luminance ? Json(*finding.luminance) : Json(nullptr);
+  return out;
+}
+
+Json finding_json(const Finding& finding) {
+  Json out = Json::object();
+  out["id"] = finding.rule;
+  out["slug"] = finding.slug;
+  out["severity"] = name(finding.severity);
+  out["file"] = finding.file;
+  out["message"] = finding.message;
+  out["tile"] = finding.tile;
+  out["material"] = finding.material;
+  out["pointer"] = finding.pointer;
+  const auto& box = finding.box;
+  out["bbox"] = box ? Json::array({box->x, box->y, box->width, box->height}) : Json(nullptr);
+  out["areaPx"] = finding.area_px;
+  out["areaShare"] = finding.area_share;
+  out["value"] = value_json(finding);
+  out["found"] = finding.value;
+  out["limit"] = finding.limit;
+  out["nearest"] = Json::array();
+  for (const NearestMaterial& near : finding.nearest)
+    out["nearest"].push_back({{"name", near.id}, {"dataset", near.dataset}, {"bytes", near.bytes}});
+  out["cause"] = finding.cause;
+  out["fix"] = finding.fix;
+  out["source"] = finding.source;
+  out["suppressed"] = finding.suppressed;
+  out["suppression"] = finding.suppression;
+  out["baseline"] = finding.baseline;
+  return out;
+}
+
+Json file_json(const CheckedFile& file) {
+  Json out = Json::object();
+  out["path"] = file.path;
+  out["companions"] = file.companions;
+  out["sha256"] = file.sha256.empty() ? Json(nullptr) : Json(file.sha256);
+  out["width"] = file.width;
+  out["height"] = file.height;
+  out["unreadable"] = file.unreadable;
+  out["roles"] = Json::array();
+  for (const auto& [path, role] : file.roles) out["roles"].push_back({{"file", path}, {"role", role}});
+  out["findings"] = Json::array();
+  for (const Finding& finding : file.findings) out["findings"].push_back(finding_json(finding));
+  Json pixel_counts = Json::object();
+  for (const auto& [key, count] : file.counts) pixel_counts[key] = count;
+  out["stats"] = {{"plateauPx", file.plateau_px},
+                  {"transitionPx", file.transition_px},
+                  {"counts", std::move(pixel_counts)}};
+  return out;
+}
+
+std::string text_of(const Json& json) {
+  return quiet_json(json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+// The files one after the other, as an array's elements two levels deep: a document of all of them at once
+// takes ten times the memory of its text.
+void append_files(std::string& out, const std::vector<CheckedFile>& files) {
+  for (const CheckedFile& file : files) {
+    out += &file == &files.front() ? "\n    " : ",\n    ";
+    for (const char c : text_of(file_json(file))) {
+      out += c;
+      if (c == '\n') out += "    ";  // in strings a line's end is escaped
+    }
+  }
+  if (!files.empty()) out += "\n  ";
+}
+
+}  // namespace
+
+std::string validation_json(const ValidationReport& report, const OutputOptions& options) {
+  const ReportCounts files = count_files(report);
+  Json out = Json::object();
+  out["schema"] = "etak-validation/1";
+  out["tool"] = {{"name", "etak"}, {"version", options.version}};
+  out["settings"] = {{"profile", report.profile},
+                     {"transfer", report.transfer},
+                     {"failOn", name(options.fail_on)},
+                     {"hash", report.settings_hash}};
+  out["summary"] = {{"files", files.files},
+                    {"clean", files.clean},
+                    {"unreadable", files.unreadable},
+                    {"errors", report.errors},
+                    {"warnings", report.warnings},
+                    {"infos", report.infos},
+                    {"suppressed", files.suppressed},
+                    {"baseline", files.known},
+                    {"passed", report.passed && !report.incomplete},
+                    {"incomplete", report.incomplete}};
+  out["files"] = Json::array();
+  out["truncated"] = false;
+  const std::string frame = text_of(out);
+  const std::size_t end = frame.rfind(']');  // of the empty array
+  std::string text = frame.substr(0, end);
+  append_files(text, report.files);
+  return text + frame.substr(end) + '\n';
+}
+
+}  // namespace etak

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/validate/finding.h"
+#include "core/validate/pixels/code_tables.h"
+#include "core/validate/rule.h"
+
+namespace etak {
+
+/// A region that survived the analysis: connected, flat, large enough.
+struct Plateau {
+  RegionKind kind = RegionKind::zone;
+  PixelBox box;  // in the picture
+  std::size_t area = 0;
+  std::array<double, 3> specular{}, diffuse{};  // mean, linear
+  double metallic = 0;                          // mean
+  std::uint8_t least = 255, most = 0;           // luminance codes on the plane that was judged
+  friend bool operator==(const Plateau&, const Plateau&) = default;
+};
+
+/// What all plateaus of one kind in one tile come to.
+struct PlateauSummary {
+  std::size_t masked = 0;  // texels that meet the condition
+  std::size_t area = 0;    // of those, on plateaus that are large enough
+  std::size_t regions = 0;
+  PixelBox box;                           // around all of them
+  std::vector<Plateau> largest;           // at most `kept`, largest first; equal ones from the top
+  std::vector<std::size_t> area_by_code;  // 256, by the luminance code of the mean; empty when regions is 0
+  static constexpr std::size_t kept = 256;
+};
+
+/// Rows that a run of texels lies in, at the tile's left edge; null where there is no such picture.
+struct RowPointers {
+  const std::uint8_t *a = nullptr, *b = nullptr, *metallic = nullptr;
+};
+
+/// Joins texels of successive rows into 8-connected components (runs and union-find), with sums over each. A
+/// component is judged and forgotten as soon as a row adds nothing to it, so memory follows the width.
+class Components {
+ public:
+  ///   origin_x, origin_y   left upper corner of the tile in the picture
+  ///   least_area           components of fewer texels are dropped
+  Components(RegionKind kind, int origin_x, int origin_y, std::size_t least_area, const CodeTables& tables);
+
+  /// Row y of the tile, y ascending by 1 from any row; bit i of word w is texel 64 w + i.
+  ///   codes   luminance codes of the judged plane in this row
+  void add_row(int y, const std::uint64_t* words, std::size_t word_count, const RowPointers& rows,
+               const std::uint8_t* codes);
+
+  /// A row without any texel.
+  void add_empty_row();
+
+  /// After the last row: closes what is open and sorts.
+  void finish(PlateauSummary& summary);
+
+ private:
+  struct Sums {
+    std::size_t area = 0;
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // inclusive, in the tile
+    std::array<std::uint64_t, 3> specular{}, diffuse{};
+    std::uint64_t metallic = 0;
+    std::uint8_t least = 255, most = 0;
+    bool touched = false;  // by the current row
+  };
+  struct Run {
+    int first, last;
+    std::uint32_t component;
+  };
+
+  std::uint32_t root(std::uint32_t component);
+  std::uint32_t create();
+  std::uint32_t join(std::uint32_t a, std::uint32_t b);
+  void add_run(int y, const Run& run, const RowPointers& rows, const std::uint8_t* codes);
+  void close(const Sums& sums);
+  void retire(bool all);
+
+  RegionKind kind_;
+  int origin_x_, origin_y_;
+  std::size_t least_area_;
+  const CodeTables& tables_;
+  std::vector<Sums> sums_;
+  std::vector<std::uint32_t> parent_, free_, open_;
+  std::vector<Run> above_, current_;
+  PlateauSummary result_;
+};
+
+}  // namespace etak

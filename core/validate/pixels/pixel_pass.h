@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/validate/pixels/tile_pass.h"
+
+namespace etak {
+
+/// What a pass over the pixels found.
+struct PassResult {
+  std::vector<TileEvidence> tiles;  // in the order asked for
+  std::optional<FloatFacts> a_floats, b_floats;
+  CheckStats stats;
+};
+
+/// Reads the pictures once, in strips of rows, and looks at the tiles. Memory: four strips of each picture,
+/// and the tiles that the current strip crosses.
+///   tiles       inside the pictures
+///   every_row   per tile: whether its detail is taken from every row
+///   plan        workers, which never change the result: with two or more, A and B are decoded side by side
+PassResult pixel_pass(PictureRows& pictures, std::span<const Tile> tiles, const std::vector<bool>& every_row,
+                      const PassPlan& plan);
+
+}  // namespace etak

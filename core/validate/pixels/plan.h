@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "core/validate/pixels/tile_pass.h"
+
+namespace etak {
+
+/// The plan of the first pass: limits from settings and parameters, region kinds of the rules that are on.
+///   has_a, has_b, has_metallic   which pictures there are
+PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool has_a, bool has_b,
+                    bool has_metallic, unsigned workers);
+
+/// Whether some rule wants every row of this tile counted into its detail at once.
+bool wants_every_row(const Tile& tile, const Settings& settings);
+
+/// Whether a tile is suspected of something that only a closer look can decide, after the first pass; the
+/// second pass then takes every row into the detail and looks for all flat F0. On a clean picture there is no
+/// second pass.
+bool needs_second_look(const TileEvidence& tile, const PassPlan& plan, const Settings& settings,
+                       bool has_gloss);
+
+/// The plan of the second pass.
+PassPlan second_plan(const PassPlan& first);
+
+}  // namespace etak
