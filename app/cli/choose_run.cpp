@@ -10,6 +10,7 @@
 #include "app/cli/replace.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/material/appearance.h"
@@ -60,7 +61,9 @@ std::vector<Choice> scene_choices(const std::string& scene, ChooseArguments& arg
 
 }  // namespace
 
-int choose_materials(ChooseArguments& arguments) {
+namespace {
+
+int choose_within_memory(ChooseArguments& arguments) {
   check_output(arguments.output);
   if (arguments.measure || arguments.write_costs)
     remark(arguments.output, "measuring costs: a minute, longer on a busy machine");
@@ -155,6 +158,15 @@ int choose_materials(ChooseArguments& arguments) {
   write_output(arguments.output, arguments.output.format == "json" ? choice_json(choices, costs, scene)
                                                                    : choice_text(choices, costs, scene));
   return status;
+}
+
+}  // namespace
+
+int choose_materials(ChooseArguments& arguments) {
+  const auto& names = arguments.materials;
+  return with_memory_for(
+      names.size() == 1 ? names[0] : "etak choose", [] { return "what its shading is chosen from"; },
+      [&] { return choose_within_memory(arguments); });
 }
 
 }  // namespace etak::cli

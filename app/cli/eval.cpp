@@ -6,6 +6,7 @@
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/light/functions.h"
 
@@ -23,7 +24,10 @@ struct EvalArguments {
 };
 
 int run_csv(const EvalArguments& arguments) {
-  const CsvAnswers answers = answer_csv(read_file(arguments.csv), arguments.csv, complain);
+  const std::string text = read_file(arguments.csv);
+  const CsvAnswers answers = with_memory_for(
+      arguments.csv, [&] { return "the answers to its " + mebibytes(text.size()); },
+      [&] { return answer_csv(text, arguments.csv, complain); });
   write_output(arguments.output, answers.text);
   remark(arguments.output,
          std::to_string(answers.rows) + " rows, " + std::to_string(answers.refused) + " refused");

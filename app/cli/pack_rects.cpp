@@ -12,6 +12,7 @@
 #include "app/cli/output.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/rects/rects.h"
 #include "core/rects/text.h"
@@ -88,6 +89,29 @@ void add_pack_rects_options(Command verb, PackRectsArguments& a) {
   listen("input", [&a](const std::string& text) { a.input = text; });
 }
 
+namespace {
+
+// Packs the rectangles of the file and writes the text of where they lie.
+void place_rects(const PackRectsArguments& a, const RectOptions& options, std::vector<RectSize>& sizes) {
+  sizes = parse_rects(read_file(a.in), a.in);
+  for (RectSize& size : sizes) size = {size.width + a.pad, size.height + a.pad};
+  const auto begin = std::chrono::steady_clock::now();
+  const RectLayout layout = pack_rects(sizes, options);
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
+
+  std::string text = "# pack_ms " + number(spent.count(), 6) + "\n";
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const RectPlace& place = layout.places[i];
+    const int w = sizes[i].width - a.pad, h = sizes[i].height - a.pad;
+    for (const int value : {place.page, place.x, place.y, place.rotated ? h : w, place.rotated ? w : h})
+      text += std::to_string(value) + " ";
+    text += place.rotated ? "1\n" : "0\n";
+  }
+  write_file(a.out, text, true);
+}
+
+}  // namespace
+
 int pack_rects_command(const PackRectsArguments& a) {
   std::optional<RectOptions> options = options_of(a.mode, a.pad);
   if (!options) {
@@ -105,21 +129,10 @@ int pack_rects_command(const PackRectsArguments& a) {
   options->effort = a.effort;
   options->threads = thread_count(a.threads);
 
-  std::vector<RectSize> sizes = parse_rects(read_file(a.in), a.in);
-  for (RectSize& size : sizes) size = {size.width + a.pad, size.height + a.pad};
-  const auto begin = std::chrono::steady_clock::now();
-  const RectLayout layout = pack_rects(sizes, *options);
-  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - begin;
-
-  std::string text = "# pack_ms " + number(spent.count(), 6) + "\n";
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const RectPlace& place = layout.places[i];
-    const int w = sizes[i].width - a.pad, h = sizes[i].height - a.pad;
-    for (const int value : {place.page, place.x, place.y, place.rotated ? h : w, place.rotated ? w : h})
-      text += std::to_string(value) + " ";
-    text += place.rotated ? "1\n" : "0\n";
-  }
-  write_file(a.out, text, true);
+  std::vector<RectSize> sizes;
+  with_memory_for(
+      a.in, [&] { return sizes.empty() ? "its rectangles" : std::to_string(sizes.size()) + " rectangles"; },
+      [&] { place_rects(a, *options, sizes); });
   return exit_ok;
 }
 

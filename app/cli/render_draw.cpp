@@ -10,6 +10,7 @@
 #include "app/cli/replace.h"
 #include "core/base/error.h"
 #include "core/base/files/output_target.h"
+#include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/color/ocio.h"
 #include "core/image/image_io.h"
@@ -218,11 +219,7 @@ void check_picture_name(const RenderArguments& arguments) {
     throw Error::at("--reference", "is not drawn with gl", "--device cpu");
 }
 
-}  // namespace
-
-int draw(RenderArguments& arguments) {
-  arguments.stats.force = may_replace(arguments.stats.force);
-  check_picture_name(arguments);
+int draw_within_memory(RenderArguments& arguments) {
   const unsigned threads = thread_count(arguments.threads);
   if (arguments.sheet) {
     Scene scene;
@@ -236,7 +233,9 @@ int draw(RenderArguments& arguments) {
   tell_held_gloss(scene, notes);
   stats.subject = notes.subject;
   const auto begin = Clock::now();
-  const std::optional<Environment> environment = environment_of(scene, threads);
+  const std::optional<Environment> environment = with_memory_for(
+      scene.lights.environment, [] { return "the light of its texels"; },
+      [&] { return environment_of(scene, threads); });
   stats.prepare_ms = ms_since(begin);
   const Environment* light = environment ? &*environment : nullptr;
   const Image picture = arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
@@ -245,6 +244,17 @@ int draw(RenderArguments& arguments) {
   if (!arguments.picture.empty()) write_picture(arguments, scene, picture);
   say(arguments, scene, stats, notes, threads);
   return exit_ok;
+}
+
+}  // namespace
+
+int draw(RenderArguments& arguments) {
+  arguments.stats.force = may_replace(arguments.stats.force);
+  check_picture_name(arguments);
+  return with_memory_for(
+      arguments.picture.empty() ? "etak render" : arguments.picture,
+      [&] { return "a picture of --size " + arguments.scene.size; },
+      [&] { return draw_within_memory(arguments); });
 }
 
 }  // namespace etak::cli
