@@ -11,6 +11,7 @@
 #include "app/cli/custom_space.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
+#include "core/base/signals.h"
 
 namespace etak::cli {
 namespace {
@@ -48,6 +49,7 @@ void become_companion(const std::string& companion, const std::string& place, co
   for (const std::string& candidate : candidates) {
     if (::access(candidate.c_str(), X_OK) != 0) continue;
     hand_over_inputs();
+    remove_temporaries();  // no destructor of this program will
     ::execv(candidate.c_str(), program_arguments);
     throw Error::at(candidate, std::string("cannot be started: ") + std::strerror(errno));
   }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/atlas/resolution.h"
+#include "core/atlas/sources/strip_reader.h"
 #include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -17,55 +18,9 @@
 namespace etak {
 namespace {
 
-// Rows are decoded and interleaved in strips that stay in the second-level cache.
-constexpr std::size_t strip_bytes = std::size_t{192} << 10;
-
-std::size_t index_of(Texture texture) {
-  return static_cast<std::size_t>(texture);
-}
-
 bool is_whole(const PixelBox& box, const PackInput& m) {
   return box == PixelBox{0, 0, m.width, m.height};
 }
-
-// Reads the two planes of a texture in strips and interleaves them.
-class StripReader {
- public:
-  StripReader(const PackInput& m, Texture texture, std::array<FileBytes, 2>& files)
-      : width_(static_cast<std::size_t>(m.width)),
-        color_(m.color[index_of(texture)], files[0]),
-        grey_(m.grey[index_of(texture)], files[1]) {
-    for (const PlaneRows* rows : {&color_, &grey_})
-      if (rows->width() != 0 && (rows->width() != m.width || rows->height() != m.height))
-        throw Error::at(
-            rows->source().path,
-            "is " + std::to_string(rows->width()) + " x " + std::to_string(rows->height()),
-            std::to_string(m.width) + " x " + std::to_string(m.height) + ", as when it was looked at");
-  }
-
-  // The next rows of the picture, into all of `out`; act(first row, rows) for each strip.
-  template <class Act>
-  void read(const PixelsView8& out, Act act) {
-    const int rows = static_cast<int>(std::max<std::size_t>(1, strip_bytes / (8 * width_)));
-    for (int y = 0; y < out.height; y += rows) {
-      const int count = std::min(rows, out.height - y);
-      const std::uint8_t* c = color_.width() != 0 ? color_.read(count) : nullptr;
-      const std::uint8_t* g = grey_.width() != 0 ? grey_.read(count) : nullptr;
-      const std::size_t color_stride = c == nullptr ? 0 : width_ * static_cast<std::size_t>(color_.step());
-      const std::size_t grey_stride = g == nullptr ? 0 : width_ * static_cast<std::size_t>(grey_.step());
-      for (int i = 0; i < count; ++i)
-        interleave(out.row(y + i), width_, c == nullptr ? c : c + static_cast<std::size_t>(i) * color_stride,
-                   color_, g == nullptr ? g : g + static_cast<std::size_t>(i) * grey_stride, grey_);
-      act(y, count);
-    }
-  }
-
-  std::size_t clamped() const { return color_.clamped() + grey_.clamped(); }
-
- private:
-  std::size_t width_;
-  PlaneRows color_, grey_;
-};
 
 // The cell's texels outside of the box, from the box: its edges, or what lies there when it is a whole
 // picture that wraps.
@@ -142,68 +97,6 @@ MaterialPair load_pair(const PackInput& m, std::vector<std::string>& remarks) {
   }
   return out;
 }
-
-void PagePixels::prepare(Plane& plane, std::size_t bytes, bool covered) {
-  if (plane.memory.size() < bytes) {
-    plane.memory = PageMemory();
-    plane.memory = PageMemory(bytes);
-  } else if (plane.used && !covered) {
-    std::memset(plane.memory.data(), 0, bytes);
-  }
-  plane.used = true;
-}
-
-int PagePixels::rows(int level) const {
-  const int end = slab_.bottom == page_.height ? std::max(1, page_.height >> level) : slab_.bottom >> level;
-  return end - first_row(level);
-}
-
-void PagePixels::start(const Page& page, int levels) {
-  start(page, levels, {0, page.height, levels, false}, *this);
-}
-
-void PagePixels::start(const Page& page, int levels, const Slab& slab, PagePixels& upper) {
-  page_ = page;
-  levels_ = levels;
-  slab_ = slab;
-  upper_ = &upper == this ? nullptr : &upper;
-  for (const Texture texture : both_textures) {
-    auto& planes = planes_[index_of(texture)];
-    planes.resize(static_cast<std::size_t>(levels));
-    if (!page.has[index_of(texture)]) continue;
-    for (int l = 0; l < levels; ++l) {
-      const std::size_t row = 4 * static_cast<std::size_t>(std::max(1, page.width >> l));
-      Plane& plane = planes[static_cast<std::size_t>(l)];
-      if (l < slab.cut_levels)
-        prepare(plane, row * static_cast<std::size_t>(rows(l)), slab.covered);
-      else if (slab.top == 0 && upper_ == nullptr)
-        prepare(plane, row * static_cast<std::size_t>(std::max(1, page.height >> l)), false);
-    }
-  }
-}
-
-void PagePixels::show_whole_levels() {
-  slab_.top = 0;
-  slab_.bottom = page_.height;
-}
-
-void PagePixels::release() {
-  for (auto& planes : planes_) planes.clear();
-}
-
-PixelsView8 PagePixels::view(Texture texture, int level) const {
-  const int width = std::max(1, page_.width >> level);
-  const std::size_t stride = 4 * static_cast<std::size_t>(width);
-  const bool whole = level >= slab_.cut_levels;
-  const PagePixels& holder = whole && upper_ != nullptr ? *upper_ : *this;
-  std::uint8_t* data = nullptr;  // the memory of a texture that this page does not have may be there still
-  if (page_.has[index_of(texture)])
-    data = holder.planes_[index_of(texture)][static_cast<std::size_t>(level)].memory.data();
-  if (data != nullptr && whole) data += stride * static_cast<std::size_t>(first_row(level));
-  return {data, stride, width, rows(level), 4};
-}
-
-// ---- Composer
 
 struct Composer::Streamed {
   std::array<FileBytes, 2> own_files;

@@ -21,7 +21,7 @@ struct Entry {
   enum State : int { free, changing, remembered };
   std::atomic<int> state{free};
   int folder = -1;
-  bool is_folder = false;
+  int opened = -1;  // the folder itself; -1 for a file
   std::array<char, 256> name{};
 };
 
@@ -33,6 +33,7 @@ std::atomic<int> ending{0};  // the signal that ends the program
 // Removes the files of a folder; false where nothing could be removed.
 bool remove_files(int folder) {
   bool removed = false;
+  ::lseek(folder, 0, SEEK_SET);
   // Aligned as the kernel writes its records.
   alignas(dirent64) std::array<char, 8192> records{};
   for (;;) {
@@ -51,17 +52,13 @@ bool remove_files(int folder) {
 
 void remove_entry(const Entry& entry) {
   const char* const name = entry.name.data();
-  if (!entry.is_folder) {
+  if (entry.opened < 0) {
     ::unlinkat(entry.folder, name, 0);
     return;
   }
   // Other threads may go on making files in it for a moment.
   while (::unlinkat(entry.folder, name, AT_REMOVEDIR) != 0) {
-    const int folder = ::openat(entry.folder, name, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
-    if (folder < 0) return;
-    const bool removed = remove_files(folder);
-    ::close(folder);
-    if (!removed) {
+    if (!remove_files(entry.opened)) {
       ::unlinkat(entry.folder, name, AT_REMOVEDIR);
       return;
     }
@@ -69,8 +66,7 @@ void remove_entry(const Entry& entry) {
 }
 
 [[noreturn]] void clean_and_end() {
-  for (const Entry& entry : entries)
-    if (entry.state == Entry::remembered) remove_entry(entry);
+  remove_temporaries();
   const int number = ending;
   ::signal(number, SIG_DFL);
   sigset_t only;
@@ -89,6 +85,11 @@ void handle(int number) {
 }
 
 }  // namespace
+
+void remove_temporaries() {
+  for (const Entry& entry : entries)
+    if (entry.state == Entry::remembered) remove_entry(entry);
+}
 
 void end_by_signals() {
   struct sigaction action {};
@@ -115,7 +116,7 @@ SignalsHeld::~SignalsHeld() {
   if (--held == 0 && ending != 0) clean_and_end();
 }
 
-int remember_temporary(int folder, const char* name, bool is_folder) {
+int remember_temporary(int folder, const char* name, int opened) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     Entry& entry = entries[i];
     int state = Entry::free;
@@ -123,7 +124,7 @@ int remember_temporary(int folder, const char* name, bool is_folder) {
         !entry.state.compare_exchange_strong(state, Entry::changing))
       continue;
     entry.folder = folder;
-    entry.is_folder = is_folder;
+    entry.opened = opened;
     std::strcpy(entry.name.data(), name);
     entry.state = Entry::remembered;
     return static_cast<int>(i);

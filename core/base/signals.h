@@ -24,8 +24,12 @@ class SignalsHeld {
 /// does the folder.
 ///   folder   open as long as the entry is remembered
 ///   name     in it, at most 255 bytes
+///   opened   the folder that is to be removed, open as long as the entry is remembered; -1 for a file
 /// Returns what forget_temporary() takes; -1 where so many are remembered that this one is not.
-int remember_temporary(int folder, const char* name, bool is_folder);
+int remember_temporary(int folder, const char* name, int opened);
 void forget_temporary(int entry);
+
+/// Removes all that is remembered now, for who is about to replace the process by another program.
+void remove_temporaries();
 
 }  // namespace etak

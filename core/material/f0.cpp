@@ -7,12 +7,12 @@
 #include "core/material/f0.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <mutex>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/stopwatch.h"
 #include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/coverage.h"
@@ -32,24 +32,6 @@ constexpr double flagged_grid_error = 1e-3;
 // Rounding of a perfect reflector is no gamut matter.
 constexpr double gamut_tolerance = 1e-9;
 
-class Stopwatch {
- public:
-  explicit Stopwatch(bool running) : running_(running) {
-    if (running_) last_ = Clock::now();
-  }
-  void lap(double& total) {
-    if (!running_) return;
-    const auto now = Clock::now();
-    total += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  bool running_;
-  Clock::time_point last_;
-};
-
 // What solve() needs per thread: kept between calls, so that a database run allocates once.
 struct Scratch {
   std::vector<double> n, k, r0, r82, mixed0, mixed82;
@@ -59,52 +41,6 @@ struct Scratch {
 };
 
 }  // namespace
-
-Zone zone_of(double luminance) {
-  if (luminance <= forbidden_zone_first) return Zone::below;
-  return luminance < forbidden_zone_last ? Zone::inside : Zone::above;
-}
-
-std::string_view name(Zone zone) {
-  return zone == Zone::below ? "below" : zone == Zone::inside ? "inside" : "above";
-}
-
-bool F0Result::out_of_gamut() const {
-  return flags.has(Flag::out_of_gamut);
-}
-
-std::string space_name(const F0Options& options) {
-  return options.custom_space ? options.custom_space->name : std::string(name(options.space));
-}
-
-std::string policy(const F0Options& o) {
-  std::string text = o.interpolation == Interpolation::linear
-                         ? "n and k linear in wavelength"
-                         : "n and k by monotone cubic (pchip) in wavelength";
-  text += ", ends held";
-  if (o.method == Method::nm1)
-    text += "; sum at 1 nm";
-  else if (o.method == Method::automatic)
-    text += "; integration auto: 20, 10, 5, 1 nm or exact, until X, Y, Z are within " +
-            number(o.integration_bound, 3) + " (estimated)";
-  else
-    text.append("; integration ").append(name(o.method));
-  if (samples_rgb(o.method)) {
-    text += " (three samples as red, green, blue)";
-  } else {
-    text += ", 360-830 nm; CIE ";
-    text += o.viewing.observer == Observer::cie1931_2deg ? "1931 2" : "1964 10";
-    text.append("-degree observer; illuminant ").append(name(o.viewing.illuminant));
-    text += "; white is the same sum for R = 1";
-  }
-  text.append("; outside medium ").append(o.outside.label);
-  text.append(o.custom_space ? "; in " : "; linear ").append(space_name(o));
-  text += "; 8 bit by ";
-  text += o.method == Method::legacy_schueler ? "the power 1/2.2" : "the piecewise sRGB curve";
-  text += ", rounded half up";
-  if (o.allow_extrapolation) text += "; extrapolation allowed";
-  return text;
-}
 
 struct F0Solver::State {
   F0Options options;

@@ -40,7 +40,8 @@ def fuzz(soak, program, seconds):
 def fuzzers(soak, deadline):
     """Runs every target of the fuzz build, LANES at a time; their rows. The harnesses beside them mostly wait for
     processes and disks, so that two lanes fill two cores."""
-    programs = sorted(soak.fuzz_folder.glob("fuzz_*"))
+    # An old build may hold targets that are no more.
+    programs = sorted(each for each in soak.fuzz_folder.glob("fuzz_*") if (soak.corpus / each.name[5:]).is_dir())
     seconds = max(1, int((deadline - time.monotonic()) * LANES / len(programs)))
     with concurrent.futures.ThreadPoolExecutor(LANES) as pool:
         return list(pool.map(lambda program: fuzz(soak, program, seconds), programs))

@@ -10,13 +10,14 @@
 
 #include "core/atlas/pack/gltf_files.h"
 #include "core/atlas/pack/pack.h"
+#include "core/atlas/pack/scene_facts.h"
+#include "core/atlas/pack/scene_pictures.h"
 #include "core/atlas/sources/floats.h"
 #include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/color/srgb.h"
-#include "core/image/files/png.h"
 #include "core/scene/gltf_convert.h"
 #include "core/scene/material_texels.h"
 #include "core/scene/texel_scale.h"
@@ -41,64 +42,6 @@ PixelBox box_of(const std::array<int, 4>& box) {
 }
 std::array<int, 4> array_of(const PixelBox& box) {
   return {box.x, box.y, box.width, box.height};
-}
-
-// Texels of `use` as ranges and hashes.
-void look_at(const MaterialPair& pair, const TexelUse* use, bool opaque, MaterialFacts& facts) {
-  const std::size_t texels = pair.diffuse_alpha.pixel_count();
-  const bool masked = use != nullptr && use->touched > 0 && use->mask.size() == texels;
-  ContentHash color, alpha, specular;
-  std::vector<std::uint8_t> rgb, a;
-  const auto width = static_cast<std::size_t>(pair.diffuse_alpha.width);
-  for (std::size_t row = 0; row < texels; row += width) {
-    rgb.clear(), a.clear();
-    for (std::size_t i = row; i < row + width; ++i) {
-      const std::uint8_t* t = pair.diffuse_alpha.values.data() + 4 * i;
-      rgb.insert(rgb.end(), {t[0], t[1], t[2]});
-      a.push_back(t[3]);
-      if (masked && use->mask[i] == 0) continue;
-      add_texels(facts.range, Texture::diffuse_alpha, t, 1);
-      add_texels(facts.range, Texture::specular_gloss, pair.specular_gloss.values.data() + 4 * i, 1);
-    }
-    color.add(rgb.data(), rgb.size());
-    alpha.add(a.data(), a.size());
-    specular.add(pair.specular_gloss.values.data() + 4 * row, 4 * width);
-  }
-  facts.color_hash = color.value();
-  facts.alpha_hash = opaque ? std::array<std::uint64_t, 2>{} : alpha.value();
-  facts.specular_hash = specular.value();
-  facts.learned = true;
-}
-
-// What a material is where it has no texture: its own factors where it never had one, else our codes.
-void scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to) {
-  if (replaced_textures(m).empty()) {
-    DiffuseSpecular ds;
-    if (m.specular_glossiness)
-      ds = {{m.diffuse[0], m.diffuse[1], m.diffuse[2]},
-            {m.specular_f0[0], m.specular_f0[1], m.specular_f0[2]}};
-    else
-      ds = diffuse_specular(
-          {m.base_color[0], m.base_color[1], m.base_color[2]}, m.metallic,
-          dielectric_f0(m.ior, m.specular, {m.specular_color[0], m.specular_color[1], m.specular_color[2]}));
-    to.diffuse = {ds.diffuse[0], ds.diffuse[1], ds.diffuse[2],
-                  m.specular_glossiness ? m.diffuse[3] : m.base_color[3]};
-    to.specular = {ds.f0[0], ds.f0[1], ds.f0[2]};
-    to.roughness = m.specular_glossiness ? 1 - m.glossiness : m.roughness;
-  } else {
-    const auto& code = facts.range.most;
-    for (std::size_t c = 0; c < 3; ++c) {
-      to.diffuse[c] = srgb_decode(code[c] / 255.0);
-      to.specular[c] = srgb_decode(code[specular_channel + c] / 255.0);
-    }
-    to.diffuse[3] = code[alpha_channel] / 255.0;
-    to.roughness = converted_gloss(code[gloss_channel] / 255.0, gloss, GlossForm::roughness);
-  }
-  DiffuseSpecular texel;
-  for (std::size_t c = 0; c < 3; ++c) texel.diffuse[c] = to.diffuse[c], texel.f0[c] = to.specular[c];
-  const MetalRough solved = metal_rough_of(texel);
-  to.base_color = {solved.base[0], solved.base[1], solved.base[2], to.diffuse[3]};
-  to.metallic = solved.metallic;
 }
 
 PixelBox fate_box(const std::vector<Region>& regions, std::size_t owner) {
@@ -372,68 +315,13 @@ void ScenePack::add_remarks(std::vector<std::string>& remarks) const {
     remarks.push_back("no scene.gltf was written: its pictures are PNG, which --format does not name");
 }
 
-namespace {
-
-std::string extra_file(int page, const char* what) {
-  return "page" + std::to_string(page) + "_" + what + ".png";
-}
-
-using TexelMap = std::function<void(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* out)>;
-
-void write_mapped(OutputFolder& folder, const std::string& name, const PagePixels& pixels, int channels,
-                  const WriteOptions& options, const TexelMap& map) {
-  const PixelsView8 a = pixels.view(Texture::diffuse_alpha), b = pixels.view(Texture::specular_gloss);
-  const PixelsView8& some = a.data != nullptr ? a : b;
-  constexpr std::uint8_t none[4] = {0, 0, 0, 255};
-  Image8 out(some.width, some.height, channels);
-  for (int y = 0; y < out.height; ++y)
-    for (int x = 0; x < out.width; ++x)
-      map(a.data != nullptr ? a.at(x, y) : none, b.data != nullptr ? b.at(x, y) : none, out.at(x, y).data());
-  PngOptions png;
-  png.level = options.png_level;
-  png.threads = options.threads;
-  folder.write(name, [&](const std::function<void(std::string_view)>& sink) {
-    write_png({{out.width, out.height, channels, 8},
-               out.values.data(),
-               static_cast<std::size_t>(out.width) * static_cast<std::size_t>(channels)},
-              png, sink);
-  });
-}
-
-}  // namespace
-
 void ScenePack::write_page(OutputFolder& folder, int page, const PagePixels& pixels,
                            const WriteOptions& options) {
   State& s = *state_;
   if (!s.writes_scene()) return;
-  const auto convention =
-      s.gloss == GlossForm::schueler ? GlossConvention::schueler : GlossConvention::one_minus_roughness;
-  const auto roughness = roughness_codes(convention);
-  const bool b = pixels.view(Texture::specular_gloss).data != nullptr;
-  const auto write = [&](const char* what, int channels, const TexelMap& map) {
-    write_mapped(folder, extra_file(page, what), pixels, channels, options, map);
-    s.written.insert(extra_file(page, what));
-  };
-  if (b && s.has_form(GltfForm::specular_ior))
-    write("roughness", 3, [&](const std::uint8_t*, const std::uint8_t* sg, std::uint8_t* out) {
-      out[0] = 255, out[1] = roughness[sg[3]], out[2] = 0;
-    });
-  if (!s.has_form(GltfForm::metal_rough)) return;
-  const auto solved = [](const std::uint8_t* da, const std::uint8_t* sg) {
-    DiffuseSpecular texel;
-    for (std::size_t c = 0; c < 3; ++c)
-      texel.diffuse[c] = srgb_decode(da[c] / 255.0), texel.f0[c] = srgb_decode(sg[c] / 255.0);
-    return metal_rough_of(texel);
-  };
-  write("base_color", 4, [&](const std::uint8_t* da, const std::uint8_t* sg, std::uint8_t* out) {
-    const MetalRough m = solved(da, sg);
-    for (std::size_t c = 0; c < 3; ++c) out[c] = srgb_u8(m.base[c]);
-    out[3] = da[3];
-  });
-  write("metal_rough", 3, [&](const std::uint8_t* da, const std::uint8_t* sg, std::uint8_t* out) {
-    const double metallic = std::clamp(solved(da, sg).metallic, 0.0, 1.0);
-    out[0] = 255, out[1] = roughness[sg[3]], out[2] = static_cast<std::uint8_t>(255 * metallic + 0.5);
-  });
+  for (std::string& name : write_scene_pictures(folder, page, pixels, s.options.forms, s.gloss,
+                                                {options.png_level, options.threads}))
+    s.written.insert(std::move(name));
 }
 
 std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const AtlasLayout& layout,
@@ -502,10 +390,10 @@ std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const Atla
       const bool sg = s.has_form(GltfForm::specular_glossiness) ? f0 || gloss : f0;
       if (sg) to.specular_gloss_image = image(page_file(page, Texture::specular_gloss, "png"));
       if (gloss && s.has_form(GltfForm::specular_ior))
-        to.roughness_image = image(extra_file(page, "roughness"));
+        to.roughness_image = image(scene_picture(page, "roughness"));
       if (s.has_form(GltfForm::metal_rough)) {
-        to.base_color_image = image(extra_file(page, "base_color"));
-        to.metallic_roughness_image = image(extra_file(page, "metal_rough"));
+        to.base_color_image = image(scene_picture(page, "base_color"));
+        to.metallic_roughness_image = image(scene_picture(page, "metal_rough"));
       }
       if (own_page)
         if (const GltfTexture* lead = leading_texture(m)) to.sampler = lead->sampler;

@@ -22,6 +22,8 @@ class Descriptor {
   }
   int get() const { return fd_; }
   explicit operator bool() const { return fd_ >= 0; }
+  /// From here on the caller closes it.
+  int release() { return std::exchange(fd_, -1); }
   /// False where the system says that what was written may be lost; nothing is open then either.
   bool close() {
     const int fd = std::exchange(fd_, -1);

@@ -56,28 +56,45 @@ std::string random_letters() {
   return out;
 }
 
+std::vector<std::string> names_of(DIR* listing) {
+  std::vector<std::string> out;
+  while (const dirent* entry = ::readdir(listing)) {
+    const std::string name = entry->d_name;
+    if (name != "." && name != "..") out.push_back(name);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+// Needs no other descriptor than `open`, the folder itself, so that it works where no file can be opened any more.
 // Folders in it were somebody else's, on their way to a new target: they go (back) to `home`, and where that
 // cannot be everything that is left stays.
-void remove_folder(int parent, const std::string& name, int home) {
-  if (const Descriptor folder = open_folder(parent, name))
-    for (const std::string& entry : names_in(folder.get())) {
-      if (!is_folder(folder.get(), entry))
-        ::unlinkat(folder.get(), entry.c_str(), 0);
+void remove_folder(int parent, const std::string& name, int home, Descriptor open) {
+  if (DIR* const listing = ::fdopendir(open.get())) {
+    const int folder = open.release();
+    ::rewinddir(listing);
+    for (const std::string& entry : names_of(listing)) {
+      if (!is_folder(folder, entry))
+        ::unlinkat(folder, entry.c_str(), 0);
       else if (home >= 0)
-        ::syscall(SYS_renameat2, folder.get(), entry.c_str(), home, entry.c_str(), RENAME_NOREPLACE);
+        ::syscall(SYS_renameat2, folder, entry.c_str(), home, entry.c_str(), RENAME_NOREPLACE);
     }
+    ::unlinkat(parent, name.c_str(), AT_REMOVEDIR);
+    ::closedir(listing);  // and with it the lock
+    return;
+  }
   ::unlinkat(parent, name.c_str(), AT_REMOVEDIR);
 }
 
 void remove_remains(int parent, const std::string& prefix, int home) {
   for (const std::string& entry : names_in(parent)) {
     if (!entry.starts_with(prefix) || entry.size() != prefix.size() + letters) continue;
-    const Descriptor remains(::openat(parent, entry.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    Descriptor remains(::openat(parent, entry.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     struct stat info {};
     if (!remains || ::flock(remains.get(), LOCK_EX | LOCK_NB) != 0 || ::fstat(remains.get(), &info) != 0)
       continue;
     if (S_ISDIR(info.st_mode))
-      remove_folder(parent, entry, home);
+      remove_folder(parent, entry, home, std::move(remains));
     else if (S_ISREG(info.st_mode))
       ::unlinkat(parent, entry.c_str(), 0);
   }
@@ -107,12 +124,8 @@ std::vector<std::string> names_in(int folder) {
   const int again = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   DIR* const listing = again < 0 ? nullptr : ::fdopendir(again);
   if (listing == nullptr) return out;
-  while (const dirent* entry = ::readdir(listing)) {
-    const std::string name = entry->d_name;
-    if (name != "." && name != "..") out.push_back(name);
-  }
+  out = names_of(listing);
   ::closedir(listing);
-  std::sort(out.begin(), out.end());
   return out;
 }
 
@@ -188,12 +201,17 @@ Temporary::Temporary(int folder, std::string_view name, Kind kind, int home) : f
         return;
       }
       open_ = open_folder(folder, made);
+      if (!open_) {
+        const int why = errno;
+        ::unlinkat(folder, made.c_str(), AT_REMOVEDIR);
+        errno = why;
+      }
     }
     if (!open_) return;
     if (::flock(open_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) continue;
     if (!stands_for(folder, made, open_.get())) continue;
     name_ = made;
-    remembered_ = remember_temporary(folder, made.c_str(), kind == Kind::folder);
+    remembered_ = remember_temporary(folder, made.c_str(), kind == Kind::folder ? open_.get() : -1);
     return;
   }
   errno = EEXIST;
@@ -218,8 +236,9 @@ Temporary& Temporary::operator=(Temporary&& other) noexcept {
 void Temporary::remove(int home) {
   if (name_.empty()) return;
   const int before = errno;
+  const SignalsHeld held;  // the open folder is the handler's, too
   if (kind_ == Kind::folder)
-    remove_folder(folder_, name_, home);
+    remove_folder(folder_, name_, home, std::move(open_));
   else
     ::unlinkat(folder_, name_.c_str(), 0);
   (void)keep();

@@ -9,68 +9,17 @@
 #include "core/base/error.h"
 #include "core/image/files/deflate.h"
 #include "core/image/files/png.h"
+#include "core/image/files/png_chunks.h"
 #include "core/image/files/png_filters.h"
 
 namespace etak {
 namespace {
 
-constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
-constexpr std::size_t chunk_overhead = 12;     // length, type, checksum
 constexpr std::size_t deflate_at_most = 1032;  // bytes from one byte of a deflate stream
 
 // Small enough to stay in the second-level cache between inflating and unfiltering.
 constexpr std::size_t input_bytes = std::size_t{64} << 10;
 constexpr std::size_t filtered_bytes = std::size_t{256} << 10;
-
-std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
-  std::uint32_t out = 0;
-  for (std::size_t i = 0; i < 4; ++i) out = out << 8 | static_cast<std::uint8_t>(bytes[at + i]);
-  return out;
-}
-
-std::span<const std::uint8_t> octets(std::string_view bytes) {
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): characters as bytes
-  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
-}
-
-struct Chunk {
-  std::size_t start = 0;  // of its length field
-  std::size_t size = 0;   // of its data
-  std::string type;
-
-  std::size_t data() const { return start + 8; }
-  std::size_t end() const { return start + chunk_overhead + size; }
-  bool critical() const { return (static_cast<unsigned char>(type[0]) & 32) == 0; }
-};
-
-// The chunk at `start`; nullopt when it is not whole.
-std::optional<Chunk> chunk_at(ByteSource& bytes, std::size_t start) {
-  if (start > bytes.size() || bytes.size() - start < chunk_overhead) return std::nullopt;
-  const std::string_view head = bytes.view(start, 8);
-  const std::size_t size = big_endian(head, 0);
-  if (size > bytes.size() - start - chunk_overhead) return std::nullopt;
-  return Chunk{start, size, std::string(head.substr(4))};
-}
-
-bool has_signature(ByteSource& bytes) {
-  return bytes.size() >= signature.size() && bytes.view(0, signature.size()) == signature;
-}
-
-std::uint32_t stored_checksum(ByteSource& bytes, const Chunk& chunk) {
-  return big_endian(bytes.view(chunk.end() - 4, 4), 0);
-}
-
-// That of type and data, in pieces: a chunk may be as long as the file.
-std::uint32_t checksum(ByteSource& bytes, const Chunk& chunk) {
-  std::uint32_t out = 0;
-  for (std::size_t at = chunk.start + 4, left = chunk.size + 4; left > 0;) {
-    const std::size_t take = std::min(left, input_bytes);
-    out = crc32_of(out, octets(bytes.view(at, take)));
-    at += take;
-    left -= take;
-  }
-  return out;
-}
 
 struct Header {
   std::uint32_t width, height;
@@ -111,7 +60,7 @@ struct PngReader::State {
   int rows_done = 0;
 
   // Image data: the IDAT chunk that is being taken apart, and what of it has been handed to the inflater.
-  Chunk idat;
+  PngChunk idat;
   std::size_t idat_taken = 0;
   std::uint32_t idat_checksum = 0;
   bool idat_over = false;
@@ -129,16 +78,16 @@ struct PngReader::State {
   [[noreturn]] void fail(const std::string& found, std::string_view expected = "an undamaged PNG") const {
     throw Error::at(path, found, expected);
   }
-  [[noreturn]] void fail(const Chunk& chunk, const char* what) const {
+  [[noreturn]] void fail(const PngChunk& chunk, const char* what) const {
     fail("PNG chunk " + printable(chunk.type) + " at byte " + std::to_string(chunk.start) + " " + what);
   }
 
-  Chunk next_chunk(std::size_t start) const;
-  Chunk checked_chunk(std::size_t start) const;
+  PngChunk next_chunk(std::size_t start) const;
+  PngChunk checked_chunk(std::size_t start) const;
   Header header() const;
   bool read_header();
   bool read_until_idat();
-  void begin_idat(const Chunk& chunk);
+  void begin_idat(const PngChunk& chunk);
   void end_idat();
   void gather_input();
   void fill();
@@ -147,8 +96,8 @@ struct PngReader::State {
   void check_rows(std::size_t rows, std::size_t length);
 };
 
-Chunk PngReader::State::next_chunk(std::size_t start) const {
-  const std::optional<Chunk> chunk = chunk_at(*bytes, start);
+PngChunk PngReader::State::next_chunk(std::size_t start) const {
+  const std::optional<PngChunk> chunk = png_chunk_at(*bytes, start);
   if (!chunk)
     fail("ends at byte " + std::to_string(bytes->size()) + ", in the PNG chunk that begins at byte " +
          std::to_string(std::min(start, bytes->size())));
@@ -157,15 +106,15 @@ Chunk PngReader::State::next_chunk(std::size_t start) const {
   return *chunk;
 }
 
-Chunk PngReader::State::checked_chunk(std::size_t start) const {
-  const Chunk chunk = next_chunk(start);
+PngChunk PngReader::State::checked_chunk(std::size_t start) const {
+  const PngChunk chunk = next_chunk(start);
   if (chunk.type != "IDAT" && checksum(*bytes, chunk) != stored_checksum(*bytes, chunk))
     fail(chunk, "has a wrong checksum");
   return chunk;
 }
 
 Header PngReader::State::header() const {
-  const Chunk chunk = checked_chunk(signature.size());
+  const PngChunk chunk = checked_chunk(png_signature.size());
   if (chunk.type != "IHDR") fail(chunk, "comes first, where IHDR belongs");
   if (chunk.size != 13) fail(chunk, "is not 13 bytes long");
   const std::string data(bytes->view(chunk.data(), chunk.size));
@@ -198,8 +147,8 @@ bool PngReader::State::read_header() {
 
 bool PngReader::State::read_until_idat() {
   bool palette = false;
-  for (std::size_t at = signature.size() + chunk_overhead + 13;;) {
-    const Chunk chunk = checked_chunk(at);
+  for (std::size_t at = png_signature.size() + png_chunk_overhead + 13;;) {
+    const PngChunk chunk = checked_chunk(at);
     if (chunk.type == "IDAT") {
       begin_idat(chunk);
       return true;
@@ -217,7 +166,7 @@ bool PngReader::State::read_until_idat() {
   }
 }
 
-void PngReader::State::begin_idat(const Chunk& chunk) {
+void PngReader::State::begin_idat(const PngChunk& chunk) {
   idat = chunk;
   idat_taken = 0;
   idat_checksum = crc32_of(0, octets(chunk.type));
@@ -226,7 +175,7 @@ void PngReader::State::begin_idat(const Chunk& chunk) {
 // Another chunk of image data is begun where one follows.
 void PngReader::State::end_idat() {
   if (idat_checksum != stored_checksum(*bytes, idat)) fail(idat, "has a wrong checksum");
-  const Chunk next = checked_chunk(idat.end());
+  const PngChunk next = checked_chunk(idat.end());
   if (next.type == "IDAT")
     begin_idat(next);
   else
@@ -298,7 +247,7 @@ void PngReader::State::finish_chunks() {
     end_idat();
   }
   for (std::size_t at = idat.end();;) {
-    const Chunk chunk = checked_chunk(at);
+    const PngChunk chunk = checked_chunk(at);
     if (chunk.type == "IEND") {
       if (chunk.size != 0) fail(chunk, "is not empty");
       return;
@@ -342,7 +291,7 @@ std::optional<PngReader> PngReader::open(std::string_view bytes, std::string_vie
 }
 
 std::optional<PngReader> PngReader::open(ByteSource& bytes, std::string_view path) {
-  if (!has_signature(bytes)) return std::nullopt;
+  if (!has_png_signature(bytes)) return std::nullopt;
   auto state = std::make_unique<State>();
   state->bytes = &bytes;
   state->path = path;
@@ -406,24 +355,10 @@ std::optional<Image8> read_png8(std::string_view bytes, std::string_view path) {
   return out;
 }
 
-PngColour png_colour(std::string_view in_memory) {
-  PngColour out;
-  BytesInMemory bytes(in_memory);
-  if (!has_signature(bytes)) return out;
-  for (auto chunk = chunk_at(bytes, signature.size()); chunk && chunk->type != "IDAT";
-       chunk = chunk_at(bytes, chunk->end())) {
-    if (chunk->type == "sRGB") out.srgb = true;
-    if (chunk->type == "iCCP") out.icc_profile = true;
-    if (chunk->type == "gAMA" && chunk->size == 4)
-      out.gamma = big_endian(bytes.view(chunk->data(), 4), 0) / 1e5;
-  }
-  return out;
-}
-
 void check_png(std::string_view in_memory, std::string_view path) {
   BytesInMemory bytes(in_memory);
-  for (std::size_t at = signature.size();;) {
-    const std::optional<Chunk> chunk = chunk_at(bytes, at);
+  for (std::size_t at = png_signature.size();;) {
+    const std::optional<PngChunk> chunk = png_chunk_at(bytes, at);
     if (!chunk) throw Error::at(path, "is cut short", "a whole picture file");
     if (checksum(bytes, *chunk) != stored_checksum(bytes, *chunk))
       throw Error::at(
@@ -438,8 +373,8 @@ void check_png(std::string_view in_memory, std::string_view path) {
   s.path = path;
   const Header h = s.header();
   bool palette = false;
-  std::size_t at = signature.size() + chunk_overhead + 13;
-  for (Chunk chunk = s.checked_chunk(at); chunk.type != "IDAT"; chunk = s.checked_chunk(at)) {
+  std::size_t at = png_signature.size() + png_chunk_overhead + 13;
+  for (PngChunk chunk = s.checked_chunk(at); chunk.type != "IDAT"; chunk = s.checked_chunk(at)) {
     if (chunk.type == "IEND") s.fail("holds no image data");
     palette |= chunk.type == "PLTE";
     at = chunk.end();

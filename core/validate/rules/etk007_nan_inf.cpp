@@ -6,7 +6,7 @@ namespace etak {
 namespace {
 
 void etk007(RuleCheck& check) {
-  for (const auto* picture : {&etk007.evidence.a, &etk007.evidence.b}) {
+  for (const auto* picture : {&check.evidence.a, &check.evidence.b}) {
     if (!*picture || !(*picture)->floats) continue;
     const FloatFacts& f = *(*picture)->floats;
     const std::uint64_t count = f.nan + f.infinite;

@@ -7,7 +7,7 @@ namespace etak {
 namespace {
 
 void etk008(RuleCheck& check) {
-  for (const auto* picture : {&etk008.evidence.a, &etk008.evidence.b}) {
+  for (const auto* picture : {&check.evidence.a, &check.evidence.b}) {
     if (!*picture || !(*picture)->floats) continue;
     const FloatFacts& f = *(*picture)->floats;
     if (f.negative == 0) continue;

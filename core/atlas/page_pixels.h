@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/atlas/page_memory.h"
+#include "core/atlas/plan.h"
+#include "core/image/pixels_view.h"
+
+namespace etak {
+
+/// Where arrays of the two textures hold this one.
+constexpr std::size_t index_of(Texture texture) {
+  return static_cast<std::size_t>(texture);
+}
+
+/// Rows [top, bottom) of a page, which are made and written before those below them.
+struct Slab {
+  int top = 0, bottom = 0;
+  int cut_levels = 0;    // so many levels are held for these rows only; the others for the whole page
+  bool covered = false;  // regions overwrite all of its texels
+};
+
+/// The pixels of one page, or of a slab of it: both textures with their mips, in memory that the next one
+/// uses again.
+class PagePixels {
+ public:
+  /// Prepares for a page, all zero.
+  void start(const Page& page, int levels);
+  /// Prepares for a slab, all zero unless it is covered. The slabs of a page come from the top.
+  ///   upper   holds the levels of the whole page; it may be this
+  void start(const Page& page, int levels, const Slab& slab, PagePixels& upper);
+  /// From here on view() shows all of the levels that are held whole.
+  void show_whole_levels();
+  /// Gives the memory back.
+  void release();
+
+  /// The slab's rows of a level.
+  PixelsView8 view(Texture texture, int level = 0) const;
+  int levels() const { return levels_; }
+  int top() const { return slab_.top; }
+
+ private:
+  struct Plane {
+    PageMemory memory;
+    bool used = false;  // holds texels of an earlier page
+  };
+  void prepare(Plane& plane, std::size_t bytes, bool covered);
+  int first_row(int level) const { return slab_.top >> level; }
+  int rows(int level) const;
+
+  Page page_;
+  Slab slab_;
+  const PagePixels* upper_ = nullptr;
+  int levels_ = 1;
+  std::array<std::vector<Plane>, 2> planes_;
+};
+
+}  // namespace etak
