@@ -4,6 +4,7 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -56,6 +57,12 @@ void remove_entry(const Entry& entry) {
     ::unlinkat(entry.folder, name, 0);
     return;
   }
+  // A name that stands for something else by now has nothing to do with what is open.
+  struct stat named {
+  }, opened{};
+  if (::fstatat(entry.folder, name, &named, AT_SYMLINK_NOFOLLOW) != 0 ||
+      ::fstat(entry.opened, &opened) != 0 || named.st_dev != opened.st_dev || named.st_ino != opened.st_ino)
+    return;
   // Other threads may go on making files in it for a moment.
   while (::unlinkat(entry.folder, name, AT_REMOVEDIR) != 0) {
     if (!remove_files(entry.opened)) {

@@ -125,7 +125,7 @@ TEST_CASE("each third party stands behind its own door") {
       const std::string target = included(line);
       INFO(file.path << ": " << line);
       if (target.starts_with("nlohmann/")) CHECK(contains(fs::path(file.path).filename().string(), "json"));
-      if (target.starts_with("OpenColorIO/")) CHECK(file.path == "core/color/ocio.cpp");
+      if (target.starts_with("OpenColorIO/")) CHECK(file.path.starts_with("core/color/ocio"));
       if (target.starts_with("OpenImageIO/")) CHECK(file.path == "core/image/image_io.cpp");
     }
 }

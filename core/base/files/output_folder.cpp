@@ -282,7 +282,7 @@ void OutputFolder::State::exchange() {
            0;
   };
   struct stat old {};
-  const Descriptor target = open_target();
+  Descriptor target = open_target();
   const bool there = target && ::fstat(target.get(), &old) == 0;
   // Mode and owner of the old folder; who may not give it away keeps it.
   if (there) (void)!::fchown(made_folder(), old.st_uid, old.st_gid);
@@ -311,7 +311,7 @@ void OutputFolder::State::exchange() {
   }
   ::fsync(parent.get());
   // Who has put a folder into the old target meanwhile finds it in the new one.
-  placed = Descriptor(::dup(made_folder()));
+  placed = made.exchanged(std::move(target));
 }
 
 void OutputFolder::State::rename_one_by_one() {

@@ -66,10 +66,19 @@ std::vector<std::string> names_of(DIR* listing) {
   return out;
 }
 
+// Whether the name still stands for what is open.
+bool stands_for(int folder, const std::string& name, int open) {
+  struct stat named {
+  }, opened{};
+  return ::fstatat(folder, name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 && ::fstat(open, &opened) == 0 &&
+         named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+}
+
 // Needs no other descriptor than `open`, the folder itself, so that it works where no file can be opened any more.
 // Folders in it were somebody else's, on their way to a new target: they go (back) to `home`, and where that
 // cannot be everything that is left stays.
 void remove_folder(int parent, const std::string& name, int home, Descriptor open) {
+  if (!stands_for(parent, name, open.get())) return;
   if (DIR* const listing = ::fdopendir(open.get())) {
     const int folder = open.release();
     ::rewinddir(listing);
@@ -98,14 +107,6 @@ void remove_remains(int parent, const std::string& prefix, int home) {
     else if (S_ISREG(info.st_mode))
       ::unlinkat(parent, entry.c_str(), 0);
   }
-}
-
-// Whether the name still stands for what is open.
-bool stands_for(int folder, const std::string& name, int open) {
-  struct stat named {
-  }, opened{};
-  return ::fstatat(folder, name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 && ::fstat(open, &opened) == 0 &&
-         named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
 }
 
 }  // namespace
@@ -231,6 +232,14 @@ Temporary& Temporary::operator=(Temporary&& other) noexcept {
   std::swap(open_, other.open_);
   std::swap(remembered_, other.remembered_);
   return *this;
+}
+
+Descriptor Temporary::exchanged(Descriptor other) {
+  const SignalsHeld held;
+  std::swap(open_, other);
+  forget_temporary(remembered_);
+  remembered_ = remember_temporary(folder_, name_.c_str(), open_.get());
+  return other;
 }
 
 void Temporary::remove(int home) {

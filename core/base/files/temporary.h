@@ -65,6 +65,8 @@ class Temporary {
   const std::string& name() const { return name_; }
   /// Open for writing, or the open folder.
   const Descriptor& open() const { return open_; }
+  /// After its name and another one were exchanged: `other` is what its name stands for now. Returns what it stood for.
+  Descriptor exchanged(Descriptor other);
   /// Removes it now; folders in a folder go to `home`, or stay where that is -1.
   void remove(int home);
   /// It has got its name: nothing is removed any more. False where closing it says that bytes are lost.
