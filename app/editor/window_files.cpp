@@ -8,12 +8,12 @@
 #include <QSettings>
 #include <cmath>
 
-#include "app/editor/document/background.h"
 #include "app/editor/document/files.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/pack_dialog.h"
 #include "app/editor/panels/texture_section.h"
 #include "app/editor/window.h"
+#include "app/viewport/background.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/exchange/gltf_material.h"

@@ -4,12 +4,12 @@
 #include <QTabWidget>
 
 #include "app/editor/curves/curves_panel.h"
-#include "app/editor/document/background.h"
 #include "app/editor/document/files.h"
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_panel.h"
 #include "app/editor/window.h"
+#include "app/viewport/background.h"
 #include "core/base/error.h"
 #include "core/image/image_io.h"
 

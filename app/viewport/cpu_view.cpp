@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/viewport/background.h"
 #include "core/base/error.h"
 
 namespace etak {
@@ -39,20 +40,26 @@ void CpuView::start() {
   running_ = true;
   const bool half = hurry_ && whole_ms_ > fluid_ms;
   const QSize size = half ? QSize((whole.width() + 1) / 2, (whole.height() + 1) / 2) : whole;
-  pool_.start([this, state = state_, display = display_, size, half] {
-    QElapsedTimer timer;
-    timer.start();
+  struct Drawn {
     QImage picture;
     QString message;
-    try {
-      picture = cpu_picture(state, display, size, std::max(1u, std::thread::hardware_concurrency()));
-    } catch (const Error& error) {
-      message = QString::fromUtf8(error.what());
-    }
-    const double ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-    QMetaObject::invokeMethod(
-        this, [=, this] { take(picture, message, ms, half); }, Qt::QueuedConnection);
-  });
+    double ms = 0;
+  };
+  in_background(
+      pool_, this,
+      [state = state_, display = display_, size] {
+        QElapsedTimer timer;
+        timer.start();
+        Drawn out;
+        try {
+          out.picture = cpu_picture(state, display, size, std::max(1u, std::thread::hardware_concurrency()));
+        } catch (const Error& error) {
+          out.message = QString::fromUtf8(error.what());
+        }
+        out.ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+        return out;
+      },
+      [this, half](const Drawn& drawn) { take(drawn.picture, drawn.message, drawn.ms, half); });
 }
 
 void CpuView::take(const QImage& picture, const QString& message, double ms, bool half) {

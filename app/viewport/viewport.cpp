@@ -4,6 +4,7 @@
 #include <QResizeEvent>
 #include <thread>
 
+#include "app/viewport/background.h"
 #include "app/viewport/viewport_private.h"
 #include "core/base/error.h"
 #include "core/render/glsl/glsl_text.h"
@@ -118,25 +119,28 @@ void Viewport::Private::refresh() {
 void Viewport::Private::open_display() {
   if (opening) return;
   opening = true;
-  openers.start([this, config = state.ocio_config, name = state.ocio_display, view = state.ocio_view] {
-    ViewDisplay opened{config, name, view, nullptr, nullptr};
+  struct Opened {
+    ViewDisplay display;
     QString failure;
-    try {
-      opened = etak::open_display(config, name, view);
-    } catch (const Error& error) {
-      failure = QString::fromUtf8(error.what());
-    }
-    QMetaObject::invokeMethod(
-        &q,
-        [this, opened, failure] {
-          opening = false;
-          if (!opened.is_of(state)) return refresh();  // another was asked for since
-          display = opened;
-          display_failure = failure;
-          refresh();
-        },
-        Qt::QueuedConnection);
-  });
+  };
+  in_background(
+      openers, &q,
+      [config = state.ocio_config, name = state.ocio_display, view = state.ocio_view] {
+        Opened out{{config, name, view, nullptr, nullptr}, {}};
+        try {
+          out.display = etak::open_display(config, name, view);
+        } catch (const Error& error) {
+          out.failure = QString::fromUtf8(error.what());
+        }
+        return out;
+      },
+      [this](const Opened& opened) {
+        opening = false;
+        if (!opened.display.is_of(state)) return refresh();  // another was asked for since
+        display = opened.display;
+        display_failure = opened.failure;
+        refresh();
+      });
 }
 
 QString Viewport::Private::message() const {

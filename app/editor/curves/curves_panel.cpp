@@ -2,11 +2,9 @@
 #include "app/editor/curves/curves_panel.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPointer>
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QToolButton>
@@ -14,6 +12,7 @@
 
 #include "app/editor/curves/line_plot_widget.h"
 #include "app/editor/curves/polar_plot_widget.h"
+#include "app/viewport/background.h"
 #include "core/base/error.h"
 
 namespace etak::editor {
@@ -147,15 +146,10 @@ void CurvesPanel::start() {
   request.same_optics = has_shown_ && request.what == shown_.what && request.optics == shown_.optics &&
                         same_view(request.options, shown_.options);
   request.time_them = exact_ns_ == 0;
-  pool_.start([guard = QPointer<CurvesPanel>(this), request = std::move(request)]() mutable {
-    auto result = std::make_shared<Result>(compute(request));
-    QMetaObject::invokeMethod(
-        QCoreApplication::instance(),
-        [guard, request = std::move(request), result] {
-          if (guard) guard->take(request, std::move(*result));
-        },
-        Qt::QueuedConnection);
-  });
+  const auto asked = std::make_shared<const Request>(std::move(request));
+  in_background(
+      pool_, this, [asked] { return compute(*asked); },
+      [this, asked](Result&& result) { take(*asked, std::move(result)); });
 }
 
 CurvesPanel::Result CurvesPanel::compute(const Request& request) {

@@ -6,7 +6,7 @@
 #include <QFile>
 #include <QUuid>
 
-#include "app/editor/document/background.h"
+#include "app/viewport/background.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 
@@ -79,7 +79,7 @@ void Autosave::discard(const Recovery& recovery) {
 
 void Autosave::begin() {
   if (document_.is_saved()) return;
-  pool_.start([project = document_.project(), path = document_.path(), file = file_] {
+  run_in(pool_, [project = document_.project(), path = document_.path(), file = file_] {
     write_copy(project, path, file);
   });
 }
@@ -96,7 +96,7 @@ void Autosave::wait() {
 void Autosave::remove() {
   timer_.stop();
   // In the queue behind a copy that is being written.
-  pool_.start([file = file_] {
+  run_in(pool_, [file = file_] {
     for (const char* ending : {"", ".path"}) QFile::remove(file + QLatin1String(ending));
   });
 }

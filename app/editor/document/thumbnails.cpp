@@ -4,8 +4,8 @@
 #include <QCryptographicHash>
 #include <QDir>
 
-#include "app/editor/document/background.h"
 #include "app/editor/document/files.h"
+#include "app/viewport/background.h"
 #include "core/base/error.h"
 #include "core/brdf/models.h"
 #include "core/render/cpu_renderer.h"

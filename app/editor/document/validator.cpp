@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "app/editor/document/background.h"
+#include "app/viewport/background.h"
 #include "core/atlas/sources/picture_door.h"
 #include "core/validate/files/project_check.h"
 

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/editor/document/background.h"
+#include "app/viewport/background.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/sources/picture_door.h"
 #include "core/base/error.h"
@@ -86,14 +86,11 @@ void PackDialog::start() {
     const std::size_t share = all == 0 ? 0 : 100 * done / all;
     if (share == *told) return;
     *told = share;
-    QMetaObject::invokeMethod(
-        QCoreApplication::instance(),
-        [self, share] {
-          if (!self) return;
-          self->bar_->setRange(0, 100);
-          self->bar_->setValue(static_cast<int>(share));
-        },
-        Qt::QueuedConnection);
+    call_in_ui([self, share] {
+      if (!self) return;
+      self->bar_->setRange(0, 100);
+      self->bar_->setValue(static_cast<int>(share));
+    });
   };
   in_background(
       pool_, this,

@@ -4,8 +4,8 @@
 #include <QCompleter>
 #include <QLineEdit>
 
-#include "app/editor/document/background.h"
 #include "app/editor/fields/press_id.h"
+#include "app/viewport/background.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/color/srgb.h"

@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "app/editor/document/background.h"
 #include "app/editor/panels/sections.h"
+#include "app/viewport/background.h"
 #include "core/atlas/sources/picture_door.h"
 #include "core/base/error.h"
 #include "core/project/project_pictures.h"

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/viewport/background.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QRunnable>
+#include <QThread>
+
+#ifdef __SANITIZE_THREAD__
+extern "C" void __tsan_acquire(void* address);
+extern "C" void __tsan_release(void* address);
+#endif
+
+namespace etak {
+namespace {
+
+// Whoever takes `address` over from here on sees all that happened before.
+void hand_over([[maybe_unused]] void* address) {
+#ifdef __SANITIZE_THREAD__
+  __tsan_release(address);
+#endif
+}
+
+void take_over([[maybe_unused]] void* address) {
+#ifdef __SANITIZE_THREAD__
+  __tsan_acquire(address);
+#endif
+}
+
+class Task : public QRunnable {
+ public:
+  explicit Task(std::function<void()> work) : work_(std::move(work)) {}
+
+  void run() override {
+    take_over(this);
+    work_();
+  }
+
+ private:
+  std::function<void()> work_;
+};
+
+class Call : public QEvent {
+ public:
+  explicit Call(std::function<void()> call) : QEvent(kind()), call_(std::move(call)) {}
+
+  static Type kind() {
+    static const auto type = static_cast<Type>(QEvent::registerEventType());
+    return type;
+  }
+  void make() { call_(); }
+
+ private:
+  std::function<void()> call_;
+};
+
+// Lives in the thread of windows.
+class Caller : public QObject {
+ protected:
+  bool event(QEvent* event) override {
+    take_over(event);
+    if (event->type() != Call::kind()) return QObject::event(event);
+    static_cast<Call*>(event)->make();
+    return true;
+  }
+};
+
+}  // namespace
+
+void run_in(QThreadPool& pool, std::function<void()> work, int priority) {
+  auto* const task = new Task(std::move(work));
+  hand_over(task);
+  pool.start(task, priority);  // which deletes it
+}
+
+void call_in_ui(std::function<void()> call) {
+  // Never deleted: threads may ask until the program ends.
+  static Caller* const caller = [] {
+    auto* const made = new Caller;
+    made->moveToThread(QCoreApplication::instance()->thread());
+    return made;
+  }();
+  auto* const event = new Call(std::move(call));
+  hand_over(event);
+  QCoreApplication::postEvent(caller, event);  // which deletes it
+}
+
+}  // namespace etak
