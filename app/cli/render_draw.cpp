@@ -16,10 +16,8 @@
 #include "core/image/image_io.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/display.h"
-#include "core/render/reference.h"
-#ifdef ETAK_HAS_GL
 #include "core/render/glsl/gl_runner.h"
-#endif
+#include "core/render/reference.h"
 
 namespace etak::cli {
 namespace {
@@ -104,7 +102,6 @@ Image draw_reference(const RenderArguments& arguments, const Scene& scene, const
 }
 
 Image draw_gl(const Scene& scene, const Environment* environment, int frames, Stats& stats) {
-#ifdef ETAK_HAS_GL
   GlRunner gl;
   stats.device = "gl: " + gl.info().renderer;
   stats.software_gl = gl.info().software;
@@ -117,10 +114,6 @@ Image draw_gl(const Scene& scene, const Environment* environment, int frames, St
     if (gpu_ms) stats.gpu_ms.push_back(*gpu_ms);
   }
   return out;
-#else
-  (void)scene, (void)environment, (void)frames, (void)stats;
-  throw Error::at("--device", "gl: this etak was built without OpenGL", "cpu or auto");
-#endif
 }
 
 Image draw_cpu(const RenderArguments& arguments, const Scene& scene, const Environment* environment,

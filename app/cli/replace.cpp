@@ -32,11 +32,7 @@ UserConfig user_config() {
   const std::string file = user_config_file();
   struct stat info {};
   if (file.empty() || ::stat(file.c_str(), &info) != 0) return {};
-#ifdef ETAK_HAS_TOML
   return parse_user_config(read_file(file), file);
-#else
-  throw Error::at(file, "this etak was built without toml++", "one built with it, or no such file");
-#endif
 }
 
 }  // namespace

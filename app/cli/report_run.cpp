@@ -13,9 +13,7 @@
 #include "core/base/files/output_target.h"
 #include "core/pages/error_time_report.h"
 #include "core/pages/stability_report.h"
-#ifdef ETAK_HAS_GL
 #include "core/render/glsl/gl_runner.h"
-#endif
 
 namespace etak::cli {
 namespace {
@@ -54,14 +52,12 @@ void check_report_folder(const ReportArguments& arguments, const std::vector<Fam
   check_folder_target(arguments.folder, names, arguments.force ? Replace::anything : Replace::nothing);
 }
 
-#ifdef ETAK_HAS_GL
 GlRunner open_gl(const std::string& device) {
   std::string why;
   auto gl = GlRunner::open(why);
   if (!gl) throw Error::at("--device " + device, "no OpenGL here: " + why, "--device cpu");
   return std::move(*gl);
 }
-#endif
 
 }  // namespace
 
@@ -78,7 +74,6 @@ int measure(ReportArguments& arguments) {
   options.cpu = arguments.device != "gl";
   ReportHeader header = report_header(options);
   GlEvaluate evaluate;
-#ifdef ETAK_HAS_GL
   std::optional<GlRunner> gl;
   if (options.gl) {
     gl.emplace(open_gl(arguments.device));
@@ -86,10 +81,6 @@ int measure(ReportArguments& arguments) {
         gl->info().renderer + ", OpenGL " + gl->info().version + (gl->info().software ? " (software)" : "");
     evaluate = [&gl](std::string_view expression) { return double{gl->evaluate(expression)}; };
   }
-#else
-  if (options.gl)
-    throw Error::at("--device " + arguments.device, "this etak was built without OpenGL", "--device cpu");
-#endif
   // The clock: what timing nothing gives.
   const TimedCase nothing[] = {{"nothing", 1, [] {}}};
   time_cases(nothing, options.timing, &header.empty_loop_ns);
@@ -129,7 +120,6 @@ int measure(ReportArguments& arguments) {
 
 int show_stability(StabilityArguments& arguments) {
   check_output(arguments.output);
-#ifdef ETAK_HAS_GL
   std::optional<GlRunner> gl;
   GlEvaluate evaluate;
   if (arguments.device != "cpu") {
@@ -137,9 +127,6 @@ int show_stability(StabilityArguments& arguments) {
     evaluate = [&gl](std::string_view expression) { return double{gl->evaluate(expression)}; };
   }
   const auto cases = stability_cases(evaluate);
-#else
-  const auto cases = stability_cases();
-#endif
   write_output(arguments.output,
                arguments.output.format == "json" ? stability_json(cases) : stability_text(cases));
   return all_passed(cases) ? exit_ok : exit_findings;

@@ -57,12 +57,7 @@ ValidatePlan validate_plan(const ValidateArguments& arguments) {
   if (!plan.config_file.empty()) {
     const fs::path whole = fs::absolute(plan.config_file, failure).lexically_normal();
     root = whole.parent_path();
-#ifdef ETAK_HAS_TOML
     plan.config = parse_config(read_file(plan.config_file), plan.config_file);
-#else
-    throw Error::at(plan.config_file, "this etak was built without toml++",
-                    "one built with it, or --no-config");
-#endif
   }
   plan.root = root.string();
   Settings& settings = plan.config.settings;

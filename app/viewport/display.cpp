@@ -12,20 +12,15 @@ namespace etak {
 ViewDisplay open_display(const std::string& config, const std::string& display, const std::string& view) {
   ViewDisplay out{config, display, view, nullptr, nullptr};
   if (config.empty() && display.empty() && view.empty()) return out;
-#ifdef ETAK_HAS_OCIO
   out.cpu = std::make_shared<const OcioDisplay>(OcioDisplay::open(config, display, view));
   out.gpu = std::make_shared<const OcioShader>(out.cpu->shader());
   return out;
-#else
-  throw Error::at("OpenColorIO", "this program was built without it", "one built with it");
-#endif
 }
 
 QImage shown(const Image& linear, const ViewDisplay& display, unsigned threads) {
   QImage out(linear.width, linear.height, QImage::Format_RGB888);
   const auto row_of = [&](int y, std::uint8_t* codes) {
     const std::span<const float> pixels(linear.at(0, y).data(), static_cast<std::size_t>(linear.width) * 4);
-#ifdef ETAK_HAS_OCIO
     if (display.cpu) {
       Image row(linear.width, 1, 3);
       for (int x = 0; x < linear.width; ++x) std::copy_n(linear.at(x, y).data(), 3, row.at(x, 0).data());
@@ -33,9 +28,6 @@ QImage shown(const Image& linear, const ViewDisplay& display, unsigned threads) 
       std::transform(row.values.begin(), row.values.end(), codes, to_code);
       return;
     }
-#else
-    (void)display;
-#endif
     to_codes(pixels, 1, Transfer::srgb, codes);
   };
   std::vector<std::uint8_t*> lines;  // scanLine() may copy: once, before the threads

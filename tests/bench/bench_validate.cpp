@@ -11,15 +11,13 @@
 #include <string>
 #include <thread>
 
-#include "core/validate/rules.h"
-#include "tests/core/validate/corpus.h"
-#ifdef ETAK_HAS_VALIDATE_FILES
 #include "core/base/parallel.h"
 #include "core/scene/gltf.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/metal_rough.h"
 #include "core/validate/files/open_pictures.h"
-#endif
+#include "core/validate/rules.h"
+#include "tests/core/validate/corpus.h"
 
 using namespace etak;
 using namespace etak::test;
@@ -64,7 +62,6 @@ void print_edges() {
       }
 }
 
-#ifdef ETAK_HAS_VALIDATE_FILES
 Image8 middle(const Image8& image, int side) {
   const int width = std::min(side, image.width), height = std::min(side, image.height);
   Image8 out(width, height, image.channels);
@@ -130,7 +127,6 @@ void print_speed(const char* diffuse, const char* specular) {
         threads, best[0], best[1], best[1] / best[0], best[2], best[2] / best[0], best[2] / best[1]);
   }
 }
-#endif
 
 }  // namespace
 
@@ -141,11 +137,9 @@ int main(int count, char** arguments) {
     print_scores(score_natural_sets(sets, 128));
     print_edges();
   }
-#ifdef ETAK_HAS_VALIDATE_FILES
   std::vector<std::string> scenes;
   for (const std::string& word : words)
     if (word.ends_with(".gltf") || word.ends_with(".glb")) scenes.push_back(word);
   if (!scenes.empty()) print_real(scenes);
   if (words.size() > 2 && words[1].ends_with(".png")) print_speed(words[1].c_str(), words[2].c_str());
-#endif
 }

@@ -12,9 +12,7 @@
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/sections.h"
 #include "core/base/error.h"
-#ifdef ETAK_HAS_OCIO
 #include "core/color/ocio.h"
-#endif
 
 namespace etak::editor {
 namespace {
@@ -113,7 +111,6 @@ void ViewPanel::fill_displays() {
   display_->clear();
   display_->addItem(tr("sRGB curve"), QStringList{});
   QString told = tr("own OpenColorIO config");
-#ifdef ETAK_HAS_OCIO
   try {
     for (const OcioDisplayInfo& each : ocio_displays(config)) {
       QStringList views;
@@ -124,9 +121,6 @@ void ViewPanel::fill_displays() {
   } catch (const Error& error) {
     told = QString::fromUtf8(error.what());
   }
-#else
-  told = tr("built without OpenColorIO");
-#endif
   config_->setText(told);
 }
 

@@ -35,9 +35,6 @@ struct FileSink {
 /// The same file, piece by piece, of levels that somebody else holds; rows without gaps between them.
 void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink);
 
-/// Whether ktx2_bytes takes a zstd_level above 0, and read_ktx2 files that were written so.
-bool has_zstd();
-
 /// How a DDS file says what it holds.
 ///   dx10     DXGI_FORMAT_R8G8B8A8_UNORM or _UNORM_SRGB, with the alpha mode
 ///   legacy   bit masks of Direct3D 9 (A8B8G8R8): no word on sRGB or on alpha, but older readers know it

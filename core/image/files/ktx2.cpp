@@ -7,13 +7,11 @@
 #include <memory>
 #include <new>
 
+#include <zstd.h>
 #include "core/base/bytes_le.h"
 #include "core/base/error.h"
 #include "core/image/files/containers.h"
 #include "core/image/mips.h"
-#ifdef ETAK_HAS_ZSTD
-#include <zstd.h>
-#endif
 
 namespace etak {
 namespace {
@@ -78,7 +76,6 @@ std::string_view bytes_of(const ConstPixelsView8& level) {
   return {reinterpret_cast<const char*>(level.data), level_bytes(level.width, level.height)};
 }
 
-#ifdef ETAK_HAS_ZSTD
 // One frame, handed on as it comes; returns its length.
 std::size_t compress(std::string_view bytes, int level, const std::function<void(std::string_view)>& add) {
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
@@ -100,7 +97,6 @@ std::size_t compress(std::string_view bytes, int level, const std::function<void
   }
   return length;
 }
-#endif
 
 struct Reader {
   std::string_view bytes, path;
@@ -160,29 +156,15 @@ struct Reader {
   }
 
   void decompress(std::string_view from, Image8& to) const {
-#ifdef ETAK_HAS_ZSTD
     const std::size_t size = ZSTD_decompress(to.values.data(), to.values.size(), from.data(), from.size());
     if (ZSTD_isError(size) != 0)
       fail(std::string("Zstandard data: ") + ZSTD_getErrorName(size), "a whole frame");
     expect(size == to.values.size(), "Zstandard data of uncompressed size", size,
            std::to_string(to.values.size()));
-#else
-    static_cast<void>(from);
-    static_cast<void>(to);
-    fail("Zstandard supercompression", "none (this etak was built without Zstandard)");
-#endif
   }
 };
 
 }  // namespace
-
-bool has_zstd() {
-#ifdef ETAK_HAS_ZSTD
-  return true;
-#else
-  return false;
-#endif
-}
 
 std::string ktx2_bytes(const TextureLevels& texture, int zstd_level) {
   std::vector<ConstPixelsView8> levels;
@@ -196,8 +178,6 @@ std::string ktx2_bytes(const TextureLevels& texture, int zstd_level) {
 
 void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink) {
   assert(!levels.empty() && zstd_level >= 0 && zstd_level <= 22);
-  if (zstd_level > 0 && !has_zstd())
-    throw Error::at("KTX2", "Zstandard supercompression", "none (this etak was built without Zstandard)");
   const ConstPixelsView8& first = levels[0];
   const std::size_t count = levels.size();
   const std::string descriptor = data_format_descriptor(srgb), pairs = key_values();
@@ -250,7 +230,6 @@ void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_le
     for (std::size_t l = count; l-- > 0;) sink.add(bytes_of(levels[l]));
     return;
   }
-#ifdef ETAK_HAS_ZSTD
   end = pairs_at + pairs.size();
   for (std::size_t l = count; l-- > 0;) {
     offset[l] = end;
@@ -258,7 +237,6 @@ void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_le
     end += length[l];
   }
   sink.patch(header_bytes, index());
-#endif
 }
 
 TextureFile read_ktx2(std::string_view bytes, std::string_view path) {

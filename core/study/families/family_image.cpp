@@ -10,13 +10,11 @@
 #include "core/base/parallel.h"
 #include "core/brdf/models.h"
 #include "core/render/cpu_renderer.h"
+#include "core/render/glsl/gl_runner.h"
 #include "core/render/reference.h"
 #include "core/study/error_time.h"
 #include "core/study/measure.h"
 #include "core/study/sphere_pictures.h"
-#ifdef ETAK_STUDY_HAS_GL
-#include "core/render/glsl/gl_runner.h"
-#endif
 
 namespace etak {
 namespace {
@@ -279,7 +277,6 @@ void add_cpu_tables(const Gallery& gallery, const ReportOptions& options, ErrorT
   family.tables.push_back(table);
 }
 
-#ifdef ETAK_STUDY_HAS_GL
 // GL frames are timed by rounds over all models, each of a few frames: by the GL's own clock, but for
 // software rasterisers, whose clocks stop before they have drawn (llvmpipe: 0.13 ms of 1.9).
 void add_gl_table(const Gallery& gallery, const ReportOptions& options, ErrorTimeFamily& family) {
@@ -327,7 +324,6 @@ void add_gl_table(const Gallery& gallery, const ReportOptions& options, ErrorTim
                          "; medians of " + std::to_string(frames) + " frames in " + std::to_string(rounds) +
                          " rounds.");
 }
-#endif
 
 std::string advice_of(const ErrorTimeFamily& family) {
   const auto rms = [&](std::size_t table, std::string_view id) {
@@ -366,11 +362,7 @@ ErrorTimeFamily image_family(const ReportOptions& options) {
   }
   family.notes.push_back(
       "FLIP at 67 pixels per degree, of the sRGB codes; mean over the judged pixels, those outside black.");
-#ifdef ETAK_STUDY_HAS_GL
   if (options.gl) add_gl_table(gallery, options, family);
-#else
-  if (options.gl) family.notes.push_back("This etak was built without OpenGL.");
-#endif
   if (family.advice.empty())
     family.advice = "Measure on the CPU too: errors are those of the formulas, times those of the device.";
   return family;
