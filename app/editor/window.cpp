@@ -18,6 +18,7 @@
 
 #include "app/editor/curves/curves_panel.h"
 #include "app/editor/document/files.h"
+#include "app/editor/fields/plain_text.h"
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector.h"
@@ -57,6 +58,7 @@ Window::Window(const WindowOptions& options, QWidget* parent)
       validator_(new Validator(document_, this)),
       autosave_(new Autosave(document_, options.data_folder.isEmpty() ? data_folder() : options.data_folder,
                              this)) {
+  show_texts_plain();
   setObjectName(QStringLiteral("etak-editor"));
   setAccessibleName(tr("etak editor"));
   setAcceptDrops(true);

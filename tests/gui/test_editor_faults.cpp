@@ -5,9 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMessageBox>
+#include <QToolTip>
 
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/press_id.h"
@@ -107,6 +109,26 @@ class EditorFaults : public QObject {
     window->import({window.file(QStringLiteral("bytes.json")), window.file(QStringLiteral("missing.yml"))});
     QVERIFY(QTest::qWaitFor([&] { return opened.count() > count; }, 20000));
     QVERIFY(window->document().project() == before);
+  }
+
+  void found_4_06_names_are_no_html() {
+    TestWindow window(true);
+    QSignalSpy opened(window.window.get(), &Window::opened);
+    const QString file = window.file(QStringLiteral("<b>bold.json"));
+    write(file, "{");
+    window->open(file);
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
+    QToolTip::showText(QPoint(10, 10), QStringLiteral("<b>bold</b>"));
+    int labels = 0;
+    for (QWidget* each : QApplication::allWidgets()) {
+      auto* const label = qobject_cast<QLabel*>(each);
+      if (label == nullptr || !label->text().contains(QStringLiteral("<b>bold"))) continue;
+      QCOMPARE(label->textFormat(), Qt::PlainText);
+      ++labels;
+    }
+    QVERIFY(labels >= 2);  // that of the message and the tooltip
+    QToolTip::hideText();
+    close_messages();
   }
 
   void a_folder_that_cannot_be_written_loses_nothing() {
