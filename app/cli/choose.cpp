@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/file_options.h"
+#include "app/cli/pictures.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 
@@ -39,7 +40,7 @@ void add_choose(CommandLine& line) {
   verb.footer(
       "The JSON form is what etak shader and etak pack take as --choice.\n"
       "Example:\n  etak choose gold silver water --budget 1");
-  verb.runs([arguments] { return choose_materials(*arguments); });
+  verb.runs([arguments] { return pictures("etak choose").choose_materials(*arguments); });
 }
 
 }  // namespace etak::cli

@@ -22,7 +22,7 @@ struct ChooseArguments {
   OutputArguments output;
 };
 
-/// The work of the verb: in etak-image (choose_run.cpp), where the timing library is; etak becomes that.
+/// The work of the verb, in the module of pictures.h.
 int choose_materials(ChooseArguments& arguments);
 
 }  // namespace etak::cli

@@ -5,7 +5,7 @@
 
 #include "app/cli/choose.h"
 #include "app/cli/inputs.h"
-#include "app/cli/pack.h"
+#include "app/cli/pictures.h"
 #include "app/cli/progress.h"
 #include "app/cli/replace.h"
 #include "core/base/error.h"

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <string_view>
+#include <system_error>
 
-#include "app/cli/custom_space.h"
 #include "app/cli/file_options.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
@@ -22,7 +26,6 @@ int print_version(bool json) {
 }
 
 int run(int argc, char** argv) {
-  set_program_arguments(argv);
   CommandLine line("etak: measured optics into materials a renderer can trust", "etak");
   bool version = false, json = false;
   line.top().flag("--version", version, "print the version and stop");
@@ -83,8 +86,31 @@ std::string out_of_memory(int argc, char** argv) {
 }  // namespace
 }  // namespace etak::cli
 
+namespace {
+
+// Where an exception leaves a library's own thread or start-up code, no handler of main sees it.
+[[noreturn]] void tell_want_and_end() {
+  const auto end = [](std::string_view text) {
+    (void)!::write(STDERR_FILENO, text.data(), text.size());
+    ::_exit(etak::cli::exit_failure);
+  };
+  try {
+    if (std::current_exception()) throw;
+  } catch (const std::bad_alloc&) {
+    end("etak: a library needs more memory than there is; expected a higher limit\n");
+  } catch (const std::system_error&) {
+    end("etak: a library could not start a thread; expected a higher limit of processes or memory\n");
+  } catch (...) {
+  }
+  std::abort();
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   etak::end_by_signals();
+  // The libraries behind libetak-pictures.so start threads when they are loaded, and end the program where they cannot.
+  std::set_terminate(tell_want_and_end);
   try {
     return etak::cli::run(argc, argv);
   } catch (const etak::Error& error) {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <thread>
 
-#include "app/cli/custom_space.h"
 #include "app/cli/output.h"
+#include "app/cli/pictures.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/number.h"
@@ -135,7 +135,7 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library) {
   if (built_in)
     out.space = *built_in;
   else if (!arguments.space.empty())
-    out.custom_space = open_custom_space(arguments.ocio, arguments.space);
+    out.custom_space = pictures("--space").open_space(arguments.ocio, arguments.space);
   out.outside = outside_medium(arguments.outside, library);
   return out;
 }

@@ -35,19 +35,7 @@ struct PackArguments {
   PackRectsArguments rects;
 };
 
-/// The work of the verb. In etak-pack and etak-image it packs (pack_run.cpp); in etak (pack_light.cpp), which
-/// links no compressor, it becomes etak-pack.
+/// The work of the verb.
 int pack_atlas(PackArguments& arguments);
-
-/// Where pictures other than plain PNGs come from. In etak-image (pack_full.cpp) OpenImageIO reads them; in
-/// etak-pack (pack_png.cpp), which links no OpenImageIO, the process becomes etak-image at the first of them.
-PictureDoor picture_door();
-
-/// What only OpenImageIO writes is asked for: in etak-pack the process becomes etak-image.
-void need_float_formats();
-
-/// Opens spaces of an OpenColorIO config; in etak-pack the process becomes etak-image at the first of them.
-///   config   path; empty: $OCIO, else the built-in one
-SpaceOpener space_opener(const std::string& config);
 
 }  // namespace etak::cli

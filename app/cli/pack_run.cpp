@@ -14,6 +14,7 @@
 #include "app/cli/pack_findings.h"
 #include "app/cli/pack_jobs.h"
 #include "app/cli/pack_page.h"
+#include "app/cli/pictures.h"
 #include "app/cli/progress.h"
 #include "app/cli/replace.h"
 #include "core/atlas/pack/pack.h"
@@ -153,7 +154,9 @@ PackOptions pack_options(const PackArguments& a) {
   out.max_error = a.max_error;
   out.texel_density = a.texel_density;
   out.view_height = a.view_height;
-  out.open_space = space_opener(a.ocio);
+  out.open_space = [config = a.ocio](const std::string& name) {
+    return pictures(printable(name)).open_source(config, name);
+  };
   out.spaces = spaces(a.space_of);
   out.space_config = config_file(a.ocio);
   out.page = a.page;
@@ -171,10 +174,7 @@ PackOptions pack_options(const PackArguments& a) {
   if (!a.choice.empty()) out.variants = parse_choices(read_file(a.choice), a.choice);
   out.write.formats = formats(a.formats);
   for (const std::string& format : out.write.formats)
-    if (holds_floats(format)) {
-      need_float_formats();
-      break;
-    }
+    if (holds_floats(format)) (void)pictures("--format");  // told before the work where it is missing
   const std::string& level = a.png_level.empty() && out.variants ? out.variants->png_level : a.png_level;
   out.write.png_level = level == "small"      ? PngLevel::small
                         : level == "smallest" ? PngLevel::smallest

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "app/cli/pictures.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 
@@ -49,7 +50,7 @@ void add_render(CommandLine& line) {
   verb.flag("-q,--quiet", arguments->stats.quiet, "no remarks and no progress; errors still appear");
   add_progress_option(verb, arguments->stats.progress);
   verb.footer("Example:\n  etak render gold --model ggx-f82 --gloss 0.6 -o gold.png");
-  verb.runs([arguments] { return draw(*arguments); });
+  verb.runs([arguments] { return pictures("etak render").draw(*arguments); });
 }
 
 }  // namespace etak::cli

@@ -20,8 +20,7 @@ struct RenderArguments {
   unsigned threads = 0;
 };
 
-/// The work of the verb. Two bodies share this declaration: in etak-image (render_draw.cpp) it makes the
-/// picture; in etak (render_light.cpp), which links no OpenImageIO, it becomes etak-image.
+/// The work of the verb, in the module of pictures.h.
 int draw(RenderArguments& arguments);
 
 }  // namespace etak::cli

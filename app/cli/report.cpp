@@ -4,10 +4,23 @@
 #include <memory>
 
 #include "app/cli/options.h"
+#include "app/cli/pictures.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
+#include "core/pages/stability_report.h"
 
 namespace etak::cli {
+
+namespace {
+
+int show_on_cpu(StabilityArguments& arguments) {
+  const auto cases = stability_cases();
+  write_output(arguments.output,
+               arguments.output.format == "json" ? stability_json(cases) : stability_text(cases));
+  return all_passed(cases) ? exit_ok : exit_findings;
+}
+
+}  // namespace
 
 void add_report(CommandLine& line) {
   Command verb = line.verb("report", "Measure error against run time of every shortcut");
@@ -34,7 +47,7 @@ void add_report(CommandLine& line) {
       "Errors are the same in every run; times are of this machine, median and quartiles of interleaved "
       "repeats.\n"
       "Example:\n  etak report --family transfer -o report");
-  verb.runs([arguments] { return measure(*arguments); });
+  verb.runs([arguments] { return pictures("etak report").measure(*arguments); });
 }
 
 void add_stability(CommandLine& line) {
@@ -46,7 +59,7 @@ void add_stability(CommandLine& line) {
       .show_default();
   add_output_options(verb, arguments->output, {"text", "json"});
   verb.footer("Exit status: 0 every case as expected, 1 some not.\nExample:\n  etak stability");
-  verb.runs([arguments] { return show_stability(*arguments); });
+  verb.runs([arguments] { return arguments->device == "cpu" ? show_on_cpu(*arguments) : pictures("--device").show_stability(*arguments); });
 }
 
 }  // namespace etak::cli

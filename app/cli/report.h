@@ -23,8 +23,7 @@ struct StabilityArguments {
   std::string device = "cpu";
 };
 
-// The work of the verbs. Two bodies share these declarations: in etak-image (report_run.cpp) they measure; in
-// etak (report_light.cpp), which links neither OpenGL nor the timing library, they become etak-image.
+// The work of the verbs, in the module of pictures.h.
 int measure(ReportArguments& arguments);
 int show_stability(StabilityArguments& arguments);
 

@@ -31,14 +31,7 @@ struct ValidateArguments {
   OutputArguments output;
 };
 
-/// The work of the verb where files are checked. Two bodies share this declaration: in etak-pack and
-/// etak-image (validate_run.cpp) they are; in etak (validate_light.cpp), which links no picture reader, it
-/// becomes etak-pack.
+/// The work of the verb where files are checked.
 int check_files(ValidateArguments& arguments);
-
-/// Called with the files that are about to be checked. In etak-pack (validate_png.cpp), which reads PNG
-/// alone, it becomes etak-image when there are other pictures among them; in etak-image (validate_full.cpp)
-/// it does nothing.
-void need_readers_of(const std::vector<std::string>& files);
 
 }  // namespace etak::cli

@@ -80,10 +80,6 @@ std::vector<CheckedFile> checked(const FoundTargets& found, const ValidateArgume
   for (std::size_t i = 0; i < known.size(); ++i)
     if (!known[i]) left.push_back(i);
   from_cache = known.size() - left.size();
-  std::vector<std::string> wanted;
-  for (const std::size_t i : left)
-    wanted.insert(wanted.end(), found.targets[i].depends.begin(), found.targets[i].depends.end());
-  need_readers_of(wanted);
   // Few targets share the threads inside of each; many are checked side by side.
   const std::size_t lanes = std::clamp<std::size_t>(left.size(), 1, threads);
   const unsigned inner = std::max(1u, threads / static_cast<unsigned>(lanes));

@@ -3,8 +3,8 @@
 
 #include <string>
 #include <string_view>
-#include <variant>
 
+#include "core/image/any_image.h"
 #include "core/image/image.h"
 
 namespace etak {
@@ -24,30 +24,13 @@ namespace etak {
 // by a formula that no printer uses), deep pictures, and those of more than max_image_side on a side or 4
 // channels. A palette is expanded to RGB or RGBA.
 
-/// What a file says of itself.
-struct ImageInfo {
-  int width = 0, height = 0, channels = 0;
-  int bits = 0;           // of one value: 8, 16, 32
-  bool floating = false;  // half or float
-  std::string format;     // "png", "openexr", "hdr", ...
-  // What went in was changed by the compression: JPEG, lossy WebP, DWA, block formats, ...
-  bool lossy = false;
-  bool icc_profile = false;  // an ICC profile is embedded
-  bool srgb_tag = false;     // EXIF says sRGB
-  std::string colour_space;  // oiio:ColorSpace: what the file says, or OpenImageIO's guess from the format
-};
 ImageInfo read_image_info(const std::string& path);
 
 /// Any picture file OpenImageIO knows, 8- and 16-bit codes as code / 255 and code / 65535. No curve is
 /// undone: PNG codes stay encoded. NaN and infinity stay for the caller to judge.
 Image read_image(const std::string& path);
 
-/// A picture in the kind of values its file has: 8-bit codes, 16-bit codes, or float for the rest.
-struct AnyImage {
-  ImageInfo info;
-  std::variant<Image8, Image16, Image> pixels;
-};
-
+/// A picture in the kind of values its file has.
 AnyImage read_any_image(const std::string& path);
 
 /// The same of a file that is in memory. The format is known by its first bytes, else by the ending of

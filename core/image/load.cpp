@@ -5,8 +5,8 @@
 
 #include "core/base/files/steady_file.h"
 #include "core/base/memory.h"
+#include "core/image/any_image.h"
 #include "core/image/files/png.h"
-#include "core/image/image_io.h"
 #include "core/image/picture_bytes.h"
 
 namespace etak {
@@ -77,9 +77,9 @@ LoadedImage load_picture(std::string_view bytes, const std::string& label) {
   return with_memory_for(
       label, [] { return "its pixels"; },
       [&] {
-        if (picture_format(bytes, label) != "png") return from_oiio(read_any_image(bytes, label));
+        if (picture_format(bytes, label) != "png") return from_oiio(decode_picture(bytes, label));
         std::optional<LoadedImage> png = load_png(bytes, label);
-        LoadedImage out = png ? std::move(*png) : from_oiio(read_any_image(bytes, label));
+        LoadedImage out = png ? std::move(*png) : from_oiio(decode_picture(bytes, label));
         add_png_colour(out, bytes);
         return out;
       });
@@ -88,7 +88,7 @@ LoadedImage load_picture(std::string_view bytes, const std::string& label) {
 LoadedImage load_picture(const std::string& path) {
   if (picture_format(read_head(path, 8), path) != "png")
     return with_memory_for(
-        path, [] { return "its pixels"; }, [&] { return from_oiio(read_any_image(path)); });
+        path, [] { return "its pixels"; }, [&] { return from_oiio(decode_picture(path)); });
   return load_picture(SteadyFile(path, largest_picture_bytes).all(), path);
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "core/image/any_image.h"
 #include "core/image/image.h"
 
 namespace etak {
@@ -41,5 +42,10 @@ LoadedImage load_picture(const std::string& path);
 /// The same of a file that is in memory, such as an image in a glTF buffer.
 ///   label   for messages
 LoadedImage load_picture(std::string_view bytes, const std::string& label);
+
+/// How load_picture() reads what is no plain PNG, by OpenImageIO. The body stands in etak::image_io (decode_picture.cpp);
+/// a program that must not load that library (120 MB, a quarter of a second) has one that opens it when first called.
+AnyImage decode_picture(const std::string& path);
+AnyImage decode_picture(std::string_view bytes, const std::string& label);
 
 }  // namespace etak

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# found_4_14_hardening.sh PROGRAM...: each is built with the hardening flags of a distribution.
+# found_4_14_hardening.sh FILE...: each program and module is built with the hardening flags of a distribution.
 set -eu
 command -v readelf >/dev/null && command -v objdump >/dev/null || { echo "no readelf or objdump here"; exit 77; }
 failed=0
@@ -12,8 +12,12 @@ trap 'rm -rf "$scratch"' EXIT
 for program; do
   readelf -hldW "$program" >"$scratch/elf"
   readelf --dyn-syms -W "$program" >"$scratch/symbols"
-  objdump -d --no-show-raw-insn --disassemble=main "$program" >"$scratch/main"
-  expect "$program" "a position-independent program" 'FLAGS_1.*PIE' "$scratch/elf"
+  begin=main
+  case $program in
+    *.so) begin=etak_pictures_module ;;
+    *) expect "$program" "a position-independent program" 'FLAGS_1.*PIE' "$scratch/elf" ;;
+  esac
+  objdump -d --no-show-raw-insn --disassemble=$begin "$program" >"$scratch/main"
   expect "$program" "RELRO" 'GNU_RELRO' "$scratch/elf"
   expect "$program" "binding of all symbols at the start" 'BIND_NOW\|FLAGS_1.*NOW' "$scratch/elf"
   expect "$program" "the stack protector" '__stack_chk_fail' "$scratch/symbols"

@@ -100,7 +100,7 @@ assert every == table
 check(rules, json.loads(run("explain", "ETK101", "--format", "json")), "explain ETK101")
 check(schema("functions"), json.loads(run("eval", "--list", "--format", "json")), "eval --list")
 
-if os.path.exists(os.path.join(os.path.dirname(etak), "etak-image")):
+if os.path.exists(os.path.join(os.path.dirname(etak), "libetak-pictures.so")):
     render = schema("render")
     with tempfile.TemporaryDirectory() as folder:
         for options in (["gold"], ["pmma", "--diffuse", "0.5,0.1,0.1"], ["iron", "--model", "phong"],

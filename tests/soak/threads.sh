@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # threads.sh BIN: f0, validate and pack on eight threads, with programs that were built with the thread sanitizer; the
-# first race ends it with status 66 and the sanitizer's report. BIN: the folder of etak, etak-pack and etak-image.
+# first race ends it with status 66 and the sanitizer's report. BIN: the folder of etak.
 set -eu
 bin=$(cd "$1" && pwd)
 here=$(cd "$(dirname "$0")" && pwd)
@@ -41,7 +41,7 @@ etak validate in atlas material -j 8 --cache cache --mask mask --format json -o 
 etak validate in atlas material -j 8 --cache cache --format html -o twice.html --exit-zero --no-config
 # pack: again over the old atlas, from floats, a scene, and two at a time of a job file.
 etak pack in/manifest.json --out atlas -j 8 --rotate 1 --page-form mixed --page-report page.html --fail-on never
-[ ! -x "$bin/etak-image" ] || etak pack in/manifest.json --out floats -j 8 --format png,tiff --fail-on never
+[ ! -x "$bin/libetak-pictures.so" ] || etak pack in/manifest.json --out floats -j 8 --format png,tiff --fail-on never
 etak pack "$corpus/gltf/square.gltf" --out scene -j 8 --islands --fail-on never
 printf '{"jobs": [{"input": "in/manifest.json", "out": "one"}, {"input": "in/manifest.json", "out": "two"}]}' >jobs.json
 etak pack --batch jobs.json -j 8 --fail-on never

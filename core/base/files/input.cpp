@@ -26,10 +26,6 @@ namespace etak {
 namespace {
 
 constexpr const char* what_is_read = "a regular file, a pipe, or - for standard input";
-constexpr std::size_t most_handed_over = std::size_t{4} << 30;
-// "PID:DESCRIPTOR:PATH" and a NUL byte's stand-in after each: what the program before this one had read.
-constexpr const char* handed_over = "ETAK_READ_PIPES";
-constexpr char end_of_entry = '\x1f';
 
 std::string reason() {
   return std::strerror(errno);
@@ -74,16 +70,6 @@ class Pipe {
     return out;
   }
 
-  // The entry for the program that follows; empty where nothing was read.
-  std::string hand_over(double timeout) {
-    const std::lock_guard guard(lock_);
-    if (memory_ < 0) return {};
-    if (!fill(most_handed_over, timeout)) fail_endless(most_handed_over);
-    if (descriptor_ >= 0) return {};  // its own number stands for the memory already
-    ::fcntl(memory_, F_SETFD, 0);
-    return std::to_string(::getpid()) + ':' + std::to_string(memory_) + ':' + path_ + end_of_entry;
-  }
-
  private:
   [[noreturn]] void fail_endless(std::size_t most) const {
     throw Error::at(path_, "does not end", "at most " + mebibytes(most));
@@ -114,7 +100,6 @@ class Pipe {
   }
 
   void start(double timeout) {
-    if (take_handed_over()) return;
     descriptor_ = descriptor_of(typed_input(path_)).value_or(-1);
     if (descriptor_ == STDIN_FILENO) {
       // As it stands: it may be a socket or a terminal, or a file that somebody has read a part of.
@@ -150,33 +135,9 @@ class Pipe {
     ended_ = true;
     source_ = Descriptor();
     if (descriptor_ < 0) return;
-    // Whoever opens this number now, also the program that takes this one's place, finds the bytes again.
+    // Whoever opens this number now finds the bytes again.
     ::lseek(memory_, 0, SEEK_SET);
     ::dup2(memory_, descriptor_);
-  }
-
-  bool take_handed_over() {
-    const char* const text = std::getenv(handed_over);
-    std::string_view rest = text == nullptr ? "" : text;
-    const std::string start = std::to_string(::getpid()) + ':';
-    while (!rest.empty()) {
-      const std::string_view entry = rest.substr(0, rest.find(end_of_entry));
-      rest.remove_prefix(std::min(entry.size() + 1, rest.size()));
-      if (!entry.starts_with(start)) continue;
-      const std::string_view number = entry.substr(start.size());
-      int descriptor = -1;
-      const auto [end, fault] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
-      const std::size_t used = static_cast<std::size_t>(end - number.data());
-      struct stat info {};
-      if (fault != std::errc() || number.substr(std::min(used + 1, number.size())) != path_ ||
-          ::fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode))
-        continue;
-      memory_ = descriptor;
-      size_ = static_cast<std::size_t>(info.st_size);
-      ended_ = true;
-      return true;
-    }
-    return false;
   }
 
   OpenedInput reopened() const {
@@ -330,14 +291,6 @@ std::string read_head(const std::string& path, std::size_t count) {
   }
   out.resize(at);
   return out;
-}
-
-void hand_over_inputs() {
-  const double timeout = timeout_of_inputs();
-  std::string text;
-  for (const auto& [path, pipe] : accepted().descriptors) text += pipe->hand_over(timeout);
-  for (const auto& [path, pipe] : accepted().named) text += pipe->hand_over(timeout);
-  if (!text.empty()) ::setenv(handed_over, text.c_str(), 1);
 }
 
 }  // namespace etak

@@ -55,8 +55,4 @@ OpenedInput open_input(const std::string& path, std::size_t most);
 /// open_input().
 std::string read_head(const std::string& path, std::size_t count);
 
-/// Makes what was read of pipes so far readable for the program that takes this one's place, under the same
-/// names.
-void hand_over_inputs();
-
 }  // namespace etak
