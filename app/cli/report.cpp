@@ -59,7 +59,10 @@ void add_stability(CommandLine& line) {
       .show_default();
   add_output_options(verb, arguments->output, {"text", "json"});
   verb.footer("Exit status: 0 every case as expected, 1 some not.\nExample:\n  etak stability");
-  verb.runs([arguments] { return arguments->device == "cpu" ? show_on_cpu(*arguments) : pictures("--device").show_stability(*arguments); });
+  verb.runs([arguments] {
+    return arguments->device == "cpu" ? show_on_cpu(*arguments)
+                                      : pictures("--device").show_stability(*arguments);
+  });
 }
 
 }  // namespace etak::cli

@@ -23,9 +23,9 @@ struct PictureHeader {
   bool strips = false;  // readable row by row
 };
 
-/// How pictures other than the PNGs of png.h are read: OpenImageIO's door (image_io.h), which only the second
-/// program links, because loading that library takes as long and as much memory as packing does. Codes of 16
-/// bits come as floats, code / 65535. Both throw Error.
+/// How pictures other than the PNGs of png.h are read: OpenImageIO's door (image_io.h), which etak opens when it is first
+/// needed, because loading that library takes as long and as much memory as packing does. Codes of 16 bits come as
+/// floats, code / 65535. Both throw Error.
 struct PictureDoor {
   std::function<PictureHeader(const std::string& path)> header;
   std::function<std::variant<Image8, Image>(const std::string& path)> load;
