@@ -34,7 +34,7 @@ def editor(soak, tally, deadline):
     here = Path(__file__).parent
     env = dict(soak.environment, QT_QPA_PLATFORM="offscreen", ETAK_TEST_SANITIZED="1",
                TSAN_OPTIONS=f"suppressions={here}/races.supp halt_on_error=1 exitcode=66 print_suppressions=0 "
-                            f"ignore_noninstrumented_modules=1")
+                            f"ignore_noninstrumented_modules=1 die_after_fork=0")
     for turn, program in enumerate(programs):
         if turn > 0 and soak.over(deadline):
             tally.note = f"{turn} of {len(programs)} programs: the time was up"
