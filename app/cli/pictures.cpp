@@ -47,7 +47,11 @@ OpenModule open_module() {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the one way from a symbol to a function
   const auto open =
       module == nullptr ? nullptr : reinterpret_cast<Open>(::dlsym(module, "etak_pictures_module"));
-  if (open != nullptr) return {open(), {}};
+  if (open != nullptr) {
+    const PicturesModule* const found = open();
+    if (found->version == std::string_view(ETAK_VERSION)) return {found, {}};
+    return {nullptr, *there + " is of etak " + found->version + ", not " + ETAK_VERSION};
+  }
   const char* const why = ::dlerror();
   return {nullptr, "cannot be opened: " + std::string(why == nullptr ? "" : why)};
 }

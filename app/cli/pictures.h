@@ -19,6 +19,8 @@ struct StabilityArguments;
 /// loading these libraries takes longer and more memory than most runs of etak. The module holds none of core's code:
 /// it finds that in the program. All functions throw Error.
 struct PicturesModule {
+  const char* version;  // of the etak that it was built with; another's is refused
+
   AnyImage (*read_file)(const std::string& path);
   AnyImage (*read_bytes)(std::string_view bytes, const std::string& label);
   PictureDoor (*picture_door)();
