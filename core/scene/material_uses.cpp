@@ -19,8 +19,9 @@ MaterialUses::MaterialUses(const GltfScene& scene) : scene_(scene) {
 }
 
 std::span<const GltfUse* const> MaterialUses::of(int material) const {
-  const auto found = std::ranges::equal_range(uses_, material, {}, material_of);
-  return {found.begin(), found.end()};
+  // Not equal_range(): clang 14 does not take libstdc++'s subrange.
+  return {std::ranges::lower_bound(uses_, material, {}, material_of),
+          std::ranges::upper_bound(uses_, material, {}, material_of)};
 }
 
 }  // namespace etak
