@@ -3,17 +3,18 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/atlas/sources/sources.h"
 #include "core/image/any_image.h"
 #include "core/material/f0.h"
+#include "core/study/stability/stability.h"
 
 namespace etak::cli {
 
 struct ChooseArguments;
 struct RenderArguments;
 struct ReportArguments;
-struct StabilityArguments;
 
 /// What needs OpenImageIO, OpenColorIO, OpenGL or the timing library, in a module of its own (libetak-pictures.so), for
 /// loading these libraries takes longer and more memory than most runs of etak. The module holds none of core's code:
@@ -32,7 +33,7 @@ struct PicturesModule {
   // The work of verbs.
   int (*draw)(RenderArguments& arguments);
   int (*measure)(ReportArguments& arguments);
-  int (*show_stability)(StabilityArguments& arguments);
+  std::vector<StabilityCase> (*stability_on_gl)(const std::string& device);
   int (*choose_materials)(ChooseArguments& arguments);
 };
 

@@ -6,15 +6,17 @@
 #include "app/cli/options.h"
 #include "app/cli/pictures.h"
 #include "app/cli/progress.h"
+#include "app/cli/replace.h"
 #include "app/cli/verbs.h"
 #include "core/pages/stability_report.h"
 
 namespace etak::cli {
-
 namespace {
 
-int show_on_cpu(StabilityArguments& arguments) {
-  const auto cases = stability_cases();
+int show_stability(const StabilityArguments& arguments) {
+  check_output(arguments.output);
+  const std::vector<StabilityCase> cases =
+      arguments.device == "cpu" ? stability_cases() : pictures("--device").stability_on_gl(arguments.device);
   write_output(arguments.output,
                arguments.output.format == "json" ? stability_json(cases) : stability_text(cases));
   return all_passed(cases) ? exit_ok : exit_findings;
@@ -59,10 +61,7 @@ void add_stability(CommandLine& line) {
       .show_default();
   add_output_options(verb, arguments->output, {"text", "json"});
   verb.footer("Exit status: 0 every case as expected, 1 some not.\nExample:\n  etak stability");
-  verb.runs([arguments] {
-    return arguments->device == "cpu" ? show_on_cpu(*arguments)
-                                      : pictures("--device").show_stability(*arguments);
-  });
+  verb.runs([arguments] { return show_stability(*arguments); });
 }
 
 }  // namespace etak::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/cli/output.h"
+#include "core/study/stability/stability.h"
 
 namespace etak::cli {
 
@@ -23,8 +24,10 @@ struct StabilityArguments {
   std::string device = "cpu";
 };
 
-// The work of the verbs, in the module of pictures.h.
+/// The work of `etak report`, in the module of pictures.h.
 int measure(ReportArguments& arguments);
-int show_stability(StabilityArguments& arguments);
+
+/// The cases of `etak stability` with what OpenGL gives, in the module too.
+std::vector<StabilityCase> stability_on_gl(const std::string& device);
 
 }  // namespace etak::cli

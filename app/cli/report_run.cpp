@@ -118,18 +118,9 @@ int measure(ReportArguments& arguments) {
   return exit_ok;
 }
 
-int show_stability(StabilityArguments& arguments) {
-  check_output(arguments.output);
-  std::optional<GlRunner> gl;
-  GlEvaluate evaluate;
-  if (arguments.device != "cpu") {
-    gl.emplace(open_gl(arguments.device));
-    evaluate = [&gl](std::string_view expression) { return double{gl->evaluate(expression)}; };
-  }
-  const auto cases = stability_cases(evaluate);
-  write_output(arguments.output,
-               arguments.output.format == "json" ? stability_json(cases) : stability_text(cases));
-  return all_passed(cases) ? exit_ok : exit_findings;
+std::vector<StabilityCase> stability_on_gl(const std::string& device) {
+  GlRunner gl = open_gl(device);
+  return stability_cases([&gl](std::string_view expression) { return double{gl.evaluate(expression)}; });
 }
 
 }  // namespace etak::cli

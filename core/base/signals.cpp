@@ -4,7 +4,6 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -12,6 +11,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstring>
+
+#include "core/base/files/descriptor.h"
 
 namespace etak {
 namespace {
@@ -58,11 +59,7 @@ void remove_entry(const Entry& entry) {
     return;
   }
   // A name that stands for something else by now has nothing to do with what is open.
-  struct stat named {
-  }, opened{};
-  if (::fstatat(entry.folder, name, &named, AT_SYMLINK_NOFOLLOW) != 0 ||
-      ::fstat(entry.opened, &opened) != 0 || named.st_dev != opened.st_dev || named.st_ino != opened.st_ino)
-    return;
+  if (!stands_for(entry.folder, name, entry.opened)) return;
   // Other threads may go on making files in it for a moment.
   while (::unlinkat(entry.folder, name, AT_REMOVEDIR) != 0) {
     if (!remove_files(entry.opened)) {
@@ -73,7 +70,8 @@ void remove_entry(const Entry& entry) {
 }
 
 [[noreturn]] void clean_and_end() {
-  remove_temporaries();
+  for (const Entry& entry : entries)
+    if (entry.state == Entry::remembered) remove_entry(entry);
   const int number = ending;
   ::signal(number, SIG_DFL);
   sigset_t only;
@@ -92,11 +90,6 @@ void handle(int number) {
 }
 
 }  // namespace
-
-void remove_temporaries() {
-  for (const Entry& entry : entries)
-    if (entry.state == Entry::remembered) remove_entry(entry);
-}
 
 void end_by_signals() {
   struct sigaction action {};

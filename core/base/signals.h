@@ -29,7 +29,4 @@ class SignalsHeld {
 int remember_temporary(int folder, const char* name, int opened);
 void forget_temporary(int entry);
 
-/// Removes all that is remembered now, for who is about to replace the process by another program.
-void remove_temporaries();
-
 }  // namespace etak

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -33,6 +35,15 @@ class Descriptor {
  private:
   int fd_;
 };
+
+/// Whether the name in `folder` stands for the file or folder that is open. Makes system calls only, so that a handler of
+/// signals may ask too.
+inline bool stands_for(int folder, const char* name, int open) {
+  struct stat named {
+  }, opened{};
+  return ::fstatat(folder, name, &named, AT_SYMLINK_NOFOLLOW) == 0 && ::fstat(open, &opened) == 0 &&
+         named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+}
 
 /// Writes all of `bytes`, however often the system stops in between; errno tells why not.
 inline bool write_all(int fd, std::string_view bytes) {

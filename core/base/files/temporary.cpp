@@ -66,19 +66,11 @@ std::vector<std::string> names_of(DIR* listing) {
   return out;
 }
 
-// Whether the name still stands for what is open.
-bool stands_for(int folder, const std::string& name, int open) {
-  struct stat named {
-  }, opened{};
-  return ::fstatat(folder, name.c_str(), &named, AT_SYMLINK_NOFOLLOW) == 0 && ::fstat(open, &opened) == 0 &&
-         named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
-}
-
 // Needs no other descriptor than `open`, the folder itself, so that it works where no file can be opened any more.
 // Folders in it were somebody else's, on their way to a new target: they go (back) to `home`, and where that
 // cannot be everything that is left stays.
 void remove_folder(int parent, const std::string& name, int home, Descriptor open) {
-  if (!stands_for(parent, name, open.get())) return;
+  if (!stands_for(parent, name.c_str(), open.get())) return;
   if (DIR* const listing = ::fdopendir(open.get())) {
     const int folder = open.release();
     ::rewinddir(listing);
@@ -210,7 +202,7 @@ Temporary::Temporary(int folder, std::string_view name, Kind kind, int home) : f
     }
     if (!open_) return;
     if (::flock(open_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) continue;
-    if (!stands_for(folder, made, open_.get())) continue;
+    if (!stands_for(folder, made.c_str(), open_.get())) continue;
     name_ = made;
     remembered_ = remember_temporary(folder, made.c_str(), kind == Kind::folder ? open_.get() : -1);
     return;
