@@ -18,17 +18,12 @@
 #include "app/editor/shortcuts.h"
 #include "app/editor/theme.h"
 #include "app/editor/window.h"
+#include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/exchange/engine_values.h"
 
 namespace etak::editor {
-namespace {
-
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 QAction* Window::action(QMenu* menu, const QString& title, const QKeySequence& keys,
                         const std::function<void()>& act) {
@@ -122,24 +117,25 @@ void Window::make_edit_menu() {
 
 void Window::fill_copy_menu(QMenu* menu) {
   for (const EngineTarget& target : engine_targets())
-    action(menu, text(target.title),
-           target.id == "hex" ? QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C) : QKeySequence(),
-           [this, &target] {
-             const ProjectMaterial* m = look_.preview ? &*look_.preview : document_.material();
-             if (m == nullptr) return;
-             try {
-               const EngineValues values = engine_values(target, export_surface(*m, *document_.library()));
-               const QString copied = QString::fromStdString(copy_text(values));
-               QApplication::clipboard()->setText(copied);
-               QString told =
-                   tr("Copied for %1: %2").arg(text(target.title), copied.section(QLatin1Char('\n'), 0, 0));
-               for (const Change& change : values.changes)
-                 told += QStringLiteral("; ") + text(one_line(change));
-               tell(told);
-             } catch (const Error& error) {
-               tell(QString::fromUtf8(error.what()));
-             }
-           });
+    action(
+        menu, qt_text(target.title),
+        target.id == "hex" ? QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C) : QKeySequence(),
+        [this, &target] {
+          const ProjectMaterial* m = look_.preview ? &*look_.preview : document_.material();
+          if (m == nullptr) return;
+          try {
+            const EngineValues values = engine_values(target, export_surface(*m, *document_.library()));
+            const QString copied = QString::fromStdString(copy_text(values));
+            QApplication::clipboard()->setText(copied);
+            QString told =
+                tr("Copied for %1: %2").arg(qt_text(target.title), copied.section(QLatin1Char('\n'), 0, 0));
+            for (const Change& change : values.changes)
+              told += QStringLiteral("; ") + qt_text(one_line(change));
+            tell(told);
+          } catch (const Error& error) {
+            tell(QString::fromUtf8(error.what()));
+          }
+        });
 }
 
 void Window::make_view_menu() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "core/math/quadrature.h"
@@ -10,7 +11,7 @@
 namespace etak {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 double sin_deg(double x) {
   const double r = std::remainder(x, 360);  // exact

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/math/quadrature.h"
 
 namespace etak {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 // (e^x - 1) / x.
 double mean_exponential(double x) {

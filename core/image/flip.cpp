@@ -21,7 +21,7 @@
 namespace etak {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double color_power = 0.7, knee_in = 0.4, knee_out = 0.95;  // q_c, p_c, p_t
 constexpr double feature_width_deg = 0.082, feature_power = 0.5;     // w, q_f
 

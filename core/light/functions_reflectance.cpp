@@ -2,6 +2,7 @@
 // Functions of `etak eval`: reflectance models at two directions, and their directional albedo in a white
 // furnace.
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "core/brdf/albedo.h"
@@ -11,7 +12,7 @@
 namespace etak::function_rows {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 using In = const double*;
 
 constexpr FunctionInput cd{"cd", "diffuse colour", "", 0, 10};

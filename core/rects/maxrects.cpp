@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <climits>
 
+#include "core/rects/index.h"
 #include "core/rects/lanes.h"
 
 namespace etak::rects {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Wanted {
   int width, height, key_bits, area_shift;

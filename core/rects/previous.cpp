@@ -5,14 +5,11 @@
 #include <climits>
 #include <tuple>
 
+#include "core/rects/index.h"
 #include "core/rects/maxrects.h"
 
 namespace etak::rects {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int up(int value, int step) {
   return (value + step - 1) / step * step;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/rects/index.h"
 #include "core/rects/pack.h"
 #include "core/rects/previous.h"
 
@@ -13,10 +14,6 @@ namespace etak {
 namespace {
 
 using namespace rects;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string text(const RectSize& size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);

@@ -7,13 +7,10 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "core/rects/index.h"
 
 namespace etak::rects {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // With fewer rectangles a try takes no longer than a thread to start.
 constexpr int least_for_threads = 700;

@@ -3,14 +3,11 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/rects/index.h"
 #include "core/rects/pack.h"
 
 namespace etak::rects {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Filler {
   Filler(const Set& s, bool rotate, const Frame& frame, Budget& b)

@@ -6,14 +6,11 @@
 #include <climits>
 #include <numeric>
 
+#include "core/rects/index.h"
 #include "core/rects/lanes.h"
 
 namespace etak::rects {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int padded(int count) {
   return (count + lane_count - 1) / lane_count * lane_count;

@@ -9,7 +9,7 @@ namespace etak {
 namespace {
 
 constexpr int polar_steps = 96, around_steps = 64;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Directions of light and viewer as the models' loops take them.
 struct Rows {

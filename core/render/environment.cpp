@@ -12,7 +12,7 @@
 namespace etak {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int level_count = 9;
 // Prefiltering looks at no more columns than this: finer detail is below the narrowest lobe (e = 4096, some 5
 // degrees).

@@ -21,7 +21,7 @@
 namespace etak {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::size_t fresnel_steps = 4096;
 
 namespace f64 {

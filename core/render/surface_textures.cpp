@@ -62,7 +62,7 @@ std::array<double, 4> texel(const Image& texture, double u, double v) {
 
 std::array<double, 2> texture_place(Shape shape, const Vec3& p) {
   if (shape == Shape::quad) return {0.5 + 0.5 * p[0], 0.5 - 0.5 * p[1]};
-  constexpr double pi = std::numbers::pi;
+  using std::numbers::pi;
   return {0.5 + std::atan2(p[0], p[2]) / (2 * pi), std::atan2(std::hypot(p[0], p[2]), p[1]) / pi};
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/viewport/qt_text.h"
 #include "core/base/number.h"
 
 namespace etak::editor {
@@ -12,14 +13,10 @@ namespace {
 
 constexpr double tick = 4, gap = 4;
 
-QString text_of(const std::string& text) {
-  return QString::fromStdString(text);
-}
-
 double widest(const PlotAxis& axis, const QFontMetricsF& metrics) {
   double out = 0;
   for (const double at : axis.ticks)
-    out = std::max(out, metrics.horizontalAdvance(text_of(tick_text(axis, at))));
+    out = std::max(out, metrics.horizontalAdvance(qt_text(tick_text(axis, at))));
   return out;
 }
 
@@ -76,14 +73,14 @@ void LinePlotWidget::draw_axes(QPainter& painter, const QRectF& area) {
   for (const double at : plot_.left.ticks) {
     if (point(0, at, plot_.left).y() > free_below - room) continue;
     free_below = point(0, at, plot_.left).y();
-    const QString text = text_of(tick_text(plot_.left, at));
+    const QString text = qt_text(tick_text(plot_.left, at));
     painter.drawText(QPointF(frame_.left() - tick - gap - metrics.horizontalAdvance(text),
                              point(0, at, plot_.left).y() + half),
                      text);
   }
   for (const double at : plot_.x.ticks)
     centred(point(at, 0, plot_.left).x(), frame_.bottom() + gap + metrics.ascent(),
-            text_of(tick_text(plot_.x, at)));
+            qt_text(tick_text(plot_.x, at)));
   free_below = frame_.bottom() + 2 * room;
   if (plot_.right)
     for (const double at : plot_.right->ticks) {
@@ -91,17 +88,17 @@ void LinePlotWidget::draw_axes(QPainter& painter, const QRectF& area) {
       if (y > free_below - room) continue;
       free_below = y;
       painter.drawLine(QPointF(frame_.right(), y), QPointF(frame_.right() + tick, y));
-      painter.drawText(QPointF(frame_.right() + tick + gap, y + half), text_of(tick_text(*plot_.right, at)));
+      painter.drawText(QPointF(frame_.right() + tick + gap, y + half), qt_text(tick_text(*plot_.right, at)));
     }
   painter.drawLine(frame_.topLeft(), frame_.bottomLeft());
   painter.drawLine(frame_.bottomLeft(), frame_.bottomRight());
   painter.setPen(ink());
   centred(frame_.center().x(), frame_.bottom() + 2 * gap + metrics.height() + metrics.ascent(),
-          text_of(plot_.x.label));
+          qt_text(plot_.x.label));
   const double top = area.top() + metrics.ascent() + 2;
-  painter.drawText(QPointF(8, top), text_of(plot_.left.label));
+  painter.drawText(QPointF(8, top), qt_text(plot_.left.label));
   if (plot_.right) {
-    const QString text = text_of(plot_.right->label);
+    const QString text = qt_text(plot_.right->label);
     painter.drawText(QPointF(area.right() - 8 - metrics.horizontalAdvance(text), top), text);
   }
 }
@@ -116,7 +113,7 @@ QPointF LinePlotWidget::place_of(const PlotCurve& curve, double x, double y) con
 }
 
 QString LinePlotWidget::place_text(double at) const {
-  return text_of(number(at, 4)) + unit_;
+  return qt_text(number(at, 4)) + unit_;
 }
 
 QLineF LinePlotWidget::cursor_line(double at) const {

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/viewport/qt_text.h"
 #include "core/base/number.h"
 
 namespace etak::editor {
@@ -19,10 +20,6 @@ namespace {
 
 QColor color_of(std::string_view hex) {
   return QColor(QString::fromLatin1(hex.data(), static_cast<qsizetype>(hex.size())));
-}
-
-QString text_of(const std::string& text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
 }  // namespace
@@ -34,10 +31,10 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent) {
 }
 
 void PlotWidget::plot_changed() {
-  setAccessibleName(text_of(title()));
-  setAccessibleDescription(text_of(description()));
-  QString told = text_of(description());
-  for (const PlotKey& key : keys()) told += '\n' + text_of(key.text);
+  setAccessibleName(qt_text(title()));
+  setAccessibleDescription(qt_text(description()));
+  QString told = qt_text(description());
+  for (const PlotKey& key : keys()) told += '\n' + qt_text(key.text);
   setToolTip(told);
   if (cursor_) {
     const auto [least, most] = range();
@@ -78,10 +75,10 @@ QPen PlotWidget::pen_of(std::string_view css_class) const {
 }
 
 QString PlotWidget::csv_text() const {
-  return text_of(csv_of());
+  return qt_text(csv_of());
 }
 QString PlotWidget::svg_text() const {
-  return text_of(svg_of(dark()));
+  return qt_text(svg_of(dark()));
 }
 
 void PlotWidget::copy_csv() const {
@@ -101,7 +98,7 @@ QString PlotWidget::readout() const {
   QString out;
   for (const Reading& each : readings(*cursor_))
     out += (out.isEmpty() ? place_text(*cursor_) + ": " : QString(", ")) + each.name + ' ' +
-           text_of(number(each.value, 4));
+           qt_text(number(each.value, 4));
   return out;
 }
 
@@ -113,7 +110,7 @@ void PlotWidget::set_cursor(std::optional<double> at) {
   if (at == cursor_) return;
   cursor_ = at;
   const QString text = readout();
-  setAccessibleDescription(text.isEmpty() ? text_of(description()) : text);
+  setAccessibleDescription(text.isEmpty() ? qt_text(description()) : text);
   emit readout_changed(text);
   update();
 }
@@ -123,7 +120,7 @@ std::vector<PlotWidget::Reading> PlotWidget::readings(double at) const {
   for (const PlotCurve& curve : curves()) {
     const double value = value_at(curve, at);
     if (curve.dots || !std::isfinite(value)) continue;
-    out.push_back({text_of(curve.title), value, pen_of(curve.css_class).color(), place_of(curve, at, value)});
+    out.push_back({qt_text(curve.title), value, pen_of(curve.css_class).color(), place_of(curve, at, value)});
   }
   return out;
 }
@@ -161,7 +158,7 @@ double PlotWidget::legend(QPainter* painter, bool brief) const {
   const double row = metrics.height() + 2;
   double x = edge, y = 4;
   for (const PlotKey& key : keys()) {
-    const QString text = text_of(brief && !key.brief.empty() ? key.brief : key.text);
+    const QString text = qt_text(brief && !key.brief.empty() ? key.brief : key.text);
     const double wide = (key.css_class.empty() ? 0 : sample + gap) + metrics.horizontalAdvance(text);
     if (x > edge && x + wide > width() - edge) {
       x = edge;
@@ -195,7 +192,7 @@ void PlotWidget::draw_cursor(QPainter& painter) const {
   double name_width = 0, value_width = 0;
   std::vector<QString> values;
   for (const Reading& each : all) {
-    values.push_back(text_of(number(each.value, 4)));
+    values.push_back(qt_text(number(each.value, 4)));
     name_width = std::max(name_width, metrics.horizontalAdvance(each.name));
     value_width = std::max(value_width, metrics.horizontalAdvance(values.back()));
     painter.setPen(QPen(each.color, 1.2));
@@ -240,7 +237,7 @@ void PlotWidget::paintEvent(QPaintEvent* /*event*/) {
   if (empty()) {
     painter.setPen(ink_soft());
     painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
-                     text_of(description()));
+                     qt_text(description()));
   } else {
     // The plot keeps two thirds: what is left out of the legend stands in the tool tip.
     const double top = legend(&painter, legend(nullptr, false) > height() / 3.0);

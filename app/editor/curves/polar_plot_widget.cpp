@@ -5,16 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/viewport/qt_text.h"
 #include "core/base/number.h"
 
 namespace etak::editor {
-namespace {
-
-QString text_of(const std::string& text) {
-  return QString::fromStdString(text);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void PolarPlotWidget::set_plot(PolarPlot plot) {
   plot_ = std::move(plot);
@@ -66,14 +61,14 @@ void PolarPlotWidget::draw_grid(QPainter& painter) const {
   double free_from = centre_.x();
   const double y = centre_.y() + metrics.ascent() + 4;
   for (const double tick : plot_.radial.ticks) {
-    const QString text = text_of(radial_text(plot_, tick));
+    const QString text = qt_text(radial_text(plot_, tick));
     const double x = centre_.x() + rim_ * polar_radius(plot_, tick), wide = metrics.horizontalAdvance(text);
     if (&tick != plot_.radial.ticks.data() && x - wide / 2 < free_from) continue;
     centred({x, y}, text);
     free_from = x + wide / 2 + 6;
   }
   painter.setPen(ink());
-  centred({centre_.x(), y + metrics.height() + 2}, text_of(plot_.radial.label));
+  centred({centre_.x(), y + metrics.height() + 2}, qt_text(plot_.radial.label));
   // The light: an arrow towards the centre.
   painter.setPen(QPen(ink(), 2));
   const QPointF from = on_rim(plot_.light_deg, 1), to = on_rim(plot_.light_deg, 0.82);
@@ -94,7 +89,7 @@ QPointF PolarPlotWidget::place_of(const PlotCurve& /*curve*/, double x, double y
 }
 
 QString PolarPlotWidget::place_text(double at) const {
-  return text_of(number(std::abs(at), 3)) + QStringLiteral("°") +
+  return qt_text(number(std::abs(at), 3)) + QStringLiteral("°") +
          (at < 0 ? tr(" on the light's side") : QString());
 }
 

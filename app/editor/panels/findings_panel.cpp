@@ -8,13 +8,10 @@
 #include <QVBoxLayout>
 
 #include "app/editor/panels/sections.h"
+#include "app/viewport/qt_text.h"
 
 namespace etak::editor {
 namespace {
-
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
 
 // "1 error", "2 errors"
 QString counted(std::size_t count, const QString& one, const QString& more) {
@@ -74,19 +71,19 @@ QVariant FindingsModel::data(const QModelIndex& index, int role) const {
   const Finding* finding = at(index.row());
   if (finding == nullptr) return {};
   if (role == Qt::ToolTipRole)
-    return text(finding->message + (finding->cause.empty() ? "" : "\n" + finding->cause) +
-                (finding->fix.empty() ? "" : "\n" + finding->fix) + "\n" + finding->source);
+    return qt_text(finding->message + (finding->cause.empty() ? "" : "\n" + finding->cause) +
+                   (finding->fix.empty() ? "" : "\n" + finding->fix) + "\n" + finding->source);
   if (role == Qt::UserRole && index.column() == severity_column) return static_cast<int>(finding->severity);
   if (role != Qt::DisplayRole && role != Qt::UserRole) return {};
   switch (index.column()) {
     case severity_column:
-      return text(name(finding->severity));
+      return qt_text(name(finding->severity));
     case rule_column:
-      return text(finding->rule);
+      return qt_text(finding->rule);
     case material_column:
-      return text(finding->material);
+      return qt_text(finding->material);
     default:
-      return text(finding->message);
+      return qt_text(finding->message);
   }
 }
 
@@ -148,11 +145,11 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
             advice_->setText(
                 finding == nullptr
                     ? QString()
-                    : text(finding->cause.empty() ? finding->fix : finding->cause + " " + finding->fix));
+                    : qt_text(finding->cause.empty() ? finding->fix : finding->cause + " " + finding->fix));
           });
   connect(table_, &QTreeView::activated, this, [this](const QModelIndex& now) {
     if (const Finding* finding = model_.at(sorted_.mapToSource(now).row()))
-      emit go_to(text(finding->material), text(finding->rule));
+      emit go_to(qt_text(finding->material), qt_text(finding->rule));
   });
   show();
 }

@@ -5,6 +5,7 @@
 #include <QMimeData>
 #include <QPainter>
 
+#include "app/viewport/qt_text.h"
 #include "app/viewport/viewport.h"
 #include "core/base/error.h"
 #include "core/material/json.h"
@@ -82,7 +83,7 @@ void LibraryModel::set_side(int side, double ratio) {
 QStringList LibraryModel::classes() const {
   QStringList out;
   for (const std::string_view each : material_classes) {
-    const QString name = QString::fromUtf8(each.data(), static_cast<qsizetype>(each.size()));
+    const QString name = qt_text(each);
     if (std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) { return row.material_class == name; }))
       out << name;
   }

@@ -12,6 +12,7 @@
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/sections.h"
+#include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 
 namespace etak::editor {
@@ -19,10 +20,6 @@ namespace {
 
 constexpr std::array kinds{LightKind::point, LightKind::directional, LightKind::spot};
 constexpr std::array forms{HemisphereForm::corrected, HemisphereForm::wide, HemisphereForm::printed};
-
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
 
 LinearRgb rgb(const Vec3& v) {
   return {v[0], v[1], v[2]};
@@ -109,7 +106,7 @@ Section* LightPanel::make_light() {
                 [&](LightSetup& l) { l.lights.erase(l.lights.begin() + row_now); });
   });
   kind_ = new QuietComboBox(tr("Kind of light"), out);
-  for (const LightKind each : kinds) kind_->addItem(text(name(each)));
+  for (const LightKind each : kinds) kind_->addItem(qt_text(name(each)));
   color_ = new ColorField(tr("Light colour"), {1, 1, 1}, out);
   intensity_ = new NumberField(tr("Intensity"), 0, 20, 1, out);
   intensity_->box().setRange(0, 1e6);
@@ -167,7 +164,7 @@ Section* LightPanel::make_hemispheres() {
   upper_ = new ColorField(tr("Upper hemisphere"), {0.6, 0.7, 0.8}, out);
   lower_ = new ColorField(tr("Lower hemisphere"), {0.25, 0.22, 0.2}, out);
   form_ = new QuietComboBox(tr("Form of the hemispheres' formula"), out);
-  for (const HemisphereForm each : forms) form_->addItem(text(name(each)));
+  for (const HemisphereForm each : forms) form_->addItem(qt_text(name(each)));
   out->add(hemispheres_);
   out->add_below(tr("Upper"), upper_);
   out->add_below(tr("Lower"), lower_);
@@ -269,7 +266,7 @@ void LightPanel::show_view() {
       std::clamp(which_->currentIndex(), 0, std::max(0, static_cast<int>(lights.lights.size()) - 1));
   which_->clear();
   for (std::size_t i = 0; i < lights.lights.size(); ++i)
-    which_->addItem(tr("%1: %2").arg(i + 1).arg(text(name(lights.lights[i].kind))));
+    which_->addItem(tr("%1: %2").arg(i + 1).arg(qt_text(name(lights.lights[i].kind))));
   which_->setCurrentIndex(lights.lights.empty() ? -1 : row);
   const bool any = !lights.lights.empty();
   const Light light = any ? lights.lights[static_cast<std::size_t>(row)] : Light{};
@@ -300,7 +297,7 @@ void LightPanel::show_view() {
   for (QWidget* each :
        {static_cast<QWidget*>(upper_), static_cast<QWidget*>(lower_), static_cast<QWidget*>(form_)})
     each->setEnabled(lights.hemispheres.has_value());
-  const QString environment = text(lights.environment);
+  const QString environment = qt_text(lights.environment);
   if (environment_->findData(environment) < 0)
     environment_->addItem(environment.section(QLatin1Char('/'), -1), environment);
   environment_->setCurrentIndex(environment_->findData(environment));

@@ -5,14 +5,11 @@
 
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/press_id.h"
+#include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 
 namespace etak::editor {
 namespace {
-
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
 
 // What has fields of its own in the inspector.
 bool has_own_field(Role role) {
@@ -45,8 +42,8 @@ ModelSection::ModelSection(Document& document, QWidget* parent)
   diffuse_->addItem(tr("none"), QString());
   for (const Model& each : models()) {
     QuietComboBox* box = each.kind == ModelKind::diffuse ? diffuse_ : specular_;
-    box->addItem(text(each.id), text(each.id));
-    box->setItemData(box->count() - 1, text(each.title), Qt::ToolTipRole);
+    box->addItem(qt_text(each.id), qt_text(each.id));
+    box->setItemData(box->count() - 1, qt_text(each.title), Qt::ToolTipRole);
   }
   add(tr("Specular"), specular_);
   add(tr("Diffuse"), diffuse_);
@@ -74,12 +71,13 @@ void ModelSection::rebuild() {
     std::size_t at = 0;
     for (const Parameter& p : model->parameters) {
       if (!has_own_field(p.role)) {
-        auto* field = new NumberField(text(p.name), least_of(p), most_of(p), p.initial, sliders_);
-        field->setToolTip(p.color ? tr("%1 (all three channels)").arg(text(p.meaning)) : text(p.meaning));
+        auto* field = new NumberField(qt_text(p.name), least_of(p), most_of(p), p.initial, sliders_);
+        field->setToolTip(p.color ? tr("%1 (all three channels)").arg(qt_text(p.meaning))
+                                  : qt_text(p.meaning));
         field->leave_reset_to_owner();
         field->box().setRange(p.min, p.max);
         const std::string parameter(p.name);
-        slider_rows_->addRow(text(p.name), field);
+        slider_rows_->addRow(qt_text(p.name), field);
         connect(field, &NumberField::edited, this,
                 [this, parameter](double value, int press) { set(parameter, value, press); });
         connect(field, &NumberField::reset_asked, this,
@@ -101,15 +99,15 @@ void ModelSection::set(const std::string& parameter, std::optional<double> value
     return each.first == parameter || each.first.starts_with(parameter + ".");
   });
   if (value) next.parameters.emplace_back(parameter, *value);
-  document_.edit(document_.current(), next, text(parameter), press_id);
+  document_.edit(document_.current(), next, qt_text(parameter), press_id);
 }
 
 void ModelSection::show_material() {
   const ProjectMaterial* m = document_.material();
   const Model* specular = m == nullptr ? nullptr : find_model(m->specular_model);
   const Model* diffuse = m == nullptr ? nullptr : find_model(m->diffuse_model);
-  specular_->setCurrentIndex(std::max(0, m == nullptr ? 0 : specular_->findData(text(m->specular_model))));
-  diffuse_->setCurrentIndex(std::max(0, m == nullptr ? 0 : diffuse_->findData(text(m->diffuse_model))));
+  specular_->setCurrentIndex(std::max(0, m == nullptr ? 0 : specular_->findData(qt_text(m->specular_model))));
+  diffuse_->setCurrentIndex(std::max(0, m == nullptr ? 0 : diffuse_->findData(qt_text(m->diffuse_model))));
   const bool both = specular != nullptr && specular->kind == ModelKind::both;
   diffuse_->setEnabled(!both);
   diffuse_->setToolTip(both ? tr("The specular model has a diffuse part of its own") : QString());
@@ -121,7 +119,7 @@ void ModelSection::show_material() {
     rebuild();
     QString about;
     if (specular != nullptr) {
-      about = text(specular->title) + QStringLiteral(". ") + text(specular->source);
+      about = qt_text(specular->title) + QStringLiteral(". ") + qt_text(specular->source);
       if (!specular->claims.reciprocal) about += tr(". Not reciprocal");
       if (!specular->claims.conserves_energy) about += tr(". May give off more light than it takes");
     }

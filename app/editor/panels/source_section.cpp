@@ -6,6 +6,7 @@
 
 #include "app/editor/fields/press_id.h"
 #include "app/viewport/background.h"
+#include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/color/srgb.h"
@@ -14,10 +15,6 @@
 
 namespace etak::editor {
 namespace {
-
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
 
 // What is told of a measured F0; made on a worker, because every dataset of the material is solved for the
 // spread.
@@ -32,17 +29,17 @@ Told told(const ProjectMaterial& material, const MaterialLibrary& library) {
     const FoundF0 found = find_f0(measured, library);
     const F0Result& r = found.result;
     out.result = QStringLiteral("%1   Y %2%3   F82 %4")
-                     .arg(text(hex(r.srgb8)), text(fixed(r.luminance, 3)),
-                          r.zone ? QStringLiteral(" (%1)").arg(text(name(*r.zone))) : QString(),
-                          r.f82 ? text(hex(srgb_u8(*r.f82))) : QStringLiteral("-"));
-    out.result +=
-        QStringLiteral("\n") + QObject::tr("data %1").arg(text(quality_text(found.chosen().origin, r.flags)));
+                     .arg(qt_text(hex(r.srgb8)), qt_text(fixed(r.luminance, 3)),
+                          r.zone ? QStringLiteral(" (%1)").arg(qt_text(name(*r.zone))) : QString(),
+                          r.f82 ? qt_text(hex(srgb_u8(*r.f82))) : QStringLiteral("-"));
+    out.result += QStringLiteral("\n") +
+                  QObject::tr("data %1").arg(qt_text(quality_text(found.chosen().origin, r.flags)));
     if (const std::string why = doubt(found.material, found.chosen()); !why.empty())
-      out.result += QObject::tr("\ndoubtful: %1").arg(text(why));
+      out.result += QObject::tr("\ndoubtful: %1").arg(qt_text(why));
     if (const std::string flags = flags_text(r); !flags.empty())
-      out.result += QStringLiteral("\n") + text(flags).replace(QLatin1Char(';'), QStringLiteral("; "));
-    out.body = text(body_note(material, found));
-    out.citation = text(one_line(found.chosen().citation));
+      out.result += QStringLiteral("\n") + qt_text(flags).replace(QLatin1Char(';'), QStringLiteral("; "));
+    out.body = qt_text(body_note(material, found));
+    out.citation = qt_text(one_line(found.chosen().citation));
     MaterialReport report{found.material, {}};
     const F0Solver solver(f0_options(measured, library));
     for (const Dataset& each : found.material.datasets)
@@ -50,7 +47,7 @@ Told told(const ProjectMaterial& material, const MaterialLibrary& library) {
     const Spread all = spread(report);
     out.spread = all.count > 1 ? QObject::tr("%1 datasets: %2 to %3")
                                      .arg(all.count)
-                                     .arg(text(hex(all.least8)), text(hex(all.most8)))
+                                     .arg(qt_text(hex(all.least8)), qt_text(hex(all.most8)))
                                : QObject::tr("one dataset");
   } catch (const Error& error) {
     out.result = QString::fromUtf8(error.what());
@@ -84,11 +81,11 @@ SourceSection::SourceSection(Document& document, QWidget* parent)
   outside_->lineEdit()->setAccessibleName(tr("Outside medium, text"));
   outside_->lineEdit()->setPlaceholderText(tr("vacuum"));
   outside_->setToolTip(tr("A transparent material of the library, or an index such as 1.33"));
-  for (const char* medium : {"", "air", "water", "1.5"}) outside_->addItem(text(medium));
+  for (const char* medium : {"", "air", "water", "1.5"}) outside_->addItem(qt_text(medium));
   for (const Illuminant each : {Illuminant::d65, Illuminant::d50, Illuminant::a, Illuminant::e})
-    illuminant_->addItem(text(name(each)));
+    illuminant_->addItem(qt_text(name(each)));
   for (const Observer each : {Observer::cie1931_2deg, Observer::cie1964_10deg})
-    observer_->addItem(text(name(each)));
+    observer_->addItem(qt_text(name(each)));
   add(tr("Use"), material_);
   add(tr("Dataset"), dataset_);
   add(spread_);
@@ -117,7 +114,7 @@ void SourceSection::set_library() {
   showing_ = true;
   material_->clear();
   material_->addItem(QString());
-  for (const std::string& id : document_.library()->ids()) material_->addItem(text(id));
+  for (const std::string& id : document_.library()->ids()) material_->addItem(qt_text(id));
   showing_ = false;
   datasets_of_.clear();
   show_material();
@@ -129,10 +126,10 @@ void SourceSection::fill_datasets(const std::string& material) {
   dataset_->clear();
   const auto found = material.empty() ? std::nullopt : document_.library()->find(material);
   if (!found) return;
-  dataset_->addItem(tr("preferred: %1").arg(text(found->preferred_dataset().id)), QString());
+  dataset_->addItem(tr("preferred: %1").arg(qt_text(found->preferred_dataset().id)), QString());
   for (const Dataset& each : found->datasets) {
     const std::string quality = quality_text(each.origin, quality_flags(*found, each));
-    dataset_->addItem(tr("%1 (%2)").arg(text(each.id), text(quality)), text(each.id));
+    dataset_->addItem(tr("%1 (%2)").arg(qt_text(each.id), qt_text(quality)), qt_text(each.id));
   }
 }
 
@@ -141,13 +138,13 @@ void SourceSection::show_material() {
   showing_ = true;
   const MeasuredF0 measured = m != nullptr && m->measured ? *m->measured : MeasuredF0{};
   const bool on = m != nullptr && m->measured.has_value();
-  material_->setCurrentIndex(std::max(0, material_->findText(text(measured.material))));
-  material_->lineEdit()->setText(text(measured.material));
+  material_->setCurrentIndex(std::max(0, material_->findText(qt_text(measured.material))));
+  material_->lineEdit()->setText(qt_text(measured.material));
   fill_datasets(measured.material);
-  dataset_->setCurrentIndex(std::max(0, dataset_->findData(text(measured.dataset))));
-  outside_->setCurrentText(text(measured.outside));
-  illuminant_->setCurrentText(text(name(measured.viewing.illuminant)));
-  observer_->setCurrentText(text(name(measured.viewing.observer)));
+  dataset_->setCurrentIndex(std::max(0, dataset_->findData(qt_text(measured.dataset))));
+  outside_->setCurrentText(qt_text(measured.outside));
+  illuminant_->setCurrentText(qt_text(name(measured.viewing.illuminant)));
+  observer_->setCurrentText(qt_text(name(measured.viewing.observer)));
   for (QWidget* each : {static_cast<QWidget*>(dataset_), static_cast<QWidget*>(outside_),
                         static_cast<QWidget*>(illuminant_), static_cast<QWidget*>(observer_)})
     each->setEnabled(on);

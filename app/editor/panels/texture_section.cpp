@@ -12,13 +12,10 @@
 
 #include "app/editor/document/files.h"
 #include "app/editor/fields/press_id.h"
+#include "app/viewport/qt_text.h"
 
 namespace etak::editor {
 namespace {
-
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
 
 QString title_of(Channel channel) {
   switch (channel) {
@@ -141,7 +138,7 @@ void TextureSection::set(Channel channel, const QString& path) {
     texture.reset();
   else
     texture = ImageSource{path.toStdString(), {}, {}};
-  document_.edit(document_.current(), next, tr("%1 texture").arg(text(name(channel))), next_press_id());
+  document_.edit(document_.current(), next, tr("%1 texture").arg(qt_text(name(channel))), next_press_id());
 }
 
 void TextureSection::show_material() {
@@ -149,7 +146,7 @@ void TextureSection::show_material() {
   for (const Channel channel : all_channels) {
     Row& row = rows_[static_cast<std::size_t>(channel)];
     const bool has = m != nullptr && m->texture(channel).has_value();
-    const QString path = has ? text(m->texture(channel)->path) : QString();
+    const QString path = has ? qt_text(m->texture(channel)->path) : QString();
     // A long path shows its end, where the file's name is.
     if (row.path->text() != path) row.path->setText(path);
     row.path->setToolTip(path);

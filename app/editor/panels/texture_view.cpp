@@ -10,6 +10,7 @@
 
 #include "app/editor/panels/sections.h"
 #include "app/viewport/background.h"
+#include "app/viewport/qt_text.h"
 #include "core/atlas/sources/picture_door.h"
 #include "core/base/error.h"
 #include "core/project/project_pictures.h"
@@ -109,8 +110,7 @@ TextureView::TextureView(Document& document, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
   auto* row = new QHBoxLayout;
-  for (const Channel each : all_channels)
-    channel_->addItem(QString::fromUtf8(name(each).data(), static_cast<qsizetype>(name(each).size())));
+  for (const Channel each : all_channels) channel_->addItem(qt_text(name(each)));
   row->addWidget(channel_);
   row->addWidget(told_, 1);
   column->addLayout(row);

@@ -11,15 +11,12 @@
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/sections.h"
+#include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/color/ocio.h"
 
 namespace etak::editor {
 namespace {
-
-QString text(std::string_view view) {
-  return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-}
 
 QCheckBox* check(const QString& label, QWidget* parent) {
   auto* out = new QCheckBox(label, parent);
@@ -114,10 +111,10 @@ void ViewPanel::fill_displays() {
   try {
     for (const OcioDisplayInfo& each : ocio_displays(config)) {
       QStringList views;
-      for (const std::string& view : each.views) views << text(view);
-      display_->addItem(text(each.name), views);
+      for (const std::string& view : each.views) views << qt_text(view);
+      display_->addItem(qt_text(each.name), views);
     }
-    if (!config.empty()) told = text(config);
+    if (!config.empty()) told = qt_text(config);
   } catch (const Error& error) {
     told = QString::fromUtf8(error.what());
   }
@@ -174,7 +171,7 @@ Section* ViewPanel::make_compare() {
   model_ = new QuietComboBox(tr("Specular model of side B"), out);
   model_->addItem(tr("as the material"), QString());
   for (const Model& each : models())
-    if (each.kind != ModelKind::diffuse) model_->addItem(text(each.id), text(each.id));
+    if (each.kind != ModelKind::diffuse) model_->addItem(qt_text(each.id), qt_text(each.id));
   auto* buttons = new QWidget(out);
   buttons->setAccessibleName(tr("Side B, choice"));
   auto* line = new QHBoxLayout(buttons);
@@ -220,21 +217,22 @@ void ViewPanel::show_look() {
   const ProjectView& view = document_.project().view;
   exposure_->show_value(view.exposure);
   fill_displays();
-  display_->setCurrentIndex(view.display.empty() ? 0 : std::max(0, display_->findText(text(view.display))));
+  display_->setCurrentIndex(view.display.empty() ? 0
+                                                 : std::max(0, display_->findText(qt_text(view.display))));
   const QStringList views = display_->currentData().toStringList();
   view_->clear();
   view_->addItems(views);
-  if (!view.view.empty()) view_->setCurrentText(text(view.view));
+  if (!view.view.empty()) view_->setCurrentText(qt_text(view.view));
   view_->setEnabled(!views.isEmpty());
   shape_->setCurrentIndex(view.wedge.on ? 2 : view.shape == etak::Shape::quad ? 1 : 0);
   QStringList parameters{QStringLiteral("gloss"), QStringLiteral("opacity")};
   if (const ProjectMaterial* m = document_.material())
     if (const Model* model = find_model(m->specular_model))
       for (const Parameter& each : model->parameters)
-        if (!each.color && each.role != Role::gloss) parameters << text(each.name);
+        if (!each.color && each.role != Role::gloss) parameters << qt_text(each.name);
   parameter_->clear();
   parameter_->addItems(parameters);
-  parameter_->setCurrentText(text(view.wedge.parameter));
+  parameter_->setCurrentText(qt_text(view.wedge.parameter));
   parameter_->setEnabled(view.wedge.on);
   steps_->setValue(view.wedge.steps);
   steps_->setEnabled(view.wedge.on);
@@ -243,10 +241,10 @@ void ViewPanel::show_look() {
   textured_->setChecked(look_.textured);
   split_->setChecked(view.compare.on);
   pinned_->setText(view.compare.pinned
-                       ? tr("B is %1, as it was when pinned").arg(text(view.compare.pinned->name))
+                       ? tr("B is %1, as it was when pinned").arg(qt_text(view.compare.pinned->name))
                        : tr("B is the material in hand; choose another model for it, or pin one"));
   unpin_->setEnabled(view.compare.pinned.has_value());
-  model_->setCurrentIndex(std::max(0, model_->findData(text(view.compare.model))));
+  model_->setCurrentIndex(std::max(0, model_->findData(qt_text(view.compare.model))));
   showing_ = false;
 }
 

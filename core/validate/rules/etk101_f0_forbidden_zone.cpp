@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk101_parameters[] = {
     {"match_bytes", 3, 3, "codes", "distance at which a plateau counts as a material of the library"},
 };
 
@@ -85,7 +85,7 @@ constinit const Rule etk101_f0_forbidden_zone{
     Severity::error,
     Severity::error,
     {Need::bytes_b, Need::regions},
-    parameters,
+    etk101_parameters,
     "Hoffman, \"Crafting Physically Motivated Shading Models\"; MoonRay calls conductors "
     "below 0.4564 invalid; thresholds of the region analysis measured on synthetic edges "
     "(etak)",

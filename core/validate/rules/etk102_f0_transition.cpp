@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk102_parameters[] = {
     {"warn_share", 10, 10, "%", "share of the tile above which it is a warning"},
 };
 
@@ -36,7 +36,7 @@ constinit const Rule etk102_f0_transition{
     Severity::info,
     Severity::info,
     {Need::bytes_b, Need::regions},
-    parameters,
+    etk102_parameters,
     "etak: filtered edges between metal and dielectric fill 0.5 to 30 % of a tile, by their "
     "softness",
     "Texels in the zone that are filtered edges, soft masks or features thinner than 5 "

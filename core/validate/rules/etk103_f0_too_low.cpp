@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk103_parameters[] = {
     {"max_luminance", 0.017, 0.017, "", "F0 below which a plateau is reported"},
 };
 
@@ -32,7 +32,7 @@ constinit const Rule etk103_f0_too_low{
     Severity::warning,
     Severity::error,
     {Need::bytes_b, Need::regions},
-    parameters,
+    etk103_parameters,
     "Lowest entries of the library: index 1.30 to 1.333, F0 0.017 to 0.020; Unreal and "
     "Frostbite take less than 2 % for shadowing; Schueler: min(60 Ks, 1)",
     "A plateau of F0 with luminance above 0 but below 0.017 (sRGB code 36).",

@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk105_parameters[] = {
     {"min_luminance", 0.0812, 0.0812, "", "F0 above which a plateau is reported"},
 };
 
@@ -27,7 +27,7 @@ constinit const Rule etk105_f0_gem_range{
     Severity::info,
     Severity::warning,
     {Need::bytes_b, Need::regions},
-    parameters,
+    etk105_parameters,
     "Hoffman: only gemstones and diamond-like materials; MoonRay calls an index above 1.788 "
     "invalid for its dielectric",
     "A plateau with luminance between 0.0812 and the lower end of the forbidden zone (sRGB "

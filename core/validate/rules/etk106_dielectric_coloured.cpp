@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk106_parameters[] = {
     {"spread_warning", 4, 4, "codes", "difference of channels above which it is reported"},
     {"spread_error", 12, 12, "codes", "above which it is an error"},
 };
@@ -44,7 +44,7 @@ constinit const Rule etk106_dielectric_coloured{
     Severity::warning,
     Severity::error,
     {Need::bytes_b, Need::regions},
-    parameters,
+    etk106_parameters,
     "Hoffman: F0 of dielectrics is achromatic; Schueler's own diamond row is 114/115/117",
     "A plateau below the forbidden zone whose channels are more than 4 codes apart; an error "
     "above 12 codes. In metal-rough sets only where metallic is 0: else base colour shines "

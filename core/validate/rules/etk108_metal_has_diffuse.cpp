@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk108_parameters[] = {
     {"warning_byte", 30, 30, "code", "largest diffuse channel that is let pass"},
     {"error_byte", 50, 50, "code", "above which it is an error"},
 };
@@ -36,7 +36,7 @@ constinit const Rule etk108_metal_has_diffuse{
     Severity::warning,
     Severity::error,
     {Need::bytes_a, Need::bytes_b, Need::regions},
-    parameters,
+    etk108_parameters,
     "Schueler 2009: diffuse of metals is black; Unity, \"pure metal\"",
     "A plateau with F0 at or above the zone's upper end and a diffuse channel above sRGB "
     "code 30 (0.013); an error above code 50 (0.032). Metal-rough sets are not asked: there "

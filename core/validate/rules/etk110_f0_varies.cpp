@@ -10,7 +10,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk110_parameters[] = {
     {"deviation", 3, 3, "codes", "largest standard deviation of a channel"},
 };
 
@@ -50,7 +50,7 @@ constinit const Rule etk110_f0_varies{
     Severity::warning,
     Severity::error,
     {Need::bytes_b, Need::named},
-    parameters,
+    etk110_parameters,
     "Schueler 2009: one F0 per material, the variety belongs into gloss",
     "Where tiles are named: inside one material the standard deviation of some channel of F0 "
     "exceeds 3 codes.",

@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk111_parameters[] = {
     {"distance", 6, 6, "codes", "largest channel difference that counts as known"},
 };
 
@@ -42,7 +42,7 @@ constinit const Rule etk111_f0_not_in_database{
     Severity::off,
     Severity::info,
     {Need::bytes_b, Need::regions},
-    parameters,
+    etk111_parameters,
     "The material library of etak",
     "A plateau further than 6 codes from every dataset of the library; the three nearest are "
     "named. Off by default.",

@@ -9,7 +9,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk112_parameters[] = {
     {"distance", 3, 3, "codes", "largest channel difference from the nearest dataset"},
 };
 
@@ -73,7 +73,7 @@ constinit const Rule etk112_f0_wrong_material{
     Severity::error,
     Severity::error,
     {Need::bytes_b, Need::regions, Need::named},
-    parameters,
+    etk112_parameters,
     "The material library of etak: titanium spans 0.40 to 0.60 over its datasets, so all of "
     "them are compared",
     "The file names a material of the library, and a plateau differs by more than 3 codes "

@@ -5,7 +5,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk114_parameters[] = {
     {"error_share", 10, 10, "%", "share of the metal from which on it is an error"},
 };
 
@@ -30,7 +30,7 @@ constinit const Rule etk114_metal_too_dark{
     Severity::error,
     Severity::error,
     {Need::metal_rough, Need::regions},
-    parameters,
+    etk114_parameters,
     "The library's darkest metals have F0 of 0.40 and more; found on a public sample asset, "
     "metallic 1 with F0 0.08",
     "Metal-rough sets: a plateau with metallic 0.9 or more and F0 luminance of 0.20 or less. "

@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk201_parameters[] = {
     {"limit", 1 + 1.0 / 255, 1 + 1.0 / 255, "", "largest sum of a channel that is let pass"},
     {"far_limit", 1.02, 1.02, "", "above which it is an error"},
 };
@@ -39,7 +39,7 @@ constinit const Rule etk201_energy_sum{
     Severity::warning,
     Severity::error,
     {Need::bytes_a, Need::bytes_b},
-    parameters,
+    etk201_parameters,
     "Energy conservation; of 45 measured materials the brightest, Spectralon, reaches 1.012 "
     "and 44 stay below 1",
     "Texels where the linear sum of diffuse and F0 exceeds 1 + 1/255 in a channel; an error "

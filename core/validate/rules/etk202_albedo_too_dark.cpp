@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk202_parameters[] = {
     {"min_byte", 30, 50, "code", "smallest grey code that is let pass"},
 };
 
@@ -27,7 +27,7 @@ constinit const Rule etk202_albedo_too_dark{
     Severity::warning,
     Severity::warning,
     {Need::bytes_a, Need::bytes_b, Need::regions},
-    parameters,
+    etk202_parameters,
     "Filament, Substance, Godot and DONTNOD charts; strict: 50. 7 to 20 % of measured "
     "materials lie outside of published ranges, so it is never an error",
     "A plateau of dielectric surface with diffuse luminance below sRGB code 30 (strict: 50). "

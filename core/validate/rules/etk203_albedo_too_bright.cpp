@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk203_parameters[] = {
     {"max_byte", 250, 240, "code", "largest grey code that is let pass"},
 };
 
@@ -27,7 +27,7 @@ constinit const Rule etk203_albedo_too_bright{
     Severity::warning,
     Severity::warning,
     {Need::bytes_a, Need::regions},
-    parameters,
+    etk203_parameters,
     "The same charts; strict: 240. Fresh snow is 0.85 to 0.95 in Unity's presets",
     "A plateau with diffuse luminance above sRGB code 250 (strict: 240).",
     "Nothing but reference tiles of pressed powder is whiter than snow; light then bounces "

@@ -9,7 +9,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk206_parameters[] = {
     {"limit", 1.001, 1.001, "", "largest directional albedo"},
 };
 
@@ -78,7 +78,7 @@ constinit const Rule etk206_model_gains_energy{
     Severity::info,
     Severity::warning,
     {Need::bytes_a, Need::bytes_b},
-    parameters,
+    etk206_parameters,
     "Directional albedo of etak's default model (Schueler's Optimized, bounded) at 0, 60, 80 "
     "and 85 degrees, integrated once; TU Graz lecture: the integral is at most 1",
     "The mean diffuse colour of a tile plus the model's specular albedo at the tile's mean "

@@ -9,7 +9,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk301_parameters[] = {
     {"deviation", 0.5, 0.5, "codes", "standard deviation below which gloss is constant"},
     {"min_texels", 4096, 4096, "px", "smaller tiles are not asked"},
 };
@@ -52,7 +52,7 @@ constinit const Rule etk301_gloss_constant{
     Severity::info,
     Severity::warning,
     {Need::bytes_b},
-    parameters,
+    etk301_parameters,
     "Schueler 2009: variety of a material is put into g",
     "Inside a tile of more than 4,096 texels the standard deviation of gloss is below 0.5 "
     "codes; a warning when all tiles of an atlas are like that.",

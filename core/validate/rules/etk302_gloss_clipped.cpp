@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk302_parameters[] = {
     {"share", 5, 5, "%", "share of opaque texels that may stand at an end"},
 };
 
@@ -45,7 +45,7 @@ constinit const Rule etk302_gloss_clipped{
     Severity::warning,
     Severity::warning,
     {Need::bytes_b},
-    parameters,
+    etk302_parameters,
     "Godot and PBR-Check flag roughness below 0.01 and above 0.99",
     "More than 5 % of the opaque texels have gloss code 0, or 255.",
     "A level adjustment or a conversion between gloss conventions has thrown structure away; "

@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk304_parameters[] = {
     {"codes", 8, 8, "", "most distinct codes that are reported"},
     {"min_texels", 65536, 65536, "px", "smaller tiles are not asked"},
     {"span", 32, 32, "codes", "least distance of the ends"},
@@ -41,7 +41,7 @@ constinit const Rule etk304_gloss_steps{
     Severity::info,
     Severity::warning,
     {Need::bytes_b},
-    parameters,
+    etk304_parameters,
     "One step of 8 bits changes the exponent 2^(12 g) by 3.3 % (etak)",
     "At most 8 distinct gloss codes over more than 65,536 texels that span more than 32 "
     "codes.",

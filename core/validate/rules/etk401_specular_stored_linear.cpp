@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk401_parameters[] = {
     {"share", 80, 80, "%", "of the plateau area with codes up to 84"},
 };
 
@@ -51,7 +51,7 @@ constinit const Rule etk401_specular_stored_linear{
     Severity::error,
     Severity::error,
     {Need::bytes_b, Need::regions},
-    parameters,
+    etk401_parameters,
     "Leave-one-out over 109 materials with 3 codes of noise: 99 % of dielectrics recognised "
     "(etak)",
     "Of the plateaus with codes up to 84 at least 80 % of the area has codes 4 to 26, and "

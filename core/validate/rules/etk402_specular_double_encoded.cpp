@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk402_parameters[] = {
     {"share", 80, 80, "%", "of the achromatic non-metal plateau area"},
 };
 
@@ -60,7 +60,7 @@ constinit const Rule etk402_specular_double_encoded{
     Severity::error,
     Severity::error,
     {Need::bytes_a, Need::bytes_b, Need::regions},
-    parameters,
+    etk402_parameters,
     "Leave-one-out over 109 materials: 95 % of dielectrics recognised; 0.04 reads as 0.221, "
     "and 47 of 77 dielectrics land in the forbidden zone (etak)",
     "At least 80 % of the area of achromatic non-metal plateaus has codes 105 to 155, whose "

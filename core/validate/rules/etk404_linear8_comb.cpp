@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk404_parameters[] = {
     {"share", 99.9, 99.9, "%", "of dark values in the comb"},
     {"min_values", 4096, 4096, "", "fewer dark values are not judged"},
     {"codes", 8, 8, "", "least number of distinct dark codes"},
@@ -49,7 +49,7 @@ constinit const Rule etk404_linear8_comb{
     Severity::warning,
     Severity::error,
     {Need::bytes_a, Need::bytes_b},
-    parameters,
+    etk404_parameters,
     "Comb share 1.0000 for re-encoded sources, 0.39 to 0.59 for untouched smooth textures; "
     "183 of 256 codes survive (etak)",
     "At least 4,096 values with code 100 or less and at least 8 distinct ones, of which 99.9 "

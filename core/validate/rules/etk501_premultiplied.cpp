@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk501_parameters[] = {
     {"min_texels", 256, 256, "px", "fewer half-transparent texels are not judged"},
     {"share", 99.9, 99.9, "%", "of them with max(RGB) at most alpha + 1"},
     {"correlation", 0.9, 0.9, "", "between max(RGB) and alpha"},
@@ -47,7 +47,7 @@ constinit const Rule etk501_premultiplied{
     Severity::error,
     Severity::error,
     {Need::bytes_a},
-    parameters,
+    etk501_parameters,
     "Premultiplied: share 1.000, correlation 0.96 to 0.99; straight: share 0.20 to 0.93, "
     "correlation within 0.02 (etak). glTF: texels must not be premultiplied",
     "Over at least 256 texels with alpha 9 to 246: max(RGB) is at most alpha + 1 for 99.9 % "

@@ -6,7 +6,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk504_parameters[] = {
     {"mips", 4, 4, "levels", "that must be clean where the layout does not say"},
     {"difference", 2, 2, "/255", "largest linear difference"},
 };
@@ -34,7 +34,7 @@ constinit const Rule etk504_mip_bleed{
     Severity::warning,
     Severity::error,
     {Need::bytes_a, Need::bytes_b, Need::layout},
-    parameters,
+    etk504_parameters,
     "Tiles with gutter g stay clean up to level log2(g) + 1, and power-of-two aligned ones "
     "to their alignment; then they jump by up to 0.455 at once (etak)",
     "Atlas: in a box mip chain of the page some texel whose centre lies in the tile differs "

@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk602_parameters[] = {
     {"min_samples", 10, 10, "", "in 380 to 780 nm"},
     {"max_gap", 30, 30, "nm", "between neighbouring samples"},
 };
@@ -45,7 +45,7 @@ constinit const Rule etk602_sparse{
     Severity::warning,
     Severity::error,
     {Need::material},
-    parameters,
+    etk602_parameters,
     "Public pages go down to 2 to 7 samples (etak)",
     "The preferred dataset has fewer than 10 samples in 380 to 780 nm, or a gap above 30 nm.",
     "Absorption bands between samples are lost.",

@@ -10,7 +10,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk606_parameters[] = {
     {"difference", 5e-4, 5e-4, "", "largest difference of a linear channel"},
 };
 
@@ -47,7 +47,7 @@ constinit const Rule etk606_f0_recompute{
     Severity::error,
     Severity::error,
     {Need::material},
-    parameters,
+    etk606_parameters,
     "etak; Hoffman's own bytes are 1 off",
     "A stored F0 differs by more than 5e-4 from what the preferred dataset gives, or stored "
     "codes by more than 1.",

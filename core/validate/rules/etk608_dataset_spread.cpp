@@ -8,7 +8,7 @@ namespace etak {
 
 namespace {
 
-constexpr RuleParameter parameters[] = {
+constexpr RuleParameter etk608_parameters[] = {
     {"spread", 0.05, 0.05, "", "largest difference of reflectance"},
 };
 
@@ -37,7 +37,7 @@ constinit const Rule etk608_dataset_spread{
     Severity::info,
     Severity::warning,
     {Need::material},
-    parameters,
+    etk608_parameters,
     "Titanium 0.20, iron 0.06 without outliers (etak)",
     "Reflectance at 550 nm spans more than 0.05 over the datasets, those flagged as doubtful "
     "left out.",
