@@ -22,7 +22,7 @@
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/material/quality.h"
-#include "core/pages/f0_report.h"
+#include "core/pages/f0/report.h"
 
 namespace etak::cli {
 namespace {

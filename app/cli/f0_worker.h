@@ -8,7 +8,7 @@
 #include "app/cli/inputs.h"
 #include "core/exchange/rii_page.h"
 #include "core/material/f0.h"
-#include "core/pages/f0_report.h"
+#include "core/pages/f0/report.h"
 
 namespace etak::cli {
 

@@ -12,7 +12,7 @@
 #include "core/color/srgb.h"
 #include "core/material/json.h"
 #include "core/material/quality.h"
-#include "core/pages/f0_report.h"
+#include "core/pages/f0/report.h"
 
 namespace etak::cli {
 namespace {

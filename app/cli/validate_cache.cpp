@@ -16,8 +16,8 @@
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/files/temporary.h"
+#include "core/base/hash/sha256.h"
 #include "core/base/number.h"
-#include "core/base/sha256.h"
 
 namespace etak::cli {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "core/atlas/resolution.h"
 #include "core/atlas/sources/strip_reader.h"
-#include "core/base/content_hash.h"
 #include "core/base/error.h"
+#include "core/base/hash/content_hash.h"
 #include "core/base/parallel.h"
 #include "core/image/dilate.h"
 #include "core/image/mips.h"

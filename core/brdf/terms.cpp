@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/brdf/evaluate/evaluators.h"
-#include "core/brdf/normalise.h"
+#include "core/brdf/integrals/normalise.h"
 #include "core/brdf/parameters.h"
 
 namespace etak {

@@ -2,8 +2,8 @@
 // Functions of `etak eval`: distributions of facets, their integrals, shadowing and masking.
 #include <cmath>
 
-#include "core/brdf/albedo.h"
-#include "core/brdf/normalise.h"
+#include "core/brdf/integrals/albedo.h"
+#include "core/brdf/integrals/normalise.h"
 #include "core/light/function_rows.h"
 
 namespace etak::function_rows {

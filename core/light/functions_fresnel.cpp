@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/brdf/albedo.h"
+#include "core/brdf/integrals/albedo.h"
 #include "core/light/function_rows.h"
 
 namespace etak::function_rows {

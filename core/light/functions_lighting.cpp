@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/brdf/albedo.h"
+#include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
 #include "core/color/srgb.h"
 #include "core/light/function_rows.h"

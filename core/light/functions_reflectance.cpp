@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/brdf/albedo.h"
+#include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
 #include "core/light/function_rows.h"
 

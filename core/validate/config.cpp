@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/content_hash.h"
 #include "core/base/error.h"
+#include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
 #include "core/validate/nearest.h"
 #include "core/validate/rules.h"

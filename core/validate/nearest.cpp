@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/content_hash.h"
+#include "core/base/hash/content_hash.h"
 #include "core/material/f0.h"
 #include "core/material/json.h"
 #include "core/material/library.h"

@@ -11,7 +11,7 @@
 #include "core/base/text.h"
 #include "core/color/srgb.h"
 #include "core/material/quality.h"
-#include "core/pages/f0_report.h"
+#include "core/pages/f0/report.h"
 
 namespace etak::editor {
 namespace {

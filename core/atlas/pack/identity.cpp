@@ -6,8 +6,8 @@
 
 #include "core/atlas/pack/gltf_pack.h"
 #include "core/atlas/pack/pack.h"
-#include "core/base/content_hash.h"
 #include "core/base/files/file.h"
+#include "core/base/hash/content_hash.h"
 #include "core/base/parallel.h"
 
 namespace etak {

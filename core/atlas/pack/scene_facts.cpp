@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/pack/scene_facts.h"
 
-#include "core/base/content_hash.h"
+#include "core/base/hash/content_hash.h"
 #include "core/color/srgb.h"
 #include "core/scene/gltf_convert.h"
 #include "core/scene/material_texels.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/content_hash.h"
 #include "core/base/error.h"
+#include "core/base/hash/content_hash.h"
 #include "core/color/srgb.h"
 #include "core/image/files/png.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/number.h"
-#include "core/brdf/albedo.h"
+#include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
 #include "core/study/error_time.h"
 #include "core/study/measure.h"

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/brdf/normalise.h"
+#include "core/brdf/integrals/normalise.h"
 #include "core/color/srgb.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/table.h"

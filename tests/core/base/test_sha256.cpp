@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/sha256.h"
+#include "core/base/hash/sha256.h"
 
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
 
-#include "core/base/sha256_blocks.h"
+#include "core/base/hash/sha256_blocks.h"
 
 using namespace etak;
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "core/brdf/albedo.h"
+#include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
 
 /// Random parameters and directions for tests over the whole registry.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/brdf/normalise.h"
+#include "core/brdf/integrals/normalise.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/brdf/albedo.h"
+#include "core/brdf/integrals/albedo.h"
 #include "core/math/quadrature.h"
 
 using namespace etak;

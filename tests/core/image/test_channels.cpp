@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/content_hash.h"
+#include "core/base/hash/content_hash.h"
 #include "core/image/channels.h"
 
 using namespace etak;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/color/srgb.h"
-#include "core/pages/f0_report.h"
+#include "core/pages/f0/report.h"
 
 /// Rows and reports written down by hand, so that the tests of the report know every number in it.
 namespace etak::test {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/base/sha256.h"
+#include "core/base/hash/sha256.h"
 #include "core/base/text.h"
 #include "core/pages/validation_page.h"
 #include "core/validate/output/formats.h"

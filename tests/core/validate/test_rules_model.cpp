@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/brdf/albedo.h"
+#include "core/brdf/integrals/albedo.h"
 #include "core/color/srgb.h"
 #include "tests/core/validate/corpus.h"
 

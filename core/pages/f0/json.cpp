@@ -8,7 +8,7 @@
 #include "core/color/colorspace.h"
 #include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"
-#include "core/pages/f0_report.h"
+#include "core/pages/f0/report.h"
 #include "core/spectrum/integration.h"
 
 namespace etak {

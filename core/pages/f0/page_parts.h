@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/pages/f0_report.h"
+#include "core/pages/f0/report.h"
 
 namespace etak {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/sha256.h"
+#include "core/base/hash/sha256.h"
 
 #include <unistd.h>
 
@@ -15,7 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/input.h"
-#include "core/base/sha256_blocks.h"
+#include "core/base/hash/sha256_blocks.h"
 
 namespace etak {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/brdf/albedo.h"
+#include "core/brdf/integrals/albedo.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/content_hash.h"
+#include "core/base/hash/content_hash.h"
 
 #include <cstring>
 

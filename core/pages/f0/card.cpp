@@ -6,7 +6,7 @@
 #include "core/base/text.h"
 #include "core/color/srgb.h"
 #include "core/material/quality.h"
-#include "core/pages/f0_page_parts.h"
+#include "core/pages/f0/page_parts.h"
 #include "core/plot/f0_curves.h"
 #include "core/plot/svg_plot.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/color/srgb.h"
-#include "core/pages/f0_page_parts.h"
+#include "core/pages/f0/page_parts.h"
 
 namespace etak {
 namespace {

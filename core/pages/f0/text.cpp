@@ -9,7 +9,7 @@
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/color/srgb.h"
-#include "core/pages/f0_report.h"
+#include "core/pages/f0/report.h"
 
 namespace etak {
 namespace {

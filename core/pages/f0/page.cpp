@@ -10,7 +10,7 @@
 #include "core/base/text.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
-#include "core/pages/f0_page_parts.h"
+#include "core/pages/f0/page_parts.h"
 #include "core/pages/page_style.h"
 #include "core/plot/svg_plot.h"
 

@@ -3,7 +3,7 @@
 // Based on Gulley, Gopal, Yap, Feghali, Guilford and Wolrich 2013, "Intel SHA Extensions".
 #include <immintrin.h>
 
-#include "core/base/sha256_blocks.h"
+#include "core/base/hash/sha256_blocks.h"
 
 namespace etak {
 

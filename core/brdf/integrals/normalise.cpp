@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/brdf/normalise.h"
+#include "core/brdf/integrals/normalise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/base/wrap.h"
-#include "core/pages/f0_report.h"
+#include "core/pages/f0/report.h"
 
 namespace etak {
 namespace {
