@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "app/cli/eval_csv.h"
 #include "app/cli/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
@@ -9,6 +8,7 @@
 #include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/light/functions.h"
+#include "core/light/functions_csv.h"
 
 namespace etak::cli {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "app/cli/export_values.h"
 #include "app/cli/inputs.h"
 #include "app/cli/options.h"
 #include "app/cli/output.h"
@@ -9,6 +8,7 @@
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
 #include "core/material/names.h"

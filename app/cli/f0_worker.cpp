@@ -5,10 +5,10 @@
 
 #include <utility>
 
-#include "app/cli/axes.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/memory.h"
+#include "core/exchange/axes.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
 #include "core/material/names.h"

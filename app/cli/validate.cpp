@@ -4,12 +4,12 @@
 #include <memory>
 
 #include "app/cli/empty_list.h"
-#include "app/cli/explain.h"
 #include "app/cli/file_options.h"
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
+#include "core/validate/output/explain.h"
 #include "core/validate/rules.h"
 
 namespace etak::cli {

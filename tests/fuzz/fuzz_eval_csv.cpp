@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/eval_csv.h"
 #include "core/base/error.h"
+#include "core/light/functions_csv.h"
 
 using namespace etak;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::vector<char> bytes(data, data + size);
   std::size_t reasons = 0;
-  cli::CsvAnswers answers;
+  CsvAnswers answers;
   try {
-    answers = cli::answer_csv({bytes.data(), bytes.size()}, "questions.csv", [&](std::string_view reason) {
+    answers = answer_csv({bytes.data(), bytes.size()}, "questions.csv", [&](std::string_view reason) {
       assert(reason.starts_with("questions.csv:"));
       ++reasons;
     });

@@ -6,7 +6,7 @@
 
 #include "core/exchange/engine_values.h"
 
-namespace etak::cli {
+namespace etak {
 
 /// A surface with its values in every target asked for.
 struct ExportedValues {
@@ -21,4 +21,4 @@ std::string export_text(const std::vector<ExportedValues>& all);  // what an edi
 std::string export_csv(const std::vector<ExportedValues>& all);
 std::string export_json(const std::vector<ExportedValues>& all, Fit fit, const std::string& policy);
 
-}  // namespace etak::cli
+}  // namespace etak

@@ -8,7 +8,7 @@
 
 #include "core/light/functions.h"
 
-namespace etak::cli {
+namespace etak {
 
 /// The function of that name, blanks around it left out. Throws Error.
 ///   place   file and line, for messages; empty: the command line
@@ -26,4 +26,4 @@ struct CsvAnswers {
 CsvAnswers answer_csv(std::string_view text, const std::string& file,
                       const std::function<void(std::string_view)>& refuse);
 
-}  // namespace etak::cli
+}  // namespace etak

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/axes.h"
+#include "core/exchange/axes.h"
 
 #include <array>
 #include <span>
 #include <string_view>
 
-namespace etak::cli {
+namespace etak {
 namespace {
 
 struct Axis {
@@ -59,4 +59,4 @@ std::vector<AxisDataset> axis_datasets(const Material& material, const Dataset& 
   return out;
 }
 
-}  // namespace etak::cli
+}  // namespace etak

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/eval_csv.h"
+#include "core/light/functions_csv.h"
 
 #include <algorithm>
 #include <vector>
@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 
-namespace etak::cli {
+namespace etak {
 namespace {
 
 constexpr int digits = 17;
@@ -127,4 +127,4 @@ CsvAnswers answer_csv(std::string_view text, const std::string& file,
   return out;
 }
 
-}  // namespace etak::cli
+}  // namespace etak

@@ -7,7 +7,7 @@
 
 #include "core/validate/rule.h"
 
-namespace etak::cli {
+namespace etak {
 
 /// The rule for people: what, why, an example, the fix, its parameters and sources.
 ///   columns   that it may take; 0: as many as are easy to read
@@ -22,4 +22,4 @@ std::string rules_table();
 /// {"schema": "etak-rules/1", "rules": [...]} for editors and documentation.
 std::string rules_json(std::span<const Rule* const> rules);
 
-}  // namespace etak::cli
+}  // namespace etak

@@ -6,7 +6,7 @@
 
 #include "core/material/material.h"
 
-namespace etak::cli {
+namespace etak {
 
 /// What stands for one axis of a crystal in the average over grain directions.
 ///   weight   2/3 ordinary and 1/3 extraordinary, or 1/3 for each of alpha, beta, gamma
@@ -29,4 +29,4 @@ std::vector<AxisPage> axis_pages(const std::string& path);
 /// one is missing.
 std::vector<AxisDataset> axis_datasets(const Material& material, const Dataset& dataset);
 
-}  // namespace etak::cli
+}  // namespace etak

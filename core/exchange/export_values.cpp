@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/export_values.h"
+#include "core/exchange/export_values.h"
 
 #include <algorithm>
 #include <array>
 
-#include "app/cli/output.h"
+#include "core/base/csv.h"
 #include "core/base/json_text.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 
-namespace etak::cli {
+namespace etak {
 namespace {
 
 std::string json_numbers(const std::vector<double>& values) {
@@ -169,4 +170,4 @@ std::string export_json(const std::vector<ExportedValues>& all, Fit fit, const s
   return out + "\n  ]\n}\n";
 }
 
-}  // namespace etak::cli
+}  // namespace etak
