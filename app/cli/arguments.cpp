@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "app/cli/output.h"
+#include "app/cli/output/output.h"
 #include "app/cli/usage.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"

@@ -17,7 +17,8 @@ class Option;
 
 namespace etak::cli {
 
-/// What a verb does once its arguments are read: returns the exit status (see Exit in output.h), throws Error.
+/// What a verb does once its arguments are read: returns the exit status (see Exit in output/output.h), throws
+/// Error.
 using Work = std::function<int()>;
 
 /// An option or argument of a verb. Each setter returns the option, so that setters chain.

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/cli/file_options.h"
-#include "app/cli/output.h"
+#include "app/cli/options/files.h"
+#include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/signals.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/cli/output.h"
+#include "app/cli/output/output.h"
 #include "core/base/edit_distance.h"
 #include "core/base/error.h"
 

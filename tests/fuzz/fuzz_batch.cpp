@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/cli/pack_jobs.h"
+#include "app/cli/pack/jobs.h"
 #include "core/base/error.h"
 
 using namespace etak;

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/f0/run.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <optional>
+#include <set>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include "app/cli/f0/worker.h"
+#include "app/cli/inputs/inputs.h"
+#include "app/cli/options/empty_list.h"
+#include "app/cli/options/options.h"
+#include "app/cli/output/output.h"
+#include "app/cli/output/progress.h"
+#include "app/cli/output/replace.h"
+#include "app/cli/output/terminal.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/parallel.h"
+#include "core/material/quality.h"
+#include "core/pages/f0/report.h"
+
+namespace etak::cli {
+namespace {
+
+// What happened to the inputs, for the exit status and the closing remark.
+struct Tally {
+  std::size_t rows = 0, answered = 0, refused = 0, refused_by_name = 0, failed = 0, nonlinear = 0, other = 0,
+              prose = 0;
+
+  Tally& operator+=(const Tally& more) {
+    rows += more.rows;
+    answered += more.answered;
+    refused += more.refused;
+    refused_by_name += more.refused_by_name;
+    failed += more.failed;
+    nonlinear += more.nonlinear;
+    other += more.other;
+    prose += more.prose;
+    return *this;
+  }
+};
+
+void count(const Outcome& outcome, const Input& input, Tally& tally) {
+  tally.nonlinear += outcome.kind == Outcome::Kind::nonlinear;
+  tally.other += outcome.kind == Outcome::Kind::other;
+  tally.prose += outcome.kind == Outcome::Kind::prose;
+  if (outcome.kind != Outcome::Kind::answered) return;
+  ++tally.answered;
+  if (!outcome.row.result.refused()) return;
+  ++tally.refused;
+  tally.refused_by_name += !input.from_folder;
+}
+
+// The output of neighbouring inputs, written by one worker. Forms made of lines are text at once, so that a
+// run over thousands of files never holds their results; the others keep rows.
+struct Chunk {
+  std::string text;
+  std::vector<F0Row> rows;
+  std::vector<std::string> errors;
+  Tally tally;
+};
+constexpr std::size_t chunk_inputs = 8;
+
+void add_row(F0Row row, const std::string& format, const F0Options& options, Chunk& out) {
+  if (format == "csv")
+    append_f0_csv(out.text, row.path, row.result, row.kind);
+  else if (format == "jsonl")
+    out.text += f0_jsonl({&row, 1}, options);
+  else
+    out.rows.push_back(std::move(row));
+  ++out.tally.rows;
+}
+
+void answer_one(const Input& input, const F0Job& job, const std::string& format, F0Worker& worker,
+                Chunk& out) {
+  try {
+    Outcome outcome = worker.answer(input, job);
+    count(outcome, input, out.tally);
+    if (outcome.kind != Outcome::Kind::answered) return;
+    worker.start_lap(job);
+    add_row(std::move(outcome.row), format, job.solver.options(), out);
+    worker.lap(worker.times.print, job);
+  } catch (const Error& error) {
+    ++out.tally.failed;
+    out.errors.emplace_back(error.what());
+    if (!input.from_folder) return;
+    // A folder's rows are its files: one that is broken must not go missing from the table.
+    F0Row row;
+    row.path = input.label();
+    row.result.refusal = std::string("error: ") + error.what();
+    add_row(std::move(row), format, job.solver.options(), out);
+  }
+}
+
+// What the HTML form shows of one input; a material without datasets where there is nothing to show.
+MaterialReport html_report(const Input& input, const F0Job& job, F0Worker& worker, Tally& tally) {
+  Outcome outcome;
+  if (input.from_folder) {
+    // Folders hold files that are no pages, and pages without n make no material.
+    outcome = worker.answer(input, job);
+    if (outcome.kind != Outcome::Kind::answered || outcome.without_optics) {
+      count(outcome, input, tally);
+      return {};
+    }
+  }
+  MaterialReport report{read_material(input, job.tables), {}};
+  for (const Dataset& dataset : report.material.datasets)
+    report.results.push_back(solve(job.solver, report.material, dataset));
+  outcome.row.result = report.results[report.material.preferred];
+  count(outcome, input, tally);
+  return report;
+}
+
+// The HTML form shows whole materials with all their datasets instead of rows.
+std::string html(const std::vector<Input>& inputs, const F0Job& job, std::vector<F0Worker>& workers,
+                 std::vector<std::string>& errors, Tally& tally) {
+  std::vector<MaterialReport> reports(inputs.size());
+  std::vector<std::string> failures(inputs.size());
+  std::vector<Tally> tallies(workers.size());
+  const auto threads = static_cast<unsigned>(workers.size());
+  parallel_chunks(inputs.size(), threads, 1, [&](std::size_t i, std::size_t, unsigned worker) {
+    // A page shows a material with all its datasets, so that "gold/*" is one of it and not one for each.
+    if (i > 0 && inputs[i].material && inputs[i].material == inputs[i - 1].material) return;
+    try {
+      reports[i] = html_report(inputs[i], job, workers[worker], tallies[worker]);
+    } catch (const Error& error) {
+      failures[i] = error.what();
+    }
+  });
+  for (const Tally& part : tallies) tally += part;
+  std::vector<MaterialReport> shown;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!failures[i].empty()) errors.push_back(std::move(failures[i]));
+    if (!reports[i].results.empty()) shown.push_back(std::move(reports[i]));
+  }
+  tally.failed = errors.size();
+  tally.rows = shown.size();
+  return f0_page(shown, job.solver.options());
+}
+
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what;
+}
+
+void print_remarks(const F0Arguments& arguments, std::size_t inputs, const Tally& tally) {
+  if (inputs < 2) return;
+  std::string text = counted(tally.answered, "answered");
+  if (tally.refused > 0) text += ", " + counted(tally.refused, "of them refused (the flags say why)");
+  if (tally.nonlinear > 0) text += "; " + counted(tally.nonlinear, "n2 files are no pages");
+  if (tally.other > 0) text += "; " + counted(tally.other, "about and catalogue files are no pages");
+  if (tally.prose > 0)
+    text += "; " + counted(tally.prose, tally.prose == 1 ? "text is no table" : "texts are no tables");
+  if (tally.failed > 0) text += "; " + counted(tally.failed, "failed");
+  remark(arguments.output, text);
+}
+
+// For who reads a table on a terminal; in files and pipes nothing stands beside the rows.
+void hint_at_policy(const F0Arguments& arguments, const F0Options& options) {
+  const OutputArguments& output = arguments.output;
+  if (output.format != "table" || arguments.verbose || !is_standard_output(output)) return;
+  if (::isatty(STDOUT_FILENO) != 0)
+    remark(output, short_policy(options) + "; -v tells the whole policy and what the flags mean");
+}
+
+void print_stats(const StageTimes& times, double find, double wall, std::size_t inputs, unsigned threads) {
+  const auto ms = [](double seconds) { return number(seconds * 1e3, 3) + " ms"; };
+  const double megabytes = static_cast<double>(times.bytes) / 1e6;
+  complain("stats: " + std::to_string(inputs) + " inputs, " + number(megabytes, 4) + " MB in " + ms(wall) +
+           " on " + std::to_string(threads) + (threads == 1 ? " thread, " : " threads, ") +
+           number(megabytes / wall, 4) + " MB/s");
+  complain("stats: find " + ms(find) + "; summed over threads: read " + ms(times.read) + ", parse " +
+           ms(times.parse) + ", interpolate " + ms(times.f0.interpolate) + ", Fresnel " +
+           ms(times.f0.fresnel) + ", sum " + ms(times.f0.sum) + ", print " + ms(times.print));
+}
+
+// Each worker's buffers grow and shrink with the pages it meets. What is freed is kept for the next page:
+// given back to the system it would come again as fresh memory, and on two threads wait for the other's page
+// faults.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int kept_bytes = 64 << 20;
+  mallopt(M_TRIM_THRESHOLD, kept_bytes);
+  mallopt(M_MMAP_THRESHOLD, kept_bytes);
+#endif
+}
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// A run takes the names of the line at once and those of a list in batches, so that what a list of a million
+// names leaves in memory is what is printed at the end: the lines or the rows of its answers.
+class F0Run {
+ public:
+  F0Run(F0Arguments& arguments, const F0Job& job, unsigned threads)
+      : arguments_(arguments), job_(job), workers_(threads) {
+    if (arguments.output.format == "csv") text_ = f0_csv_header();
+  }
+
+  int answer_all() {
+    const auto begin = Clock::now();
+    std::optional<ListedNames> list;
+    if (!arguments_.files_from.empty()) list.emplace(arguments_.files_from);
+    InputArguments batch = arguments_.inputs;
+    {
+      Progress progress(arguments_.output, 0, "f0");
+      // The page of all materials is made of all inputs together.
+      const std::size_t most = is_html() ? static_cast<std::size_t>(-1) : batch_names;
+      std::size_t names_left = list ? list->count() : 0;
+      for (bool first = true;; first = false) {
+        std::vector<std::string> listed;
+        if (list) listed = list->take(most);
+        if (!first && listed.empty()) break;
+        names_left -= std::min(names_left, listed.size());
+        for (std::string& name : listed)
+          batch.names.push_back(name == "-" ? accept_input(name) : std::move(name));
+        answer(batch, names_left, progress);
+        batch.names.clear();
+        batch.all = false;
+      }
+    }
+    if (inputs_ == 0 && !arguments_.allow_empty) throw empty_list(arguments_.files_from);
+    if (tally_.rows == 0 && tally_.failed == 0 && inputs_ > 0)
+      throw Error::at(
+          arguments_.inputs.names.empty() ? arguments_.files_from : arguments_.inputs.names.front(),
+          "holds no page of n and k", "a page, table or material file");
+    print();
+    hint_at_policy(arguments_, job_.solver.options());
+    print_remarks(arguments_, inputs_, tally_);
+    for (const F0Worker& worker : workers_) times_ += worker.times;
+    if (arguments_.stats) print_stats(times_, find_seconds_, seconds_since(begin), inputs_, threads());
+    if (tally_.failed > 0) return exit_failure;
+    return tally_.refused_by_name > 0 ? exit_findings : exit_ok;
+  }
+
+ private:
+  static constexpr std::size_t batch_names = 1024;
+
+  bool is_html() const { return arguments_.output.format == "html"; }
+  unsigned threads() const { return static_cast<unsigned>(workers_.size()); }
+
+  //   names_left   of the list behind this batch
+  void answer(const InputArguments& batch, std::size_t names_left, Progress& progress) {
+    const auto begin = Clock::now();
+    std::vector<std::string> remarks;
+    const std::vector<Input> inputs = find_inputs(batch, arguments_.library, threads(), &remarks);
+    for (const std::string& each : alias_remarks(inputs))
+      if (told_.insert(each).second) remarks.push_back(each);
+    find_seconds_ += seconds_since(begin);
+    progress.set(inputs_, inputs_ + inputs.size() + names_left);
+    inputs_ += inputs.size();
+    std::vector<Chunk> chunks(is_html() ? 1 : (inputs.size() + chunk_inputs - 1) / chunk_inputs);
+    if (is_html())
+      chunks[0].text = html(inputs, job_, workers_, chunks[0].errors, chunks[0].tally);
+    else
+      parallel_chunks(inputs.size(), threads(), chunk_inputs,
+                      [&](std::size_t first, std::size_t last, unsigned worker) {
+                        for (std::size_t i = first; i < last; ++i)
+                          answer_one(inputs[i], job_, arguments_.output.format, workers_[worker],
+                                     chunks[first / chunk_inputs]);
+                        progress.advance(last - first, worker);
+                      });
+    progress.take_away();
+    for (const std::string& each : remarks) remark(arguments_.output, each);
+    for (Chunk& chunk : chunks) {
+      tally_ += chunk.tally;
+      for (const std::string& error : chunk.errors) complain(error);
+      text_ += chunk.text;
+      std::move(chunk.rows.begin(), chunk.rows.end(), std::back_inserter(rows_));
+    }
+  }
+
+  void print() {
+    const auto begin = Clock::now();
+    const OutputArguments& output = arguments_.output;
+    const F0Options& options = job_.solver.options();
+    if (output.format == "json") text_ = f0_json(rows_, options);
+    if (output.format == "table") {
+      const std::size_t columns = is_standard_output(output) ? columns_of(STDOUT_FILENO) : 0;
+      text_ = f0_table(rows_, options, use_color(output), columns);
+      if (arguments_.verbose && !output.quiet) text_ += f0_legend(rows_, options, columns);
+    }
+    // Where nothing could be read there is nothing to say, and no file to replace an older, better one.
+    if (tally_.rows > 0 || inputs_ == 0) write_output(output, text_);
+    times_.print += seconds_since(begin);
+  }
+
+  F0Arguments& arguments_;
+  const F0Job& job_;
+  std::vector<F0Worker> workers_;
+  Tally tally_;
+  StageTimes times_;
+  double find_seconds_ = 0;
+  std::size_t inputs_ = 0;      // found so far
+  std::set<std::string> told_;  // remarks on names, each once
+  std::string text_;            // of forms made of lines
+  std::vector<F0Row> rows_;     // of the others
+};
+
+}  // namespace
+
+int answer_f0(F0Arguments& arguments) {
+  const OutputArguments& output = arguments.output;
+  check_output(output);
+  if (arguments.inputs.names.empty() && arguments.files_from.empty() && !arguments.inputs.all)
+    throw Error::at("etak f0", "no input", "a material, file or folder, - for standard input, or --all");
+  if (output.format == "html" && (arguments.axis_average || !arguments.inputs.dataset.empty()))
+    throw Error::at("--format html", "shows every dataset of a material",
+                    "no --dataset and no --axis-average");
+  // A bad --library is the call's mistake even where no name is looked up.
+  if (!arguments.library.folders.empty()) (void)arguments.library.get();
+  const F0Solver solver(f0_options(arguments.compute, arguments.library));
+  const bool with_source = output.format != "csv";
+  const F0Job job{solver, table_options(arguments.tables), arguments.axis_average, with_source,
+                  arguments.stats};
+  keep_freed_memory();
+  return F0Run(arguments, job, thread_count(arguments.threads)).answer_all();
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/cli/inputs/inputs.h"
+#include "app/cli/options/options.h"
+#include "app/cli/output/output.h"
+
+namespace etak::cli {
+
+/// `etak f0` as typed.
+struct F0Arguments {
+  InputArguments inputs;
+  std::string files_from;
+  ComputeArguments compute;
+  TableArguments tables;
+  OutputArguments output;
+  Library library;
+  unsigned threads = 0;
+  bool axis_average = false;
+  bool stats = false;
+  bool verbose = false;
+  bool allow_empty = false;  // of --files-from
+};
+
+/// The work of the verb.
+int answer_f0(F0Arguments& arguments);
+
+}  // namespace etak::cli

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/f0/worker.h"
+
+#include <unistd.h>
+
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+#include "core/base/memory.h"
+#include "core/exchange/axes.h"
+#include "core/exchange/table.h"
+#include "core/material/json.h"
+#include "core/material/names.h"
+#include "core/material/quality.h"
+
+namespace etak::cli {
+namespace {
+
+F0Result refused(std::string reason, Flags flags = {}) {
+  F0Result out;
+  out.refusal = std::move(reason);
+  out.flags = flags;
+  return out;
+}
+
+std::string page_source(std::string_view text, const std::string& path) {
+  try {
+    return one_line(material_from_rii_page(text, path, "page").preferred_dataset().citation);
+  } catch (const Error&) {
+    return {};  // the row then says why the page cannot be used; its citation is not worth a second message
+  }
+}
+
+}  // namespace
+
+StageTimes& StageTimes::operator+=(const StageTimes& other) {
+  read += other.read;
+  parse += other.parse;
+  print += other.print;
+  f0.interpolate += other.f0.interpolate;
+  f0.fresnel += other.f0.fresnel;
+  f0.sum += other.f0.sum;
+  bytes += other.bytes;
+  return *this;
+}
+
+void F0Worker::start_lap(const F0Job& job) {
+  if (job.timed) lap_begin_ = std::chrono::steady_clock::now();
+}
+
+void F0Worker::lap(double& stage, const F0Job& job) {
+  if (!job.timed) return;
+  const auto now = std::chrono::steady_clock::now();
+  stage += std::chrono::duration<double>(now - lap_begin_).count();
+  lap_begin_ = now;
+}
+
+Outcome F0Worker::answer(const Input& input, const F0Job& job) {
+  return with_memory_for(
+      input.path, [&] { return mebibytes(text_.size()) + " of text"; },
+      [&] { return answer_in_memory(input, job); });
+}
+
+Outcome F0Worker::answer_in_memory(const Input& input, const F0Job& job) {
+  if (input.kind == Input::Kind::failed) throw Error(input.path);
+  if (input.kind == Input::Kind::page) return answer_page(input, job);
+  Outcome out;
+  out.row.path = input.label();
+  if (input.kind == Input::Kind::material) {
+    answer_dataset(*input.material, input, job, out.row);
+    return out;
+  }
+  start_lap(job);
+  read_file(input.path, text_);
+  times.bytes += text_.size();
+  lap(times.read, job);
+  if (is_prose(input, text_)) {
+    out.kind = Outcome::Kind::prose;
+    return out;
+  }
+  if (input.kind == Input::Kind::table) {
+    const Table table = parse_table(text_, input.path, job.tables);
+    lap(times.parse, job);
+    out.row.result = job.solver.solve(table.optics, table.flags, job.timed ? &times.f0 : nullptr);
+  } else {
+    const Material material = parse_material(text_, input.path);
+    lap(times.parse, job);
+    answer_dataset(material, input, job, out.row);
+  }
+  return out;
+}
+
+Outcome F0Worker::answer_page(const Input& input, const F0Job& job) {
+  const std::string& name = input.path;
+  start_lap(job);
+  read_file(input.path, text_);
+  times.bytes += text_.size();
+  lap(times.read, job);
+  parse_rii_page(text_, name, page_);
+  lap(times.parse, job);
+  Outcome out;
+  if (page_.kind != PageKind::constants) {
+    if (!input.from_folder)
+      throw Error::at(name,
+                      page_.kind == PageKind::nonlinear ? "holds n2 data" : "holds no optical constants",
+                      "a page of n and k");
+    out.kind = page_.kind == PageKind::nonlinear ? Outcome::Kind::nonlinear : Outcome::Kind::other;
+    return out;
+  }
+  out.row.path = input.label();
+  if (job.with_source) out.row.source = page_source(text_, name);
+  if (page_.flags.has(Flag::computed)) out.row.kind = etak::name(Origin::computed);
+  out.without_optics = !page_.refusal.empty();
+  if (out.without_optics)
+    out.row.result = refused(page_.refusal, page_.flags);
+  else if (job.axis_average && !is_pipe_input(input.path))
+    out.row.result = average_pages(input, job, out.row);
+  else
+    out.row.result = solve(page_.optics, page_.flags, job);
+  return out;
+}
+
+F0Result F0Worker::solve(OpticalConstants& constants, Flags flags, const F0Job& job) {
+  // Lent to the variant and taken back, so that the next page finds the vectors' capacity.
+  Optics optics = std::move(constants);
+  F0Result result = job.solver.solve(optics, flags, job.timed ? &times.f0 : nullptr);
+  constants = std::move(std::get<OpticalConstants>(optics));
+  return result;
+}
+
+F0Result F0Worker::average_pages(const Input& input, const F0Job& job, F0Row& row) {
+  const std::vector<AxisPage> axes = axis_pages(input.path);
+  if (axes.empty()) return solve(page_.optics, page_.flags, job);
+  std::vector<Optics> optics(axes.size());
+  std::vector<F0Solver::Part> parts;
+  Flags flags;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (::access(axes[i].path.c_str(), F_OK) != 0)
+      return refused("no average over axes: " + axes[i].path.substr(input.label_at) + " is missing",
+                     page_.flags);
+    read_file(axes[i].path, text_);
+    RiiPage page;
+    parse_rii_page(text_, axes[i].path, page);
+    if (!page.refusal.empty() || page.kind != PageKind::constants)
+      return refused("no average over axes: " + axes[i].path.substr(input.label_at) + " has no usable n",
+                     page.flags);
+    optics[i] = std::move(page.optics);
+    parts.push_back({&optics[i], axes[i].weight});
+    flags |= page.flags;
+    row.dataset += (i == 0 ? "" : " + ") + axes[i].path.substr(input.path.rfind('/') + 1);
+  }
+  return job.solver.solve(parts, flags);
+}
+
+void F0Worker::answer_dataset(const Material& material, const Input& input, const F0Job& job, F0Row& row) {
+  const Dataset& dataset = dataset_named(material, input.dataset, input.path);
+  row.alias_note = input.alias_note;
+  row.name = material.name;
+  row.material_class = material.material_class;
+  row.dataset = dataset.id;
+  row.source = one_line(dataset.citation);
+  row.kind = name(dataset.origin);
+  row.doubt = doubt(material, dataset);
+  const std::vector<AxisDataset> axes =
+      job.axis_average ? axis_datasets(material, dataset) : std::vector<AxisDataset>{};
+  if (axes.empty()) {
+    row.result = etak::solve(job.solver, material, dataset, job.timed ? &times.f0 : nullptr);
+    return;
+  }
+  std::vector<F0Solver::Part> parts;
+  Flags flags;
+  std::string members;
+  for (const AxisDataset& axis : axes) {
+    if (axis.dataset == nullptr) {
+      row.result = refused("no average over axes: " + material.id + " lacks another axis of " + dataset.id,
+                           dataset.flags);
+      return;
+    }
+    parts.push_back({&axis.dataset->optics, axis.weight});
+    flags |= axis.dataset->flags;
+    flags |= quality_flags(material, *axis.dataset);
+    if (row.doubt.empty()) row.doubt = doubt(material, *axis.dataset);
+    members += (members.empty() ? "" : " + ") + axis.dataset->id;
+  }
+  row.dataset = members;
+  row.result = job.solver.solve(parts, flags);
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/inputs/folder.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <set>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+
+namespace etak::cli {
+namespace {
+
+using Identity = std::pair<dev_t, ino_t>;
+
+// What one folder holds; paths whole, folders with '/' at the end.
+struct Listing {
+  Identity identity{};
+  std::vector<std::string> files, folders, linked_folders, skipped;
+  std::string failure;
+};
+
+bool is_folder(const std::string& path) {
+  struct stat info {};
+  return ::stat(path.c_str(), &info) == 0 && S_ISDIR(info.st_mode);
+}
+
+bool exists(const std::string& path) {
+  struct stat info {};
+  return ::stat(path.c_str(), &info) == 0;
+}
+
+enum class EntryKind { file, folder, linked_folder, other };
+
+EntryKind entry_kind(DIR* folder, const dirent& entry) {
+  if (entry.d_type == DT_REG) return EntryKind::file;
+  if (entry.d_type == DT_DIR) return EntryKind::folder;
+  if (entry.d_type != DT_LNK && entry.d_type != DT_UNKNOWN) return EntryKind::other;
+  struct stat info {};
+  // A dangling link counts as a file, so that reading it gives the message.
+  if (::fstatat(::dirfd(folder), entry.d_name, &info, 0) != 0) return EntryKind::file;
+  if (S_ISREG(info.st_mode)) return EntryKind::file;
+  if (!S_ISDIR(info.st_mode)) return EntryKind::other;
+  struct stat link {};
+  const bool linked =
+      ::fstatat(::dirfd(folder), entry.d_name, &link, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(link.st_mode);
+  return linked ? EntryKind::linked_folder : EntryKind::folder;
+}
+
+Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
+  Listing out;
+  DIR* folder = ::opendir(path.c_str());
+  if (folder == nullptr) {
+    out.failure = std::strerror(errno);
+    return out;
+  }
+  struct stat info {};
+  if (::fstat(::dirfd(folder), &info) == 0) out.identity = {info.st_dev, info.st_ino};
+  while (const dirent* entry = ::readdir(folder)) {
+    if (entry->d_name[0] == '.') continue;
+    const EntryKind kind = entry_kind(folder, *entry);
+    if ((kind == EntryKind::file || kind == EntryKind::other) && keep(entry->d_name))
+      (kind == EntryKind::file ? out.files : out.skipped).push_back(path + entry->d_name);
+    else if (kind == EntryKind::folder)
+      out.folders.push_back(path + entry->d_name + '/');
+    else if (kind == EntryKind::linked_folder)
+      out.linked_folders.push_back(path + entry->d_name + '/');
+  }
+  ::closedir(folder);
+  return out;
+}
+
+// Lists `level` and everything below it, level by level, each level on all threads.
+void descend(std::vector<std::string> level, unsigned threads, bool (*keep)(std::string_view),
+             std::set<Identity>& seen, Folder& out, std::vector<std::string>& linked) {
+  while (!level.empty()) {
+    std::vector<Listing> listings(level.size());
+    parallel_chunks(level.size(), threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
+      for (std::size_t i = begin; i < end; ++i) listings[i] = read_folder(level[i], keep);
+    });
+    std::vector<std::string> next;
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      Listing& found = listings[i];
+      if (!found.failure.empty()) {
+        out.unreadable.push_back(Error::at(level[i], "cannot be read: " + found.failure).what());
+        continue;
+      }
+      if (!seen.insert(found.identity).second) continue;
+      std::move(found.files.begin(), found.files.end(), std::back_inserter(out.files));
+      std::move(found.skipped.begin(), found.skipped.end(), std::back_inserter(out.skipped));
+      std::move(found.folders.begin(), found.folders.end(), std::back_inserter(next));
+      std::move(found.linked_folders.begin(), found.linked_folders.end(), std::back_inserter(linked));
+    }
+    level = std::move(next);
+  }
+}
+
+}  // namespace
+
+FileKind file_kind(std::string_view path) {
+  struct Ending {
+    std::string_view text;
+    FileKind kind;
+  };
+  constexpr std::array endings{Ending{"yml", FileKind::page},     Ending{"yaml", FileKind::page},
+                               Ending{"csv", FileKind::table},    Ending{"tsv", FileKind::table},
+                               Ending{"txt", FileKind::table},    Ending{"dat", FileKind::table},
+                               Ending{"json", FileKind::material}};
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string_view::npos) return FileKind::unknown;
+  const std::string_view ending = path.substr(dot + 1);
+  const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+  for (const Ending& known : endings)
+    if (std::equal(ending.begin(), ending.end(), known.text.begin(), known.text.end(), same))
+      return known.kind;
+  return FileKind::unknown;
+}
+
+bool has_known_kind(std::string_view path) {
+  return file_kind(path) != FileKind::unknown;
+}
+
+Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::string_view)) {
+  Folder out;
+  out.root = path.ends_with('/') ? path : path + '/';
+  for (const std::string& base : {out.root + "database/", out.root})
+    if (!out.is_database && exists(base + "catalog-nk.yml") && is_folder(base + "data")) {
+      out.root = base + "data/";
+      out.is_database = true;
+    }
+  std::set<Identity> seen;
+  std::vector<std::string> linked;
+  descend({out.root}, threads, keep, seen, out, linked);
+  if (seen.empty()) throw Error(out.unreadable.front());
+  while (!linked.empty()) {
+    std::sort(linked.begin(), linked.end());
+    std::vector<std::string> deeper;
+    for (const std::string& folder : linked) descend({folder}, threads, keep, seen, out, deeper);
+    linked = std::move(deeper);
+  }
+  std::sort(out.files.begin(), out.files.end());
+  std::sort(out.skipped.begin(), out.skipped.end());
+  return out;
+}
+
+}  // namespace etak::cli

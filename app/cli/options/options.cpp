@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/options/options.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <thread>
+
+#include "app/cli/output/output.h"
+#include "app/cli/pictures/pictures.h"
+#include "core/base/error.h"
+#include "core/base/files/input.h"
+#include "core/base/number.h"
+#include "core/material/names.h"
+
+namespace etak::cli {
+namespace {
+
+// The parts of `text` between separators, empty ones left out.
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    if (end > 0) out.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
+// The value `parse` finds for the text of an option; `standard` where the option was not given.
+template <class Value, class Parse>
+Value chosen(const char* option, const std::string& text, Value standard, Parse parse, const char* expected) {
+  if (text.empty()) return standard;
+  if (const auto value = parse(text)) return *value;
+  throw Error::at(option, printable(text), expected);
+}
+
+OutsideMedium outside_medium(const std::string& text, Library& library) {
+  OutsideMedium medium;
+  if (text.empty()) return medium;
+  medium.label = text;
+  if (double index = 0; parse_number(text, index)) {
+    if (!(index > 0)) throw Error::at("--outside", text, "an index of refraction above 0, or a material");
+    medium.index = index;
+    return medium;
+  }
+  const std::size_t slash = text.find('/');
+  const auto material = library.get().find(std::string_view(text).substr(0, slash));
+  if (!material) unknown_material(text, library.get());
+  const std::string asked = slash == std::string::npos ? std::string() : text.substr(slash + 1);
+  const Dataset& dataset = dataset_named(*material, asked, "--outside " + text);
+  const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
+  if (constants == nullptr)
+    throw Error::at("--outside", text + " has reflectance data only", "n of a transparent medium");
+  medium.index = *constants;
+  return medium;
+}
+
+}  // namespace
+
+const MaterialLibrary& Library::get() {
+  if (library_) return *library_;
+  MaterialLibrary library = MaterialLibrary::builtin();
+  std::vector<std::string> skipped;
+  if (const char* paths = std::getenv("ETAK_LIBRARY"))
+    for (const std::string& folder : split(paths, ':')) library.add_folder(folder, &skipped);
+  for (const std::string& folder : folders) library.add_folder(folder, &skipped);
+  if (!skipped.empty()) complain(skipped_remark(skipped));
+  return library_.emplace(std::move(library));
+}
+
+void add_library_options(Command verb, Library& library) {
+  verb.option(
+          "--library", library.folders,
+          "folder of material files laid over the built-in library; may be given again. ETAK_LIBRARY holds "
+          "more, with ':' between")
+      .value_name("DIR")
+      .one_at_a_time();
+}
+
+void add_compute_options(Command verb, ComputeArguments& arguments) {
+  const std::string group = "Computation";
+  const auto add = [&](const char* name, std::string& value, const char* text) {
+    return verb.option(name, value, text).group(group);
+  };
+  add("--observer", arguments.observer, "1931-2deg (default) or 1964-10deg");
+  add("--illuminant", arguments.illuminant, "D65 (default), D50, A or E");
+  add("--interpolation", arguments.interpolation, "of n and k: linear (default) or pchip");
+  add("--method,--integration", arguments.method,
+      "integration: 1nm (default), exact, auto, 5nm, 10nm, 20nm, e308-10nm, e308-20nm, point-650-550-450 or "
+      "point-643-562-396");
+  add("--integration-bound", arguments.integration_bound,
+      "of the estimated error of X, Y and Z, for --integration auto (default 1e-5)")
+      .value_name("NUMBER");
+  add("--space", arguments.space,
+      "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any case, or "
+      "a "
+      "colour space of an OpenColorIO config");
+  add("--ocio", arguments.ocio, "OpenColorIO config to look --space up in (else $OCIO, else etak's own)")
+      .reads_file()
+      .value_name("CONFIG");
+  add("--outside", arguments.outside, "medium in front: an index of refraction or a material such as water")
+      .value_name("NUMBER|MATERIAL");
+  verb.flag("--allow-extrapolation", arguments.allow_extrapolation,
+            "give results where the data hold less than 0.95 of the luminous weight")
+      .group(group);
+}
+
+F0Options f0_options(const ComputeArguments& arguments, Library& library) {
+  F0Options out;
+  out.viewing.observer = chosen("--observer", arguments.observer, out.viewing.observer, observer_named,
+                                "1931-2deg or 1964-10deg");
+  out.viewing.illuminant = chosen("--illuminant", arguments.illuminant, out.viewing.illuminant,
+                                  illuminant_named, "D65, D50, A or E");
+  out.interpolation = chosen("--interpolation", arguments.interpolation, out.interpolation,
+                             interpolation_named, "linear or pchip");
+  out.method = chosen(
+      "--method", arguments.method, out.method, method_named,
+      "1nm, exact, auto, 5nm, 10nm, 20nm, e308-10nm, e308-20nm, point-650-550-450 or point-643-562-396");
+  if (!arguments.integration_bound.empty()) {
+    const char* const option = "--integration-bound";
+    if (out.method != Method::automatic)
+      throw Error::at(option, "nothing is refined", "--integration auto beside it");
+    if (!parse_number(arguments.integration_bound, out.integration_bound) || !(out.integration_bound > 0))
+      throw Error::at(option, printable(arguments.integration_bound), "a number above 0, such as 1e-5");
+  }
+  out.allow_extrapolation = arguments.allow_extrapolation;
+  if (!arguments.ocio.empty() && arguments.space.empty())
+    throw Error::at("--ocio", "no colour space of it is named", "--space NAME beside it");
+  // A config that is named on the line wins over the built-in spaces of the same name, and one of $OCIO over
+  // all of their names but etak's own.
+  auto built_in = arguments.ocio.empty() ? rgb_space_named(arguments.space) : std::nullopt;
+  const char* const config = std::getenv("OCIO");
+  if (built_in && config != nullptr && *config != '\0' && arguments.space != name(*built_in))
+    built_in.reset();
+  if (built_in)
+    out.space = *built_in;
+  else if (!arguments.space.empty())
+    out.custom_space = pictures("--space").open_space(arguments.ocio, arguments.space);
+  out.outside = outside_medium(arguments.outside, library);
+  return out;
+}
+
+void add_table_options(Command verb, TableArguments& arguments) {
+  const std::string group = "Tables";
+  verb.option("--unit", arguments.unit,
+              "unit of the wavelengths in tables: nm, um, A or eV; wins over the header")
+      .group(group);
+  verb.option("--columns", arguments.columns,
+              "columns of a table without header, such as wavelength,n,k or wavelength,R; _ skips one")
+      .group(group);
+  verb.option("--duplicates", arguments.duplicates,
+              "equal wavelengths with other values in tables: refuse (default), first or mean")
+      .group(group);
+}
+
+TableOptions table_options(const TableArguments& arguments) {
+  TableOptions out;
+  if (!arguments.unit.empty()) {
+    out.unit = wavelength_unit_named(arguments.unit);
+    if (!out.unit) throw Error::at("--unit", printable(arguments.unit), "nm, um, A or eV");
+  }
+  out.columns = split(arguments.columns, ',');
+  const auto duplicates = [](const std::string& text) -> std::optional<Duplicates> {
+    if (text == "refuse") return Duplicates::refuse;
+    if (text == "first") return Duplicates::first;
+    if (text == "mean") return Duplicates::mean;
+    return std::nullopt;
+  };
+  out.duplicates =
+      chosen("--duplicates", arguments.duplicates, Duplicates::refuse, duplicates, "refuse, first or mean");
+  return out;
+}
+
+void add_thread_option(Command verb, unsigned& threads) {
+  verb.option("-j,--jobs", threads,
+              "threads to use (default: all cores); the output is the same for any number")
+      .value_name("N")
+      .range(1u, 256u);
+}
+
+unsigned thread_count(unsigned asked) {
+  return asked != 0 ? asked : std::clamp(std::thread::hardware_concurrency(), 1u, 256u);
+}
+
+void unknown_material(std::string_view name, const MaterialLibrary& library) {
+  // Of "milk/jensen-2001" the material is what is not known.
+  const MaterialLibrary::Missing missing = library.missing(name.substr(0, name.find('/')));
+  if (!missing.found.empty()) throw Error::at(printable(name), missing.found, missing.expected);
+  throw Error::at(printable(name), "no material, file or folder has this name",
+                  missing.expected.empty() ? "a name that etak list shows" : missing.expected);
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "core/exchange/table.h"
+#include "core/material/f0.h"
+#include "core/material/library.h"
+
+namespace etak::cli {
+
+/// The materials a run knows: built in, then the folders of ETAK_LIBRARY, then those of --library. Opened
+/// when first used, because most runs over files never ask for a name.
+class Library {
+ public:
+  std::vector<std::string> folders;  // of --library
+
+  const MaterialLibrary& get();
+
+ private:
+  std::optional<MaterialLibrary> library_;
+};
+void add_library_options(Command verb, Library& library);
+
+/// How F0 is computed, as typed.
+struct ComputeArguments {
+  std::string observer, illuminant, interpolation, method, integration_bound, space, ocio, outside;
+  bool allow_extrapolation = false;
+};
+void add_compute_options(Command verb, ComputeArguments& arguments);
+
+/// The typed choices as values. Throws Error that names the option and what it takes.
+F0Options f0_options(const ComputeArguments& arguments, Library& library);
+
+/// How tables are read, as typed.
+struct TableArguments {
+  std::string unit, columns, duplicates = "refuse";
+};
+void add_table_options(Command verb, TableArguments& arguments);
+TableOptions table_options(const TableArguments& arguments);
+
+/// -j N; 0 means all cores.
+void add_thread_option(Command verb, unsigned& threads);
+unsigned thread_count(unsigned asked);
+
+/// Throws Error for a material name that is not in the library, with the nearest names.
+[[noreturn]] void unknown_material(std::string_view name, const MaterialLibrary& library);
+
+}  // namespace etak::cli

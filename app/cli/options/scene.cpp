@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/options/scene.h"
+
+#include <cmath>
+
+#include "app/cli/inputs/inputs.h"
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+#include "core/base/number.h"
+#include "core/fresnel/fresnel.h"
+#include "core/material/appearance.h"
+#include "core/material/names.h"
+#include "core/render/display.h"
+
+namespace etak::cli {
+namespace {
+
+using Overrides = std::vector<std::pair<std::string, double>>;
+
+// "0.9" or "0.9,0.5,0.1".
+Vec3 color_of(const std::string& place, std::string_view text) {
+  std::vector<double> out;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    double value = 0;
+    if (!parse_number(text.substr(0, comma), value))
+      throw Error::at(place, printable(text), "one number, or three with ',' between");
+    out.push_back(value);
+    if (comma == text.npos) break;
+    text.remove_prefix(comma + 1);
+  }
+  if (out.size() == 1) return {out[0], out[0], out[0]};
+  if (out.size() != 3) throw Error::at(place, std::to_string(out.size()) + " numbers", "one or three");
+  return {out[0], out[1], out[2]};
+}
+
+// A surface of numbers: f0, f82, n, k, diffuse, gloss, roughness, opacity.
+SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues surface) {
+  bool has_f0 = false, has_f82 = false, has_index = false;
+  RoughnessArguments rough;
+  for (const std::string& each : subject) {
+    const std::size_t equals = each.find('=');
+    if (equals == each.npos)
+      throw Error::at(printable(each), "is no NAME=NUMBER like the others", "one material, or numbers only");
+    const std::string name = each.substr(0, equals);
+    const Vec3 value = color_of(name, std::string_view(each).substr(equals + 1));
+    const auto in_unit = [&] {
+      for (const double v : value)
+        if (!(v >= 0 && v <= 1)) throw Error::at(name, number(v, 6), "0 to 1");
+    };
+    if (name == "f0") {
+      in_unit();
+      surface.f0 = value;
+      has_f0 = true;
+    } else if (name == "f82") {
+      in_unit();
+      surface.f82 = value;
+      has_f82 = true;
+    } else if (name == "n" || name == "k") {
+      (name == "n" ? surface.n : surface.k) = value;
+      has_index = true;
+    } else if (name == "diffuse") {
+      in_unit();
+      surface.diffuse = value;
+    } else if (name == "gloss" || name == "roughness") {
+      if (!(value[0] >= 0 && value[0] <= 1)) throw Error::at(name, number(value[0], 6), "0 to 1");
+      (name == "gloss" ? rough.gloss : rough.roughness) = value[0];
+    } else if (name == "opacity") {
+      surface.opacity = value[0];
+    } else {
+      throw Error::at(printable(name), "is nothing of a surface",
+                      "f0, f82, n, k, diffuse, gloss, roughness or opacity");
+    }
+  }
+  if (rough.gloss && rough.roughness) throw Error::at("roughness", "given beside gloss", "one of the two");
+  if (const std::optional<Gloss> given = given_gloss(rough)) surface.gloss = *given;
+  if (has_index && (has_f0 || has_f82)) throw Error::at("n, k", "given beside f0 or f82", "one of the two");
+  if (has_index) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!(surface.n[c] > 0 && surface.n[c] <= 1e4))
+        throw Error::at("n", number(surface.n[c], 6), "above 0, at most 1e4");
+      if (!(surface.k[c] >= 0 && surface.k[c] <= 1e6))
+        throw Error::at("k", number(surface.k[c], 6), "0 to 1e6");
+      surface.f0[c] = f64::f0(surface.n[c], surface.k[c]);
+      surface.f82[c] = f64::fresnel_exact(surface.n[c], surface.k[c], f82_cosine);
+    }
+    return surface;
+  }
+  if (!has_f82) {
+    complete_from_f0(surface);
+    return surface;
+  }
+  Vec3 hint{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double root = std::sqrt(std::min(surface.f0[c], 0.9999));
+    hint[c] = surface.f0[c] < forbidden_zone_first ? std::log((1 + root) / (1 - root)) : -1;
+  }
+  solve_index(surface, hint);
+  return surface;
+}
+
+SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
+  if (arguments.subject.empty())
+    throw Error::at("etak", "no material", "a material, or numbers such as f0=0.04");
+  SurfaceValues blank;
+  const std::optional<Gloss> given = given_gloss(arguments.rough);
+  if (given) blank.gloss = *given;
+  blank.opacity = arguments.opacity;
+  if (!arguments.diffuse.empty())
+    blank.diffuse = {arguments.diffuse[0], arguments.diffuse[1], arguments.diffuse[2]};
+  for (const double value : blank.diffuse)
+    if (!(value >= 0 && value <= 1)) throw Error::at("--diffuse", number(value, 6), "0 to 1");
+  if (arguments.subject.front().find('=') != std::string::npos) {
+    for (const std::string& each : arguments.subject)
+      notes.subject += (notes.subject.empty() ? "" : " ") + each;
+    return made_up(arguments.subject, blank);
+  }
+  InputArguments names;
+  names.names = arguments.subject;
+  names.dataset = arguments.dataset;
+  const std::vector<Input> inputs = find_inputs(names, arguments.library, 1);
+  if (inputs.size() == 1 && inputs[0].kind == Input::Kind::failed) throw Error(inputs[0].path);
+  if (inputs.size() != 1 || inputs[0].from_folder)
+    throw Error::at(arguments.subject.front(), std::to_string(inputs.size()) + " inputs",
+                    "one material, or one of its datasets");
+  for (const std::string& each : alias_remarks(inputs)) notes.remarks.push_back(each);
+  const Material material = read_material(inputs[0], TableOptions{});
+  const Dataset& dataset = dataset_named(material, inputs[0].dataset, inputs[0].label());
+  notes.subject = material.id + "/" + dataset.id;
+  const bool dielectric = optical_kind(material.material_class) == "dielectric";
+  const Clarity body = clarity(material, dataset);
+  const bool clear = body.clear && blank.diffuse == Vec3{0, 0, 0};
+  if (!given) {
+    const DefaultGloss standard = default_gloss(material, clear);
+    // A convention gives way to what a picture needs: in a perfect mirror the lights are points that no pixel
+    // hits.
+    blank.gloss = Gloss(double{standard.gloss});
+    notes.remarks.push_back(told(standard) + (standard.gloss.held()
+                                                  ? "; drawn with " + roughness_text(blank.gloss) +
+                                                        ", in which the lights can be seen"
+                                                  : ""));
+  }
+  SurfaceValues out = surface_of(material, dataset, blank.diffuse, blank.gloss);
+  out.opacity = blank.opacity;
+  if (clear && out.opacity == 1)
+    notes.remarks.push_back(
+        "the body of " + material.id + " is clear (" + body.reason +
+        ") and is not drawn: its surface's reflection is; --opacity 0 lets the background through");
+  if (!gives_f0(material.material_class)) notes.remarks.push_back(told_total(to_rgb(out.f0)));
+  if (!dielectric && !arguments.diffuse.empty())
+    notes.remarks.push_back(material.id + " is a " + std::string(optical_kind(material.material_class)) +
+                            ": --diffuse is not used");
+  return out;
+}
+
+Overrides read_set(const std::vector<std::string>& texts) {
+  Overrides out;
+  for (const std::string& each : texts) {
+    const std::size_t equals = each.find('=');
+    double value = 0;
+    if (equals == each.npos || equals == 0 || !parse_number(std::string_view(each).substr(equals + 1), value))
+      throw Error::at("--set", printable(each), "NAME=NUMBER, or NAME.r=NUMBER for a channel");
+    out.emplace_back(each.substr(0, equals), value);
+  }
+  return out;
+}
+
+const Model* model_named(const char* option, const std::string& id, std::string_view standard) {
+  if (id == "none") return nullptr;
+  if (const Model* model = find_model(id.empty() ? standard : std::string_view(id))) return model;
+  throw Error::at(option, printable(id), "a model that etak models lists, or none");
+}
+
+std::pair<int, int> size_of(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  double width = 0, height = 0;
+  const bool good = parse_number(std::string_view(text).substr(0, cross), width) &&
+                    (cross == text.npos || parse_number(std::string_view(text).substr(cross + 1), height));
+  if (cross == text.npos) height = width;
+  const auto fits = [](double side) {
+    return side >= 1 && side <= max_image_side && side == std::floor(side);
+  };
+  if (!good || !fits(width) || !fits(height))
+    throw Error::at("--size", printable(text),
+                    "N or WIDTHxHEIGHT, 1 to " + std::to_string(max_image_side) + " pixels on a side");
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+}  // namespace
+
+void choose_models(Scene& scene, const std::string& specular, const std::string& diffuse,
+                   const Overrides& set, std::vector<std::string>& remarks) {
+  scene.specular = model_named("--model", specular, default_specular);
+  scene.diffuse = model_named("--diffuse-model", diffuse, default_diffuse);
+  if (scene.diffuse != nullptr && scene.diffuse->kind != ModelKind::diffuse)
+    throw Error::at("--diffuse-model", std::string(scene.diffuse->id) + " is no diffuse model",
+                    "lambert, oren-nayar, ...");
+  if (scene.specular != nullptr && scene.specular->kind == ModelKind::diffuse)
+    throw Error::at("--model", std::string(scene.specular->id) + " is a diffuse model",
+                    "--diffuse-model for it");
+  // A model of both kinds has its own diffuse part.
+  if (scene.specular != nullptr && scene.specular->kind == ModelKind::both) {
+    if (!diffuse.empty() && diffuse != "none")
+      throw Error::at("--diffuse-model",
+                      "model " + std::string(scene.specular->id) + " has a diffuse part of its own",
+                      "no other one");
+    scene.diffuse = nullptr;
+  }
+  FittedModels fitted = fit_models(scene.specular, scene.diffuse, set, scene.surface);
+  scene.specular_values = std::move(fitted.specular_values);
+  scene.diffuse_values = std::move(fitted.diffuse_values);
+  for (const ClampedValue& each : fitted.clamped)
+    remarks.push_back(each.name + " is " + number(each.wanted, 6) + ", taken as " + number(each.used, 6));
+}
+
+void tell_held_gloss(const Scene& scene, SceneNotes& notes) {
+  if (!scene.surface.gloss.held()) return;
+  std::string takers;
+  const auto add = [&](std::string_view who) { takers += (takers.empty() ? "" : ", ") + std::string(who); };
+  for (const Model* model : {scene.specular, scene.diffuse})
+    if (model != nullptr)
+      for (const Parameter& each : model->parameters)
+        if (each.role == Role::gloss) add("model " + std::string(model->id));
+  if (scene.lights.hemispheres) add("the light of the hemispheres");
+  if (!scene.lights.environment.empty()) add("the light of the environment");
+  if (!takers.empty()) notes.remarks.push_back(held_text(scene.surface.gloss) + " (" + takers + ")");
+}
+
+Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
+  Scene scene;
+  std::tie(scene.width, scene.height) = size_of(arguments.size);
+  const auto transfer = transfer_named(arguments.transfer);
+  if (!transfer)
+    throw Error::at("--transfer", printable(arguments.transfer), "srgb, power-0.45, sqrt or linear");
+  scene.transfer = *transfer;
+  scene.exposure = arguments.exposure;
+  scene.shape = arguments.quad ? Shape::quad : Shape::sphere;
+  scene.perspective = arguments.perspective;
+  scene.field_of_view_deg = arguments.field_of_view;
+  if (!arguments.background.empty())
+    scene.background = {arguments.background[0], arguments.background[1], arguments.background[2]};
+  scene.surface = surface_from(arguments, notes);
+  choose_models(scene, arguments.model, arguments.diffuse_model, read_set(arguments.set), notes.remarks);
+  if (!arguments.lights.empty())
+    scene.lights = parse_lights(read_file(arguments.lights), arguments.lights);
+  else if (arguments.environment.empty())
+    scene.lights = default_lights();
+  if (!arguments.environment.empty()) scene.lights.environment = arguments.environment;
+  validate(scene);
+  return scene;
+}
+
+void add_scene_options(Command verb, SceneArguments& arguments) {
+  const auto rgb = [&](const char* name, std::vector<double>& value, const char* text) {
+    verb.option(name, value, text).separated_by(',').values(3).value_name("R,G,B");
+  };
+  verb.option("SUBJECT", arguments.subject,
+              "material (gold, gold/ID, a file), or a surface in numbers: f0=0.04 or "
+              "f0=1,0.78,0.34, f82=, n=, k=, diffuse=, gloss=, roughness=, opacity=")
+      .reads_file()
+      .value_name("");
+  verb.option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
+      .value_name("ID");
+  verb.option("--model", arguments.model,
+              "specular model (see etak models), or none; default " + std::string(default_specular));
+  verb.option("--diffuse-model", arguments.diffuse_model,
+              "diffuse model, or none; default " + std::string(default_diffuse));
+  verb.option("--set", arguments.set,
+              "value of a model's parameter, NAME.r for one channel; may be given again")
+      .value_name("NAME=NUMBER")
+      .one_at_a_time();
+  rgb("--diffuse", arguments.diffuse, "diffuse colour, linear; conductors and semiconductors stay black");
+  add_roughness_options(verb, arguments.rough, "of the surface");
+  verb.option("--opacity", arguments.opacity, "of the body, 0 to 1").show_default();
+  verb.option("--lights", arguments.lights, "light setup; default three lights and two hemispheres")
+      .reads_file()
+      .value_name("FILE");
+  verb.option("--env", arguments.environment,
+              "environment: lat-long HDR or EXR picture, or studio (etak's own); without "
+              "--lights the only light")
+      .reads_file()
+      .value_name("FILE|studio");
+  verb.option("--size", arguments.size, "of the picture in pixels").value_name("N|WxH").show_default();
+  verb.flag("--quad", arguments.quad, "a flat square instead of the sphere");
+  verb.flag("--perspective", arguments.perspective, "perspective camera instead of an orthographic one");
+  verb.option("--fov", arguments.field_of_view, "vertical field of view in degrees").show_default();
+  rgb("--background", arguments.background, "linear; default 0.18 grey");
+  verb.option("--exposure", arguments.exposure, "linear factor").show_default();
+  verb.option("--transfer", arguments.transfer, "display curve: srgb, power-0.45, sqrt or linear")
+      .show_default();
+  add_library_options(verb, arguments.library);
+}
+
+}  // namespace etak::cli

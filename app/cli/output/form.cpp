@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/output/form.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "app/cli/output/output.h"
+#include "core/base/error.h"
+
+namespace etak::cli {
+namespace {
+
+struct Ending {
+  std::string_view ending, form;
+  std::string_view verb = {};  // the only one that it goes with
+};
+
+// A form may have several endings, and .txt several forms: the first that the verb has is taken.
+constexpr std::array endings{
+    Ending{".txt", "table"},
+    Ending{".txt", "text"},
+    Ending{".csv", "csv"},
+    Ending{".csv", "text", "etak eval"},  // the answers of --csv
+    Ending{".sarif.json", "sarif"},
+    Ending{".sarif", "sarif"},
+    Ending{".json", "json"},
+    Ending{".jsonl", "jsonl"},
+    Ending{".ndjson", "jsonl"},
+    Ending{".html", "html"},
+    Ending{".htm", "html"},
+    Ending{".md", "markdown"},
+    Ending{".xml", "junit"},
+    Ending{".glsl", "text", "etak shader"},
+    Ending{".frag", "text", "etak shader"},
+    Ending{".vert", "text", "etak shader"},
+    Ending{".gltf", "gltf"},
+    Ending{".glb", "glb"},
+    Ending{".mtlx", "mtlx"},
+};
+
+// The name without folders, in lower case; empty where it has no ending: "x", "x.", ".x".
+std::string name_with_ending(const std::string& file) {
+  std::string name = file.substr(file.rfind('/') + 1);
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string::npos || dot == 0 || dot + 1 == name.size()) return {};
+  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return name;
+}
+
+bool fits(const Ending& ending, const std::vector<std::string>& formats, std::string_view verb) {
+  return (ending.verb.empty() || ending.verb == verb) &&
+         std::find(formats.begin(), formats.end(), ending.form) != formats.end();
+}
+
+}  // namespace
+
+void settle_form(OutputArguments& arguments, const std::vector<std::string>& formats, const std::string& verb,
+                 bool given) {
+  const std::string name = name_with_ending(arguments.file);
+  if (name.empty() || formats.size() < 2) return;
+  std::string_view form;
+  bool same = false;  // what --format asks for goes with the ending as well
+  for (const Ending& each : endings) {
+    if (!fits(each, formats, verb) || !name.ends_with(each.ending)) continue;
+    if (form.empty()) form = each.form;
+    same = same || each.form == arguments.format;
+  }
+  if (given) {
+    if (!form.empty() && !same && arguments.format != "auto")
+      remark(arguments, arguments.file + ": written as " + arguments.format + ", as --format asks");
+    return;
+  }
+  if (form.empty()) {
+    std::string known;
+    for (const Ending& each : endings)
+      if (fits(each, formats, verb) && each.ending != ".sarif.json" && !known.ends_with(each.ending))
+        known += (known.empty() ? "" : ", ") + std::string(each.ending);
+    throw Error::at("-o",
+                    printable(arguments.file, 200) + " has an ending that no form of " + verb + " goes with",
+                    known + ", or --format beside it");
+  }
+  arguments.format = form;
+  arguments.form_asked_by = "-o " + arguments.file;
+}
+
+}  // namespace etak::cli

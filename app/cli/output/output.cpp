@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/output/output.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "app/cli/output/form.h"
+#include "app/cli/output/replace.h"
+#include "core/base/error.h"
+#include "core/base/files/descriptor.h"
+#include "core/base/files/output_file.h"
+#include "core/base/json_text.h"
+
+namespace etak::cli {
+namespace {
+
+void write_standard_output(std::string_view bytes) {
+  if (!write_all(STDOUT_FILENO, bytes))
+    throw Error::at("<stdout>", std::string("cannot be written: ") + std::strerror(errno));
+}
+
+// Written while the others are made ready: whoever reads the pipe may take his time.
+class StandardOutput : public Output {
+ public:
+  explicit StandardOutput(std::string bytes) : bytes_(std::move(bytes)) {}
+
+ private:
+  void prepare() override { write_standard_output(bytes_); }
+  void place() override {}
+
+  std::string bytes_;
+};
+
+}  // namespace
+
+bool is_standard_output(const OutputArguments& arguments) {
+  return arguments.file.empty() || arguments.file == "-";
+}
+
+void add_output_options(Command verb, OutputArguments& arguments, const std::vector<std::string>& formats) {
+  arguments.format = formats.front();
+  if (formats.size() > 1) {
+    const Option format =
+        verb.option("--format", arguments.format, "form of the output; else the ending of -o tells it")
+            .one_of(formats)
+            .show_default();
+    verb.when_read([verb, &arguments, formats, format] {
+      settle_form(arguments, formats, "etak " + verb.name(), format.given());
+    });
+  }
+  verb.option("-o,--output", arguments.file, "file to write instead of standard output").value_name("FILE");
+  verb.flag("--force", arguments.force, "let -o replace a file; ETAK_FORCE=1 says the same");
+  verb.flag("-q,--quiet", arguments.quiet, "no remarks and no progress; errors still appear");
+  verb.option(
+          "--color", arguments.color,
+          "colour swatches: auto (on a terminal; NO_COLOR, CLICOLOR and CLICOLOR_FORCE count), always, never")
+      .one_of({"auto", "always", "never"});
+}
+
+bool use_color(const OutputArguments& arguments) {
+  if (arguments.color != "auto") return arguments.color == "always";
+  const auto variable = [](const char* name) -> std::string_view {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+  };
+  // In the order of no-color.org and bixense.com/clicolors.
+  if (!is_standard_output(arguments) || !variable("NO_COLOR").empty()) return false;
+  if (const auto forced = variable("CLICOLOR_FORCE"); !forced.empty() && forced != "0") return true;
+  return ::isatty(STDOUT_FILENO) != 0 && variable("CLICOLOR") != "0" && variable("TERM") != "dumb";
+}
+
+std::unique_ptr<Output> output(const OutputArguments& arguments, std::string bytes) {
+  if (is_standard_output(arguments)) return std::make_unique<StandardOutput>(std::move(bytes));
+  return std::make_unique<OutputFile>(arguments.file, bytes, may_replace(arguments.force));
+}
+
+void write_output(const OutputArguments& arguments, std::string_view bytes) {
+  if (is_standard_output(arguments)) return write_standard_output(bytes);
+  OutputFile(arguments.file, bytes, may_replace(arguments.force)).commit();
+}
+
+void complain(std::string_view message) {
+  // A lost message on standard error has nowhere left to be reported.
+  (void)write_all(STDERR_FILENO, "etak: " + line_text(message) + "\n");
+}
+
+void remark(const OutputArguments& arguments, std::string_view message) {
+  if (!arguments.quiet) complain(message);
+}
+
+std::string swatch(int r, int g, int b) {
+  return "\x1b[48;2;" + std::to_string(r) + ";" + std::to_string(g) + ";" + std::to_string(b) + "m  \x1b[0m";
+}
+
+std::string json_string(std::string_view text) {
+  return json(text);
+}
+
+}  // namespace etak::cli

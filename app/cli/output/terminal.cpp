@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/output/terminal.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/base/number.h"
+
+namespace etak::cli {
+namespace {
+
+// What is narrower is no width that somebody reads at; what is wider is none at all.
+constexpr double least_columns = 20, most_columns = 10000;
+
+}  // namespace
+
+std::size_t columns_of(int descriptor) {
+  const char* const asked = std::getenv("COLUMNS");
+  if (double value = 0; asked != nullptr && parse_number(asked, value) && value > 0)
+    return static_cast<std::size_t>(std::clamp(value, least_columns, most_columns));
+  winsize size{};
+  if (::ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 0;
+  return static_cast<std::size_t>(std::clamp<double>(size.ws_col, least_columns, most_columns));
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/pictures/choose.h"
+
+#include <cmath>
+#include <exception>
+#include <optional>
+
+#include "app/cli/inputs/inputs.h"
+#include "app/cli/output/progress.h"
+#include "app/cli/output/replace.h"
+#include "app/cli/pictures/pictures.h"
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+#include "core/base/memory.h"
+#include "core/base/number.h"
+#include "core/base/parallel.h"
+#include "core/material/appearance.h"
+#include "core/material/names.h"
+#include "core/pages/choose_report.h"
+#include "core/study/choose/choose_scene.h"
+#include "core/study/error_time.h"
+
+namespace etak::cli {
+namespace {
+
+CostTable cost_table(const ChooseArguments& arguments) {
+  if (arguments.measure || arguments.write_costs) {
+    const ReportHeader header = report_header({});
+    Progress progress(arguments.output, 0, "choose");
+    progress.stage("measuring costs");
+    return measure_costs(header.cpu + ", " + header.compiler + ", " + header.flags,
+                         [&](std::size_t done, std::size_t all) { progress.set(done, all); });
+  }
+  return arguments.costs.empty() ? shipped_costs() : parse_costs(read_file(arguments.costs), arguments.costs);
+}
+
+// The choices for the materials of a scene, which know nothing of each other, on all threads. Of several that
+// fail the first in the scene's order is told.
+std::vector<Choice> scene_choices(const std::string& scene, ChooseArguments& arguments,
+                                  const ChooseOptions& options, const CostTable& costs, Progress& progress) {
+  PackOptions pack;
+  pack.door = picture_door();
+  pack.threads = thread_count(arguments.threads);
+  std::vector<std::string> remarks;
+  const auto subjects = scene_subjects(scene, pack, arguments.library.get(), remarks);
+  for (const std::string& each : remarks) remark(arguments.output, each);
+  progress.set(0, subjects.size());
+  std::vector<Choice> out(subjects.size());
+  std::vector<std::exception_ptr> failures(subjects.size());
+  parallel_chunks(subjects.size(), pack.threads, 1, [&](std::size_t i, std::size_t, unsigned worker) {
+    try {
+      out[i] = choose(subjects[i], options, costs);
+    } catch (const Error&) {
+      failures[i] = std::current_exception();
+    }
+    progress.advance(1, worker);
+  });
+  for (const std::exception_ptr& each : failures)
+    if (each) std::rethrow_exception(each);
+  return out;
+}
+
+}  // namespace
+
+namespace {
+
+int choose_within_memory(ChooseArguments& arguments) {
+  check_output(arguments.output);
+  if (arguments.measure || arguments.write_costs)
+    remark(arguments.output, "measuring costs: a minute, longer on a busy machine");
+  const CostTable costs = cost_table(arguments);
+  if (arguments.write_costs) {
+    write_output(arguments.output, format_costs(costs));
+    return exit_ok;
+  }
+  if (arguments.measure)
+    remark(arguments.output, "costs measured here: the choice may differ from that of other machines");
+  if (arguments.all == !arguments.materials.empty())
+    throw Error::at("etak choose", arguments.all ? "--all and materials" : "no material",
+                    "materials, or --all");
+  if (!(arguments.budget >= 0) || !std::isfinite(arguments.budget))
+    throw Error::at("--budget", number(arguments.budget, 6), "a finite number, 0 or above");
+  ChooseOptions options;
+  options.budget = arguments.budget;
+  if (arguments.codes) options.unit = ErrorUnit::codes;
+  const std::string scene =
+      !arguments.materials.empty() && names_scene(arguments.materials[0]) ? arguments.materials[0] : "";
+  const std::optional<Gloss> given = given_gloss(arguments.rough);
+  if (given && !scene.empty())
+    throw Error::at("etak choose", "--gloss or --roughness beside " + scene,
+                    "a scene alone: it says its own");
+  std::vector<Choice> choices;
+  std::vector<std::string> remarks;  // told behind the progress
+  int status = exit_ok;
+  // The sphere of a library material, as rough as was asked or as its class is by convention.
+  const auto subject_of = [&](const Material& material, const Dataset& dataset) {
+    if (given) {
+      if (given->alpha() < lobe_alpha({{}, {}, *given}))
+        remarks.push_back(material.id + ": the lobe of roughness " + number(given->roughness(), 3) +
+                          " is compared with a width of " + number(lobe_alpha({{}, {}, *given}), 3) +
+                          ", the least that the models take");
+      return library_subject(material, dataset, *given);
+    }
+    const DefaultGloss standard = default_gloss(material, clarity(material, dataset).clear);
+    const Gloss gloss(double{standard.gloss});
+    remarks.push_back(material.id + ": " + told(standard) +
+                      (standard.gloss.held() ? "; compared with " + roughness_text(gloss) : ""));
+    return library_subject(material, dataset, gloss);
+  };
+  std::size_t total = arguments.all ? arguments.library.get().ids().size() : arguments.materials.size();
+  std::optional<Progress> progress(std::in_place, arguments.output, total, "choose");
+  const auto take = [&](Choice choice) {
+    choices.push_back(std::move(choice));
+    if (choices.back().met) return;
+    status = exit_findings;
+    remarks.push_back(unmet_remark(choices.back()));
+  };
+  const auto add = [&](const ChooseSubject& subject) {
+    progress->stage(subject.name);
+    take(choose(subject, options, costs));
+    progress->set(choices.size(), total);
+  };
+  if (!scene.empty()) {
+    if (arguments.materials.size() > 1)
+      throw Error::at("etak choose", arguments.materials[1] + " beside " + scene, "one scene alone");
+    for (Choice& each : scene_choices(scene, arguments, options, costs, *progress)) take(std::move(each));
+  } else if (arguments.all) {
+    const MaterialLibrary& library = arguments.library.get();
+    std::size_t reflectances = 0;
+    for (std::size_t i = 0; i < library.ids().size(); ++i) {
+      const Material material = library.at(i);
+      if (!std::holds_alternative<OpticalConstants>(material.preferred_dataset().optics)) {
+        ++reflectances;
+        --total;
+        continue;
+      }
+      try {
+        add(subject_of(material, material.preferred_dataset()));
+      } catch (const Error& error) {
+        remarks.emplace_back(error.what());
+        status = exit_findings;
+        --total;
+      }
+    }
+    remarks.push_back(std::to_string(reflectances) + " materials without n and k are left out");
+  } else {
+    InputArguments names;
+    names.names = arguments.materials;
+    const std::vector<Input> inputs = find_inputs(names, arguments.library, 1);
+    for (const std::string& each : alias_remarks(inputs)) remarks.push_back(each);
+    total = inputs.size();
+    for (const Input& input : inputs) {
+      const Material material = read_material(input, TableOptions{});
+      add(subject_of(material, dataset_named(material, input.dataset, input.label())));
+    }
+  }
+  progress.reset();
+  for (const std::string& each : remarks) remark(arguments.output, each);
+  write_output(arguments.output, arguments.output.format == "json" ? choice_json(choices, costs, scene)
+                                                                   : choice_text(choices, costs, scene));
+  return status;
+}
+
+}  // namespace
+
+int choose_materials(ChooseArguments& arguments) {
+  const auto& names = arguments.materials;
+  return with_memory_for(
+      names.size() == 1 ? names[0] : "etak choose", [] { return "what its shading is chosen from"; },
+      [&] { return choose_within_memory(arguments); });
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/pictures/pictures.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <climits>
+
+#include "core/base/error.h"
+#include "core/image/load.h"
+
+namespace etak {
+namespace cli {
+
+namespace {
+
+constexpr const char* module_file = "libetak-pictures.so";
+
+// Folder of the running program, from the root and with '/' at its end; empty where the system does not tell. Never the
+// working folder in its place, nor the loader's search: what lies there under the module's name may be anybody's.
+std::string program_folder() {
+  std::array<char, PATH_MAX> path{};
+  const ssize_t length = ::readlink("/proc/self/exe", path.data(), path.size());
+  if (length <= 0 || path[0] != '/' || static_cast<std::size_t>(length) == path.size()) return {};
+  const std::string whole(path.data(), static_cast<std::size_t>(length));
+  return whole.substr(0, whole.rfind('/') + 1);
+}
+
+struct OpenModule {
+  const PicturesModule* module = nullptr;
+  std::string found;  // why there is none
+};
+
+// Beside etak in a build tree, in lib/etak where installed. Never closed.
+OpenModule open_module() {
+  const std::string here = program_folder();
+  if (here.empty())
+    return {nullptr, "the folder of etak, where it lies, cannot be told without /proc/self/exe"};
+  const std::array candidates{here + module_file, here + ETAK_MODULES_FROM_BIN + "/" + module_file};
+  const auto there = std::find_if(candidates.begin(), candidates.end(),
+                                  [](const std::string& file) { return ::access(file.c_str(), R_OK) == 0; });
+  if (there == candidates.end()) return {nullptr, "is neither " + candidates[0] + " nor " + candidates[1]};
+  void* const module = ::dlopen(there->c_str(), RTLD_NOW | RTLD_LOCAL);
+  using Open = const PicturesModule* (*)();
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the one way from a symbol to a function
+  const auto open =
+      module == nullptr ? nullptr : reinterpret_cast<Open>(::dlsym(module, "etak_pictures_module"));
+  if (open != nullptr) {
+    const PicturesModule* const found = open();
+    if (found->version == std::string_view(ETAK_VERSION)) return {found, {}};
+    return {nullptr, *there + " is of etak " + found->version + ", not " + ETAK_VERSION};
+  }
+  const char* const why = ::dlerror();
+  return {nullptr, "cannot be opened: " + std::string(why == nullptr ? "" : why)};
+}
+
+}  // namespace
+
+const PicturesModule& pictures(const std::string& place) {
+  static const OpenModule opened = open_module();
+  if (opened.module == nullptr)
+    throw Error::at(place, std::string("needs ") + module_file + "; " + opened.found,
+                    "an etak built with OpenImageIO, OpenColorIO and OpenGL, and memory for them");
+  return *opened.module;
+}
+
+PictureDoor picture_door() {
+  PictureDoor door;
+  door.header = [](const std::string& path) { return pictures(path).picture_door().header(path); };
+  door.load = [](const std::string& path) { return pictures(path).picture_door().load(path); };
+  door.load_bytes = [](std::string_view bytes, const std::string& label) {
+    return pictures(label).picture_door().load_bytes(bytes, label);
+  };
+  door.encode = [](const Image& image, std::string_view format, std::string_view fourth) {
+    return pictures("--format").picture_door().encode(image, format, fourth);
+  };
+  return door;
+}
+
+}  // namespace cli
+
+AnyImage decode_picture(const std::string& path) {
+  return cli::pictures(path).read_file(path);
+}
+
+AnyImage decode_picture(std::string_view bytes, const std::string& label) {
+  return cli::pictures(label).read_bytes(bytes, label);
+}
+
+}  // namespace etak

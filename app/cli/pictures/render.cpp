@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/pictures/render.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "app/cli/output/progress.h"
+#include "app/cli/output/replace.h"
+#include "app/cli/pictures/sheet.h"
+#include "core/base/error.h"
+#include "core/base/files/output_target.h"
+#include "core/base/memory.h"
+#include "core/base/number.h"
+#include "core/color/ocio.h"
+#include "core/image/image_io.h"
+#include "core/render/cpu_renderer.h"
+#include "core/render/display.h"
+#include "core/render/glsl/gl_runner.h"
+#include "core/render/reference.h"
+
+namespace etak::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// What is said about a picture.
+struct Stats {
+  std::string subject, device;
+  std::vector<double> frame_ms;
+  std::vector<double> gpu_ms;  // by the GL's own clock, where it has one
+  bool software_gl = false;
+  std::optional<double> standard_error, worst_error;
+  std::optional<AmbientError> ambient;
+  double prepare_ms = 0;
+};
+
+double median(std::vector<double> ms) {
+  std::sort(ms.begin(), ms.end());
+  return ms[ms.size() / 2];
+}
+
+double least(const std::vector<double>& ms) {
+  return *std::min_element(ms.begin(), ms.end());
+}
+
+double ms_since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+bool ends_with(const std::string& path, std::string_view ending) {
+  return path.ends_with(ending);
+}
+
+std::optional<Environment> environment_of(const Scene& scene, unsigned threads) {
+  const std::string& name = scene.lights.environment;
+  if (name.empty()) return std::nullopt;
+  return Environment(name == "studio" ? studio_environment() : read_image(name),
+                     scene.lights.environment_scale, name, threads);
+}
+
+void write_picture(const RenderArguments& arguments, const Scene& scene, const Image& picture) {
+  const Image linear = exposed(picture, scene.exposure);
+  if (ends_with(arguments.picture, ".exr"))
+    return write_exr(arguments.picture, linear, !arguments.half, arguments.stats.force);
+  const bool by_ocio = !arguments.display.empty() || !arguments.view.empty() || !arguments.ocio.empty();
+  if (!by_ocio)
+    return write_png(arguments.picture, to_codes(picture, scene.exposure, scene.transfer),
+                     arguments.stats.force);
+  Image shown = linear;
+  OcioDisplay::open(arguments.ocio, arguments.display, arguments.view)
+      .apply(shown.values.data(), shown.pixel_count());
+  Image8 codes(shown.width, shown.height, 3);
+  std::transform(shown.values.begin(), shown.values.end(), codes.values.begin(), to_code);
+  write_png(arguments.picture, codes, arguments.stats.force);
+}
+
+Image draw_reference(const RenderArguments& arguments, const Scene& scene, const Environment* environment,
+                     unsigned threads, Stats& stats) {
+  const int side = static_cast<int>(std::lround(std::sqrt(arguments.samples)));
+  if (side * side != arguments.samples)
+    throw Error::at("--spp", std::to_string(arguments.samples), "a square number: 1, 4, 9, 16, 25, ...");
+  const ReferenceOptions options{side, arguments.light_samples, threads};
+  stats.device = "reference";
+  const auto begin = Clock::now();
+  Progress progress(arguments.stats, static_cast<std::size_t>(scene.height), "render");
+  Reference reference = render_reference(scene, environment, options, [&](std::size_t rows, unsigned worker) {
+    progress.advance(rows, worker);
+  });
+  stats.frame_ms.push_back(ms_since(begin));
+  const bool sampled = (environment != nullptr || scene.lights.hemispheres) && arguments.light_samples > 0;
+  if (sampled) {
+    stats.standard_error = reference.standard_error;
+    stats.worst_error = reference.worst_error;
+    // A quarter of the size tells the same and costs a sixteenth.
+    Scene small = scene;
+    small.width = std::max(16, scene.width / 4);
+    small.height = std::max(16, scene.height / 4);
+    stats.ambient = ambient_error(small, environment, options);
+  }
+  return std::move(reference.picture);
+}
+
+Image draw_gl(const Scene& scene, const Environment* environment, int frames, Stats& stats) {
+  GlRunner gl;
+  stats.device = "gl: " + gl.info().renderer;
+  stats.software_gl = gl.info().software;
+  Image out;
+  for (int i = 0; i < frames; ++i) {
+    const auto begin = Clock::now();
+    std::optional<double> gpu_ms;
+    out = gl.render(scene, environment, &gpu_ms);
+    stats.frame_ms.push_back(ms_since(begin));
+    if (gpu_ms) stats.gpu_ms.push_back(*gpu_ms);
+  }
+  return out;
+}
+
+Image draw_cpu(const RenderArguments& arguments, const Scene& scene, const Environment* environment,
+               unsigned threads, Stats& stats) {
+  stats.device = "cpu: " + std::string(batch_instruction_set());
+  Image out;
+  for (int i = 0; i < arguments.frames; ++i) {
+    Progress progress(arguments.stats, static_cast<std::size_t>(scene.height), "render");
+    const auto begin = Clock::now();
+    render_cpu(scene, environment, threads, Precision::f32, out,
+               [&](std::size_t rows, unsigned worker) { progress.advance(rows, worker); });
+    stats.frame_ms.push_back(ms_since(begin));
+  }
+  return out;
+}
+
+std::string numbers(const std::vector<double>& values) {
+  std::string out;
+  for (const double value : values) out += (out.empty() ? "" : ", ") + number(value, 9);
+  return "[" + out + "]";
+}
+
+std::string model_json(const Model* model, const std::vector<double>& values) {
+  if (model == nullptr) return "null";
+  return "{\"id\": " + json_string(model->id) + ", \"values\": " + numbers(values) + "}";
+}
+
+std::string times_json(const std::vector<double>& ms) {
+  return "{\"least\": " + number(least(ms), 6) + ", \"median\": " + number(median(ms), 6) +
+         ", \"frames\": " + std::to_string(ms.size()) + "}";
+}
+
+std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& notes, unsigned threads) {
+  const SurfaceValues& s = scene.surface;
+  const auto three = [](const Vec3& v) { return numbers({v[0], v[1], v[2]}); };
+  std::string out =
+      "{\n  \"schema\": \"etak-render/1\",\n  \"subject\": " + json_string(stats.subject) +
+      ",\n  \"size\": [" + std::to_string(scene.width) + ", " + std::to_string(scene.height) +
+      "],\n  \"surface\": {\"f0\": " + three(s.f0) + ", \"f82\": " + three(s.f82) + ", \"n\": " + three(s.n) +
+      ", \"k\": " + three(s.k) + ", \"nk_residual\": " + three(s.nk_residual) +
+      ", \"diffuse\": " + three(s.diffuse) + ", \"gloss\": " + number(double{s.gloss}, 9) +
+      ", \"roughness\": " + number(s.gloss.roughness(), 9) + ", \"opacity\": " + number(s.opacity, 9) +
+      "},\n  \"specular\": " + model_json(scene.specular, scene.specular_values) +
+      ",\n  \"diffuse\": " + model_json(scene.diffuse, scene.diffuse_values) +
+      ",\n  \"lights\": " + std::to_string(scene.lights.lights.size()) +
+      ",\n  \"device\": " + json_string(stats.device) + ",\n  \"threads\": " + std::to_string(threads) +
+      ",\n  \"prepare_ms\": " + number(stats.prepare_ms, 6) +
+      ",\n  \"frame_ms\": " + times_json(stats.frame_ms);
+  if (!stats.gpu_ms.empty()) out += ",\n  \"gpu_ms\": " + times_json(stats.gpu_ms);
+  if (stats.standard_error)
+    out += ",\n  \"standard_error\": {\"rms\": " + number(*stats.standard_error, 6) +
+           ", \"worst\": " + number(*stats.worst_error, 6) + "}";
+  if (stats.ambient)
+    out += ",\n  \"real_time_ambient_error\": {\"mean\": " + number(stats.ambient->mean, 6) +
+           ", \"bias\": " + number(stats.ambient->bias, 6) +
+           ", \"worst\": " + number(stats.ambient->worst, 6) +
+           ", \"standard_error\": " + number(stats.ambient->standard_error, 6) + "}";
+  out += ",\n  \"remarks\": [";
+  for (std::size_t i = 0; i < notes.remarks.size(); ++i)
+    out += (i == 0 ? "" : ", ") + json_string(notes.remarks[i]);
+  return out + "]\n}\n";
+}
+
+void say(const RenderArguments& arguments, const Scene& scene, const Stats& stats, const SceneNotes& notes,
+         unsigned threads) {
+  if (arguments.stats.format == "json")
+    return write_output(arguments.stats, json_form(scene, stats, notes, threads));
+  for (const std::string& each : notes.remarks) remark(arguments.stats, each);
+  if (stats.frame_ms.size() > 1)
+    remark(arguments.stats, stats.device + ", " + std::to_string(threads) +
+                                " threads: " + number(median(stats.frame_ms), 4) + " ms a frame (median), " +
+                                number(least(stats.frame_ms), 4) + " ms (least)");
+  if (stats.gpu_ms.size() > 1)
+    remark(arguments.stats, "of which, by the GL's own clock, " + number(median(stats.gpu_ms), 4) +
+                                " ms (median), " + number(least(stats.gpu_ms), 4) + " ms (least)" +
+                                (stats.software_gl ? "; a software rasteriser draws on after that clock stops"
+                                                   : "; the rest is preparing and reading back"));
+  if (stats.standard_error)
+    remark(arguments.stats, "standard error of a pixel's luminance " + number(*stats.standard_error, 2) +
+                                " (rms), " + number(*stats.worst_error, 2) + " (worst)");
+  if (stats.ambient)
+    remark(arguments.stats, "the real-time hemispheres and environment are off by " +
+                                number(100 * stats.ambient->mean, 2) + " % (mean), " +
+                                number(100 * stats.ambient->worst, 3) + " % (worst), bias " +
+                                number(100 * stats.ambient->bias, 2) + " %, of the mean luminance");
+}
+
+void check_picture_name(const RenderArguments& arguments) {
+  const std::string& path = arguments.picture;
+  if (path.empty() && arguments.frames == 1)
+    throw Error::at("etak render", "no picture to write", "-o FILE.png or -o FILE.exr");
+  if (!path.empty() && !ends_with(path, ".png") && !ends_with(path, ".exr"))
+    throw Error::at(printable(path, 200), "has no ending that etak writes", ".png or .exr");
+  if (!path.empty()) check_file_target(path, arguments.stats.force);
+  if (arguments.reference && arguments.device == "gl")
+    throw Error::at("--reference", "is not drawn with gl", "--device cpu");
+}
+
+int draw_within_memory(RenderArguments& arguments) {
+  const unsigned threads = thread_count(arguments.threads);
+  if (arguments.sheet) {
+    Scene scene;
+    const Image sheet = draw_sheet(arguments, threads, scene);
+    write_picture(arguments, scene, sheet);
+    return exit_ok;
+  }
+  Stats stats;
+  SceneNotes notes;
+  const Scene scene = scene_of(arguments.scene, notes);
+  tell_held_gloss(scene, notes);
+  stats.subject = notes.subject;
+  const auto begin = Clock::now();
+  const std::optional<Environment> environment = with_memory_for(
+      scene.lights.environment, [] { return "the light of its texels"; },
+      [&] { return environment_of(scene, threads); });
+  stats.prepare_ms = ms_since(begin);
+  const Environment* light = environment ? &*environment : nullptr;
+  const Image picture = arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
+                        : arguments.device == "gl" ? draw_gl(scene, light, arguments.frames, stats)
+                                                   : draw_cpu(arguments, scene, light, threads, stats);
+  if (!arguments.picture.empty()) write_picture(arguments, scene, picture);
+  say(arguments, scene, stats, notes, threads);
+  return exit_ok;
+}
+
+}  // namespace
+
+int draw(RenderArguments& arguments) {
+  arguments.stats.force = may_replace(arguments.stats.force);
+  check_picture_name(arguments);
+  return with_memory_for(
+      arguments.picture.empty() ? "etak render" : arguments.picture,
+      [&] { return "a picture of --size " + arguments.scene.size; },
+      [&] { return draw_within_memory(arguments); });
+}
+
+}  // namespace etak::cli

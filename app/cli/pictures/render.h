@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "app/cli/options/scene.h"
+#include "app/cli/output/output.h"
+
+namespace etak::cli {
+
+/// `etak render` as typed.
+struct RenderArguments {
+  SceneArguments scene;
+  OutputArguments stats;  // where --format json goes: standard output
+  std::string picture;    // -o
+  std::string device = "auto";
+  std::string ocio, display, view;
+  bool reference = false, sheet = false, half = false;
+  int samples = 16, light_samples = 16, frames = 1;
+  unsigned threads = 0;
+};
+
+/// The work of the verb, in the module of pictures.h.
+int draw(RenderArguments& arguments);
+
+}  // namespace etak::cli

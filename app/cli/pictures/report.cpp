@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/pictures/report.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/cli/options/options.h"
+#include "app/cli/output/progress.h"
+#include "app/cli/output/replace.h"
+#include "core/base/error.h"
+#include "core/base/files/output_folder.h"
+#include "core/base/files/output_target.h"
+#include "core/pages/error_time_report.h"
+#include "core/pages/stability_report.h"
+#include "core/render/glsl/gl_runner.h"
+
+namespace etak::cli {
+namespace {
+
+constexpr std::size_t quick_repeats = 15, full_repeats = 31;
+constexpr double quick_seconds = 0.06, full_seconds = 0.6;
+
+std::vector<FamilyEntry> chosen_families(const std::vector<std::string>& names) {
+  const auto all = all_families();
+  if (names.empty()) return {all.begin(), all.end()};
+  std::vector<FamilyEntry> out;
+  for (const std::string& name : names) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const FamilyEntry& each) { return each.id == name; });
+    if (found == all.end()) {
+      std::string known;
+      for (const FamilyEntry& each : all) known += (known.empty() ? "" : ", ") + std::string(each.id);
+      throw Error::at("--family", printable(name), known);
+    }
+    out.push_back(*found);
+  }
+  return out;
+}
+
+// The plots' names are known once the families are measured; those of an earlier report say enough.
+void check_report_folder(const ReportArguments& arguments, const std::vector<FamilyEntry>& entries) {
+  std::vector<std::string> names{"report.html", "report.json", "report.csv"};
+  std::error_code failure;
+  for (const auto& entry : std::filesystem::directory_iterator(arguments.folder, failure)) {
+    const std::string name = entry.path().filename().string();
+    const auto is_plot = [&](const FamilyEntry& each) {
+      return name.starts_with(std::string(each.id) + "-");
+    };
+    if (name.ends_with(".svg") && std::any_of(entries.begin(), entries.end(), is_plot)) names.push_back(name);
+  }
+  check_folder_target(arguments.folder, names, arguments.force ? Replace::anything : Replace::nothing);
+}
+
+GlRunner open_gl(const std::string& device) {
+  std::string why;
+  auto gl = GlRunner::open(why);
+  if (!gl) throw Error::at("--device " + device, "no OpenGL here: " + why, "--device cpu");
+  return std::move(*gl);
+}
+
+}  // namespace
+
+int measure(ReportArguments& arguments) {
+  arguments.force = may_replace(arguments.force);
+  const std::vector<FamilyEntry> entries = chosen_families(arguments.families);
+  check_report_folder(arguments, entries);
+  ReportOptions options;
+  options.full = arguments.full;
+  options.timing.repeats = options.full ? full_repeats : quick_repeats;
+  options.timing.seconds_a_case = options.full ? full_seconds : quick_seconds;
+  options.threads = thread_count(arguments.threads);
+  options.gl = arguments.device != "cpu";
+  options.cpu = arguments.device != "gl";
+  ReportHeader header = report_header(options);
+  GlEvaluate evaluate;
+  std::optional<GlRunner> gl;
+  if (options.gl) {
+    gl.emplace(open_gl(arguments.device));
+    header.gpu =
+        gl->info().renderer + ", OpenGL " + gl->info().version + (gl->info().software ? " (software)" : "");
+    evaluate = [&gl](std::string_view expression) { return double{gl->evaluate(expression)}; };
+  }
+  // The clock: what timing nothing gives.
+  const TimedCase nothing[] = {{"nothing", 1, [] {}}};
+  time_cases(nothing, options.timing, &header.empty_loop_ns);
+
+  OutputArguments output;
+  output.quiet = arguments.quiet;
+  output.progress = arguments.progress;
+  std::vector<ErrorTimeFamily> families;
+  {
+    Progress progress(output, entries.size(), "report");
+    // The seconds go on while a family is timed.
+    options.timing.progress = [&](std::size_t, std::size_t) {
+      progress.set(families.size(), entries.size());
+    };
+    for (const FamilyEntry& entry : entries) {
+      if (!progress.draws_line()) remark(output, "measuring " + std::string(entry.id));
+      progress.stage(entry.id);
+      families.push_back(entry.measure(options));
+      progress.set(families.size(), entries.size());
+    }
+    options.timing.progress = {};
+  }
+  const auto stability = stability_cases(evaluate);
+
+  OutputFolder folder(arguments.folder, arguments.force ? Replace::anything : Replace::nothing);
+  folder.write("report.html", error_time_page(header, families, stability_html(stability)));
+  folder.write("report.json", error_time_json(header, families));
+  folder.write("report.csv", error_time_csv(header, families));
+  for (const ErrorTimeFamily& family : families)
+    for (const ErrorTimeTable& table : family.tables)
+      if (const std::string plot = error_time_svg(family, table); !plot.empty())
+        folder.write(family.id + "-" + table.id + ".svg", plot);
+  folder.commit();
+  remark(output, "wrote " + arguments.folder + "/report.html");
+  return exit_ok;
+}
+
+std::vector<StabilityCase> stability_on_gl(const std::string& device) {
+  GlRunner gl = open_gl(device);
+  return stability_cases([&gl](std::string_view expression) { return double{gl.evaluate(expression)}; });
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/pictures/sheet.h"
+
+#include "app/cli/output/progress.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/render/cpu_renderer.h"
+#include "core/render/environment.h"
+#include "core/render/sheet.h"
+
+namespace etak::cli {
+namespace {
+
+struct Column {
+  const char* label;
+  const char* material;
+  Vec3 diffuse;
+  double opacity;  // clear bodies show the background
+};
+constexpr Column columns[] = {{"gold", "gold", {0, 0, 0}, 1},
+                              {"copper", "copper", {0, 0, 0}, 1},
+                              {"silver", "silver", {0, 0, 0}, 1},
+                              {"iron", "iron", {0, 0, 0}, 1},
+                              {"glass", "fused_silica", {0, 0, 0}, 0},
+                              {"water", "water", {0, 0, 0}, 0},
+                              {"plastic", "pmma", {0.5, 0.04, 0.03}, 1},
+                              {"silicon", "silicon", {0, 0, 0}, 1}};
+
+SurfaceValues surface(const Column& column, Library& library, const Gloss& gloss) {
+  const auto material = library.get().find(column.material);
+  if (!material)
+    throw Error::at("--sheet", std::string("the library has no ") + column.material, "etak's own library");
+  SurfaceValues out = surface_of(*material, material->preferred_dataset(), column.diffuse, gloss);
+  out.opacity = column.opacity;
+  return out;
+}
+
+}  // namespace
+
+Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
+  SceneArguments& typed = arguments.scene;
+  if (!typed.subject.empty())
+    throw Error::at("--sheet", typed.subject.front(), "no SUBJECT: the sheet has its own");
+  if (typed.size == "512") typed.size = "128";
+  typed.subject = {"f0=0.04"};
+  SceneNotes notes;
+  scene = scene_of(typed, notes);
+  // One roughness for all, so that the columns compare: what was given, else the gloss of metals.
+  const Gloss gloss = given_gloss(typed.rough).value_or(Gloss(0.75));
+  const Environment studio(studio_environment(), 1, "studio", threads);
+
+  Sheet sheet;
+  std::vector<SurfaceValues> surfaces;
+  for (const Column& column : columns) {
+    sheet.columns.emplace_back(column.label);
+    surfaces.push_back(surface(column, typed.library, gloss));
+  }
+  const std::size_t rows = models().size() + 5;
+  Progress progress(arguments.stats, rows * surfaces.size(), "render");
+  const auto add_row = [&](const std::string& label, const std::string& specular, const std::string& diffuse,
+                           const LightSetup& lights, const Environment* environment) {
+    sheet.rows.push_back(label);
+    for (const SurfaceValues& each : surfaces) {
+      Scene one = scene;
+      one.surface = each;
+      one.lights = lights;
+      choose_models(one, specular, diffuse, {}, notes.remarks);
+      render_cpu(one, environment, threads, Precision::f32, sheet.pictures.emplace_back());
+      progress.advance(1, 0);
+    }
+  };
+  for (const Model& model : models()) {
+    const std::string id(model.id);
+    add_row(id, model.kind == ModelKind::diffuse ? "" : id, model.kind == ModelKind::diffuse ? id : "",
+            scene.lights, nullptr);
+  }
+  LightSetup hemispheres;
+  hemispheres.hemispheres =
+      scene.lights.hemispheres ? scene.lights.hemispheres : default_lights().hemispheres;
+  add_row("hemispheres alone", "", "", hemispheres, nullptr);
+  add_row("environment alone", "", "", {}, &studio);
+  for (const double row_gloss : {0.25, 0.5, 1.0}) {
+    for (SurfaceValues& each : surfaces) each.gloss = row_gloss;
+    add_row("gloss " + number(row_gloss, 3), "", "", scene.lights, nullptr);
+  }
+  return laid_out(sheet);
+}
+
+}  // namespace etak::cli

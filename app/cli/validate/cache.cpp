@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/validate/cache.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
+#include "core/base/files/temporary.h"
+#include "core/base/hash/sha256.h"
+#include "core/base/number.h"
+
+namespace etak::cli {
+namespace {
+
+constexpr std::string_view format_name = "etak-result/2 ";
+constexpr std::size_t largest_entry = std::size_t{64} << 20;
+constexpr std::size_t shortest_key = 16, longest_key = 4096;
+
+// A rebuilt etak may judge differently under the same version number.
+std::string program_fingerprint() {
+  return std::string(ETAK_VERSION) + ' ' + sha256_of_file("/proc/self/exe");
+}
+
+// What the system says of the files: it changes with their content.
+std::string stamps_of(const std::vector<std::string>& paths) {
+  std::string out;
+  for (const std::string& path : paths) {
+    struct stat info {};
+    // What came from a pipe is kept in memory and stays as it is.
+    if (!is_pipe_input(path) && ::stat(path.c_str(), &info) != 0) out += "none";
+    for (const std::int64_t part :
+         {static_cast<std::int64_t>(info.st_dev), static_cast<std::int64_t>(info.st_ino),
+          static_cast<std::int64_t>(info.st_size), static_cast<std::int64_t>(info.st_mtim.tv_sec),
+          static_cast<std::int64_t>(info.st_mtim.tv_nsec), static_cast<std::int64_t>(info.st_ctim.tv_sec),
+          static_cast<std::int64_t>(info.st_ctim.tv_nsec)})
+      out += ' ' + std::to_string(part);
+    out += '\n';
+  }
+  return out;
+}
+
+// The whole of an open file; nothing when it is no regular one, too long, or not to be read.
+std::optional<std::string> read_entry(const Descriptor& file) {
+  struct stat info {};
+  if (!file || ::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode)) return std::nullopt;
+  std::string out(1, '\0');
+  for (std::size_t filled = 0;;) {
+    const ssize_t got = ::read(file.get(), out.data() + filled, out.size() - filled);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0 || filled > largest_entry) return std::nullopt;
+    filled += static_cast<std::size_t>(got);
+    if (got == 0) {
+      out.resize(filled);
+      return out;
+    }
+    if (filled == out.size())
+      out.resize(std::max(2 * filled, static_cast<std::size_t>(std::max<off_t>(info.st_size, 0)) + 1));
+  }
+}
+
+void add_manifest(std::string& text, const Manifest& manifest) {
+  text += std::to_string(manifest.gutter) + ' ' + std::to_string(manifest.mips.value_or(-1)) + ' ' +
+          (manifest.transfer ? std::string(name(*manifest.transfer)) : "-") + ' ' +
+          (manifest.linear8_f0 ? '1' : '0') + (manifest.transparent ? '1' : '0') + '\n' + manifest.material +
+          '\n' + manifest.surface_class + '\n';
+  for (const Tile& tile : manifest.tiles)
+    text += tile.name + '\n' + tile.material + '\n' + tile.surface_class + '\n' + std::to_string(tile.box.x) +
+            ' ' + std::to_string(tile.box.y) + ' ' + std::to_string(tile.box.width) + ' ' +
+            std::to_string(tile.box.height) + ' ' + std::to_string(tile.page) + ' ' +
+            (tile.typical_gloss ? number(*tile.typical_gloss, 17) : "-") + '\n';
+}
+
+}  // namespace
+
+std::string read_cache_key(const std::string& path) {
+  std::string out = read_file(path, longest_key);
+  if (out.size() < shortest_key)
+    throw Error::at(path, "a key of " + std::to_string(out.size()) + " bytes",
+                    "at least " + std::to_string(shortest_key) + " bytes, best of head -c 32 /dev/urandom");
+  return out;
+}
+
+ResultCache::ResultCache(const std::string& folder, const std::string& settings, std::string key)
+    : settings_(settings + '\n' + program_fingerprint()), key_(std::move(key)) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  folder_ = Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder_) throw Error::at("--cache", printable(folder, 200) + " is no folder", "a folder");
+}
+
+CacheKey ResultCache::key_of(const FoundTarget& found) const {
+  CacheKey out;
+  // Before the bytes are read, so that a file that is written meanwhile counts as changed.
+  out.stamps = stamps_of(found.depends);
+  std::string text = settings_ + '\n' + found.target.label + '\n';
+  for (const TargetFile& file : found.target.files)
+    text += file.label + '\n' + std::string(name(file.role)) + (file.guessed ? " guessed\n" : "\n");
+  add_manifest(text, found.target.manifest);
+  for (const std::string& path : found.depends) {
+    const std::string fingerprint = sha256_of_file(path);
+    if (fingerprint.empty()) return out;
+    text += fingerprint + '\n';
+  }
+  out.digest = sha256(text);
+  return out;
+}
+
+std::string ResultCache::seal_of(const std::string& digest, std::string_view text) const {
+  std::string sealed = std::string(format_name) + digest + '\n';
+  sealed += text;
+  return key_.empty() ? sha256(sealed) : hmac_sha256(key_, sealed);
+}
+
+// The folder of an entry. No link is followed: whoever can write to the cache could lead a writer elsewhere.
+Descriptor ResultCache::folder_of(const std::string& digest) const {
+  return open_folder(folder_.get(), digest.substr(0, 2));
+}
+
+std::string ResultCache::name_of(const std::string& digest) {
+  return digest.substr(2) + ".json";
+}
+
+std::optional<CheckedFile> ResultCache::find(const CacheKey& key) const {
+  if (key.digest.empty()) return std::nullopt;
+  const Descriptor folder = folder_of(key.digest);
+  if (!folder) return std::nullopt;
+  const auto entry = read_entry(Descriptor(
+      ::openat(folder.get(), name_of(key.digest).c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)));
+  if (!entry) return std::nullopt;
+  const std::string_view all = *entry;
+  const std::size_t end = std::min(all.find('\n'), all.size());
+  const std::string_view text = all.substr(std::min(end + 1, all.size()));
+  if (!all.starts_with(format_name) ||
+      !same_digest(all.substr(format_name.size(), end - format_name.size()), seal_of(key.digest, text)))
+    return std::nullopt;
+  return read_cache_text(std::string(text));
+}
+
+void ResultCache::keep(const CacheKey& key, const FoundTarget& found, const CheckedFile& file) const {
+  if (key.digest.empty() || file.unreadable || stamps_of(found.depends) != key.stamps) return;
+  const std::string text = cache_text(file);
+  if (text.empty()) return;
+  const std::string name = name_of(key.digest);
+  (void)::mkdirat(folder_.get(), key.digest.substr(0, 2).c_str(), 0777);
+  const Descriptor folder = folder_of(key.digest);
+  if (!folder) return;
+  // Not write_file(): a result that is lost in a power cut is only computed again, and flushing thousands of
+  // files takes longer than that. The rename keeps other runs from seeing a part.
+  Temporary out(folder.get(), name, Temporary::Kind::file);
+  if (out &&
+      write_all(out.open().get(), std::string(format_name) + seal_of(key.digest, text) + '\n' + text) &&
+      ::fchmod(out.open().get(), mode_of_new_file()) == 0 &&
+      ::renameat(folder.get(), out.name().c_str(), folder.get(), name.c_str()) == 0)
+    (void)out.keep();
+}
+
+}  // namespace etak::cli

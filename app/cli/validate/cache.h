@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/cli/validate/targets.h"
+#include "core/base/files/descriptor.h"
+#include "core/validate/finding.h"
+
+namespace etak::cli {
+
+/// Which result is asked for.
+///   digest   SHA-256 of the bytes of the files, their labels and roles, the settings, and this program:
+///            whatever could change the result. Empty when a file cannot be read: such a target has no
+///            result
+///   stamps   what the system said of the files before their bytes were read
+struct CacheKey {
+  std::string digest, stamps;
+};
+
+/// The bytes of a --cache-key file. Throws Error, also for fewer than 16 bytes.
+std::string read_cache_key(const std::string& path);
+
+/// Results of earlier runs, a small file each. To look one up its files are read, but no picture is decoded.
+///   seal   each file begins with a checksum of its text and of the digest it belongs to, so that damage and
+///          an entry under another's name count as none. With a key the checksum is an HMAC: entries of
+///          writers without the key count as none too. Without one any writer can make any entry, so that the
+///          folder is only for writers who are trusted
+/// Below the folder no link is followed, neither to read nor to write. Safe with several runs at once. Any
+/// thread may call.
+class ResultCache {
+ public:
+  /// Makes the folder. Throws Error.
+  ///   settings   what the findings depend on besides the files, as text
+  ///   key        of read_cache_key(); empty: none
+  ResultCache(const std::string& folder, const std::string& settings, std::string key);
+
+  CacheKey key_of(const FoundTarget& found) const;
+
+  std::optional<CheckedFile> find(const CacheKey& key) const;
+
+  /// Keeps nothing when the files have changed since key_of(): the result may then belong to other bytes.
+  void keep(const CacheKey& key, const FoundTarget& found, const CheckedFile& file) const;
+
+ private:
+  std::string seal_of(const std::string& digest, std::string_view text) const;
+  Descriptor folder_of(const std::string& digest) const;
+  static std::string name_of(const std::string& digest);
+
+  Descriptor folder_;
+  std::string settings_, key_;
+};
+
+/// A CheckedFile as JSON and back: doubles come back equal. Empty for one with a name that is no UTF-8.
+std::string cache_text(const CheckedFile& file);
+std::optional<CheckedFile> read_cache_text(const std::string& text);
+
+}  // namespace etak::cli

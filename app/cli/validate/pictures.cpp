@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/validate/pictures.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+
+#include "core/base/error.h"
+#include "core/base/files/output_folder.h"
+#include "core/base/free_names.h"
+#include "core/base/number.h"
+#include "core/base/parallel.h"
+#include "core/image/files/png.h"
+#include "core/pages/mask.h"
+#include "core/pages/validation_pictures.h"
+#include "core/scene/gltf.h"
+#include "core/validate/files/files.h"
+#include "core/validate/files/metal_rough.h"
+#include "core/validate/files/scene_use.h"
+#include "core/validate/output/formats.h"
+#include "core/validate/rules.h"
+#include "core/validate/validate.h"
+
+namespace etak::cli {
+namespace {
+
+std::string png_of(const Image8& image) {
+  const PngRows rows{{image.width, image.height, image.channels, 8},
+                     image.values.data(),
+                     static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels)};
+  return png_bytes(rows, {});
+}
+
+bool has_place(const Finding& finding) {
+  const Rule* rule = find_rule(finding.rule);
+  return counts(finding) && ((rule != nullptr && rule->region) || finding.box);
+}
+
+// The picture a finding is about, A or B: by its file, and where that is no picture of the target (a scene),
+// by what its rule looks at.
+bool is_about_a(const Finding& finding, const CheckTarget& target, const LoadedPictures& pictures) {
+  if (pictures.b.pixel_count() == 0) return true;
+  if (pictures.a.pixel_count() == 0) return false;
+  for (const TargetFile& file : target.files)
+    if (file.label == finding.file && file.role != FileRole::scene)
+      return file.role == FileRole::diffuse_alpha || file.role == FileRole::base_color;
+  const Rule* rule = find_rule(finding.rule);
+  if (rule == nullptr || !rule->region) return false;
+  return *rule->region == RegionKind::albedo_dark || *rule->region == RegionKind::albedo_bright ||
+         *rule->region == RegionKind::albedo_single;
+}
+
+// Marks of one finding on its picture; with a tile, only of that.
+Image8 marks_of(const Finding& finding, const CheckTarget& target, const LoadedPictures& pictures,
+                const Image8& picture, const Settings& settings) {
+  const Rule* rule = find_rule(finding.rule);
+  Image8 marks;
+  if (rule != nullptr && rule->region)
+    marks = region_picture(*rule->region, pictures.in_memory(), target, settings);
+  const bool fits = marks.width == picture.width && marks.height == picture.height;
+  if (!fits && finding.box)
+    marks = box_marks(picture.width, picture.height, finding.box->x, finding.box->y, finding.box->width,
+                      finding.box->height);
+  else if (!fits)
+    marks = Image8(picture.width, picture.height, 1);
+  const auto tile = std::find_if(target.manifest.tiles.begin(), target.manifest.tiles.end(),
+                                 [&](const Tile& t) { return t.name == finding.tile; });
+  if (finding.tile.empty() || tile == target.manifest.tiles.end()) return marks;
+  const Image8 inside =
+      box_marks(picture.width, picture.height, tile->box.x, tile->box.y, tile->box.width, tile->box.height);
+  for (std::size_t i = 0; i < marks.values.size(); ++i)
+    if (inside.values[i] == 0) marks.values[i] = 0;
+  return marks;
+}
+
+std::string file_name(const Finding& finding) {
+  std::string out = finding.file;
+  if (!finding.tile.empty()) out += '.' + finding.tile;
+  if (finding.tile.empty() && !finding.material.empty()) out += '.' + finding.material;
+  for (char& c : out)
+    if (c == '/' || static_cast<unsigned char>(c) < 0x20) c = '_';
+  return out + '.' + finding.rule;
+}
+
+// The pictures of a checked file, loaded again: the check itself reads in strips and keeps none.
+class PictureSource {
+ public:
+  PictureSource(const CheckTarget& target, const Settings& settings) {
+    if (target.files.empty()) return;
+    const FileRole role = target.files.front().role;
+    try {
+      if (role == FileRole::scene) {
+        scene_.emplace(read_gltf(target.files.front().path, {}));
+        uses_.emplace(*scene_);
+        looks_.emplace(*scene_);
+        textures_.emplace(scene_->images);
+      } else if (role != FileRole::material && role != FileRole::spectrum) {
+        files_ = load_pictures(target, settings);
+      }
+    } catch (const Error&) {
+      // The report says so already; there is nothing to show.
+    }
+  }
+
+  bool is_scene() const { return scene_.has_value(); }
+
+  /// Those of the finding; of a scene, of the material that its pointer "/materials/3" names. Null: none.
+  const LoadedPictures* of(const Finding& finding) {
+    constexpr std::string_view list = "/materials/";
+    if (!scene_) return files_ ? &*files_ : nullptr;
+    if (!finding.pointer.starts_with(list)) return nullptr;
+    double index = -1;
+    if (!parse_number(finding.pointer.substr(list.size()), index) || index < 0 ||
+        index >= static_cast<double>(scene_->materials.size()))
+      return nullptr;
+    if (index != material_) {
+      try {
+        files_ = convert_material(scene_->materials[static_cast<std::size_t>(index)], *textures_);
+        hide_unused(*files_, texels_in_use(*uses_, looks_->of(static_cast<int>(index)), files_->a.width,
+                                           files_->a.height));
+      } catch (const Error&) {
+        files_.reset();
+      }
+      material_ = index;
+    }
+    return files_ ? &*files_ : nullptr;
+  }
+
+ private:
+  std::optional<LoadedPictures> files_;
+  std::optional<GltfScene> scene_;
+  std::optional<MaterialUses> uses_;
+  std::optional<MaterialLooks> looks_;
+  std::optional<ScenePictures> textures_;
+  double material_ = -1;  // whose pictures files_ holds
+};
+
+std::vector<std::size_t> with_places(const ValidationReport& report,
+                                     const std::vector<const CheckTarget*>& targets) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < report.files.size(); ++i) {
+    const auto& findings = report.files[i].findings;
+    if (targets[i] != nullptr && std::any_of(findings.begin(), findings.end(), has_place)) out.push_back(i);
+  }
+  return out;
+}
+
+}  // namespace
+
+void check_mask_folder(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  const fs::path above = (fs::path(folder) / "").parent_path().parent_path();
+  if (!above.empty()) fs::create_directories(above, failure);
+  if (fs::exists(folder, failure) && !fs::is_directory(folder, failure))
+    throw Error::at("--mask", printable(folder, 200) + " is no folder", "a folder");
+  check_folder_target(folder, {}, Replace::files);
+}
+
+std::unique_ptr<Output> masks(const ValidationReport& report, const std::vector<const CheckTarget*>& targets,
+                              const Settings& settings, const std::string& folder, unsigned threads) {
+  auto out = std::make_unique<OutputFolder>(folder, Replace::files);
+  // Names are given out in the report's order, so that they do not depend on the threads.
+  const auto wanted = with_places(report, targets);
+  FreeNames taken;
+  std::vector<std::vector<std::string>> names(wanted.size());
+  for (std::size_t w = 0; w < wanted.size(); ++w)
+    for (const Finding& finding : report.files[wanted[w]].findings) {
+      std::string& name = names[w].emplace_back();
+      if (!has_place(finding)) continue;
+      const std::string asked = file_name(finding);
+      name = taken.free(asked, [&](int number) { return asked + '.' + std::to_string(number); });
+    }
+  parallel_chunks(wanted.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t w = begin; w < end; ++w) {
+      const CheckedFile& file = report.files[wanted[w]];
+      const CheckTarget& target = *targets[wanted[w]];
+      PictureSource source(target, settings);
+      for (std::size_t i = 0; i < file.findings.size(); ++i) {
+        const Finding& finding = file.findings[i];
+        const LoadedPictures* pictures = names[w][i].empty() ? nullptr : source.of(finding);
+        if (pictures == nullptr) continue;
+        const Image8& picture = is_about_a(finding, target, *pictures) ? pictures->a : pictures->b;
+        if (picture.pixel_count() == 0) continue;
+        const Image8 marks = marks_of(finding, target, *pictures, picture, settings);
+        out->write(names[w][i] + ".png", png_of(mask_picture(picture, marks)));
+      }
+    }
+  });
+  return out;
+}
+
+namespace {
+
+constexpr int thumbnail_side = 256;
+
+// Diffuse or specular with the heat map of all the findings it has among `findings`.
+ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Finding* const> findings,
+                               const CheckTarget& target, const LoadedPictures& pictures,
+                               const Settings& settings) {
+  ValidationPicture out;
+  out.width = picture.width;
+  out.height = picture.height;
+  const Image8 small = thumbnail(picture, thumbnail_side);
+  out.png = png_of(small);
+  Image8 all(picture.width, picture.height, 1);
+  bool any = false;
+  for (const Finding* finding : findings) {
+    if (!has_place(*finding) || is_about_a(*finding, target, pictures) != a) continue;
+    const Image8 marks = marks_of(*finding, target, pictures, picture, settings);
+    // A plateau of one finding wins over a transition of another.
+    for (std::size_t i = 0; i < all.values.size(); ++i)
+      all.values[i] = std::max(all.values[i], marks.values[i]);
+    if (finding->box) out.boxes.push_back(*finding->box);
+    any = true;
+  }
+  if (any) out.heat_png = png_of(heat_map(all, small.width, small.height));
+  return out;
+}
+
+ValidationPageFile page_file(const CheckedFile& file, const CheckTarget& target, const Settings& settings) {
+  ValidationPageFile out;
+  PictureSource source(target, settings);
+  // Of a scene every material with findings is shown, of other targets the one pair.
+  std::map<std::string, std::vector<const Finding*>> groups;
+  for (const Finding& finding : file.findings)
+    groups[source.is_scene() ? finding.pointer : ""].push_back(&finding);
+  for (const auto& [pointer, findings] : groups) {
+    const LoadedPictures* pictures = source.of(*findings.front());
+    if (pictures == nullptr) continue;
+    for (const bool a : {true, false}) {
+      const Image8& picture = a ? pictures->a : pictures->b;
+      if (picture.pixel_count() == 0) continue;
+      ValidationPicture shown = page_picture(picture, a, findings, target, *pictures, settings);
+      shown.label = a ? "diffuse" : "specular";
+      if (source.is_scene())
+        shown.label = findings.front()->material + ", " + shown.label;
+      else
+        for (const TargetFile& part : target.files)
+          if (target.files.size() == 1 ||
+              a == (part.role == FileRole::diffuse_alpha || part.role == FileRole::base_color))
+            shown.label = part.label;
+      out.pictures.push_back(std::move(shown));
+    }
+    if (pictures->b.pixel_count() == 0) continue;
+    const auto counts =
+        f0_histogram(pictures->b, pictures->a, target.manifest.transfer.value_or(settings.transfer));
+    if (!out.f0) out.f0.emplace();
+    for (std::size_t code = 0; code < counts.size(); ++code) (*out.f0)[code] += counts[code];
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<ValidationPageFile> page_pictures(const ValidationReport& report,
+                                              const std::vector<const CheckTarget*>& targets,
+                                              const Settings& settings, std::size_t most, unsigned threads) {
+  std::vector<ValidationPageFile> out(report.files.size());
+  std::vector<std::size_t> wanted;
+  for (std::size_t i = 0; i < report.files.size() && wanted.size() < most; ++i)
+    if (targets[i] != nullptr && !report.files[i].findings.empty() && !report.files[i].unreadable)
+      wanted.push_back(i);
+  parallel_chunks(wanted.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t w = begin; w < end; ++w)
+      out[wanted[w]] = page_file(report.files[wanted[w]], *targets[wanted[w]], settings);
+  });
+  return out;
+}
+
+}  // namespace etak::cli

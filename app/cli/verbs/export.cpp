@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "app/cli/inputs/inputs.h"
+#include "app/cli/options/options.h"
+#include "app/cli/options/roughness.h"
+#include "app/cli/output/output.h"
+#include "app/cli/verbs.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/exchange/export_values.h"
+#include "core/exchange/gltf_material.h"
+#include "core/exchange/material_x.h"
+#include "core/material/names.h"
+#include "core/material/quality.h"
+
+namespace etak::cli {
+namespace {
+
+struct ExportArguments {
+  InputArguments inputs;
+  ComputeArguments compute;
+  TableArguments tables;
+  OutputArguments output;
+  Library library;
+  std::string to, fit = "clamp", gltf_form = "metal-rough";
+  std::vector<std::string> targets;
+  std::vector<double> diffuse;
+  RoughnessArguments rough;
+  double opacity = 1;
+};
+
+struct Found {
+  std::vector<ExportSurface> surfaces;
+  std::vector<std::string> datasets;
+  bool refused = false, failed = false;
+};
+
+// The surfaces of the inputs; one that cannot be had is told, and the others are still answered.
+Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
+  const TableOptions tables = table_options(arguments.tables);
+  LinearRgb diffuse{0, 0, 0};
+  if (!arguments.diffuse.empty())
+    diffuse = {arguments.diffuse[0], arguments.diffuse[1], arguments.diffuse[2]};
+  Found out;
+  const std::vector<Input> inputs = find_tables(arguments.inputs, arguments.library, arguments.output);
+  for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
+  for (const Input& input : inputs) {
+    try {
+      const Material material = read_material(input, tables);
+      const Dataset& dataset = dataset_named(material, input.dataset, input.label());
+      const F0Result result = solve(solver, material, dataset);
+      if (result.refused()) {
+        complain(material.id + "/" + dataset.id + ": refused: " + result.refusal);
+        // Of the whole library some have no F0, and nobody asked for those.
+        out.refused |= !input.from_folder;
+        continue;
+      }
+      ExportSurface surface =
+          export_surface(material, dataset, solver.options(), result, diffuse, given_gloss(arguments.rough));
+      surface.opacity = arguments.opacity;
+      validate(surface);
+      if (!input.alias_note.empty()) surface.notes.push_back(input.alias_note);
+      if (!arguments.diffuse.empty() && surface.diffuse != diffuse)
+        remark(arguments.output, material.id + " is no dielectric: --diffuse is not used");
+      out.surfaces.push_back(std::move(surface));
+      out.datasets.push_back(dataset.id);
+    } catch (const Error& error) {
+      complain(error.what());
+      out.failed = true;
+    }
+  }
+  return out;
+}
+
+std::string values(const ExportArguments& arguments, Found& found, Fit fit, const std::string& policy) {
+  std::vector<const EngineTarget*> targets;
+  for (const std::string& id : arguments.targets) {
+    const EngineTarget* const target = engine_target(id);
+    if (target == nullptr) {
+      std::string known;
+      for (const EngineTarget& each : engine_targets())
+        known += (known.empty() ? "" : ", ") + std::string(each.id);
+      throw Error::at("--target", printable(id), known);
+    }
+    targets.push_back(target);
+  }
+  if (targets.empty())
+    for (const EngineTarget& each : engine_targets()) targets.push_back(&each);
+  std::vector<ExportedValues> all;
+  for (std::size_t i = 0; i < found.surfaces.size(); ++i) {
+    ExportedValues one{std::move(found.surfaces[i]), found.datasets[i], {}};
+    for (const EngineTarget* target : targets)
+      one.targets.push_back(engine_values(*target, one.surface, fit));
+    all.push_back(std::move(one));
+  }
+  const std::string& format = arguments.output.format;
+  return format == "csv"    ? export_csv(all)
+         : format == "json" ? export_json(all, fit, policy)
+         : format == "text" ? export_text(all)
+                            : export_table(all);
+}
+
+// The form that --to is written in, from --format and, for glTF, the ending of -o.
+void choose_format(ExportArguments& arguments) {
+  std::string& format = arguments.output.format;
+  const bool values = arguments.to == "values";
+  if (format == "auto") {
+    format = values ? "table" : arguments.to;
+    return;
+  }
+  const bool of_values = format == "table" || format == "text" || format == "csv" || format == "json";
+  const bool fits = values                   ? of_values
+                    : arguments.to == "gltf" ? format == "gltf" || format == "glb"
+                                             : format == "mtlx";
+  if (!fits)
+    throw Error::at(arguments.output.form_asked_by, format + " with --to " + arguments.to,
+                    values                   ? "table, text, csv or json"
+                    : arguments.to == "gltf" ? "gltf or glb"
+                                             : "mtlx");
+}
+
+// A file has no room beside it for what was assumed and changed: it goes to standard error.
+void tell_notes_and_changes(const ExportArguments& arguments, const std::vector<ExportSurface>& surfaces,
+                            const std::vector<Changes>& changes) {
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    for (const std::string& note : surfaces[i].notes) remark(arguments.output, surfaces[i].id + ": " + note);
+    for (const Change& change : changes[i])
+      remark(arguments.output, surfaces[i].id + ": " + one_line(change));
+  }
+}
+
+// --to TARGET is short for --to values --target TARGET; glTF's own values are asked for in full.
+std::vector<std::string> forms_and_targets() {
+  std::vector<std::string> out{"mtlx", "gltf", "values"};
+  for (const EngineTarget& each : engine_targets())
+    if (each.id != "gltf") out.emplace_back(each.id);
+  return out;
+}
+
+void take_target(ExportArguments& arguments) {
+  const std::string& to = arguments.to;
+  if (to == "mtlx" || to == "gltf" || to == "values") return;
+  if (!arguments.targets.empty()) throw Error::at("--target", "given beside --to " + to, "--to values");
+  arguments.targets = {to};
+  arguments.to = "values";
+}
+
+int run(ExportArguments& arguments) {
+  take_target(arguments);
+  if (arguments.inputs.names.empty() && !arguments.inputs.all)
+    throw Error::at("etak export", "no input", "a material or file, - for standard input, or --all");
+  choose_format(arguments);
+  const auto in_range = [](const char* option, double value) {
+    if (!(value >= 0 && value <= 1)) throw Error::at(option, number(value, 6), "0 to 1");
+  };
+  (void)given_gloss(arguments.rough);
+  in_range("--opacity", arguments.opacity);
+  for (const double value : arguments.diffuse) in_range("--diffuse", value);
+  if (!arguments.targets.empty() && arguments.to != "values")
+    throw Error::at("--target", "--to " + arguments.to + " is one target", "--to values");
+  const F0Options options = f0_options(arguments.compute, arguments.library);
+  const bool other_space = options.custom_space || options.space != RgbSpace::srgb;
+  if (arguments.to != "mtlx"
+          ? other_space
+          : options.custom_space || (options.space != RgbSpace::srgb && options.space != RgbSpace::acescg &&
+                                     options.space != RgbSpace::display_p3))
+    throw Error::at("--space", space_name(options) + " with --to " + arguments.to,
+                    arguments.to == "mtlx" ? "srgb, acescg or display-p3" : "srgb, which its values are in");
+  const F0Solver solver(options);
+  const Fit fit = *fit_named(arguments.fit);
+  Found found = find_surfaces(arguments, solver);
+  if (!found.surfaces.empty()) {
+    std::vector<Changes> changes;
+    if (arguments.to == "values") {
+      write_output(arguments.output, values(arguments, found, fit, policy(options)));
+    } else {
+      const auto form = arguments.gltf_form == "metal-rough" ? GltfMaterialForm::metal_rough
+                                                             : GltfMaterialForm::specular_glossiness;
+      const auto container = arguments.output.format == "glb" ? GltfContainer::glb : GltfContainer::gltf;
+      write_output(arguments.output, arguments.to == "mtlx"
+                                         ? material_x(found.surfaces, fit, changes)
+                                         : gltf_document(found.surfaces, form, container, fit, changes));
+      tell_notes_and_changes(arguments, found.surfaces, changes);
+    }
+  }
+  return found.failed ? exit_failure : found.refused ? exit_findings : exit_ok;
+}
+
+}  // namespace
+
+void add_export(CommandLine& line) {
+  const auto arguments = std::make_shared<ExportArguments>();
+  Command verb = line.verb("export", "materials as MaterialX, glTF or the values of an engine");
+  add_input_options(verb, arguments->inputs);
+  verb.option("--to", arguments->to,
+              "mtlx (MaterialX 1.39, OpenPBR), gltf (spheres with the material), values (what to type or "
+              "paste), or the values of one target")
+      .required()
+      .one_of(forms_and_targets());
+  verb.flag("--all", arguments->inputs.all, "every material of the library");
+  add_all_datasets_option(verb, arguments->inputs);
+  verb.option("--dataset", arguments->inputs.dataset, "dataset to take instead of the preferred one")
+      .value_name("ID");
+  add_roughness_options(verb, arguments->rough, "of the surface");
+  verb.option("--diffuse", arguments->diffuse,
+              "diffuse colour of dielectrics, linear R,G,B (default black, and clear where the data say so)")
+      .separated_by(',')
+      .values(3)
+      .value_name("R,G,B");
+  verb.option("--opacity", arguments->opacity, "0 to 1").show_default();
+  verb.option("--fit", arguments->fit,
+              "what becomes of a colour above 1 or below 0: clamp (each channel) or preserve-hue (the "
+              "whole colour)")
+      .one_of({"clamp", "preserve-hue"})
+      .show_default();
+  verb.option(
+          "--target", arguments->targets,
+          "of --to values: only these, with ',' between (hex, srgb8, linear, glsl, unreal, unity-metallic, "
+          "unity-specular, blender, filament, openpbr, gltf, gltf-specular-glossiness, gulbrandsen, rgb-nk)")
+      .separated_by(',')
+      .value_name("LIST");
+  verb.option("--gltf-form", arguments->gltf_form,
+              "metal-rough (dielectrics with KHR_materials_ior and _specular) or specular-glossiness")
+      .one_of({"metal-rough", "specular-glossiness"})
+      .show_default();
+  add_compute_options(verb, arguments->compute);
+  add_table_options(verb, arguments->tables);
+  add_library_options(verb, arguments->library);
+  add_output_options(verb, arguments->output,
+                     {"auto", "table", "text", "csv", "json", "gltf", "glb", "mtlx"});
+  verb.footer(
+      "--format auto is table for values, mtlx, and gltf (glb where -o ends in it); text is what to paste.\n"
+      "What a target cannot hold is changed by --fit or a rule of the target and told beside the value.\n"
+      "Exit status: 0 done, 1 an input named by itself was refused by the rules, 2 an input failed.\n"
+      "Example:\n  etak export gold diamond --to values --target unreal,filament");
+  verb.runs([arguments] { return run(*arguments); });
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "app/cli/f0/run.h"
+#include "app/cli/inputs/inputs.h"
+#include "app/cli/options/empty_list.h"
+#include "app/cli/options/options.h"
+#include "app/cli/output/output.h"
+#include "app/cli/output/progress.h"
+#include "app/cli/verbs.h"
+
+namespace etak::cli {
+
+void add_f0(CommandLine& line) {
+  const auto arguments = std::make_shared<F0Arguments>();
+  Command verb = line.verb("f0", "reflectance at normal incidence as a colour");
+  add_input_options(verb, arguments->inputs);
+  verb.option("--files-from", arguments->files_from,
+              "read more inputs from LIST, one per line or NUL-separated")
+      .reads_file()
+      .value_name("LIST");
+  add_allow_empty_option(verb, arguments->allow_empty);
+  verb.flag("--all", arguments->inputs.all, "every material of the library");
+  add_all_datasets_option(verb, arguments->inputs);
+  verb.option("--dataset", arguments->inputs.dataset,
+              "dataset to take instead of the preferred one: its id or unique beginning")
+      .value_name("ID");
+  verb.flag("--axis-average", arguments->axis_average,
+            "crystals as random grains: (2 ordinary + extraordinary) / 3, or a third of alpha, beta and "
+            "gamma each");
+  add_compute_options(verb, arguments->compute);
+  add_table_options(verb, arguments->tables);
+  add_library_options(verb, arguments->library);
+  add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "html"});
+  add_progress_option(verb, arguments->output.progress);
+  add_thread_option(verb, arguments->threads);
+  verb.flag("-v,--verbose", arguments->verbose,
+            "below a table, what its flags mean and the policy that its numbers were computed by");
+  verb.flag("--stats", arguments->stats, "time per stage and MB/s on standard error");
+  verb.footer(
+      "A folder gives one row per page, in path order; a refractiveindex.info database tree is recognised.\n"
+      "Exit status: 0 done, 1 an input named by itself was refused by the rules, 2 an input failed.\n"
+      "Example:\n  etak f0 gold silver --format csv");
+  verb.runs([arguments] { return answer_f0(*arguments); });
+}
+
+}  // namespace etak::cli

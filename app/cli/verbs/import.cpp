@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <memory>
+
+#include "app/cli/inputs/inputs.h"
+#include "app/cli/options/options.h"
+#include "app/cli/output/output.h"
+#include "app/cli/verbs.h"
+#include "core/base/error.h"
+#include "core/base/free_names.h"
+#include "core/base/memory.h"
+#include "core/material/json.h"
+
+namespace etak::cli {
+namespace {
+
+struct ImportArguments {
+  InputArguments inputs;
+  std::string id, name, material_class;
+  TableArguments tables;
+  OutputArguments output;
+  Library library;  // find_inputs needs one; no name of it can be imported
+};
+
+// "a" is taken: "a-2", "a-3", ...
+void append_datasets(Material& material, Material more, FreeNames& ids) {
+  for (Dataset& dataset : more.datasets) {
+    const std::string id = dataset.id;
+    dataset.id = ids.free(id, [&](int i) { return id + "-" + std::to_string(i); });
+    material.datasets.push_back(std::move(dataset));
+  }
+}
+
+int import_inputs(ImportArguments& arguments) {
+  const TableOptions tables = table_options(arguments.tables);
+  if (arguments.inputs.names.empty()) throw Error::at("etak import", "no input", "a page or table");
+  Material material;
+  FreeNames ids;  // of its datasets
+  for (const Input& input : find_tables(arguments.inputs, arguments.library, arguments.output)) {
+    if (input.kind == Input::Kind::material)
+      throw Error::at(input.path, "is a material of the library", "a page, table or material file");
+    Material next = read_material(input, tables, arguments.id);
+    if (material.datasets.empty()) {
+      material = std::move(next);
+      if (!arguments.id.empty()) material.id = arguments.id;
+      for (const Dataset& each : material.datasets) ids.take(each.id);
+    } else {
+      append_datasets(material, std::move(next), ids);
+    }
+  }
+  if (!arguments.name.empty()) material.name = arguments.name;
+  if (!arguments.material_class.empty()) material.material_class = arguments.material_class;
+  if (material.datasets.size() > 1) material.preferred_reason = "the first of the imported datasets";
+  const std::string text = format_material(material);
+  // What etak writes it must read: this finds an --id or --class that the schema does not allow.
+  (void)parse_material(text, "the imported material");
+  write_output(arguments.output, text);
+  return exit_ok;
+}
+
+int run(ImportArguments& arguments) {
+  const auto& names = arguments.inputs.names;
+  return with_memory_for(
+      names.size() == 1 ? names[0] : "etak import", [] { return "the material made of it"; },
+      [&] { return import_inputs(arguments); });
+}
+
+}  // namespace
+
+void add_import(CommandLine& line) {
+  const auto arguments = std::make_shared<ImportArguments>();
+  Command verb = line.verb("import", "pages or tables as one material file");
+  add_input_options(verb, arguments->inputs);
+  verb.option("--id", arguments->id, "id of the material, [a-z0-9_] (default: from the page's folder)");
+  verb.option("--name", arguments->name, "name of the material");
+  verb.option("--class", arguments->material_class, "class, such as metal or glass");
+  add_table_options(verb, arguments->tables);
+  add_output_options(verb, arguments->output, {"json"});
+  verb.footer(
+      "Several inputs become datasets of one material; the first is preferred. Citation, sample and class "
+      "are\n"
+      "taken from a page as far as it tells them: read them over before the file joins a library.\n"
+      "Example:\n  printf 'nm n k\\n400 1.5 3\\n700 1.6 4\\n' | etak import - --id sample --class metal");
+  verb.runs([arguments] { return run(*arguments); });
+}
+
+}  // namespace etak::cli

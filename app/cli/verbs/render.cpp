@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "app/cli/output/progress.h"
+#include "app/cli/pictures/pictures.h"
+#include "app/cli/pictures/render.h"
+#include "app/cli/verbs.h"
+
+namespace etak::cli {
+
+void add_render(CommandLine& line) {
+  const auto arguments = std::make_shared<RenderArguments>();
+  Command verb = line.verb("render", "a picture of a material on a sphere or quad");
+  add_scene_options(verb, arguments->scene);
+  verb.option("-o,--output", arguments->picture, "picture to write: .png (8 bit) or .exr (linear)")
+      .value_name("FILE");
+  verb.flag("--force", arguments->stats.force, "let -o replace a file; ETAK_FORCE=1 says the same");
+  verb.flag("--half", arguments->half, "16-bit values in .exr instead of 32-bit ones");
+  verb.option("--device", arguments->device, "cpu, gl, or auto (cpu)")
+      .one_of({"auto", "cpu", "gl"})
+      .show_default();
+  verb.flag(
+      "--reference", arguments->reference,
+      "double precision, Fresnel per wavelength, supersampled; hemispheres and environment by sampling");
+  verb.option("--spp", arguments->samples, "with --reference: points per pixel, a square number")
+      .range(1, 1024)
+      .show_default();
+  verb.option("--light-samples", arguments->light_samples,
+              "with --reference: samples of hemispheres and environment per point")
+      .range(0, 1 << 20)
+      .show_default();
+  verb.flag("--sheet", arguments->sheet, "contact sheet: eight materials under every model (no SUBJECT)");
+  verb.option("--display", arguments->display,
+              "OpenColorIO display for the 8-bit picture, in place of --transfer");
+  verb.option("--view", arguments->view, "OpenColorIO view of the display");
+  verb.option("--ocio", arguments->ocio,
+              "OpenColorIO config of --display and --view (else $OCIO, else etak's own)")
+      .reads_file()
+      .value_name("CONFIG");
+  verb.option("--frames", arguments->frames, "draw the picture so often and state the time of a frame")
+      .range(1, 100000)
+      .show_default();
+  add_thread_option(verb, arguments->threads);
+  arguments->stats.format = "text";
+  verb.option("--format", arguments->stats.format,
+              "of what is said about the picture: text (remarks) or json")
+      .one_of({"text", "json"})
+      .show_default();
+  verb.flag("-q,--quiet", arguments->stats.quiet, "no remarks and no progress; errors still appear");
+  add_progress_option(verb, arguments->stats.progress);
+  verb.footer("Example:\n  etak render gold --model ggx-f82 --gloss 0.6 -o gold.png");
+  verb.runs([arguments] { return pictures("etak render").draw(*arguments); });
+}
+
+}  // namespace etak::cli

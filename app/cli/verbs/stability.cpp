@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "app/cli/output/output.h"
+#include "app/cli/output/replace.h"
+#include "app/cli/pictures/pictures.h"
+#include "app/cli/pictures/report.h"
+#include "app/cli/verbs.h"
+#include "core/pages/stability_report.h"
+
+namespace etak::cli {
+namespace {
+
+int show_stability(const StabilityArguments& arguments) {
+  check_output(arguments.output);
+  const std::vector<StabilityCase> cases =
+      arguments.device == "cpu" ? stability_cases() : pictures("--device").stability_on_gl(arguments.device);
+  write_output(arguments.output,
+               arguments.output.format == "json" ? stability_json(cases) : stability_text(cases));
+  return all_passed(cases) ? exit_ok : exit_findings;
+}
+
+}  // namespace
+
+void add_stability(CommandLine& line) {
+  Command verb = line.verb("stability", "Run every stiff and extreme case through the real code");
+  auto arguments = std::make_shared<StabilityArguments>();
+  verb.option("--device", arguments->device,
+              "cpu: double and single precision; gl, all: and the formulas on OpenGL")
+      .one_of({"cpu", "gl", "all"})
+      .show_default();
+  add_output_options(verb, arguments->output, {"text", "json"});
+  verb.footer("Exit status: 0 every case as expected, 1 some not.\nExample:\n  etak stability");
+  verb.runs([arguments] { return show_stability(*arguments); });
+}
+
+}  // namespace etak::cli

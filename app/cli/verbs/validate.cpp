@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include "app/cli/options/empty_list.h"
+#include "app/cli/options/files.h"
+#include "app/cli/options/options.h"
+#include "app/cli/output/progress.h"
+#include "app/cli/validate/validate.h"
+#include "app/cli/verbs.h"
+#include "core/base/error.h"
+#include "core/validate/output/explain.h"
+#include "core/validate/rules.h"
+
+namespace etak::cli {
+namespace {
+
+int run(ValidateArguments& arguments) {
+  if (!arguments.list_rules) return check_files(arguments);
+  if (arguments.output.format != "text" && arguments.output.format != "json")
+    throw Error::at("--format", arguments.output.format + " with --list-rules", "text or json");
+  write_output(arguments.output, arguments.output.format == "json" ? rules_json(rules()) : rules_table());
+  return exit_ok;
+}
+
+void add_rule_options(Command verb, ValidateArguments& a) {
+  const auto add = [&](const char* option, std::vector<std::string>& ids, const char* text) {
+    verb.option(option, ids, text).value_name("ID,...").separated_by(',').group("Rules");
+  };
+  verb.option("--profile", a.profile, "default, strict, film or custom").group("Rules");
+  add("--select", a.choice.select,
+      "only these rules, ids or prefixes such as ETK1; the configuration may still turn some off");
+  add("--only", a.choice.only, "exactly these rules, whatever the configuration says");
+  add("--extend-select", a.choice.extend_select, "these rules too");
+  add("--ignore", a.choice.ignore, "without these rules; goes last");
+  verb.flag("--list-rules", a.list_rules, "print the rule table and stop (--format text or json)")
+      .group("Rules");
+  verb.option("--config", a.config, "configuration (default: etak.toml of the first folder upwards)")
+      .reads_file()
+      .value_name("FILE")
+      .group("Rules");
+  verb.flag("--no-config", a.no_config, "look for no etak.toml").group("Rules");
+}
+
+void add_verdict_options(Command verb, ValidateArguments& a) {
+  const char* group = "Verdict";
+  verb.option("--fail-on", a.fail_on,
+              "least severity that fails the run: error (default), warning, info or never")
+      .group(group);
+  verb.option("--max-warnings", a.max_warnings, "more warnings than this fail the run")
+      .value_name("N")
+      .group(group);
+  verb.flag("--exit-zero", a.exit_zero,
+            "exit status 0 in spite of findings; what could not be checked stays 2")
+      .group(group);
+  verb.option("--baseline", a.baseline, "findings of this file are known and do not count")
+      .reads_file()
+      .value_name("FILE")
+      .group(group);
+  verb.option("--write-baseline", a.write_baseline, "record all findings as known")
+      .value_name("FILE")
+      .group(group);
+  verb.option("--today", a.today,
+              "date that expiring [[allow]] entries are held against (default: the system's)")
+      .value_name("YYYY-MM-DD")
+      .group(group);
+}
+
+}  // namespace
+
+void add_validate(CommandLine& line) {
+  const auto arguments = std::make_shared<ValidateArguments>();
+  ValidateArguments& a = *arguments;
+  Command verb = line.verb("validate", "find impossible materials in textures, atlases, scenes and data");
+  verb.option("path", a.paths,
+              "files, folders and pipes: texture pairs, metal-rough sets, atlas layouts, glTF "
+              "scenes, material files, spectra; - is standard input")
+      .reads_file()
+      .value_name("PATH...");
+  verb.option("--files-from", a.files_from, "file with one path a line; - is standard input")
+      .reads_file()
+      .value_name("FILE");
+  add_allow_empty_option(verb, a.allow_empty);
+  verb.option("--role", a.role,
+              "what the pictures are: diffuse, specular, f0, base-color or metal-rough (default: by "
+              "their names)");
+  verb.option("--transfer", a.transfer, "curve of the 8-bit codes: srgb (default), gamma22 or linear");
+  verb.option("--alpha", a.alpha, "what the alpha of diffuse is: mask (default) or transparency");
+  verb.option("--material", a.material, "the material that the pictures are of, an id or name of etak list");
+  verb.option("--surface", a.surface_class, "surface class of the pictures, for ETK205, such as dry-sand");
+  add_rule_options(verb, a);
+  add_verdict_options(verb, a);
+  add_output_options(verb, a.output, {"text", "json", "sarif", "junit", "github", "csv", "html"});
+  verb.option("--mask", a.mask_folder, "folder for a picture per finding: plateau red, transition yellow")
+      .value_name("DIR");
+  verb.flag("--stats", a.stats, "say on standard error what was read, left out and how long it took");
+  verb.option("--cache", a.cache_folder, "keep results here and do not check the same files again")
+      .value_name("DIR");
+  verb.option("--cache-key", a.cache_key,
+              "secret of at least 16 bytes: entries of the cache that were written without it do "
+              "not count")
+      .reads_file()
+      .value_name("FILE");
+  add_follow_links(verb);
+  add_library_options(verb, a.library);
+  add_progress_option(verb, a.output.progress);
+  add_thread_option(verb, a.threads);
+  verb.footer(
+      "Exit status: 0 nothing at or above --fail-on, 1 findings, 2 not everything could be checked.\n"
+      "Example:\n  etak validate textures --format sarif -o findings.sarif");
+  verb.runs([arguments] { return run(*arguments); });
+}
+
+}  // namespace etak::cli
