@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Widgets one by one, without OpenGL: what is typed is what is kept, and every control has a name.
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QLabel>
 #include <QLineEdit>
-#include <QListView>
 #include <QMenu>
 #include <QMenuBar>
 #include <QScrollBar>
@@ -22,9 +21,7 @@
 #include "app/editor/fields/press_id.h"
 #include "app/editor/options.h"
 #include "app/editor/panels/inspector.h"
-#include "app/editor/panels/library_model.h"
 #include "app/editor/panels/library_panel.h"
-#include "app/editor/panels/source_section.h"
 #include "app/editor/panels/texture_section.h"
 #include "app/editor/panels/view_panel.h"
 #include "app/editor/shortcuts.h"
@@ -36,13 +33,6 @@ using namespace etak::editor;
 
 class EditorWidgets : public QObject {
   Q_OBJECT
-
-  template <class Widget>
-  static const Widget* named(const Window& window, const QString& name) {
-    for (const auto* each : window.findChildren<Widget*>())
-      if (each->accessibleName() == name) return each;
-    return nullptr;
-  }
 
  private slots:
   void every_control_has_a_name() {
@@ -307,40 +297,6 @@ class EditorWidgets : public QObject {
     QVERIFY(!window->document().material()->gloss.given_roughness());
   }
 
-  // found 1.05 and 1.07
-  void found_1_05_clear_bodies_and_1_07_totals_are_told_and_exported() {
-    TestWindow window(true);
-    window->show();
-    const auto told = [&] {
-      for (const QLabel* each : window->inspector().source().findChildren<QLabel*>())
-        if (each->accessibleName() == QStringLiteral("About the body and the roughness")) return each->text();
-      return QString();
-    };
-    QVERIFY(window->use_library_material(QStringLiteral("water")));
-    QVERIFY(window->document().material()->diffuse == LinearRgb{});
-    QCOMPARE(window->document().material()->alpha, 0.0);
-    QTRY_VERIFY(told().contains(QStringLiteral("the body is clear")));
-    QVERIFY(told().contains(QStringLiteral("a convention, no measurement")));
-    const ExportSurface water = export_surface(*window->document().material(), *window->document().library());
-    QVERIFY(water.clear);
-    QCOMPARE(water.opacity, 1.0);
-    QVERIFY(window->use_library_material(QStringLiteral("brick")));
-    QTRY_VERIFY(told().contains(QStringLiteral("total reflectance")));
-    const ProjectMaterial brick = *window->document().material();
-    QCOMPARE(brick.gloss.roughness(), 0.9);
-    const auto total = [](const ProjectMaterial& m) { return m.diffuse.r + m.specular.r; };
-    const ExportSurface surface = export_surface(brick, *window->document().library());
-    QVERIFY(std::abs(total(brick) - surface.total->r) < 1e-12);
-    // A typed surface takes its share of the same total.
-    ProjectMaterial shinier = brick;
-    shinier.specular = {0.05, 0.05, 0.05};
-    window->document().edit(window->document().current(),
-                            with_measured(shinier, *window->document().library()),
-                            QStringLiteral("specular colour"), 1);
-    QVERIFY(std::abs(total(*window->document().material()) - surface.total->r) < 1e-12);
-    QVERIFY(window->document().material()->measured.has_value());
-  }
-
   void undo_and_redo_of_everything_end_where_they_began() {
     TestWindow window(true);
     Document& document = window->document();
@@ -359,67 +315,6 @@ class EditorWidgets : public QObject {
     QVERIFY(document.project() == Project{});
     while (document.undo_stack().canRedo()) document.undo_stack().redo();
     QVERIFY(document.project() == end);
-  }
-
-  void search_and_classes_leave_what_they_name() {
-    TestWindow window(true);
-    LibraryPanel& library = window->library_panel();
-    const int all = library.list().model()->rowCount();
-    QVERIFY(all > 150);
-    library.search().setText(QStringLiteral("ALUMIN"));
-    const int some = library.list().model()->rowCount();
-    QVERIFY(some > 0 && some < all);
-    library.search().clear();
-    QCOMPARE(library.list().model()->rowCount(), all);
-    for (auto* chip : library.findChildren<QAbstractButton*>())
-      if (chip->text() == QLatin1String("gem")) chip->click();
-    QVERIFY(library.list().model()->rowCount() > 3 && library.list().model()->rowCount() < 40);
-  }
-
-  void found_1_10_a_search_without_a_row_says_why() {
-    TestWindow window(true);
-    LibraryPanel& library = window->library_panel();
-    const auto told = [&](const char* text) {
-      library.search().setText(QString::fromUtf8(text));
-      for (const auto* label : library.findChildren<QLabel*>())
-        if (label->accessibleName() == QLatin1String("Number of materials shown")) return label->text();
-      return QString();
-    };
-    QVERIFY(told("milk").startsWith(QLatin1String("no open measurement known: ")));
-    QCOMPARE(library.list().model()->rowCount(), 0);
-    QVERIFY(told("glod").contains(QLatin1String("nearest names: gold")));
-    QVERIFY(told("qwertzuiop").startsWith(QLatin1String("0 of ")));
-    QVERIFY(told("spectralon").startsWith(QLatin1String("1 of ")));
-    QVERIFY(told("").endsWith(QLatin1String(" materials")));
-  }
-
-  // What is known against a material's data stands in the library's list and beside its numbers.
-  void found_1_04_the_quality_of_data_is_told() {
-    TestWindow window(true);
-    const QAbstractItemModel* model = window->library_panel().list().model();
-    QString zinc;
-    for (int row = 0; row < model->rowCount(); ++row)
-      if (const QModelIndex at = model->index(row, 0);
-          at.data(LibraryModel::id_role).toString() == QLatin1String("zinc"))
-        zinc = at.data(Qt::ToolTipRole).toString();
-    QVERIFY2(zinc.endsWith(QLatin1String("data computed; sparse")), qPrintable(zinc));
-    QVERIFY(window->use_library_material(QStringLiteral("tantalum")));
-    const auto* dataset = named<QComboBox>(*window, QStringLiteral("Dataset"));
-    QVERIFY(dataset != nullptr);
-    QVERIFY(dataset->findText(QStringLiteral("werner-2009-reels (measured; sparse; doubtful)")) > 0);
-    const auto* result = named<QLabel>(*window, QStringLiteral("Measured F0, result"));
-    QVERIFY(result != nullptr);
-    QTRY_VERIFY(result->text().contains(QLatin1String("data computed; sparse; doubtful")));
-    QVERIFY(result->text().contains(QLatin1String("doubtful: at 667 nm")));
-  }
-
-  void found_1_18_a_surface_has_no_zone_verdict() {
-    TestWindow window(true);
-    QVERIFY(window->use_library_material(QStringLiteral("cardboard")));
-    const auto* result = named<QLabel>(*window, QStringLiteral("Measured F0, result"));
-    QVERIFY(result != nullptr);
-    QTRY_VERIFY(result->text().contains(QLatin1String("data measured")));
-    QVERIFY2(!result->text().contains(QLatin1String("inside")), qPrintable(result->text()));
   }
 
   void names_of_files_tell_their_channel() {

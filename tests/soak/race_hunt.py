@@ -22,7 +22,7 @@ def threads(soak, tally, deadline):
 
 
 # Programs of tests/gui whose work goes to threads: loading and checking of textures, packing, watching, CPU pictures.
-EDITOR = ("editor_files", "editor_faults", "editor_widgets", "viewport_cpu")
+EDITOR = ("editor_files", "editor_faults", "editor_library", "editor_widgets", "viewport_cpu")
 
 
 def editor(soak, tally, deadline):

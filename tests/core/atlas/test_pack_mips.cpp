@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "core/atlas/pack/pack.h"
+#include "core/image/mips.h"
+#include "tests/core/atlas/pack_support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+TEST_CASE("pages made slab by slab are the pages made at once") {
+  const TempFolder folder;
+  std::string list;
+  const auto add = [&](const std::string& name, int width, int height, unsigned seed) {
+    add_noise_material(folder, name, width, height, seed);
+    list += (list.empty() ? "" : ", ") + manifest_entry(name);
+  };
+  PackOptions options;
+  bool some_slabs = true;
+  SECTION("rows of regions, with their mips") {
+    for (unsigned i = 0; i < 8; ++i) add("m" + std::to_string(i), 1024, 512, 10 * i);
+    options.mips = GENERATE(1, 0, 3);
+    options.bleed = GENERATE(false, true);
+    options.page = 2048;
+  }
+  SECTION("a region in several slabs") {
+    add("large", 2600, 1700, 7);
+    options.mips = 1;
+    options.gutter = GENERATE(0, 2);
+  }
+  SECTION("regions side by side in several slabs, and waste below one") {
+    add("a", 2000, 1700, 1);
+    add("b", 2001, 1602, 2);
+    options.mips = 1;
+    options.gutter = 0;
+  }
+  SECTION("a page that is too small for slabs") {
+    add("small", 1024, 512, 7);
+    options.mips = 4;
+    some_slabs = false;
+  }
+  spit(folder.file("m.json"), "{\"gloss\": \"schueler\", \"materials\": [" + list + "]}");
+  // The DDS file needs the page whole.
+  PackOptions whole = options;
+  whole.write.formats = {"png", "dds"};
+  const auto stages = [](const PackReport& report) {
+    std::string out;
+    for (const PackStage& stage : report.stages) out += stage.name + ";";
+    return out;
+  };
+  pack(folder.file("m.json"), folder.file("whole"), whole, built_in_library());
+  for (const unsigned threads : {1u, 3u}) {
+    options.threads = threads;
+    const std::string out = folder.file("slabs" + std::to_string(threads));
+    const PackReport report = pack(folder.file("m.json"), out, options, built_in_library());
+    CHECK((stages(report).find("texels, mips and files;") != std::string::npos) == some_slabs);
+    REQUIRE(!report.files.empty());
+    for (const std::string& name : report.files)
+      if (name.ends_with(".png")) {
+        INFO(name);
+        const bool same = slurp(out + "/" + name) == slurp(folder.file("whole") + "/" + name);
+        CHECK(same);
+      }
+  }
+}
+
+TEST_CASE("a region's mips are those of the region alone") {
+  const TempFolder folder;
+  add_noise_material(folder, "a", 64, 64, 1);
+  add_noise_material(folder, "b", 64, 128, 2);
+  add_noise_material(folder, "c", 96, 64, 3);
+  PackOptions options;
+  options.mips = 3;
+  (void)pack_text(folder, manifest_of({manifest_entry("a"), manifest_entry("b"), manifest_entry("c")}),
+                  options);
+  const AtlasLayout layout = packed_layout(folder);
+  for (const AtlasRect& rect : layout.rects) {
+    const std::string page = folder.file("out/page" + std::to_string(rect.page));
+    const auto cut = [&](const Image8& from, int x, int y, int width, int height) {
+      Image8 out(width, height, 4);
+      for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i) std::copy_n(from.at(x + i, y + j).data(), 4, out.at(i, j).data());
+      return out;
+    };
+    const auto level = [&](const char* texture, int l) {
+      const std::string mip = l == 0 ? "" : ".mip" + std::to_string(l);
+      return cut(load_png(page + "_" + texture + mip + ".png"), rect.x >> l, rect.y >> l, rect.width >> l,
+                 rect.height >> l);
+    };
+    MipOptions mips;
+    mips.levels = rect.mips;
+    const MipPair alone = mip_pair(level("diffuse_alpha", 0), level("specular_gloss", 0), mips);
+    CHECK(rect.mips >= 2);
+    for (int l = 1; l < rect.mips; ++l) {
+      CHECK(alone.diffuse_alpha[static_cast<std::size_t>(l)] == level("diffuse_alpha", l));
+      CHECK(alone.specular_gloss[static_cast<std::size_t>(l)] == level("specular_gloss", l));
+    }
+  }
+}
+
+TEST_CASE("mips average gloss in the form it has") {
+  const TempFolder folder;
+  Image8 halves(64, 64, 1);
+  for (std::size_t i = 0; i < halves.values.size(); ++i) halves.values[i] = i % 2 == 0 ? 0 : 255;
+  add_noise_material(folder, "a", 64, 64, 1);
+  save_png(folder.file("a_gloss.png"), halves);
+  const auto level_1 = [&](const std::string& form) {
+    PackOptions options;
+    options.mips = 2;
+    (void)pack_text(folder, "{\"gloss\": \"" + form + "\", " + manifest_of({manifest_entry("a")}).substr(1),
+                    options);
+    const AtlasRect rect = packed_layout(folder).rects.at(0);
+    return int{
+        load_png(folder.file("out/page0_specular_gloss.mip1.png")).at(rect.x / 2 + 3, rect.y / 2 + 3)[3]};
+  };
+  // Half of each texel is a mirror, half is fully rough: alpha^2 of 1/2.
+  const double roughness = std::pow(0.5, 0.25);
+  CHECK(level_1("roughness") == static_cast<int>(255 * roughness + 0.5));
+  CHECK(level_1("one_minus_roughness") == static_cast<int>(255 * (1 - roughness) + 0.5));
+  // 1/e of 1 and 1/4096, weighted by F0's luminance; between the plain mean and its neighbours.
+  CHECK(std::abs(level_1("schueler") - 255 * std::log2(2.0) / 12) <= 25);
+}
+
+TEST_CASE("a rough normal map lowers the gloss of the mips, in every form") {
+  const TempFolder folder;
+  add_noise_material(folder, "a", 64, 64, 1);
+  save_png(folder.file("a_gloss.png"), Image8(64, 64, 1, 200));
+  // Tilted to the left and to the right by turns: |N| of the mean is the cosine of the tilt.
+  Image8 tilted(64, 64, 3, 128);
+  const double tilt = 0.5;
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      tilted.at(x, y)[0] =
+          static_cast<std::uint8_t>(127.5 * (1 + (x % 2 == 0 ? 1 : -1) * std::sin(tilt)) + 0.5);
+      tilted.at(x, y)[2] = static_cast<std::uint8_t>(127.5 * (1 + std::cos(tilt)) + 0.5);
+    }
+  save_png(folder.file("a_normal.png"), tilted);
+  PackOptions options;
+  options.mips = 2;
+  const auto level_1 = [&](const std::string& more, const std::string& form) {
+    std::string text = manifest_entry("a");
+    text.insert(text.size() - 1, more);
+    (void)pack_text(folder, "{\"gloss\": \"" + form + "\", " + manifest_of({text}).substr(1), options);
+    const AtlasRect rect = packed_layout(folder).rects.at(0);
+    return int{
+        load_png(folder.file("out/page0_specular_gloss.mip1.png")).at(rect.x / 2 + 3, rect.y / 2 + 3)[3]};
+  };
+  const std::string map = ", \"normal\": \"a_normal.png\"";
+  CHECK(level_1("", "schueler") == 200);
+  CHECK(level_1(map, "schueler") < 150);
+  const double spread = (1 - std::cos(tilt)) / std::cos(tilt);
+  const auto rougher = [&](double r) { return std::pow(r * r * r * r + 2 * spread, 0.25); };
+  CHECK(level_1("", "roughness") == 200);
+  CHECK(std::abs(level_1(map, "roughness") - 255 * rougher(200 / 255.0)) <= 2);
+  CHECK(std::abs(level_1(map, "one_minus_roughness") - 255 * (1 - rougher(1 - 200 / 255.0))) <= 2);
+}
