@@ -13,7 +13,7 @@ namespace etak::editor {
 namespace {
 
 // "Export material: MaterialX…" for what stands in a menu of a menu, where its own name says too little.
-QString told(const QAction& action) {
+QString title_of(const QAction& action) {
   QString out = action.text();
   for (const QObject* each : action.associatedObjects())
     if (const auto* menu = qobject_cast<const QMenu*>(each))
@@ -48,7 +48,7 @@ ShortcutsDialog::ShortcutsDialog(const QMainWindow& window, QWidget* parent) : Q
   auto* menus = group(tr("Menus"));
   for (const QAction* each : window.findChildren<QAction*>())
     if (!each->shortcut().isEmpty())
-      row(menus, each->shortcut().toString(QKeySequence::NativeText), told(*each));
+      row(menus, each->shortcut().toString(QKeySequence::NativeText), title_of(*each));
   auto* view = group(tr("Viewport"));
   row(view, tr("Left drag, Alt + left drag"), tr("orbit"));
   row(view, tr("Middle drag"), tr("move the picture"));

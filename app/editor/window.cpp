@@ -144,10 +144,10 @@ void Window::make_panels() {
   connect(library_panel_, &LibraryPanel::looked_at, this, &Window::preview);
   connect(library_panel_, &LibraryPanel::wanted, this, &Window::use_library_material);
   connect(project_panel_, &ProjectPanel::new_asked, this, [this] {
-    ProjectMaterial made;
-    made.name = tr("Material").toStdString();
-    made.diffuse = {0.5, 0.5, 0.5};
-    document_.add({made}, {}, tr("new material"));
+    ProjectMaterial material;
+    material.name = tr("Material").toStdString();
+    material.diffuse = {0.5, 0.5, 0.5};
+    document_.add({material}, {}, tr("new material"));
   });
   connect(project_panel_, &ProjectPanel::copy_asked, this, [this] {
     if (document_.material() != nullptr) document_.add({*document_.material()}, {}, tr("duplicate"));

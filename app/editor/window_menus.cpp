@@ -127,11 +127,11 @@ void Window::fill_copy_menu(QMenu* menu) {
             const EngineValues values = engine_values(target, export_surface(*m, *document_.library()));
             const QString copied = QString::fromStdString(copy_text(values));
             QApplication::clipboard()->setText(copied);
-            QString told =
+            QString message =
                 tr("Copied for %1: %2").arg(qt_text(target.title), copied.section(QLatin1Char('\n'), 0, 0));
             for (const Change& change : values.changes)
-              told += QStringLiteral("; ") + qt_text(one_line(change));
-            tell(told);
+              message += QStringLiteral("; ") + qt_text(one_line(change));
+            tell(message);
           } catch (const Error& error) {
             tell(QString::fromUtf8(error.what()));
           }

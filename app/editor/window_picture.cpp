@@ -167,12 +167,12 @@ void Window::show_curves() {
 
 void Window::show_shader() {
   if (tabs_->currentWidget() != shader_) return;
-  const QString told = viewport_->uses_gl()
-                           ? tr("// compiled in %1 ms\n").arg(viewport_->compile_ms(), 0, 'f', 1)
-                           : tr("// not compiled: the CPU draws the same formulas\n");
+  const QString first_line = viewport_->uses_gl()
+                                 ? tr("// compiled in %1 ms\n").arg(viewport_->compile_ms(), 0, 'f', 1)
+                                 : tr("// not compiled: the CPU draws the same formulas\n");
   const QString text = viewport_->shader_text().isEmpty()
                            ? tr("No shader: %1").arg(viewport_->fallback_reason())
-                           : told + viewport_->shader_text();
+                           : first_line + viewport_->shader_text();
   if (shader_->toPlainText() != text) shader_->setPlainText(text);
 }
 

@@ -76,9 +76,9 @@ void run_in(QThreadPool& pool, std::function<void()> work, int priority) {
 void call_in_ui(std::function<void()> call) {
   // Never deleted: threads may ask until the program ends.
   static Caller* const caller = [] {
-    auto* const made = new Caller;
-    made->moveToThread(QCoreApplication::instance()->thread());
-    return made;
+    auto* const created = new Caller;
+    created->moveToThread(QCoreApplication::instance()->thread());
+    return created;
   }();
   auto* const event = new Call(std::move(call));
   hand_over(event);

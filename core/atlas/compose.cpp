@@ -105,13 +105,13 @@ struct Composer::Streamed {
 };
 
 Composer::Composer(const std::vector<PackInput>& materials, const std::vector<Region>& regions,
-                   const Plan& plan, const ComposeOptions& options)
+                   const PackingPlan& plan, const ComposeOptions& options)
     : materials_(materials), regions_(regions), plan_(plan), options_(options), files_(options.threads) {}
 
 Composer::~Composer() = default;
 
-Place Composer::place_in(const PagePixels& pixels, std::size_t region) const {
-  Place out = plan_.places[region];
+PlannedPlace Composer::place_in(const PagePixels& pixels, std::size_t region) const {
+  PlannedPlace out = plan_.places[region];
   out.y -= pixels.top();
   out.cell.y -= pixels.top();
   return out;
@@ -119,7 +119,7 @@ Place Composer::place_in(const PagePixels& pixels, std::size_t region) const {
 
 int Composer::clean_levels(int page) const {
   int out = 1;
-  for (const Place& each : plan_.places)
+  for (const PlannedPlace& each : plan_.places)
     if (each.page == page) out = std::max(out, each.clean_levels);
   return out;
 }
@@ -131,7 +131,7 @@ bool Composer::in_file_order(std::size_t region) const {
 }
 
 void Composer::stream(const Task& task, PagePixels& pixels, unsigned worker) {
-  const Place at = place_in(pixels, task.region);
+  const PlannedPlace at = place_in(pixels, task.region);
   const std::size_t owner = regions_[task.region].material, t = index_of(task.texture);
   const PackInput& m = materials_[owner];
   const PixelsView8 page = pixels.view(task.texture);
@@ -161,7 +161,7 @@ void Composer::stream(const Task& task, PagePixels& pixels, unsigned worker) {
 }
 
 void Composer::place(const Task& task, PagePixels& pixels, const Image8& picture, Learned& learned) {
-  const Place at = place_in(pixels, task.region);
+  const PlannedPlace at = place_in(pixels, task.region);
   const PixelsView8 page = pixels.view(task.texture);
   if (!materials_[regions_[task.region].material].facts.learned) {
     const ConstPixelsView8 all = etak::view(picture);
@@ -266,12 +266,12 @@ void Composer::end_page(int page, PagePixels& pixels, std::vector<Learned>& lear
   pairs_.clear();
   for (auto& files : files_) files = {};
   pixels.show_whole_levels();
-  const Page& size = plan_.pages[static_cast<std::size_t>(page)];
+  const PlannedPage& size = plan_.pages[static_cast<std::size_t>(page)];
   if (pixels.levels() > clean_ && size.width > 0) page_mips(pixels, clean_);
 }
 
 void Composer::mips(int page, PagePixels& pixels) {
-  const Page& size = plan_.pages[static_cast<std::size_t>(page)];
+  const PlannedPage& size = plan_.pages[static_cast<std::size_t>(page)];
   std::vector<std::size_t> here;
   for (std::size_t i = 0; i < regions_.size(); ++i)
     if (plan_.places[i].page == page) here.push_back(i);
@@ -288,7 +288,7 @@ namespace {
 struct LevelBoxes {
   PixelBox part, cell;
 };
-LevelBoxes boxes_at(const Place& at, int level, int width, int height, const PixelsView8& page) {
+LevelBoxes boxes_at(const PlannedPlace& at, int level, int width, int height, const PixelsView8& page) {
   LevelBoxes out;
   out.cell = cut(at_level(at.cell, level), page.width, page.height);
   out.part = cut({out.cell.x + (at.gutter >> level), out.cell.y + (at.gutter >> level), width, height},
@@ -300,7 +300,7 @@ LevelBoxes boxes_at(const Place& at, int level, int width, int height, const Pix
 
 // Where nothing has to be turned, cut off or put in the place of a texture that is not there, levels are made
 // where they belong.
-bool Composer::mips_in_place(std::size_t region, const Place& at, std::array<Wrap, 2> wrap, int levels,
+bool Composer::mips_in_place(std::size_t region, const PlannedPlace& at, std::array<Wrap, 2> wrap, int levels,
                              PagePixels& pixels) const {
   const PackInput& m = materials_[regions_[region].material];
   const PixelBox& source = regions_[region].box;
@@ -335,15 +335,15 @@ bool Composer::mips_in_place(std::size_t region, const Place& at, std::array<Wra
 }
 
 void Composer::region_mips(std::size_t region, PagePixels& pixels) {
-  const Place at = place_in(pixels, region);
+  const PlannedPlace at = place_in(pixels, region);
   const PackInput& m = materials_[regions_[region].material];
-  const Page& page = plan_.pages[static_cast<std::size_t>(at.page)];
+  const PlannedPage& page = plan_.pages[static_cast<std::size_t>(at.page)];
   const int shrink = regions_[region].shrink;
   const PixelBox& part_shown = regions_[region].box;
   const PixelBox source{0, 0, regions_[region].width(), regions_[region].height()};
   const PixelBox box{at.x, at.y, at.rotated ? source.height : source.width,
                      at.rotated ? source.width : source.height};
-  const bool both = page.has[0] && page.has[1];
+  const bool has_both_textures = page.has[0] && page.has[1];
   const std::array<Wrap, 2> wrap = is_whole(part_shown, m) ? m.wrap : std::array{Wrap::clamp, Wrap::clamp};
   const int levels = std::min(pixels.levels(), clean_);
   if ((levels > 1 || options_.bleed) && !mips_in_place(region, at, wrap, levels, pixels)) {
@@ -353,7 +353,8 @@ void Composer::region_mips(std::size_t region, PagePixels& pixels) {
       return Image8(source.width, source.height, 4, texture == Texture::diffuse_alpha ? 255 : 0);
     };
     Image8 a = half(Texture::diffuse_alpha), b = half(Texture::specular_gloss);
-    if (options_.bleed && bleed_under_alpha(etak::view(a), both ? etak::view(b) : PixelsView8{}) > 0)
+    if (options_.bleed &&
+        bleed_under_alpha(etak::view(a), has_both_textures ? etak::view(b) : PixelsView8{}) > 0)
       for (const Texture texture : both_textures)
         if (page.has[index_of(texture)])
           copy_texels(etak::view(texture == Texture::diffuse_alpha ? a : b),

@@ -32,8 +32,8 @@ struct ComposeOptions {
 /// Places regions on one page after the other.
 class Composer {
  public:
-  Composer(const std::vector<PackInput>& materials, const std::vector<Region>& regions, const Plan& plan,
-           const ComposeOptions& options);
+  Composer(const std::vector<PackInput>& materials, const std::vector<Region>& regions,
+           const PackingPlan& plan, const ComposeOptions& options);
   ~Composer();
 
   /// Level 0 of every region of a page. `learned` gets an entry per material that was streamed.
@@ -68,17 +68,17 @@ class Composer {
   struct Streamed;  // a region whose files are open
   void stream(const Task& task, PagePixels& pixels, unsigned worker);
   void place(const Task& task, PagePixels& pixels, const Image8& picture, Learned& learned);
-  bool mips_in_place(std::size_t region, const Place& at, std::array<Wrap, 2> wrap, int levels,
+  bool mips_in_place(std::size_t region, const PlannedPlace& at, std::array<Wrap, 2> wrap, int levels,
                      PagePixels& pixels) const;
   void page_mips(PagePixels& pixels, int first) const;
   void learn(std::vector<Learned>& learned) const;
   /// Where a region lies in the slab that `pixels` holds.
-  Place place_in(const PagePixels& pixels, std::size_t region) const;
+  PlannedPlace place_in(const PagePixels& pixels, std::size_t region) const;
   const MaterialPair& pair_of(std::size_t material);
 
   const std::vector<PackInput>& materials_;
   const std::vector<Region>& regions_;
-  const Plan& plan_;
+  const PackingPlan& plan_;
   const ComposeOptions options_;
   std::mutex pairs_lock_;
   struct Cached {

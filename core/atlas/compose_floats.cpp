@@ -28,14 +28,14 @@ void fill(Image& page, const PixelBox& cell, int left, int top, int high, bool r
 
 class FloatComposer {
  public:
-  FloatComposer(const std::vector<PackInput>& materials, const std::vector<Region>& regions, const Plan& plan,
-                const ComposeOptions& options, int page, int levels)
+  FloatComposer(const std::vector<PackInput>& materials, const std::vector<Region>& regions,
+                const PackingPlan& plan, const ComposeOptions& options, int page, int levels)
       : materials_(materials), regions_(regions), plan_(plan), options_(options), page_(page) {
-    const Page& size = plan.pages[static_cast<std::size_t>(page)];
+    const PlannedPage& size = plan.pages[static_cast<std::size_t>(page)];
     for (std::size_t t = 0; t < 2; ++t)
       for (int l = 0; l < levels && size.has[t]; ++l)
         out_.levels[t].emplace_back(std::max(1, size.width >> l), std::max(1, size.height >> l), 4);
-    for (const Place& place : plan.places)
+    for (const PlannedPlace& place : plan.places)
       if (place.page == page) clean_ = std::max(clean_, place.clean_levels);
     levels_ = levels;
   }
@@ -77,7 +77,7 @@ class FloatComposer {
 
   void place(std::size_t r) {
     const Region& region = regions_[r];
-    const Place& at = plan_.places[r];
+    const PlannedPlace& at = plan_.places[r];
     const PackInput& m = materials_[region.material];
     const PixelBox& box = region.box;
     const bool whole = box == PixelBox{0, 0, m.width, m.height};
@@ -133,7 +133,7 @@ class FloatComposer {
 
   const std::vector<PackInput>& materials_;
   const std::vector<Region>& regions_;
-  const Plan& plan_;
+  const PackingPlan& plan_;
   const ComposeOptions& options_;
   const int page_;
   int levels_ = 1, clean_ = 1;
@@ -144,7 +144,7 @@ class FloatComposer {
 }  // namespace
 
 FloatPage compose_floats(int page, int levels, const std::vector<PackInput>& materials,
-                         const std::vector<Region>& regions, const Plan& plan,
+                         const std::vector<Region>& regions, const PackingPlan& plan,
                          const ComposeOptions& options) {
   return FloatComposer(materials, regions, plan, options, page, levels).run();
 }

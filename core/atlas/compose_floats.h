@@ -17,7 +17,8 @@ struct FloatPage {
 
 /// The same places, gutters and mips as Composer gives the 8-bit pages, from the numbers of the files.
 FloatPage compose_floats(int page, int levels, const std::vector<PackInput>& materials,
-                         const std::vector<Region>& regions, const Plan& plan, const ComposeOptions& options);
+                         const std::vector<Region>& regions, const PackingPlan& plan,
+                         const ComposeOptions& options);
 
 /// Writes the page's files of one format.
 void write_float_page(OutputFolder& folder, int page, const FloatPage& pixels, const std::string& format,

@@ -137,17 +137,17 @@ class Steps {
 
   // One that reads another texture than its owner must not make more of that be kept than it saves.
   bool is_worth_it(std::size_t user, std::size_t with) const {
-    Parts both{};
-    for (std::size_t p = 0; p < part_count; ++p) both[p] = reads_[user][p] || reads_[with][p];
+    Parts read_by_either{};
+    for (std::size_t p = 0; p < part_count; ++p) read_by_either[p] = reads_[user][p] || reads_[with][p];
     const auto textures = [](const Parts& reads) {
       return std::uint64_t{reads[color_part] || reads[alpha_part]} + std::uint64_t{reads[specular_part]};
     };
     const auto of_user = textures(reads_[user]), of_owner = textures(reads_[with]);
-    if (of_user == textures(both) && of_owner == textures(both)) return true;
+    if (of_user == textures(read_by_either) && of_owner == textures(read_by_either)) return true;
     const auto box = [&](std::size_t i) {
       return options_.leaves("crop") ? materials_[i].crop : whole(materials_[i]);
     };
-    return area(around(box(user), box(with))) * textures(both) <=
+    return area(around(box(user), box(with))) * textures(read_by_either) <=
            area(box(user)) * of_user + area(box(with)) * of_owner;
   }
 

@@ -21,11 +21,11 @@ int PagePixels::rows(int level) const {
   return end - first_row(level);
 }
 
-void PagePixels::start(const Page& page, int levels) {
+void PagePixels::start(const PlannedPage& page, int levels) {
   start(page, levels, {0, page.height, levels, false}, *this);
 }
 
-void PagePixels::start(const Page& page, int levels, const Slab& slab, PagePixels& upper) {
+void PagePixels::start(const PlannedPage& page, int levels, const Slab& slab, PagePixels& upper) {
   page_ = page;
   levels_ = levels;
   slab_ = slab;

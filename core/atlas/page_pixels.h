@@ -28,10 +28,10 @@ struct Slab {
 class PagePixels {
  public:
   /// Prepares for a page, all zero.
-  void start(const Page& page, int levels);
+  void start(const PlannedPage& page, int levels);
   /// Prepares for a slab, all zero unless it is covered. The slabs of a page come from the top.
   ///   upper   holds the levels of the whole page; it may be this
-  void start(const Page& page, int levels, const Slab& slab, PagePixels& upper);
+  void start(const PlannedPage& page, int levels, const Slab& slab, PagePixels& upper);
   /// From here on view() shows all of the levels that are held whole.
   void show_whole_levels();
   /// Gives the memory back.
@@ -51,7 +51,7 @@ class PagePixels {
   int first_row(int level) const { return slab_.top >> level; }
   int rows(int level) const;
 
-  Page page_;
+  PlannedPage page_;
   Slab slab_;
   const PagePixels* upper_ = nullptr;
   int levels_ = 1;

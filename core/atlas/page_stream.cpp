@@ -15,15 +15,15 @@ constexpr std::size_t least_slab = std::size_t{4} << 20, large_slab = std::size_
 // Levels that are held for a slab only; those above them are a sixteenth of the page.
 constexpr int most_cut_levels = 2;
 
-std::size_t row_bytes(const Page& page) {
+std::size_t row_bytes(const PlannedPage& page) {
   return 4 * static_cast<std::size_t>(page.width);
 }
 
 // Rows at which no cell is cut through, at multiples of `step`.
-std::vector<int> cuts_between_cells(const Plan& plan, int page, int step) {
-  const Page& size = plan.pages[static_cast<std::size_t>(page)];
+std::vector<int> cuts_between_cells(const PackingPlan& plan, int page, int step) {
+  const PlannedPage& size = plan.pages[static_cast<std::size_t>(page)];
   std::vector<bool> inside(static_cast<std::size_t>(size.height) + 1, false);
-  for (const Place& place : plan.places) {
+  for (const PlannedPlace& place : plan.places) {
     if (place.page != page) continue;
     const auto first = inside.begin() + place.cell.y + 1;
     std::fill(first, first + std::max(0, place.cell.height - 1), true);
@@ -38,7 +38,7 @@ std::vector<int> cuts_between_cells(const Plan& plan, int page, int step) {
 }
 
 // Rows anywhere.
-std::vector<int> cuts_anywhere(const Page& page) {
+std::vector<int> cuts_anywhere(const PlannedPage& page) {
   const int rows = static_cast<int>((least_slab + row_bytes(page) - 1) / row_bytes(page));
   std::vector<int> out;
   for (int y = 0; y < page.height; y += rows) out.push_back(y);
@@ -46,14 +46,14 @@ std::vector<int> cuts_anywhere(const Page& page) {
   return out;
 }
 
-bool none_cut_through(const Plan& plan, int page, const std::vector<int>& cuts) {
-  return std::none_of(plan.places.begin(), plan.places.end(), [&](const Place& place) {
+bool none_cut_through(const PackingPlan& plan, int page, const std::vector<int>& cuts) {
+  return std::none_of(plan.places.begin(), plan.places.end(), [&](const PlannedPlace& place) {
     const auto next = std::upper_bound(cuts.begin(), cuts.end(), place.cell.y);
     return place.page == page && next != cuts.end() && *next < place.cell.y + place.cell.height;
   });
 }
 
-std::size_t largest_slab(const std::vector<int>& cuts, const Page& page) {
+std::size_t largest_slab(const std::vector<int>& cuts, const PlannedPage& page) {
   int rows = 0;
   for (std::size_t i = 1; i < cuts.size(); ++i) rows = std::max(rows, cuts[i] - cuts[i - 1]);
   return row_bytes(page) * static_cast<std::size_t>(rows);
@@ -96,16 +96,16 @@ struct Strip {
 
 }  // namespace
 
-std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& regions, const Plan& plan,
-                           int page, int levels, bool bleed) {
-  const Page& size = plan.pages[static_cast<std::size_t>(page)];
+std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& regions,
+                           const PackingPlan& plan, int page, int levels, bool bleed) {
+  const PlannedPage& size = plan.pages[static_cast<std::size_t>(page)];
   const int clean = composer.clean_levels(page);
   // The page's own mips are made from the last clean level, which must be one that is held whole.
   if (levels > clean && clean == 1) return {0, size.height};
   const std::vector<int> between = cuts_between_cells(plan, page, 1 << (std::min(levels, clean) - 1));
   bool anywhere = levels == 1 && !bleed;
   for (std::size_t r = 0; r < regions.size() && anywhere; ++r) {
-    const Place& place = plan.places[r];
+    const PlannedPlace& place = plan.places[r];
     if (place.page != page) continue;
     const PixelBox whole{place.x, place.y, regions[r].box.width, regions[r].box.height};
     anywhere = composer.in_file_order(r) && place.cell == whole;
@@ -113,11 +113,11 @@ std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& 
   return anywhere && largest_slab(between, size) > large_slab ? cuts_anywhere(size) : between;
 }
 
-void stream_page(Composer& composer, const std::vector<Region>& regions, const Plan& plan, int page,
+void stream_page(Composer& composer, const std::vector<Region>& regions, const PackingPlan& plan, int page,
                  int levels, const std::vector<int>& cuts, std::vector<Learned>& learned,
                  OutputFolder* folder, const WriteOptions& options,
                  const std::function<void()>& region_done) {
-  const Page& size = plan.pages[static_cast<std::size_t>(page)];
+  const PlannedPage& size = plan.pages[static_cast<std::size_t>(page)];
   const int cut_levels =
       std::min({levels, most_cut_levels,
                 levels > composer.clean_levels(page) ? composer.clean_levels(page) - 1 : levels});

@@ -15,14 +15,14 @@ namespace etak {
 /// The rows where a page can be cut: from 0 to its height, each a slab's end and the next one's top. Two
 /// entries: it cannot, or is too small to gain by it. Regions that have mips are not cut through.
 ///   levels   of the page
-std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& regions, const Plan& plan,
-                           int page, int levels, bool bleed);
+std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& regions,
+                           const PackingPlan& plan, int page, int levels, bool bleed);
 
 /// Composes a page slab by slab and writes it as PNG, mips and all: the bytes of Composer::texels() and
 /// mips() with write_page().
 ///   folder        null: nothing is written
 ///   region_done   after each region's texture
-void stream_page(Composer& composer, const std::vector<Region>& regions, const Plan& plan, int page,
+void stream_page(Composer& composer, const std::vector<Region>& regions, const PackingPlan& plan, int page,
                  int levels, const std::vector<int>& cuts, std::vector<Learned>& learned,
                  OutputFolder* folder, const WriteOptions& options, const std::function<void()>& region_done);
 

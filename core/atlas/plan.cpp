@@ -80,17 +80,17 @@ class Planner {
           const PlanOptions& options, const AtlasLayout* previous)
       : regions_(regions), names_(names), options_(options), previous_(previous) {}
 
-  Plan best() {
+  PackingPlan best() {
     const AtlasLayout* const earlier = std::exchange(previous_, nullptr);
-    Plan fresh = least();
+    PackingPlan fresh = least();
     if (earlier == nullptr) return fresh;
     previous_ = earlier;
     const double allowed = static_cast<double>(fresh.page_texels()) * (1 + options_.most_extra_area);
     fresh.moved = moved(fresh);
-    Plan best = std::move(fresh);
-    const auto offer = [&](Plan plan) {
+    PackingPlan best = std::move(fresh);
+    const auto offer = [&](PackingPlan plan) {
       plan.moved = moved(plan);
-      const auto rank = [](const Plan& p) { return std::make_tuple(p.moved, p.page_texels()); };
+      const auto rank = [](const PackingPlan& p) { return std::make_tuple(p.moved, p.page_texels()); };
       if (static_cast<double>(plan.page_texels()) <= allowed && rank(plan) < rank(best))
         best = std::move(plan);
     };
@@ -102,8 +102,8 @@ class Planner {
       for (const bool gutters : {true, false}) {
         if (!gutters && (!options_.may_inset || options_.gutter)) continue;
         if (!fits(cells_of(regions_, options_, gutters, clean_limit_))) continue;
-        offer(made(gutters, false));
-        if (may_be_apart()) offer(made(gutters, true));
+        offer(plan_with(gutters, false));
+        if (may_be_apart()) offer(plan_with(gutters, true));
       }
     }
     best.kept_previous = best.kept_previous || best.moved == 0;
@@ -112,26 +112,26 @@ class Planner {
 
  private:
   // The plan of least area that gutters are worth, without regard to an earlier one.
-  Plan least() {
+  PackingPlan least() {
     if (regions_.empty()) return {};
     // A region by itself needs no gutter when the page is of just its size.
     if (regions_.size() == 1 && !options_.may_inset && options_.bare_alone && !options_.gutter &&
         !regions_[0].own_page) {
-      Plan plan = empty_plan();
+      PackingPlan plan = empty_plan();
       add_own_page(plan, 0);
       return plan;
     }
     const auto smaller = [&](bool gutters) {
-      Plan common = made(gutters, false);
+      PackingPlan common = plan_with(gutters, false);
       if (!may_be_apart()) return common;
-      Plan apart = made(gutters, true);
+      PackingPlan apart = plan_with(gutters, true);
       return apart.page_texels() < common.page_texels() ? apart : common;
     };
     const bool may_inset = options_.may_inset && !options_.gutter;
     if (may_inset && !fits(cells_of(regions_, options_, true))) return smaller(false);
-    Plan out = smaller(true);
+    PackingPlan out = smaller(true);
     if (!may_inset) return out;
-    Plan bare = smaller(false);
+    PackingPlan bare = smaller(false);
     if (static_cast<double>(out.page_texels()) > most_gutter_area * static_cast<double>(bare.page_texels()))
       return bare;
     return out;
@@ -152,14 +152,14 @@ class Planner {
   }
 
   // All regions on common pages, or those that one texture can do without on pages that lack it.
-  Plan made(bool gutters, bool apart) const {
+  PackingPlan plan_with(bool gutters, bool apart) const {
     const Cells cells = cells_of(regions_, options_, gutters, clean_limit_);
     std::vector<std::size_t> groups[3];
     for (std::size_t i = 0; i < regions_.size(); ++i) {
       const auto& in = regions_[i].in;
       if (!regions_[i].own_page) groups[!apart || (in[0] && in[1]) ? 0 : in[0] ? 1 : 2].push_back(i);
     }
-    Plan plan = empty_plan();
+    PackingPlan plan = empty_plan();
     add(plan, cells, groups[0], {true, true});
     add(plan, cells, groups[1], {true, false});
     add(plan, cells, groups[2], {false, true});
@@ -171,11 +171,11 @@ class Planner {
   }
 
   // Regions of the earlier layout that are the same and lie elsewhere.
-  std::size_t moved(const Plan& plan) const {
+  std::size_t moved(const PackingPlan& plan) const {
     std::size_t count = 0;
     for (std::size_t i = 0; i < regions_.size(); ++i) {
       const AtlasRect* old = earlier_rect(i);
-      const Place& now = plan.places[i];
+      const PlannedPlace& now = plan.places[i];
       if (old != nullptr &&
           std::tie(old->page, old->x, old->y, old->rotated) != std::tie(now.page, now.x, now.y, now.rotated))
         ++count;
@@ -211,7 +211,7 @@ class Planner {
     return most;
   }
 
-  void add_own_page(Plan& plan, std::size_t i) const {
+  void add_own_page(PackingPlan& plan, std::size_t i) const {
     const int width = regions_[i].width(), height = regions_[i].height();
     const int levels = options_.levels == 0 ? 16 : options_.levels;
     const int clean = std::min(levels, 1 + log2_floor(std::max(width, height)));
@@ -219,13 +219,13 @@ class Planner {
     plan.pages.push_back({width, height, options_.split_textures ? regions_[i].in : std::array{true, true}});
   }
 
-  Plan empty_plan() const {
-    Plan plan;
+  PackingPlan empty_plan() const {
+    PackingPlan plan;
     plan.places.resize(regions_.size());
     return plan;
   }
 
-  void add(Plan& plan, const Cells& cells, const std::vector<std::size_t>& which,
+  void add(PackingPlan& plan, const Cells& cells, const std::vector<std::size_t>& which,
            std::array<bool, 2> has) const {
     if (which.empty()) return;
     std::vector<RectSize> sizes;
@@ -307,9 +307,9 @@ class Planner {
 
 }  // namespace
 
-std::uint64_t Plan::page_texels() const {
+std::uint64_t PackingPlan::page_texels() const {
   std::uint64_t sum = 0;
-  for (const Page& page : pages)
+  for (const PlannedPage& page : pages)
     sum += static_cast<std::uint64_t>(page.width) * static_cast<std::uint64_t>(page.height) *
            static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
   return sum;
@@ -319,8 +319,8 @@ int default_clean_levels(int width, int height) {
   return 1 + log2_floor(std::max(1, std::min(width, height) / 32));
 }
 
-Plan plan_pages(const std::vector<Region>& regions, const std::vector<std::string>& names,
-                const PlanOptions& options, const AtlasLayout* previous) {
+PackingPlan plan_pages(const std::vector<Region>& regions, const std::vector<std::string>& names,
+                       const PlanOptions& options, const AtlasLayout* previous) {
   return Planner(regions, names, options, previous).best();
 }
 

@@ -45,24 +45,24 @@ struct PlanOptions {
 };
 
 /// A region's place. The texels lie at x, y; around them are `gutter` texels that repeat the edge.
-struct Place {
+struct PlannedPlace {
   int page = 0, x = 0, y = 0;
   bool rotated = false;
   int gutter = 0;
   int clean_levels = 1;  // so many mips are free of the neighbours under bilinear filtering
   PixelBox cell;         // texels that are this region's alone: gutter and rounding included
-  friend bool operator==(const Place&, const Place&) = default;
+  friend bool operator==(const PlannedPlace&, const PlannedPlace&) = default;
 };
 
-struct Page {
+struct PlannedPage {
   int width = 0, height = 0;
   std::array<bool, 2> has{true, true};  // by Texture
-  friend bool operator==(const Page&, const Page&) = default;
+  friend bool operator==(const PlannedPage&, const PlannedPage&) = default;
 };
 
-struct Plan {
-  std::vector<Page> pages;
-  std::vector<Place> places;  // in the order of the regions
+struct PackingPlan {
+  std::vector<PlannedPage> pages;
+  std::vector<PlannedPlace> places;  // in the order of the regions
   bool inset = false;  // no gutters: whoever samples must stay half a texel of the last clean mip inside
   std::string method;
   int tries = 0;
@@ -83,7 +83,7 @@ int default_clean_levels(int width, int height);
 ///   previous   of the same materials, matched by name, island and size. Of the layouts that take at most
 ///              `most_extra_area` more than the least, the one that moves the fewest regions is taken
 /// Throws Error for a region that fits no page.
-Plan plan_pages(const std::vector<Region>& regions, const std::vector<std::string>& names,
-                const PlanOptions& options, const AtlasLayout* previous = nullptr);
+PackingPlan plan_pages(const std::vector<Region>& regions, const std::vector<std::string>& names,
+                       const PlanOptions& options, const AtlasLayout* previous = nullptr);
 
 }  // namespace etak

@@ -49,7 +49,8 @@ constexpr std::string_view schueler_files[] = {
     "brdf/gloss.glsl",           "brdf/d_beckmann.glsl",  "brdf/d_phong.glsl",
     "brdf/g_cook_torrance.glsl", "brdf/g_simple.glsl",    "brdf/schueler.glsl"};
 
-constexpr ModelKind diffuse = ModelKind::diffuse, specular = ModelKind::specular, both = ModelKind::both;
+constexpr ModelKind diffuse = ModelKind::diffuse, specular = ModelKind::specular,
+                    combined = ModelKind::combined;
 
 struct TextRow {
   std::string_view id, title, source;
@@ -128,7 +129,7 @@ constexpr TextRow text_rows[] = {
     {"phong",
      "Phong, as printed",
      "Phong 1975; TU Graz, over pi nl; specular gated by nl > 0",
-     both,
+     combined,
      {false, false, "not a BRDF: grows as 1 / nl (albedo 122 at m = 1, 89.9 degrees)"},
      phong,
      phong_files,
@@ -136,7 +137,7 @@ constexpr TextRow text_rows[] = {
     {"blinn-phong",
      "Blinn-Phong, (m + 8) / (8 pi)",
      "Blinn 1977; TU Graz",
-     both,
+     combined,
      {true, false, "albedo 1.075 at m = 8.8, normal incidence"},
      phong,
      blinn_files,
@@ -144,7 +145,7 @@ constexpr TextRow text_rows[] = {
     {"blinn-phong-exact",
      "Blinn-Phong, exact normalisation",
      "Blinn 1977; Giesen 2009",
-     both,
+     combined,
      {true, true, "albedo of the specular part 1 at normal incidence"},
      phong,
      blinn_files,
@@ -168,7 +169,7 @@ constexpr TextRow text_rows[] = {
     {"ashikhmin-shirley",
      "Ashikhmin-Shirley",
      "Ashikhmin and Shirley 2000; cited by TU Graz",
-     both,
+     combined,
      {true, true, {}},
      as_both,
      as_files,
@@ -295,15 +296,15 @@ class Registry {
       rows_.push_back(model);
     }
     for (const MicrofacetRow& row : microfacet_rows) {
-      ComposedModel& made = composed_.emplace_back();
+      ComposedModel& composed = composed_.emplace_back();
       compose(*find_term(TermKind::distribution, row.D), *find_term(TermKind::fresnel, row.F),
-              *find_term(TermKind::visibility, row.V), made);
-      made.source = source_of(made.model);
-      made.model.id = row.id;
-      made.model.title = row.title;
-      made.model.source = made.source;
-      made.model.claims = row.claims;
-      rows_.push_back(made.model);
+              *find_term(TermKind::visibility, row.V), composed);
+      composed.source = source_of(composed.model);
+      composed.model.id = row.id;
+      composed.model.title = row.title;
+      composed.model.source = composed.source;
+      composed.model.claims = row.claims;
+      rows_.push_back(composed.model);
     }
   }
 
@@ -332,30 +333,30 @@ class Registry {
     if (!D || !F || !V) return nullptr;
     for (const Model& each : rows_)
       if (each.distribution == D && each.fresnel == F && each.visibility == V) return &each;
-    const std::lock_guard lock(made_lock_);
+    const std::lock_guard lock(composed_lock_);
     for (const ComposedModel& each : composed_)
       if (each.model.distribution == D && each.model.fresnel == F && each.model.visibility == V)
         return &each.model;
-    ComposedModel& made = composed_.emplace_back();
-    compose(*D, *F, *V, made);
-    made.id = "microfacet:" + std::string(D->id) + ',' + std::string(F->id) + ',' + std::string(V->id);
-    made.title = std::string(D->title) + " / " + std::string(F->title) + " / " + std::string(V->title);
-    made.source = source_of(made.model);
-    made.model.id = made.id;
-    made.model.title = made.title;
-    made.model.source = made.source;
+    ComposedModel& composed = composed_.emplace_back();
+    compose(*D, *F, *V, composed);
+    composed.id = "microfacet:" + std::string(D->id) + ',' + std::string(F->id) + ',' + std::string(V->id);
+    composed.title = std::string(D->title) + " / " + std::string(F->title) + " / " + std::string(V->title);
+    composed.source = source_of(composed.model);
+    composed.model.id = composed.id;
+    composed.model.title = composed.title;
+    composed.model.source = composed.source;
     // V-grooves and Smith's G are energy-conserving for any normalised D of theirs; of other mixtures nothing
     // is claimed.
     const bool fits = V->id == "cook-torrance" || (D->id == "ggx" && V->id.starts_with("smith-ggx")) ||
                       (D->id == "beckmann" && V->id.starts_with("smith-beckmann"));
-    made.model.claims = {true, fits && D->normalised, fits ? "" : "energy of this mixture not examined"};
-    return &made.model;
+    composed.model.claims = {true, fits && D->normalised, fits ? "" : "energy of this mixture not examined"};
+    return &composed.model;
   }
 
   std::deque<Model::Compiled> compiled_;
   std::deque<ComposedModel> composed_;
   std::vector<Model> rows_;
-  std::mutex made_lock_;
+  std::mutex composed_lock_;
 };
 
 Registry& registry() {

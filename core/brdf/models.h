@@ -57,7 +57,7 @@ struct Claims {
 enum class ModelKind {
   diffuse,   // the matte part alone
   specular,  // the mirror-like part alone
-  both       // one formula for both
+  combined   // one formula for both
 };
 std::string_view name(ModelKind kind);  // "diffuse", "specular", "both"
 

@@ -68,7 +68,7 @@ void take_total(const LinearRgb& measured, ExportSurface& out) {
   const TotalReflectance parts = divided(*out.total);
   out.f0 = parts.f0;
   out.diffuse = parts.diffuse;
-  out.notes.push_back(told_total(parts.f0));
+  out.notes.push_back(total_reflectance_remark(parts.f0));
 }
 
 void take_clarity(const Material& material, const Clarity& body, ExportSurface& out) {
@@ -129,7 +129,7 @@ ExportSurface export_surface(const Material& material, const Dataset& dataset, c
       out.notes.push_back("all values are against the outside medium " + options.outside.label);
   }
   const DefaultGloss standard = default_gloss(material, out.clear.has_value());
-  if (!gloss) out.notes.push_back(told(standard));
+  if (!gloss) out.notes.push_back(default_gloss_remark(standard));
   out.gloss = gloss.value_or(standard.gloss);
   return out;
 }

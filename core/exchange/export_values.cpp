@@ -112,7 +112,7 @@ std::string export_csv(const std::vector<ExportedValues>& all) {
         out += head + csv_field(field) + ',' + csv_field(text);
         for (std::size_t i = 0; i < 3; ++i) out += ',' + (i < numbers.size() ? number(numbers[i], 9) : "");
       };
-      std::vector<bool> told(values.changes.size(), false);
+      std::vector<bool> written(values.changes.size(), false);
       const auto end_row = [&](const Change* change) {
         if (change == nullptr) {
           out += ",,,\n";
@@ -126,15 +126,15 @@ std::string export_csv(const std::vector<ExportedValues>& all) {
         row(f.name, f.text, f.values);
         const Change* change = nullptr;
         for (std::size_t i = 0; i < values.changes.size() && change == nullptr; ++i)
-          if (!told[i] && values.changes[i].field == f.name) {
+          if (!written[i] && values.changes[i].field == f.name) {
             change = &values.changes[i];
-            told[i] = true;
+            written[i] = true;
           }
         end_row(change);
       }
       // What is no field of the target: F0 of one that fixes it, the edge.
       for (std::size_t i = 0; i < values.changes.size(); ++i)
-        if (!told[i]) {
+        if (!written[i]) {
           row(values.changes[i].field, "", values.changes[i].used);
           end_row(&values.changes[i]);
         }

@@ -112,8 +112,8 @@ Plane seen_through(const FlipSensitivity& s, const Plane& plane, int width, int 
   for (Part& part : parts) {
     const Plane rows = filtered(plane, width, height, part.taps, true);
     for (double& weight : part.taps.weights) weight *= part.scale / total;
-    const Plane both = filtered(rows, width, height, part.taps, false);
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] += both[i];
+    const Plane smoothed = filtered(rows, width, height, part.taps, false);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] += smoothed[i];
   }
   return out;
 }

@@ -136,7 +136,7 @@ template <class Use>
 auto with_file(const std::string& path, Use use) {
   Input input;
   input.file = std::make_unique<SteadyFile>(path, largest_picture_bytes);
-  auto out = input.file->told_as_change([&] {
+  auto out = input.file->read_checked([&] {
     open_file(input, path);
     return use(input);
   });

@@ -159,11 +159,11 @@ DefaultGloss default_gloss(const Material& material, bool clear_body) {
           "the default of class " + std::string(found.material_class) + convention};
 }
 
-std::string told(const DefaultGloss& standard) {
+std::string default_gloss_remark(const DefaultGloss& standard) {
   return roughness_text(standard.gloss) + ": " + standard.reason;
 }
 
-std::string told_total(const LinearRgb& f0) {
+std::string total_reflectance_remark(const LinearRgb& f0) {
   return "the data are the total reflectance of a body: F0 " + number(f0.g, 3) +
          (f0.g < assumed_f0
               ? ", lowered from an assumed " + number(assumed_f0, 3) + " to the smallest channel of it,"

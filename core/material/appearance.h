@@ -44,7 +44,7 @@ struct DefaultGloss {
 DefaultGloss default_gloss(const Material& material, bool clear_body);
 
 /// What is told of a roughness that nobody gave: "roughness 0.9 (gloss 0.00567): the default of ...".
-std::string told(const DefaultGloss& standard);
+std::string default_gloss_remark(const DefaultGloss& standard);
 
 /// F0 of the surface over a body of which only the total is known: that of most dielectrics.
 inline constexpr double assumed_f0 = 0.04;
@@ -63,6 +63,6 @@ TotalReflectance divided(const LinearRgb& total,
                          const LinearRgb& wanted = {assumed_f0, assumed_f0, assumed_f0});
 
 /// What is told of a total that was divided with the assumed surface, whose F0 then became `f0`.
-std::string told_total(const LinearRgb& f0);
+std::string total_reflectance_remark(const LinearRgb& f0);
 
 }  // namespace etak

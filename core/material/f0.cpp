@@ -53,14 +53,14 @@ struct F0Solver::State {
 
   // Made when first needed: few data are finer than the reference grid.
   mutable std::once_flag refinement_made;
-  mutable std::optional<Refinement> made_refinement;
+  mutable std::optional<Refinement> lazy_refinement;
 
   bool exact() const { return options.method == Method::exact; }
   bool needs_knots() const { return exact() || options.method == Method::automatic; }
 
   const Refinement& refinement() const {
-    std::call_once(refinement_made, [&] { made_refinement.emplace(options.viewing); });
-    return *made_refinement;
+    std::call_once(refinement_made, [&] { lazy_refinement.emplace(options.viewing); });
+    return *lazy_refinement;
   }
 
   // With those of the outside medium.

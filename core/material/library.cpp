@@ -207,9 +207,9 @@ MaterialLibrary::Missing MaterialLibrary::missing(std::string_view name) const {
     return out;
   };
   Missing out;
-  if (const Unmeasured* thing = unmeasured(name)) {
-    out.found = "no open measurement known: " + thing->why;
-    if (!thing->nearest.empty()) out.expected = "what is measured and near: " + listed(thing->nearest);
+  if (const Unmeasured* entry = unmeasured(name)) {
+    out.found = "no open measurement known: " + entry->why;
+    if (!entry->nearest.empty()) out.expected = "what is measured and near: " + listed(entry->nearest);
     return out;
   }
   std::vector<std::string> near;

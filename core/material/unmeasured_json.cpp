@@ -19,14 +19,14 @@ std::vector<Unmeasured> parse_unmeasured(std::string_view text, std::string_view
   std::vector<Unmeasured> out;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < things.size(); ++i) {
-    const JsonNode thing = things.at(i);
-    thing.expect_object({"words", "why", "nearest"});
-    Unmeasured each{thing.at("words").texts(), thing.at("why").text(), thing.at("nearest").texts()};
-    if (each.words.empty()) thing.at("words").fail_type("at least one word");
-    if (each.why.empty()) thing.at("why").fail_type("a reason");
+    const JsonNode entry = things.at(i);
+    entry.expect_object({"words", "why", "nearest"});
+    Unmeasured each{entry.at("words").texts(), entry.at("why").text(), entry.at("nearest").texts()};
+    if (each.words.empty()) entry.at("words").fail_type("at least one word");
+    if (each.why.empty()) entry.at("why").fail_type("a reason");
     for (const std::string& word : each.words)
       if (!seen.insert(folded_name(word)).second)
-        thing.at("words").fail("\"" + printable(word) + "\" again", "each word once");
+        entry.at("words").fail("\"" + printable(word) + "\" again", "each word once");
     out.push_back(std::move(each));
   }
   return out;

@@ -239,12 +239,12 @@ std::string validation_page(const ValidationReport& report, std::span<const Vali
          escape_html(options.version), ", settings ", escape_html(report.settings_hash), ".</p>\n");
   append_navigation(out, report);
   out += "</header>\n<main>\n";
-  std::vector<std::size_t> told, clean;
+  std::vector<std::size_t> with_findings, clean;
   for (std::size_t i = 0; i < report.files.size(); ++i)
-    (report.files[i].findings.empty() ? clean : told).push_back(i);
-  if (!told.empty()) {
+    (report.files[i].findings.empty() ? clean : with_findings).push_back(i);
+  if (!with_findings.empty()) {
     out += "<section id=\"findings\"><h2>Findings</h2>\n";
-    for (const std::size_t i : told) append_file(out, report.files[i], files[i], i, options);
+    for (const std::size_t i : with_findings) append_file(out, report.files[i], files[i], i, options);
     out += "</section>\n";
   }
   append_rules(out, report);

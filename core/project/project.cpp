@@ -139,7 +139,7 @@ std::string body_note(const ProjectMaterial& material, const FoundF0& found) {
           "): exports say so; here alpha 0 lets the background through, unbent";
   }
   if (const DefaultGloss standard = default_gloss(found.material, clear); material.gloss == standard.gloss)
-    out += (out.empty() ? "" : "\n") + told(standard);
+    out += (out.empty() ? "" : "\n") + default_gloss_remark(standard);
   return out;
 }
 

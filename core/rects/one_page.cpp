@@ -55,7 +55,7 @@ void search_both(const Set& set, const Frame& frame, const Family& upright, cons
   if (round.any && (!best.any || side_of(turned, round) < side_of(turned, best))) best = std::move(round);
 }
 
-Packed packed(const Best& best, Page page) {
+Packed packed(const Best& best, PageSize page) {
   return {{page}, best.spots, std::vector<int>(best.spots.size(), 0), best.method};
 }
 

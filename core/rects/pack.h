@@ -25,13 +25,13 @@ struct Frame {
   int side_texels(int length) const;
 };
 
-struct Page {
+struct PageSize {
   int width = 0, height = 0;
 };
 
 /// Spots by canonical index; page sides are extents (square pages and powers of two already made so).
 struct Packed {
-  std::vector<Page> pages;
+  std::vector<PageSize> pages;
   std::vector<Spot> spots;
   std::vector<int> page_of;
   std::string method;

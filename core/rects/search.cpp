@@ -230,8 +230,8 @@ void Search::go_through(std::size_t count, const Family& family, Best& best, Mak
   std::vector<Step> steps(batch);
   for (std::size_t i = 0; i < count;) {
     if (!budget_.open()) return;
-    const std::size_t made = std::min(batch, count - i);
-    for (std::size_t k = 0; k < made; ++k) {
+    const std::size_t step_count = std::min(batch, count - i);
+    for (std::size_t k = 0; k < step_count; ++k) {
       steps[k].order = {};
       steps[k].depth = 1;
       make(i + k, steps[k]);
@@ -242,7 +242,7 @@ void Search::go_through(std::size_t count, const Family& family, Best& best, Mak
       steps[k].print = print_in(print_of(steps[k].how, steps[k].order), family.width_at(side), side);
       steps[k].known = known(steps[k].print);
     }
-    parallel_chunks(made, threads_, 1, [&](std::size_t k, std::size_t, unsigned worker) {
+    parallel_chunks(step_count, threads_, 1, [&](std::size_t k, std::size_t, unsigned worker) {
       Step& step = steps[k];
       step.outcome = {};
       if (step.order.empty() || step.target < family.least) return;
@@ -254,7 +254,7 @@ void Search::go_through(std::size_t count, const Family& family, Best& best, Mak
       if (step.outcome.all) spots_of(step.how, worker, step.spots);
     });
     bool changed = false;
-    for (std::size_t k = 0; k < made && !changed; ++k, ++i) {
+    for (std::size_t k = 0; k < step_count && !changed; ++k, ++i) {
       Step& step = steps[k];
       if (step.outcome.work == 0) continue;
       if (!budget_.open()) return;
@@ -327,10 +327,10 @@ void Search::go(const Family& family, Best& best) {
   std::stable_sort(leaders.begin(), leaders.end(),
                    [](const Leader& a, const Leader& b) { return a.share > b.share; });
   // A smaller page can succeed where a larger one did not: greedy rules are not monotone.
-  const std::size_t again = std::min<std::size_t>(8, leaders.size());
+  const std::size_t retried = std::min<std::size_t>(8, leaders.size());
   for (int depth = 2; depth <= 3; ++depth)
     go_through(
-        again, family, best,
+        retried, family, best,
         [&](std::size_t i, Step& step) {
           step.how = leaders[i].how;
           step.order = order(step.how);

@@ -31,17 +31,17 @@ Vec3 direction_at(double u, double v) {
   return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
 }
 
-struct Place {
+struct MapPlace {
   double u, v;
 };
-Place place_of(const Vec3& d) {
+MapPlace place_of(const Vec3& d) {
   // atan2 for both angles: acos loses its digits towards the poles.
   return {0.5 + std::atan2(d[0], -d[2]) / (2 * pi),
           std::atan2(std::sqrt(d[0] * d[0] + d[2] * d[2]), d[1]) / pi};
 }
 
 // Bilinear; columns go round, rows end at the poles.
-Vec3 look_up(const Image& map, const Place& place) {
+Vec3 look_up(const Image& map, const MapPlace& place) {
   const double x = place.u * map.width - 0.5,
                y = std::clamp(place.v * map.height - 0.5, 0.0, map.height - 1.0);
   const double column = std::floor(x), row = std::floor(y);
@@ -93,7 +93,7 @@ template <class Weight>
 std::pair<Vec3, double> gather(const Source& source, const Vec3& axis, double least, Weight weight) {
   const Image& map = *source.map;
   const double reach = std::acos(std::clamp(least, -1.0, 1.0));
-  const Place centre = place_of(axis);
+  const MapPlace centre = place_of(axis);
   const double row = centre.v * map.height, rows = reach / pi * map.height;
   const int first_row = std::max(0, static_cast<int>(std::floor(row - rows)) - 1);
   const int last_row = std::min(map.height, static_cast<int>(std::ceil(row + rows)) + 1);
@@ -253,7 +253,7 @@ Environment::Between Environment::between(double gloss) const {
 
 Vec3 Environment::specular(const Vec3& r, double gloss) const {
   const auto [first, share] = between(gloss);
-  const Place place = place_of(r);
+  const MapPlace place = place_of(r);
   const Vec3 sharp = look_up(levels_[first].map, place);
   if (share == 0) return sharp;
   const Vec3 dull = look_up(levels_[first + 1].map, place);
@@ -280,7 +280,7 @@ Vec3 Environment::sample(double u, double v) const {
 }
 
 double Environment::pdf(const Vec3& d) const {
-  const Place place = place_of(d);
+  const MapPlace place = place_of(d);
   const int x = std::clamp(static_cast<int>(place.u * map_.width), 0, map_.width - 1);
   const int y = std::clamp(static_cast<int>(place.v * map_.height), 0, map_.height - 1);
   const auto row = static_cast<std::size_t>(y);

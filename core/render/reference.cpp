@@ -115,8 +115,8 @@ class Shader {
     const Directions d{l[0], l[1], l[2], v[0], v[1], v[2]};
     Vec3 out{};
     if (lobe_) {
-      const Vec3 both = l + v;
-      const double lh = std::min(1.0, std::sqrt(dot(both, both)) / 2);
+      const Vec3 bisector = l + v;
+      const double lh = std::min(1.0, std::sqrt(dot(bisector, bisector)) / 2);
       double lobe[3];
       lobe_->model->f64(d, lobe_->values.data(), lobe);
       out = fresnel_->at(lh) * Vec3{lobe[0], lobe[1], lobe[2]};
@@ -174,9 +174,9 @@ class Shader {
       l = h * (2 * dot(h, v)) + v * -1;
     }
     if (l[2] <= 0) return {};
-    const Vec3 both = l + v;
-    const double length = std::sqrt(dot(both, both));
-    const double nh = both[2] / length, vh = length / 2;
+    const Vec3 bisector = l + v;
+    const double length = std::sqrt(dot(bisector, bisector));
+    const double nh = bisector[2] / length, vh = length / 2;
     const Vec3 outside = out_of(frame, l);
     const double lobe_pdf = (exponent_ + 1) / (2 * pi) * std::pow(nh, exponent_) / (4 * vh);
     double pdf = share * (l[2] / pi + lobe_pdf);

@@ -122,7 +122,7 @@ std::vector<double> model_values(const Model& model, const SurfaceValues& surfac
 
 std::vector<double> seen_specular_values(const Scene& scene) {
   std::vector<double> out = scene.specular_values;
-  if (scene.specular == nullptr || scene.specular->kind != ModelKind::both) return out;
+  if (scene.specular == nullptr || scene.specular->kind != ModelKind::combined) return out;
   std::size_t at = 0;
   for (const Parameter& each : scene.specular->parameters) {
     const std::size_t count = each.color ? 3 : 1;
@@ -181,7 +181,7 @@ FittedModels fit_models(const Model* specular, const Model* diffuse,
                     "it as the diffuse one");
   FittedModels out;
   out.specular = specular;
-  if (specular == nullptr || specular->kind != ModelKind::both) out.diffuse = diffuse;
+  if (specular == nullptr || specular->kind != ModelKind::combined) out.diffuse = diffuse;
   std::vector<std::pair<std::string, double>> for_specular, for_diffuse;
   for (const auto& value : overrides) {
     const bool to_diffuse = specular == nullptr || (!has_parameter(specular, value.first) &&
@@ -207,7 +207,7 @@ void validate(const Scene& scene) {
     require(side >= 1 && side <= max_image_side, "size", side, "1 to 16384 pixels on a side");
   if (scene.specular == nullptr && scene.diffuse == nullptr)
     throw Error::at("scene", "has no model", "a specular or a diffuse model");
-  if (scene.specular != nullptr && scene.specular->kind == ModelKind::both && scene.diffuse != nullptr)
+  if (scene.specular != nullptr && scene.specular->kind == ModelKind::combined && scene.diffuse != nullptr)
     throw Error::at(
         "scene",
         "a diffuse model beside " + std::string(scene.specular->id) + ", which has a diffuse part of its own",

@@ -140,9 +140,9 @@ struct Range {
 // All points but the dark ones at both ends, in whole blocks.
 ETAK_RENDER_CLONES Range lit_blocks(const Chunk& c) {
   const auto dark = [&](std::size_t first) {
-    int lit = 0;
-    for (std::size_t i = first; i < first + block; ++i) lit |= c.irradiance[i] > 0;
-    return lit == 0;
+    int reached = 0;
+    for (std::size_t i = first; i < first + block; ++i) reached |= c.irradiance[i] > 0;
+    return reached == 0;
   };
   Range out{0, c.whole_blocks};
   while (out.first < out.last && dark(out.first)) out.first += block;

@@ -31,11 +31,11 @@ struct Shading {
         diffuse(s.diffuse),
         specular_values(seen_specular_values(s)) {
     if (diffuse != nullptr && body_is_black(*diffuse, s.diffuse_values)) diffuse = nullptr;
-    const bool both = specular != nullptr && specular->kind == ModelKind::both;
-    with_diffuse = diffuse != nullptr || (both && !body_is_black(*specular, s.specular_values));
+    const bool combined = specular != nullptr && specular->kind == ModelKind::combined;
+    with_diffuse = diffuse != nullptr || (combined && !body_is_black(*specular, s.specular_values));
     if (s.textures) {
       diffuse = s.diffuse;
-      with_diffuse = diffuse != nullptr || both;
+      with_diffuse = diffuse != nullptr || combined;
       needs_positions = true;
     }
     f0_luminance = 0.2126 * s.surface.f0[0] + 0.7152 * s.surface.f0[1] + 0.0722 * s.surface.f0[2];
@@ -101,9 +101,9 @@ void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
 }
 
 // A model's values at every lit point of a textured chunk.
-void respond_textured(const Model& model, const std::vector<double>& values, const Range& lit, Chunk& c) {
+void respond_textured(const Model& model, const std::vector<double>& values, const Range& reached, Chunk& c) {
   TexturedValues textured(model, values);
-  for (std::size_t i = lit.first; i < std::min(lit.last, c.count); ++i) {
+  for (std::size_t i = reached.first; i < std::min(reached.last, c.count); ++i) {
     if (!(c.irradiance[i] > 0)) continue;
     // The body's colour has its opacity already.
     const std::array<double, 4> body{double(c.texel_body[0][i]), double(c.texel_body[1][i]),
@@ -151,23 +151,23 @@ void shade(const Shading& shading, Chunk& c) {
       aim_directional(c, light.dx, light.dy, light.dz);
     else
       aim_point(c, light);
-    const Range lit = lit_blocks(c);
-    if (lit.first == lit.last) continue;
+    const Range reached = lit_blocks(c);
+    if (reached.first == reached.last) continue;
     const auto respond_to = [&](const Model& model, const std::vector<double>& values) {
       if (textured)
-        respond_textured(model, values, lit, c);
+        respond_textured(model, values, reached, c);
       else if (far)
-        respond_far(model, values.data(), light.lh, lit, c);
+        respond_far(model, values.data(), light.lh, reached, c);
       else
-        respond(model, values.data(), lit, c);
+        respond(model, values.data(), reached, c);
     };
     if (with_specular) {
       respond_to(*shading.specular, shading.specular_values);
-      add_light(c, lit, light.color, c.specular);
+      add_light(c, reached, light.color, c.specular);
     }
     if (shading.diffuse != nullptr) {
       respond_to(*shading.diffuse, scene.diffuse_values);
-      add_light(c, lit, light.color, c.diffuse);
+      add_light(c, reached, light.color, c.diffuse);
     }
   }
   const real gloss = real(scene.surface.gloss);

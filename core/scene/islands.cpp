@@ -26,7 +26,7 @@ struct Box {
     bottom = std::max(bottom, b.bottom);
   }
 };
-Box both(Box a, const Box& b) {
+Box bounds_of(Box a, const Box& b) {
   a.add(b);
   return a;
 }
@@ -150,7 +150,7 @@ void join(const Splitter& sizes, Area per_box, std::vector<Box>& boxes) {
   std::priority_queue<Pair> pairs;
   std::vector<bool> gone(boxes.size(), false);
   const auto consider = [&](std::size_t a, std::size_t b) {
-    const Area cost = sizes.area(both(boxes[a], boxes[b])) - sizes.area(boxes[a]) - sizes.area(boxes[b]);
+    const Area cost = sizes.area(bounds_of(boxes[a], boxes[b])) - sizes.area(boxes[a]) - sizes.area(boxes[b]);
     if (cost < per_box) pairs.push({cost, a, b});
   };
   for (std::size_t b = 1; b < boxes.size(); ++b)
@@ -160,7 +160,7 @@ void join(const Splitter& sizes, Area per_box, std::vector<Box>& boxes) {
     pairs.pop();
     if (gone[pair.a] || gone[pair.b]) continue;
     gone[pair.a] = gone[pair.b] = true;
-    boxes.push_back(both(boxes[pair.a], boxes[pair.b]));
+    boxes.push_back(bounds_of(boxes[pair.a], boxes[pair.b]));
     gone.push_back(false);
     for (std::size_t a = 0; a + 1 < boxes.size(); ++a)
       if (!gone[a]) consider(a, boxes.size() - 1);

@@ -294,9 +294,9 @@ void read_allow(const Node& node, ValidateConfig& config) {
     const Node entry{item, node.file, "[[allow]]"};
     config.settings.allow.emplace_back();
     read_keys(table_of(entry), node.file, "[[allow]] ", allow_keys, config);
-    const AllowEntry& made = config.settings.allow.back();
-    if (made.rule.empty()) entry.fail("no rule", "rule = \"ETK...\"");
-    if (made.reason.find_first_not_of(" \t\n\r") == std::string::npos)
+    const AllowEntry& added = config.settings.allow.back();
+    if (added.rule.empty()) entry.fail("no rule", "rule = \"ETK...\"");
+    if (added.reason.find_first_not_of(" \t\n\r") == std::string::npos)
       entry.fail("no reason", "reason = \"why this is right\"");
   }
 }

@@ -47,7 +47,7 @@ struct TargetFile {
 ///                   project's own
 ///   surface_class   a class of ETK205 ("dry-sand"); may be empty
 ///   typical_gloss   the gloss that is expected of this material, for ETK303
-struct Tile {
+struct CheckTile {
   std::string name, material, surface_class;
   PixelBox box;
   int page = 0;
@@ -56,14 +56,14 @@ struct Tile {
   // Of the diffuse and the specular texture: the codes of one that the pages do without, because they are
   // the same all over the tile.
   std::array<std::optional<std::array<std::uint8_t, 4>>, 2> flat;
-  friend bool operator==(const Tile&, const Tile&) = default;
+  friend bool operator==(const CheckTile&, const CheckTile&) = default;
 };
 
 /// What the producer says of the pictures: of an atlas layout, or of the command line.
 struct Manifest {
-  std::vector<Tile> tiles;  // empty: the whole picture is one
-  int gutter = 0;           // texels around each tile that repeat its edge
-  std::optional<int> mips;  // levels below level 0 that must stay clean (ETK504)
+  std::vector<CheckTile> tiles;  // empty: the whole picture is one
+  int gutter = 0;                // texels around each tile that repeat its edge
+  std::optional<int> mips;       // levels below level 0 that must stay clean (ETK504)
   std::optional<TextureTransfer> transfer;
   std::string material, surface_class;  // of the whole picture
   bool linear8_f0 = false;              // F0 is declared to be 8-bit linear (ETK405)

@@ -15,9 +15,9 @@ namespace etak {
 namespace {
 
 // Tiles that lie inside the pictures; the whole picture where the target has none.
-std::vector<Tile> tiles_of(const CheckTarget& target, int width, int height) {
-  std::vector<Tile> tiles;
-  for (Tile tile : target.manifest.tiles) {
+std::vector<CheckTile> tiles_of(const CheckTarget& target, int width, int height) {
+  std::vector<CheckTile> tiles;
+  for (CheckTile tile : target.manifest.tiles) {
     PixelBox& box = tile.box;
     // One that leaves its page is ETK506; the rest of it is judged all the same.
     const auto cut = [](int& start, int& length, int side) {
@@ -30,7 +30,7 @@ std::vector<Tile> tiles_of(const CheckTarget& target, int width, int height) {
     if (box.width > 0 && box.height > 0) tiles.push_back(std::move(tile));
   }
   if (target.manifest.tiles.empty()) {
-    Tile& whole = tiles.emplace_back();
+    CheckTile& whole = tiles.emplace_back();
     whole.material = target.manifest.material;
     whole.surface_class = target.manifest.surface_class;
     whole.box = {0, 0, width, height};
@@ -128,7 +128,7 @@ Needs needs_of(const CheckTarget& target, const Settings& settings) {
   }
   const bool atlas = !target.manifest.tiles.empty();
   const bool named = !target.manifest.material.empty() || !target.manifest.surface_class.empty() ||
-                     std::ranges::any_of(target.manifest.tiles, [](const Tile& t) {
+                     std::ranges::any_of(target.manifest.tiles, [](const CheckTile& t) {
                        return !t.material.empty() || !t.surface_class.empty() || t.typical_gloss.has_value();
                      });
   Needs needs;
@@ -185,7 +185,7 @@ void look_at_pixels(const CheckTarget& target, const std::function<PictureRows(N
 
   const PassPlan plan = first_plan(target, settings, pictures.a != nullptr, pictures.b != nullptr,
                                    pictures.metallic != nullptr, threads);
-  const std::vector<Tile> tiles = tiles_of(target, width, height);
+  const std::vector<CheckTile> tiles = tiles_of(target, width, height);
   std::vector<bool> every_row(tiles.size());
   for (std::size_t i = 0; i < tiles.size(); ++i) every_row[i] = wants_every_row(tiles[i], settings);
   PassResult found = pixel_pass(pictures, tiles, every_row, plan);
@@ -195,17 +195,18 @@ void look_at_pixels(const CheckTarget& target, const std::function<PictureRows(N
 
   const bool has_gloss = evidence.b && (evidence.metal_rough || evidence.b->header.channels % 2 == 0);
   std::vector<std::size_t> suspects;
-  std::vector<Tile> again;
+  std::vector<CheckTile> suspect_tiles;
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     found.tiles[i].whole = target.manifest.tiles.empty();
     if (!needs_second_look(found.tiles[i], plan, settings, has_gloss)) continue;
     suspects.push_back(i);
-    again.push_back(tiles[i]);
+    suspect_tiles.push_back(tiles[i]);
   }
   if (!suspects.empty()) {
     pictures = open(needs);
     const PassPlan closer = second_plan(plan);
-    PassResult second = pixel_pass(pictures, again, std::vector<bool>(again.size(), true), closer);
+    PassResult second =
+        pixel_pass(pictures, suspect_tiles, std::vector<bool>(suspect_tiles.size(), true), closer);
     add_stats(file.stats, second.stats);
     for (std::size_t i = 0; i < suspects.size(); ++i) {
       TileEvidence& tile = found.tiles[suspects[i]];
@@ -289,7 +290,7 @@ Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const C
         if ((words[x / 64] >> (x % 64) & 1) != 0) out.at(box.x + x, box.y + y)[0] = value;
     };
   };
-  for (const Tile& tile : tiles_of(target, any->width, any->height)) {
+  for (const CheckTile& tile : tiles_of(target, any->width, any->height)) {
     box = tile.box;
     // Once with the mask as it is, once with the plateaus.
     for (const bool plateaus : {false, true}) {

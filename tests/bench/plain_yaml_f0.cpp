@@ -72,7 +72,7 @@ Table table(std::vector<Row> rows, std::size_t column) {
   return out;
 }
 
-struct Page {
+struct YamlPage {
   std::optional<Table> n, k;
   Row sellmeier, range;  // formula 1
 
@@ -87,8 +87,8 @@ struct Page {
   double k_at(double micrometres) const { return k ? k->at(micrometres) : 0.0; }
 };
 
-Page read_page(const std::string& file) {
-  Page page;
+YamlPage read_page(const std::string& file) {
+  YamlPage page;
   for (const auto& entry : YAML::LoadFile(file)["DATA"]) {
     const auto type = entry["type"].as<std::string>();
     if (type == "formula 1") {
@@ -176,7 +176,7 @@ int main(int argc, char** argv) {
   out << "name,R,G,B,r8,g8,b8\n";
   for (const auto& file : files) {
     try {
-      const Page page = read_page(file);
+      const YamlPage page = read_page(file);
       std::array<double, 3> xyz{};
       for (std::size_t i = 0; i < etak::grid_size; ++i) {
         const double micrometres = (etak::grid_first_nm + static_cast<double>(i)) / 1000;

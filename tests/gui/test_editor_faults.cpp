@@ -275,8 +275,8 @@ class EditorFaults : public QObject {
     QVERIFY2(watchdog.work_ms() <= most_work_ms(), qPrintable(QString::number(watchdog.work_ms())));
     // The pictures are not shown, and why is told where they would be.
     QVERIFY(window->texture_view().textures() == nullptr);
-    const QString told = window->texture_view().told();
-    QVERIFY2(told.contains(expected), qPrintable(told));
+    const QString summary = window->texture_view().summary();
+    QVERIFY2(summary.contains(expected), qPrintable(summary));
     if (whole) return;
     const auto& findings = window->validator().findings();
     QVERIFY(findings.contains("Gold"));

@@ -286,8 +286,8 @@ class EditorFiles : public QObject {
     QCOMPARE(window->document().material()->texture(Channel::diffuse)->path, wood.toStdString());
     QCOMPARE(window->document().material()->texture(Channel::gloss)->path, gloss.toStdString());
     QVERIFY(QTest::qWaitFor([&] { return window->texture_view().textures() != nullptr; }, 20000));
-    QVERIFY2(window->texture_view().told().startsWith(QLatin1String("8 x 8")),
-             qPrintable(window->texture_view().told()));
+    QVERIFY2(window->texture_view().summary().startsWith(QLatin1String("8 x 8")),
+             qPrintable(window->texture_view().summary()));
     window->document().undo_stack().undo();
     window->document().undo_stack().undo();
     QVERIFY(!window->document().material()->texture(Channel::specular));

@@ -41,7 +41,7 @@ ViewState state_with(const Model& model) {
     out.a.diffuse = &model;
   } else {
     out.a.specular = &model;
-    if (model.kind == ModelKind::both) out.a.diffuse = nullptr;
+    if (model.kind == ModelKind::combined) out.a.diffuse = nullptr;
   }
   out.a.surface.diffuse = {0.4, 0.3, 0.2};
   return out;

@@ -104,27 +104,27 @@ void descend(std::vector<std::string> level, unsigned threads, bool (*keep)(std:
 
 }  // namespace
 
-FileKind file_kind(std::string_view path) {
+DataFileKind data_file_kind(std::string_view path) {
   struct Ending {
     std::string_view text;
-    FileKind kind;
+    DataFileKind kind;
   };
-  constexpr std::array endings{Ending{"yml", FileKind::page},     Ending{"yaml", FileKind::page},
-                               Ending{"csv", FileKind::table},    Ending{"tsv", FileKind::table},
-                               Ending{"txt", FileKind::table},    Ending{"dat", FileKind::table},
-                               Ending{"json", FileKind::material}};
+  constexpr std::array endings{Ending{"yml", DataFileKind::page},     Ending{"yaml", DataFileKind::page},
+                               Ending{"csv", DataFileKind::table},    Ending{"tsv", DataFileKind::table},
+                               Ending{"txt", DataFileKind::table},    Ending{"dat", DataFileKind::table},
+                               Ending{"json", DataFileKind::material}};
   const std::size_t dot = path.rfind('.');
-  if (dot == std::string_view::npos) return FileKind::unknown;
+  if (dot == std::string_view::npos) return DataFileKind::unknown;
   const std::string_view ending = path.substr(dot + 1);
   const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
   for (const Ending& known : endings)
     if (std::equal(ending.begin(), ending.end(), known.text.begin(), known.text.end(), same))
       return known.kind;
-  return FileKind::unknown;
+  return DataFileKind::unknown;
 }
 
 bool has_known_kind(std::string_view path) {
-  return file_kind(path) != FileKind::unknown;
+  return data_file_kind(path) != DataFileKind::unknown;
 }
 
 Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::string_view)) {

@@ -9,8 +9,8 @@
 namespace etak::cli {
 
 /// What etak takes a file for, by the ending of its name.
-enum class FileKind { unknown, page, table, material };
-FileKind file_kind(std::string_view path);  // .yml .yaml | .csv .tsv .txt .dat | .json
+enum class DataFileKind { unknown, page, table, material };
+DataFileKind data_file_kind(std::string_view path);  // .yml .yaml | .csv .tsv .txt .dat | .json
 bool has_known_kind(std::string_view path);
 
 /// The recognised files below a folder.

@@ -25,9 +25,9 @@ Input failed(std::string message) {
   return out;
 }
 
-Input::Kind input_kind(FileKind kind) {
-  if (kind == FileKind::page) return Input::Kind::page;
-  if (kind == FileKind::table) return Input::Kind::table;
+Input::Kind input_kind(DataFileKind kind) {
+  if (kind == DataFileKind::page) return Input::Kind::page;
+  if (kind == DataFileKind::table) return Input::Kind::table;
   return Input::Kind::material_file;
 }
 
@@ -42,7 +42,7 @@ void add_folder(const std::string& path, const InputArguments& arguments, unsign
   out.reserve(out.size() + folder.files.size());
   for (std::string& file : folder.files) {
     Input& input = out.emplace_back();
-    input.kind = input_kind(file_kind(file));
+    input.kind = input_kind(data_file_kind(file));
     input.path = std::move(file);
     input.label_at = folder.root.size();
     input.from_folder = true;
@@ -146,23 +146,24 @@ void add_name(const std::string& name, const InputArguments& arguments, Library&
   input.dataset = arguments.dataset;
   struct stat info {};
   const bool exists = ::stat(name.c_str(), &info) == 0;
-  const FileKind kind = file_kind(name);
+  const DataFileKind kind = data_file_kind(name);
   const bool pipe = is_pipe_input(name);
   const bool path_like = name.starts_with('/') || name.starts_with('.') || name.ends_with('/') ||
                          (pipe && typed_input(name) != name);
-  if (!path_like && kind == FileKind::unknown && add_material(name, arguments, library, exists, out)) return;
+  if (!path_like && kind == DataFileKind::unknown && add_material(name, arguments, library, exists, out))
+    return;
   if (exists && S_ISDIR(info.st_mode)) return add_folder(name, arguments, threads, remarks, out);
-  if (pipe && kind == FileKind::unknown) {
+  if (pipe && kind == DataFileKind::unknown) {
     input.kind = kind_of_pipe(name, arguments.stdin_format);
     out.push_back(std::move(input));
     return;
   }
-  if (kind == FileKind::unknown && exists && S_ISREG(info.st_mode))
+  if (kind == DataFileKind::unknown && exists && S_ISREG(info.st_mode))
     throw Error::at(name, "has no ending that etak knows",
                     ".yml, .csv, .tsv, .txt, .dat or .json, or - for standard input");
-  if (!exists && !path_like && kind == FileKind::unknown) unknown_material(name, library.get());
+  if (!exists && !path_like && kind == DataFileKind::unknown) unknown_material(name, library.get());
   // A missing file or a device goes on to the reader, whose message tells why.
-  input.kind = kind == FileKind::unknown ? Input::Kind::material_file : input_kind(kind);
+  input.kind = kind == DataFileKind::unknown ? Input::Kind::material_file : input_kind(kind);
   out.push_back(std::move(input));
 }
 
@@ -261,9 +262,9 @@ std::size_t ListedNames::count() const {
 
 std::vector<std::string> alias_remarks(const std::vector<Input>& inputs) {
   std::vector<std::string> out;
-  std::set<std::string_view> told;
+  std::set<std::string_view> seen;
   for (const Input& input : inputs)
-    if (!input.alias_note.empty() && told.insert(input.alias_note).second) out.push_back(input.alias_note);
+    if (!input.alias_note.empty() && seen.insert(input.alias_note).second) out.push_back(input.alias_note);
   return out;
 }
 

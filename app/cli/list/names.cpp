@@ -121,10 +121,10 @@ NameAnswer answer_name(const MaterialLibrary& library, const F0Solver& solver, c
     return out;
   }
   const auto listed = [&](const std::string& each) { out.near += (out.near.empty() ? "" : ", ") + each; };
-  if (const Unmeasured* thing = library.unmeasured(name)) {
+  if (const Unmeasured* entry = library.unmeasured(name)) {
     out.unmeasured = true;
-    out.note = thing->why;
-    for (const std::string& id : thing->nearest) listed(id);
+    out.note = entry->why;
+    for (const std::string& id : entry->nearest) listed(id);
     return out;
   }
   for (const Suggestion& each : library.suggest(name)) listed(each.text);

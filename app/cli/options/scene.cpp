@@ -135,10 +135,10 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
     // A convention gives way to what a picture needs: in a perfect mirror the lights are points that no pixel
     // hits.
     blank.gloss = Gloss(double{standard.gloss});
-    notes.remarks.push_back(told(standard) + (standard.gloss.held()
-                                                  ? "; drawn with " + roughness_text(blank.gloss) +
-                                                        ", in which the lights can be seen"
-                                                  : ""));
+    notes.remarks.push_back(default_gloss_remark(standard) +
+                            (standard.gloss.held() ? "; drawn with " + roughness_text(blank.gloss) +
+                                                         ", in which the lights can be seen"
+                                                   : ""));
   }
   SurfaceValues out = surface_of(material, dataset, blank.diffuse, blank.gloss);
   out.opacity = blank.opacity;
@@ -146,7 +146,7 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
     notes.remarks.push_back(
         "the body of " + material.id + " is clear (" + body.reason +
         ") and is not drawn: its surface's reflection is; --opacity 0 lets the background through");
-  if (!gives_f0(material.material_class)) notes.remarks.push_back(told_total(to_rgb(out.f0)));
+  if (!gives_f0(material.material_class)) notes.remarks.push_back(total_reflectance_remark(to_rgb(out.f0)));
   if (!dielectric && !arguments.diffuse.empty())
     notes.remarks.push_back(material.id + " is a " + std::string(optical_kind(material.material_class)) +
                             ": --diffuse is not used");
@@ -199,7 +199,7 @@ void choose_models(Scene& scene, const std::string& specular, const std::string&
     throw Error::at("--model", std::string(scene.specular->id) + " is a diffuse model",
                     "--diffuse-model for it");
   // A model of both kinds has its own diffuse part.
-  if (scene.specular != nullptr && scene.specular->kind == ModelKind::both) {
+  if (scene.specular != nullptr && scene.specular->kind == ModelKind::combined) {
     if (!diffuse.empty() && diffuse != "none")
       throw Error::at("--diffuse-model",
                       "model " + std::string(scene.specular->id) + " has a diffuse part of its own",

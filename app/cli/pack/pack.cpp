@@ -103,8 +103,9 @@ void say(const PackArguments& a, const PackReport& report, const PackFindings& f
   if (a.report != "json")
     for (const std::string& each : report.remarks) remark(remarks, each);
   // Why the exit status is not 0 is told even where nothing else is.
-  const bool told = a.report == "json" || (a.report == "text" && !a.quiet);
-  if ((findings.failed() || findings.incomplete()) && !told) complain(a.out + ": " + findings.verdict());
+  const bool verdict_shown = a.report == "json" || (a.report == "text" && !a.quiet);
+  if ((findings.failed() || findings.incomplete()) && !verdict_shown)
+    complain(a.out + ": " + findings.verdict());
 }
 
 // Pictures of regions come and go by the megabyte. The allocator would give each back to the kernel and get

@@ -103,7 +103,7 @@ int choose_within_memory(ChooseArguments& arguments) {
     }
     const DefaultGloss standard = default_gloss(material, clarity(material, dataset).clear);
     const Gloss gloss(double{standard.gloss});
-    remarks.push_back(material.id + ": " + told(standard) +
+    remarks.push_back(material.id + ": " + default_gloss_remark(standard) +
                       (standard.gloss.held() ? "; compared with " + roughness_text(gloss) : ""));
     return library_subject(material, dataset, gloss);
   };

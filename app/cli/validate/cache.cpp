@@ -73,7 +73,7 @@ void add_manifest(std::string& text, const Manifest& manifest) {
           (manifest.transfer ? std::string(name(*manifest.transfer)) : "-") + ' ' +
           (manifest.linear8_f0 ? '1' : '0') + (manifest.transparent ? '1' : '0') + '\n' + manifest.material +
           '\n' + manifest.surface_class + '\n';
-  for (const Tile& tile : manifest.tiles)
+  for (const CheckTile& tile : manifest.tiles)
     text += tile.name + '\n' + tile.material + '\n' + tile.surface_class + '\n' + std::to_string(tile.box.x) +
             ' ' + std::to_string(tile.box.y) + ' ' + std::to_string(tile.box.width) + ' ' +
             std::to_string(tile.box.height) + ' ' + std::to_string(tile.page) + ' ' +

@@ -66,7 +66,7 @@ Image8 marks_of(const Finding& finding, const CheckTarget& target, const LoadedP
   else if (!fits)
     marks = Image8(picture.width, picture.height, 1);
   const auto tile = std::find_if(target.manifest.tiles.begin(), target.manifest.tiles.end(),
-                                 [&](const Tile& t) { return t.name == finding.tile; });
+                                 [&](const CheckTile& t) { return t.name == finding.tile; });
   if (finding.tile.empty() || tile == target.manifest.tiles.end()) return marks;
   const Image8 inside =
       box_marks(picture.width, picture.height, tile->box.x, tile->box.y, tile->box.width, tile->box.height);

@@ -44,7 +44,7 @@ bool is_picture(FileRole role) {
 
 // A list of a million names that lead nowhere is one mistake: so many of them are told one by one, the others
 // are counted.
-constexpr std::size_t most_missing_told = 1000;
+constexpr std::size_t most_missing_reported = 1000;
 
 // Why nothing stands at `path`.
 std::string why_missing(const std::string& path) {
@@ -201,7 +201,7 @@ class Finder {
                         const Candidate& candidate = candidates_[i];
                         missing[i] = !fs::exists(candidate.path, ignored) && !is_pipe_input(candidate.path);
                         try {
-                          kinds[i] = etak::file_kind(candidate.path);
+                          kinds[i] = role_of_file(candidate.path);
                           if (kinds[i] == FileRole::spectrum && candidate.named != Named::by_hand &&
                               !looks_like_spectrum(candidate.path))
                             kinds[i].reset();
@@ -213,18 +213,18 @@ class Finder {
                       }
                     });
     std::vector<const Candidate*> pictures;
-    std::size_t missing_told = 0, missing_more = 0;
+    std::size_t missing_reported = 0, missing_more = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const Candidate& candidate = candidates_[i];
       std::error_code ignored;
       const bool link = missing[i] && fs::is_symlink(fs::symlink_status(candidate.path, ignored));
       if (link && !kinds[i] && candidate.named != Named::by_hand && !candidate.path.ends_with(".json"))
         ++out_.skipped;
-      else if (missing[i] && candidate.named == Named::by_list && missing_told == most_missing_told)
+      else if (missing[i] && candidate.named == Named::by_list && missing_reported == most_missing_reported)
         ++missing_more;
       else if (missing[i]) {
         fail(candidate.path, why_missing(candidate.path));
-        ++missing_told;
+        ++missing_reported;
       } else if (!failures[i].empty())
         fail(candidate.path, failures[i]);
       else if (!kinds[i])
@@ -334,7 +334,7 @@ class Finder {
         if (!picture || !stems.contains(picture->stem)) continue;
         std::error_code gone;
         if (path.ends_with(".json") || (at->exists(gone) && !at->is_regular_file(gone))) continue;
-        const auto kind = etak::file_kind(path);
+        const auto kind = role_of_file(path);
         if (!kind || !is_picture(*kind)) continue;
         try {
           check_links(folder, path);

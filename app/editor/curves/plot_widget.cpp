@@ -33,9 +33,9 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent) {
 void PlotWidget::plot_changed() {
   setAccessibleName(qt_text(title()));
   setAccessibleDescription(qt_text(description()));
-  QString told = qt_text(description());
-  for (const PlotKey& key : keys()) told += '\n' + qt_text(key.text);
-  setToolTip(told);
+  QString tip = qt_text(description());
+  for (const PlotKey& key : keys()) tip += '\n' + qt_text(key.text);
+  setToolTip(tip);
   if (cursor_) {
     const auto [least, most] = range();
     if (empty() || *cursor_ < least || *cursor_ > most) cursor_.reset();

@@ -9,7 +9,7 @@ ViewSide side_of(const Document& document, const ProjectMaterial& m, const std::
   out.surface = document.surface_of(m);
   out.specular = find_model(model.empty() ? m.specular_model : model);
   out.diffuse = find_model(m.diffuse_model);
-  if (out.specular != nullptr && out.specular->kind == ModelKind::both) out.diffuse = nullptr;
+  if (out.specular != nullptr && out.specular->kind == ModelKind::combined) out.diffuse = nullptr;
   // Another model has other parameters.
   if (model.empty() || model == m.specular_model) out.overrides = m.parameters;
   out.label = m.name;

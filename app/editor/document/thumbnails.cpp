@@ -36,7 +36,7 @@ QImage drawn(const SurfaceValues& surface, Shape shape, int side) {
   return out;
 }
 
-QImage made(const Thumbnails::Subject& subject, Shape shape, int side, const QString& folder) {
+QImage thumbnail(const Thumbnails::Subject& subject, Shape shape, int side, const QString& folder) {
   try {
     QString file;
     if (!folder.isEmpty()) {
@@ -85,7 +85,9 @@ QPixmap Thumbnails::get(const QString& key, Shape shape, int side, double ratio,
   const int pixels = static_cast<int>(side * ratio);
   in_background(
       pool_, this,
-      [subject = subject(), shape, pixels, folder = folder_] { return made(subject, shape, pixels, folder); },
+      [subject = subject(), shape, pixels, folder = folder_] {
+        return thumbnail(subject, shape, pixels, folder);
+      },
       [this, whole, key, ratio](const QImage& image) {
         // forget() may have come between; the picture is then of an older material.
         if (!waiting_.remove(whole)) return;

@@ -148,10 +148,10 @@ void LibraryPanel::tell_count() {
   // What is asked for and not there: why, or what comes near.
   if (shown == 0 && library_ && !search_->text().trimmed().isEmpty()) {
     const auto missing = library_->missing(search_->text().trimmed().toStdString());
-    const std::string told =
+    const std::string answer =
         missing.found + (missing.found.empty() || missing.expected.empty() ? "" : "; ") + missing.expected;
-    if (!told.empty()) {
-      count_->setText(QString::fromStdString(told));
+    if (!answer.empty()) {
+      count_->setText(QString::fromStdString(answer));
       return;
     }
   }

@@ -81,12 +81,12 @@ Section* LightPanel::make_light() {
   which_ = new QuietComboBox(tr("Light in hand"), row);
   line->addWidget(which_, 1);
   const auto button = [&](const QString& label, const QString& tip, auto act) {
-    auto* made = new QToolButton(row);
-    made->setText(label);
-    made->setToolTip(tip);
-    made->setAccessibleName(tip);
-    line->addWidget(made);
-    connect(made, &QToolButton::clicked, this, act);
+    auto* tool_button = new QToolButton(row);
+    tool_button->setText(label);
+    tool_button->setToolTip(tip);
+    tool_button->setAccessibleName(tip);
+    line->addWidget(tool_button);
+    connect(tool_button, &QToolButton::clicked, this, act);
   };
   button(QStringLiteral("+"), tr("Add a light"), [this] {
     edit_lights(tr("add a light"), next_press_id(), [](LightSetup& l) {

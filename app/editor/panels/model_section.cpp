@@ -108,10 +108,10 @@ void ModelSection::show_material() {
   const Model* diffuse = m == nullptr ? nullptr : find_model(m->diffuse_model);
   specular_->setCurrentIndex(std::max(0, m == nullptr ? 0 : specular_->findData(qt_text(m->specular_model))));
   diffuse_->setCurrentIndex(std::max(0, m == nullptr ? 0 : diffuse_->findData(qt_text(m->diffuse_model))));
-  const bool both = specular != nullptr && specular->kind == ModelKind::both;
-  diffuse_->setEnabled(!both);
-  diffuse_->setToolTip(both ? tr("The specular model has a diffuse part of its own") : QString());
-  if (both) diffuse = nullptr;
+  const bool combined = specular != nullptr && specular->kind == ModelKind::combined;
+  diffuse_->setEnabled(!combined);
+  diffuse_->setToolTip(combined ? tr("The specular model has a diffuse part of its own") : QString());
+  if (combined) diffuse = nullptr;
   if (!built_ || specular != shown_specular_ || diffuse != shown_diffuse_) {
     built_ = true;
     shown_specular_ = specular;

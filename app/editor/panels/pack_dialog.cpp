@@ -81,11 +81,11 @@ void PackDialog::start() {
   options.cancelled = [flag = cancelled_] { return flag->load(); };
   // Told at most every hundredth, so that thousands of regions do not flood the UI.
   const QPointer<PackDialog> self(this);
-  auto told = std::make_shared<std::size_t>(0);
-  options.progress = [self, told](std::size_t done, std::size_t all) {
+  auto last_share = std::make_shared<std::size_t>(0);
+  options.progress = [self, last_share](std::size_t done, std::size_t all) {
     const std::size_t share = all == 0 ? 0 : 100 * done / all;
-    if (share == *told) return;
-    *told = share;
+    if (share == *last_share) return;
+    *last_share = share;
     call_in_ui([self, share] {
       if (!self) return;
       self->bar_->setRange(0, 100);

@@ -87,11 +87,11 @@ QVariant ProjectModel::data(const QModelIndex& index, int role) const {
           .arg(QString::fromStdString(m.name), QString::fromStdString(hex(srgb_u8(m.specular))),
                QString::fromStdString(roughness_text(m.gloss)));
     case Qt::DecorationRole: {
-      const QPixmap made = picture(index.row());
-      if (!made.isNull()) {
+      const QPixmap pixmap = picture(index.row());
+      if (!pixmap.isNull()) {
         // The style would lay the selection's colour over the picture.
-        QIcon icon(made);
-        icon.addPixmap(made, QIcon::Selected);
+        QIcon icon(pixmap);
+        icon.addPixmap(pixmap, QIcon::Selected);
         return icon;
       }
       QPixmap empty(side, side);
@@ -132,12 +132,12 @@ ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* 
   column->addWidget(list_, 1);
   auto* row = new QHBoxLayout;
   const auto button = [&](const QString& text, const QString& tip, void (ProjectPanel::*signal)()) {
-    auto* made = new QToolButton(this);
-    made->setText(text);
-    made->setToolTip(tip);
-    made->setAccessibleName(tip);
-    connect(made, &QToolButton::clicked, this, signal);
-    row->addWidget(made);
+    auto* tool_button = new QToolButton(this);
+    tool_button->setText(text);
+    tool_button->setToolTip(tip);
+    tool_button->setAccessibleName(tip);
+    connect(tool_button, &QToolButton::clicked, this, signal);
+    row->addWidget(tool_button);
   };
   button(tr("New"), tr("New material (Ctrl+Shift+N)"), &ProjectPanel::new_asked);
   button(tr("Copy"), tr("Duplicate material (Ctrl+D)"), &ProjectPanel::copy_asked);

@@ -71,8 +71,8 @@ bool PanelScroll::eventFilter(QObject* object, QEvent* event) {
       if (page == nullptr || page->layout() == nullptr) return;
       page->layout()->activate();
       if (page->height() >= page->heightForWidth(page->width())) return;
-      QEvent again(QEvent::LayoutRequest);
-      QScrollArea::event(&again);
+      QEvent request(QEvent::LayoutRequest);
+      QScrollArea::event(&request);
     });
   }
   return QScrollArea::eventFilter(object, event);

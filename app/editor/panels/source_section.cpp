@@ -18,12 +18,12 @@ namespace {
 
 // What is told of a measured F0; made on a worker, because every dataset of the material is solved for the
 // spread.
-struct Told {
+struct SourceText {
   QString result, body, spread, citation;
 };
 
-Told told(const ProjectMaterial& material, const MaterialLibrary& library) {
-  Told out;
+SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& library) {
+  SourceText out;
   const MeasuredF0& measured = *material.measured;
   try {
     const FoundF0 found = find_f0(measured, library);
@@ -156,8 +156,8 @@ void SourceSection::show_material() {
 
 void SourceSection::tell(const ProjectMaterial& material) {
   in_background(
-      pool_, this, [material, library = document_.library()] { return told(material, *library); },
-      [this, measured = material.measured](const Told& what) {
+      pool_, this, [material, library = document_.library()] { return source_text(material, *library); },
+      [this, measured = material.measured](const SourceText& what) {
         const ProjectMaterial* m = document_.material();
         if (m == nullptr || m->measured != measured) return;  // of an older one
         result_->setText(what.result);

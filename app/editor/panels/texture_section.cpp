@@ -70,12 +70,12 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
     row.path->setAcceptDrops(false);  // the row takes drops: a line would paste the address
     line->addWidget(row.path, 1);
     const auto button = [&](const QString& label, const QString& tip) {
-      auto* made = new QToolButton(box);
-      made->setText(label);
-      made->setToolTip(tip);
-      made->setAccessibleName(tip);
-      line->addWidget(made);
-      return made;
+      auto* tool_button = new QToolButton(box);
+      tool_button->setText(label);
+      tool_button->setToolTip(tip);
+      tool_button->setAccessibleName(tip);
+      line->addWidget(tool_button);
+      return tool_button;
     };
     row.open = button(QStringLiteral("\u2026"), tr("Open the %1 texture").arg(title));
     row.look = button(tr("2D"), tr("Look at the %1 texture").arg(title));

@@ -103,7 +103,7 @@ TextureView::TextureView(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
       channel_(new QuietComboBox(tr("Texture channel"), this)),
-      told_(quiet_label(tr("About the textures"), this)),
+      summary_(quiet_label(tr("About the textures"), this)),
       sheet_(new Sheet(this)) {
   setAccessibleName(tr("Textures"));
   pool_.setMaxThreadCount(1);
@@ -112,7 +112,7 @@ TextureView::TextureView(Document& document, QWidget* parent)
   auto* row = new QHBoxLayout;
   for (const Channel each : all_channels) channel_->addItem(qt_text(name(each)));
   row->addWidget(channel_);
-  row->addWidget(told_, 1);
+  row->addWidget(summary_, 1);
   column->addLayout(row);
   column->addWidget(sheet_, 1);
   connect(channel_, &QComboBox::currentIndexChanged, this, &TextureView::show_picture);
@@ -127,8 +127,8 @@ TextureView::~TextureView() {
   pool_.waitForDone();
 }
 
-QString TextureView::told() const {
-  return told_->text();
+QString TextureView::summary() const {
+  return summary_->text();
 }
 
 void TextureView::show_channel(Channel channel) {
@@ -143,7 +143,7 @@ void TextureView::load() {
     reading_ = false;
     textures_.reset();
     pictures_ = {};
-    told_->setText(tr("no textures: drop pictures on the viewport or on the channels in the inspector"));
+    summary_->setText(tr("no textures: drop pictures on the viewport or on the channels in the inspector"));
     show_picture();
     if (had) emit textures_changed();
     return;
@@ -165,7 +165,7 @@ void TextureView::load() {
         reading_ = false;
         pictures_ = std::move(loaded.pictures);
         textures_ = std::move(loaded.textures);
-        told_->setText(loaded.text);
+        summary_->setText(loaded.text);
         show_picture();
         emit textures_changed();
       });

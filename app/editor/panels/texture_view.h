@@ -25,7 +25,7 @@ class TextureView : public QWidget {
   const std::shared_ptr<const SurfaceTextures>& textures() const { return textures_; }
   bool is_busy() const { return reading_; }
   /// What is told of the pictures: their size, or why there are none.
-  QString told() const;
+  QString summary() const;
 
  signals:
   void textures_changed();
@@ -37,7 +37,7 @@ class TextureView : public QWidget {
 
   Document& document_;
   QuietComboBox* channel_;
-  QLabel* told_;
+  QLabel* summary_;
   Sheet* sheet_;
   QThreadPool pool_;
   std::optional<ProjectMaterial> loaded_;

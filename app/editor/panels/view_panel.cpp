@@ -107,18 +107,18 @@ void ViewPanel::fill_displays() {
   filled_config_ = config;
   display_->clear();
   display_->addItem(tr("sRGB curve"), QStringList{});
-  QString told = tr("own OpenColorIO config");
+  QString label = tr("own OpenColorIO config");
   try {
     for (const OcioDisplayInfo& each : ocio_displays(config)) {
       QStringList views;
       for (const std::string& view : each.views) views << qt_text(view);
       display_->addItem(qt_text(each.name), views);
     }
-    if (!config.empty()) told = qt_text(config);
+    if (!config.empty()) label = qt_text(config);
   } catch (const Error& error) {
-    told = QString::fromUtf8(error.what());
+    label = QString::fromUtf8(error.what());
   }
-  config_->setText(told);
+  config_->setText(label);
 }
 
 Section* ViewPanel::make_shape() {
@@ -153,14 +153,14 @@ Section* ViewPanel::make_shape() {
   };
   connect(parameter_, &QComboBox::activated, this, [wedge] { wedge(next_press_id()); });
   connect(steps_, &QSpinBox::valueChanged, this, [wedge] { wedge(next_press_id()); });
-  const auto told = [this] {
+  const auto update_look = [this] {
     if (showing_) return;
     look_.zone_overlay = zone_->isChecked();
     look_.energy_overlay = energy_->isChecked();
     look_.textured = textured_->isChecked();
     emit look_changed();
   };
-  for (QCheckBox* each : {zone_, energy_, textured_}) connect(each, &QCheckBox::clicked, this, told);
+  for (QCheckBox* each : {zone_, energy_, textured_}) connect(each, &QCheckBox::clicked, this, update_look);
   return out;
 }
 
@@ -208,8 +208,8 @@ Section* ViewPanel::make_compare() {
   return out;
 }
 
-void ViewPanel::show_patch(const QString& told) {
-  patch_->setText(told);
+void ViewPanel::show_patch(const QString& difference) {
+  patch_->setText(difference);
 }
 
 void ViewPanel::show_look() {

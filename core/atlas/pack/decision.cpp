@@ -128,7 +128,7 @@ PlanOptions PackDecision::plan_options() const {
 }
 
 int PackDecision::offered_levels(int p) const {
-  const Page& page = plan_.pages[static_cast<std::size_t>(p)];
+  const PlannedPage& page = plan_.pages[static_cast<std::size_t>(p)];
   const int full = full_mip_levels(page.width, page.height), wanted = levels();
   return wanted == 0 ? full : std::min(wanted, full);
 }

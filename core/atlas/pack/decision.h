@@ -36,7 +36,7 @@ class PackDecision {
   bool learn(const std::vector<Learned>& learned);
 
   const std::vector<Region>& regions() const { return regions_; }
-  const Plan& plan() const { return plan_; }
+  const PackingPlan& plan() const { return plan_; }
   const LeaveOut& left_out() const { return left_out_; }
 
   /// Mips that the settings offer of a page.
@@ -60,7 +60,7 @@ class PackDecision {
   LeaveOut left_out_;
   std::vector<Region> regions_;
   std::map<std::array<int, 7>, Resolution> resolutions_;
-  Plan plan_;
+  PackingPlan plan_;
 };
 
 }  // namespace etak

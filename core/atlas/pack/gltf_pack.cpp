@@ -325,7 +325,7 @@ void ScenePack::write_page(OutputFolder& folder, int page, const PagePixels& pix
 }
 
 std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const AtlasLayout& layout,
-                                                const Plan& plan, const std::vector<Region>& regions,
+                                                const PackingPlan& plan, const std::vector<Region>& regions,
                                                 const LeaveOut& left_out) {
   State& s = *state_;
   if (!s.writes_scene()) return {};
@@ -352,9 +352,9 @@ std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const Atla
       const PackInput& in = s.inputs.materials[i];
       for (std::size_t r = 0; r < regions.size(); ++r) {
         if (regions[r].material != fate.owner) continue;
-        const Place& at = plan.places[r];
+        const PlannedPlace& at = plan.places[r];
         const PixelBox& box = regions[r].box;
-        const Page& size = plan.pages[static_cast<std::size_t>(at.page)];
+        const PlannedPage& size = plan.pages[static_cast<std::size_t>(at.page)];
         const int width = regions[r].width(), height = regions[r].height();
         const std::array<int, 4> place{at.x, at.y, at.rotated ? height : width, at.rotated ? width : height};
         const UvTransform region =
@@ -369,7 +369,7 @@ std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const Atla
       if (to.islands.size() == 1) {
         to.region = to.islands.front().region;
         if (entry.use && !entry.tiles)
-          if (const auto both = composed(to.region, entry.use->fold)) to.region = *both;
+          if (const auto composition = composed(to.region, entry.use->fold)) to.region = *composition;
         to.islands.clear();
         // One box for triangles of several periods: their UVs must be folded one by one.
         if (entry.use && entry.use->tiles && !entry.tiles)

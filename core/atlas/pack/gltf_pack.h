@@ -38,8 +38,9 @@ class ScenePack {
   void write_page(OutputFolder& folder, int page, const PagePixels& pixels, const WriteOptions& options);
 
   /// scene.gltf and its buffer; returns the names of all files it stands on beside the pages' own.
-  std::vector<std::string> write_scene(OutputFolder& folder, const AtlasLayout& layout, const Plan& plan,
-                                       const std::vector<Region>& regions, const LeaveOut& left_out);
+  std::vector<std::string> write_scene(OutputFolder& folder, const AtlasLayout& layout,
+                                       const PackingPlan& plan, const std::vector<Region>& regions,
+                                       const LeaveOut& left_out);
 
  private:
   struct State;

@@ -98,7 +98,7 @@ class Packing {
   const ShadingVariants* variants() const { return options_.variants ? &*options_.variants : nullptr; }
 
   const std::vector<Region>& regions() const { return decision_->regions(); }
-  const Plan& plan() const { return decision_->plan(); }
+  const PackingPlan& plan() const { return decision_->plan(); }
   AtlasLayout table() const { return layout_table(options_, inputs_, *decision_, scene_ != nullptr); }
 
   void stop_if_cancelled() const {
@@ -213,7 +213,7 @@ class Packing {
       progress.region();
     };
     for (int p = 0; p < static_cast<int>(plan().pages.size()); ++p) {
-      const Page& page = plan().pages[static_cast<std::size_t>(p)];
+      const PlannedPage& page = plan().pages[static_cast<std::size_t>(p)];
       check_memory(p);
       if (const std::vector<int> cuts = cuts_of(composer, p); cuts.size() > 2) {
         WriteOptions write = options_.write;
@@ -285,7 +285,7 @@ class Packing {
   }
 
   void check_memory(int p) const {
-    const Page& page = plan().pages[static_cast<std::size_t>(p)];
+    const PlannedPage& page = plan().pages[static_cast<std::size_t>(p)];
     std::size_t bytes = 0;
     const std::size_t texel = writes_floats() ? 8 + 32 : 8;
     for (int l = 0; l < decision_->page_levels(p); ++l)
@@ -345,7 +345,7 @@ class Packing {
   // ---- report
 
   void finish() {
-    const Plan& plan = decision_->plan();
+    const PackingPlan& plan = decision_->plan();
     report_.regions = regions().size();
     report_.pages = plan.pages;
     report_.method = plan.method;

@@ -126,7 +126,7 @@ struct PackReport {
   std::string input, output;
   bool up_to_date = false, dry_run = false;
   std::size_t materials = 0, regions = 0;
-  std::vector<Page> pages;
+  std::vector<PlannedPage> pages;
   std::uint64_t region_texels = 0, gutter_texels = 0, waste_texels = 0;  // level 0, both textures
   LeaveOut left_out;                                                     // fates are emptied
   std::string method;

@@ -18,12 +18,12 @@ class PackProgress {
   using Listener = std::function<void(std::size_t done, std::size_t all)>;
 
   ///   writes   pages are written, not only composed
-  PackProgress(const Listener& listener, const Plan& plan, std::size_t regions, const WriteOptions& write,
-               bool writes)
+  PackProgress(const Listener& listener, const PackingPlan& plan, std::size_t regions,
+               const WriteOptions& write, bool writes)
       : listener_(listener), region_steps_(2 * regions) {
     const bool png = std::find(write.formats.begin(), write.formats.end(), "png") != write.formats.end();
     if (!writes || !png) return;
-    for (const Page& page : plan.pages)
+    for (const PlannedPage& page : plan.pages)
       texels_ += texels_of(page) * static_cast<std::size_t>(page.has[0] + page.has[1]);
     // What compressing takes against composing: measured on pages of photographs' grain.
     const std::size_t weight = write.png_level == PngLevel::fast    ? 1
@@ -32,7 +32,7 @@ class PackProgress {
     write_steps_ = weight * region_steps_;
   }
 
-  static std::size_t texels_of(const Page& page) {
+  static std::size_t texels_of(const PlannedPage& page) {
     return static_cast<std::size_t>(page.width) * static_cast<std::size_t>(page.height);
   }
 

@@ -46,7 +46,7 @@ std::string reduced_json(const ReducedRegion& r) {
          ", \"codes\": " + json(r.codes) + "}";
 }
 
-std::string page_json(const Page& page) {
+std::string page_json(const PlannedPage& page) {
   return "{\"width\": " + std::to_string(page.width) + ", \"height\": " + std::to_string(page.height) +
          ", \"diffuse_alpha\": " + json(page.has[0]) + ", \"specular_gloss\": " + json(page.has[1]) + "}";
 }
@@ -60,7 +60,7 @@ std::string list_json(const Items& items, Form form) {
 
 std::string pages_text(const PackReport& r) {
   std::string out;
-  for (const Page& page : r.pages) {
+  for (const PlannedPage& page : r.pages) {
     out += (out.empty() ? "" : ", ") + std::to_string(page.width) + "x" + std::to_string(page.height);
     if (!page.has[0] || !page.has[1]) out += page.has[0] ? " (diffuse_alpha only)" : " (specular_gloss only)";
   }

@@ -14,13 +14,13 @@ namespace etak {
 namespace {
 
 void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decision, AtlasLayout& out) {
-  const Plan& plan = decision.plan();
+  const PackingPlan& plan = decision.plan();
   const std::vector<Region>& regions = decision.regions();
   int island = 0;
   for (std::size_t r = 0; r < regions.size(); ++r) {
     if (regions[r].material != owner) continue;
     const PixelBox& box = regions[r].box;
-    const Place& at = plan.places[r];
+    const PlannedPlace& at = plan.places[r];
     AtlasRect rect;
     rect.name = m.name;
     rect.island = island++;
@@ -80,7 +80,7 @@ void account_mips(const PackDecision& decision, PackReport& report) {
   line.what = "mips";
   int levels = 0;
   for (int p = 0; p < static_cast<int>(decision.plan().pages.size()); ++p) {
-    const Page& page = decision.plan().pages[static_cast<std::size_t>(p)];
+    const PlannedPage& page = decision.plan().pages[static_cast<std::size_t>(p)];
     const auto textures = static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
     for (int l = decision.page_levels(p); l < decision.offered_levels(p); ++l, ++levels)
       line.bytes += 4 * textures * texels_of(std::max(1, page.width >> l), std::max(1, page.height >> l));
@@ -94,12 +94,12 @@ void account_mips(const PackDecision& decision, PackReport& report) {
 
 AtlasLayout layout_table(const PackOptions& options, const PackInputs& inputs, const PackDecision& decision,
                          bool scene) {
-  const Plan& plan = decision.plan();
+  const PackingPlan& plan = decision.plan();
   AtlasLayout out;
   out.gloss = inputs.gloss;
   out.diffuse_reduced = scene;
   for (int p = 0; p < static_cast<int>(plan.pages.size()); ++p) {
-    const Page& page = plan.pages[static_cast<std::size_t>(p)];
+    const PlannedPage& page = plan.pages[static_cast<std::size_t>(p)];
     AtlasPage row{page.width, page.height, {}};
     out.levels = std::max(out.levels, decision.page_levels(p));
     for (const Texture texture : both_textures)
@@ -129,7 +129,7 @@ void account(const PackInputs& inputs, PackDecision& decision, PackReport& repor
   std::size_t singles = 0;
   for (std::size_t r = 0; r < decision.regions().size(); ++r) {
     const PixelBox& cell = decision.plan().places[r].cell;
-    const Page& page = decision.plan().pages[static_cast<std::size_t>(decision.plan().places[r].page)];
+    const PlannedPage& page = decision.plan().pages[static_cast<std::size_t>(decision.plan().places[r].page)];
     const auto textures = static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
     const std::uint64_t area = texels_of(decision.regions()[r].width(), decision.regions()[r].height());
     regions += textures * area;

@@ -62,7 +62,7 @@ struct OutputFolder::State {
   bool inside = false;               // the new folder is made in the target, not beside it
   bool exchanges = true;             // else files are renamed one by one
   Descriptor parent;                 // where the new folder is made: of the target, or the target itself
-  Temporary made;                    // the new folder; the old one, after an exchange
+  Temporary fresh;                   // the new folder; the old one, after an exchange
   FolderLock placing;                // of the parent, from the last look on
   std::optional<Descriptor> placed;  // the target, once the set is in place
   std::mutex lock;                   // of the two sets
@@ -74,7 +74,7 @@ struct OutputFolder::State {
     return inside ? Descriptor(::openat(parent.get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC))
                   : open_folder(parent.get(), name);
   }
-  int made_folder() const { return made.open().get(); }
+  int fresh_folder() const { return fresh.open().get(); }
   [[noreturn]] void fail(const char* what, const std::string& file = {}) const {
     const std::string why = reason();
     throw Error::at(file.empty() ? path : path + "/" + file, std::string(what) + ": " + why);
@@ -145,8 +145,8 @@ OutputFolder::OutputFolder(const std::string& path, Replace replace) : state_(st
   s.find_target();
   s.refuse_read_only();
   const Descriptor home = s.open_target();
-  s.made = Temporary(s.parent.get(), s.inside ? "" : s.name, Temporary::Kind::folder, home.get());
-  if (!s.made)
+  s.fresh = Temporary(s.parent.get(), s.inside ? "" : s.name, Temporary::Kind::folder, home.get());
+  if (!s.fresh)
     throw Error::at(path, "cannot be written: " + reason(), "a folder that can be made or changed");
 }
 
@@ -171,7 +171,7 @@ OutputFolder::File::File(std::unique_ptr<Open> open) : open_(std::move(open)) {}
 
 OutputFolder::File::~File() {
   if (!open_) return;
-  ::unlinkat(open_->folder.made_folder(), open_->name.c_str(), 0);
+  ::unlinkat(open_->folder.fresh_folder(), open_->name.c_str(), 0);
   const std::lock_guard lock(open_->folder.lock);
   open_->folder.files.erase(open_->name);
 }
@@ -207,7 +207,7 @@ void OutputFolder::File::close() {
 
 std::string OutputFolder::path_until_commit(const std::string& name) const {
   const State& s = *state_;
-  return (s.inside ? s.target_path() : s.parent_path) + "/" + s.made.name() + "/" + name;
+  return (s.inside ? s.target_path() : s.parent_path) + "/" + s.fresh.name() + "/" + name;
 }
 
 std::unique_ptr<OutputFolder::File> OutputFolder::open(const std::string& name) {
@@ -222,7 +222,7 @@ std::unique_ptr<OutputFolder::File> OutputFolder::open(const std::string& name) 
   // From here on the file takes its name out again.
   std::unique_ptr<File> out(new File(std::make_unique<File::Open>(File::Open{s, name, Descriptor(), {}})));
   out->open_->file =
-      Descriptor(::openat(s.made_folder(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+      Descriptor(::openat(s.fresh_folder(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (!out->open_->file) s.fail("cannot be written", name);
   return out;
 }
@@ -259,12 +259,12 @@ bool OutputFolder::State::bring_along(int target, std::vector<std::string>& link
   const std::vector<std::string> all = strangers(target);
   for (const std::string& entry : all) {
     if (is_folder(target, entry)) continue;
-    if (::linkat(target, entry.c_str(), made_folder(), entry.c_str(), 0) != 0) return false;
+    if (::linkat(target, entry.c_str(), fresh_folder(), entry.c_str(), 0) != 0) return false;
     linked.push_back(entry);
   }
   for (const std::string& entry : all) {
     if (!is_folder(target, entry)) continue;
-    if (::renameat(target, entry.c_str(), made_folder(), entry.c_str()) != 0) return false;
+    if (::renameat(target, entry.c_str(), fresh_folder(), entry.c_str()) != 0) return false;
     moved.push_back(entry);
   }
   return true;
@@ -272,38 +272,38 @@ bool OutputFolder::State::bring_along(int target, std::vector<std::string>& link
 
 void OutputFolder::State::put_back(int target, const std::vector<std::string>& linked,
                                    const std::vector<std::string>& moved) {
-  for (const std::string& entry : linked) ::unlinkat(made_folder(), entry.c_str(), 0);
-  for (const std::string& entry : moved) ::renameat(made_folder(), entry.c_str(), target, entry.c_str());
+  for (const std::string& entry : linked) ::unlinkat(fresh_folder(), entry.c_str(), 0);
+  for (const std::string& entry : moved) ::renameat(fresh_folder(), entry.c_str(), target, entry.c_str());
 }
 
 void OutputFolder::State::exchange() {
   const auto rename2 = [&](unsigned flags) {
-    return ::syscall(SYS_renameat2, parent.get(), made.name().c_str(), parent.get(), name.c_str(), flags) ==
+    return ::syscall(SYS_renameat2, parent.get(), fresh.name().c_str(), parent.get(), name.c_str(), flags) ==
            0;
   };
   struct stat old {};
   Descriptor target = open_target();
   const bool there = target && ::fstat(target.get(), &old) == 0;
   // Mode and owner of the old folder; who may not give it away keeps it.
-  if (there) (void)!::fchown(made_folder(), old.st_uid, old.st_gid);
-  if (::fchmod(made_folder(), there ? old.st_mode & 07777 : mode_of_new_folder()) != 0)
+  if (there) (void)!::fchown(fresh_folder(), old.st_uid, old.st_gid);
+  if (::fchmod(fresh_folder(), there ? old.st_mode & 07777 : mode_of_new_folder()) != 0)
     fail("cannot be put in place");
 
   if (!there) {
-    if (::fsync(made_folder()) != 0) fail("cannot be put in place");
+    if (::fsync(fresh_folder()) != 0) fail("cannot be put in place");
     // Without RENAME_NOREPLACE (old kernels, some network file systems): what has appeared meanwhile, if it
     // holds anything, stops a plain rename too.
     if (!rename2(RENAME_NOREPLACE) &&
         ((errno != EINVAL && errno != ENOSYS) ||
-         ::renameat(parent.get(), made.name().c_str(), parent.get(), name.c_str()) != 0))
+         ::renameat(parent.get(), fresh.name().c_str(), parent.get(), name.c_str()) != 0))
       fail("cannot be put in place");
-    (void)made.keep();
+    (void)fresh.keep();
     ::fsync(parent.get());
     return;
   }
 
   std::vector<std::string> linked, moved;
-  const bool whole = bring_along(target.get(), linked, moved) && ::fsync(made_folder()) == 0;
+  const bool whole = bring_along(target.get(), linked, moved) && ::fsync(fresh_folder()) == 0;
   if (!whole || !rename2(RENAME_EXCHANGE)) {
     put_back(target.get(), linked, moved);
     rename_one_by_one();
@@ -311,7 +311,7 @@ void OutputFolder::State::exchange() {
   }
   ::fsync(parent.get());
   // Who has put a folder into the old target meanwhile finds it in the new one.
-  placed = made.exchanged(std::move(target));
+  placed = fresh.exchanged(std::move(target));
 }
 
 void OutputFolder::State::rename_one_by_one() {
@@ -322,7 +322,7 @@ void OutputFolder::State::rename_one_by_one() {
   for (const std::string& file : order)
     if (is_folder(target.get(), file)) throw Error::at(path + "/" + file, "is a folder", "a file to replace");
   for (const std::string& file : order)
-    if (::renameat(made_folder(), file.c_str(), target.get(), file.c_str()) != 0)
+    if (::renameat(fresh_folder(), file.c_str(), target.get(), file.c_str()) != 0)
       fail("cannot be put in place (files before it in the alphabet have been)", file);
   for (const std::string& old : removed)
     if (files.count(old) == 0) ::unlinkat(target.get(), old.c_str(), 0);
@@ -332,7 +332,7 @@ void OutputFolder::State::rename_one_by_one() {
 
 void OutputFolder::prepare() {
   State& s = *state_;
-  assert(s.made);
+  assert(s.fresh);
   if (const auto failure = s.disk.finish()) {
     errno = failure->second;
     s.fail("cannot be written", failure->first);
@@ -364,7 +364,7 @@ void OutputFolder::place() {
 }
 
 void OutputFolder::tidy() {
-  if (state_->placed) state_->made.remove(state_->placed->get());
+  if (state_->placed) state_->fresh.remove(state_->placed->get());
 }
 
 }  // namespace etak

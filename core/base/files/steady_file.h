@@ -70,10 +70,10 @@ class SteadyFile : public ByteSource {
   /// within a tick of the system's clock (some milliseconds) is not seen.
   void check_unchanged() const;
 
-  /// Calls read(), which reads this file; what it throws is told as a change where the file has changed,
-  /// because bytes of two files one after the other look like a damaged one.
+  /// Calls read(), which reads this file. Where it throws and the file has changed, the change is thrown in
+  /// place of that, because bytes of two files one after the other look like a damaged one.
   template <class Read>
-  auto told_as_change(Read read) const {
+  auto read_checked(Read read) const {
     try {
       return read();
     } catch (...) {

@@ -114,8 +114,8 @@ bool is_folder(int at, const std::string& name) {
 
 std::vector<std::string> names_in(int folder) {
   std::vector<std::string> out;
-  const int again = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  DIR* const listing = again < 0 ? nullptr : ::fdopendir(again);
+  const int reopened = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  DIR* const listing = reopened < 0 ? nullptr : ::fdopendir(reopened);
   if (listing == nullptr) return out;
   out = names_of(listing);
   ::closedir(listing);
@@ -181,30 +181,30 @@ Temporary::Temporary(int folder, std::string_view name, Kind kind, int home) : f
   for (int i = 0; i < most_tries; ++i) {
     const std::string random = random_letters();
     if (random.empty()) return;
-    const std::string made = prefix + random;
+    const std::string candidate = prefix + random;
     // So that a signal finds it remembered or not there at all.
     const SignalsHeld held;
     if (kind == Kind::file) {
       open_ = Descriptor(
-          ::openat(folder, made.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
+          ::openat(folder, candidate.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
       if (!open_ && errno == EEXIST) continue;
     } else {
-      if (::mkdirat(folder, made.c_str(), 0700) != 0) {
+      if (::mkdirat(folder, candidate.c_str(), 0700) != 0) {
         if (errno == EEXIST) continue;
         return;
       }
-      open_ = open_folder(folder, made);
+      open_ = open_folder(folder, candidate);
       if (!open_) {
         const int why = errno;
-        ::unlinkat(folder, made.c_str(), AT_REMOVEDIR);
+        ::unlinkat(folder, candidate.c_str(), AT_REMOVEDIR);
         errno = why;
       }
     }
     if (!open_) return;
     if (::flock(open_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) continue;
-    if (!stands_for(folder, made.c_str(), open_.get())) continue;
-    name_ = made;
-    remembered_ = remember_temporary(folder, made.c_str(), kind == Kind::folder ? open_.get() : -1);
+    if (!stands_for(folder, candidate.c_str(), open_.get())) continue;
+    name_ = candidate;
+    remembered_ = remember_temporary(folder, candidate.c_str(), kind == Kind::folder ? open_.get() : -1);
     return;
   }
   errno = EEXIST;

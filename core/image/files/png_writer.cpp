@@ -84,7 +84,7 @@ struct Tools {
 };
 
 // A strip that is made and waits for those before it.
-struct Made {
+struct Strip {
   Bytes idat;
   std::uint32_t adler = 1, checksum = 0;
   std::size_t filtered_size = 0;
@@ -146,8 +146,8 @@ struct PngBands::State {
   const std::uint8_t* rows = nullptr;
   std::size_t stride = 0;
 
-  std::mutex lock;                   // of what follows
-  std::map<std::size_t, Made> made;  // strips, by number in the file, that wait for those before them
+  std::mutex lock;                       // of what follows
+  std::map<std::size_t, Strip> waiting;  // strips, by number in the file, that wait for those before them
   std::size_t next_strip = 0;
   std::uint32_t adler = 1;
   bool handing_on = false, failed = false;
@@ -173,8 +173,8 @@ struct PngBands::State {
   }
 
   // Rows [begin, stop) as an IDAT chunk without its closing checksum.
-  Made deflated(int begin, int stop, Tools& tools) const {
-    Made out;
+  Strip deflated(int begin, int stop, Tools& tools) const {
+    Strip out;
     out.filtered_size = static_cast<std::size_t>(stop - begin) * (row_bytes + 1);
     const std::size_t padded = png_row_lead + row_bytes + png_row_slack;
     if (tools.filtered.size() < out.filtered_size + png_row_slack)
@@ -206,17 +206,17 @@ struct PngBands::State {
   }
 
   // Hands on the strips whose turn has come. One thread at a time does so; others leave theirs to it.
-  void hand_on(std::size_t number, Made strip) {
+  void hand_on(std::size_t number, Strip strip) {
     std::unique_lock guard(lock);
     // Not too many wait at once, should the disk be slow.
-    moved.wait(guard, [&] { return failed || number == next_strip || made.size() < most_waiting; });
+    moved.wait(guard, [&] { return failed || number == next_strip || waiting.size() < most_waiting; });
     if (failed) return;
-    made.emplace(number, std::move(strip));
+    waiting.emplace(number, std::move(strip));
     if (handing_on) return;
     handing_on = true;
-    while (!made.empty() && made.begin()->first == next_strip) {
-      Made now = std::move(made.begin()->second);
-      made.erase(made.begin());
+    while (!waiting.empty() && waiting.begin()->first == next_strip) {
+      Strip now = std::move(waiting.begin()->second);
+      waiting.erase(waiting.begin());
       guard.unlock();
       adler = next_strip == 0 ? now.adler : adler32_of_both(adler, now.adler, now.filtered_size);
       if (static_cast<int>(next_strip + 1) * strip_rows >= info.height) {
@@ -282,9 +282,9 @@ void PngBands::make(std::size_t i) {
   const int stop = std::min(s.info.height, begin + s.strip_rows);
   try {
     std::unique_ptr<Tools> tools = s.scratch->take(s.options.level);
-    Made made = s.deflated(begin, stop, *tools);
+    Strip strip = s.deflated(begin, stop, *tools);
     s.scratch->give_back(std::move(tools), s.options.level);
-    s.hand_on(static_cast<std::size_t>(begin / s.strip_rows), std::move(made));
+    s.hand_on(static_cast<std::size_t>(begin / s.strip_rows), std::move(strip));
   } catch (...) {
     const std::lock_guard lock(s.lock);
     s.failed = true;
@@ -294,7 +294,7 @@ void PngBands::make(std::size_t i) {
 }
 
 void PngBands::finish() {
-  assert(state_->end == state_->info.height && state_->made.empty());
+  assert(state_->end == state_->info.height && state_->waiting.empty());
   Bytes tail;
   append_chunk(tail, "IEND", {});
   state_->sink(characters(tail));

@@ -32,11 +32,11 @@ bool shines(const Light& light) {
   return light.intensity != 0 && !is_black(light.color);
 }
 
-std::string light_loops(GlslGlue& glue, const Scene& scene, bool lit) {
+std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights) {
   std::string code;
   std::vector<const Light*> kinds[3];
   for (const Light& light : scene.lights.lights)
-    if (lit && shines(light)) kinds[static_cast<std::size_t>(light.kind)].push_back(&light);
+    if (with_lights && shines(light)) kinds[static_cast<std::size_t>(light.kind)].push_back(&light);
   const double scale = scene.lights.pi_scaled ? std::numbers::pi : 1;
   const auto uniforms = [&](const char* name, int width, const std::vector<const Light*>& of, auto value) {
     std::vector<float> values;

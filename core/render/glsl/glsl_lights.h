@@ -19,7 +19,7 @@ bool shines(const Light& light);
 
 /// Loops over the scene's discrete lights for the body of shade(), each of which adds to `sum` what lit(l,
 /// local_v) gives; declares their uniforms. Lights that do not shine are left out.
-///   lit   some model answers to discrete light; false: nothing is written
-std::string light_loops(GlslGlue& glue, const Scene& scene, bool lit);
+///   with_lights   some model answers to discrete light; false: nothing is written
+std::string light_loops(GlslGlue& glue, const Scene& scene, bool with_lights);
 
 }  // namespace etak

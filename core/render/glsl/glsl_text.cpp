@@ -27,24 +27,24 @@ class SceneText {
         camera_(scene),
         textured_(scene.textures != nullptr),
         opacity_(textures != nullptr ? 1 : scene.surface.opacity),
-        lit_(std::ranges::any_of(scene.lights.lights, shines)) {}
+        any_light_(std::ranges::any_of(scene.lights.lights, shines)) {}
 
   GlslText finish(GlslVersion version) {
     if (display_ != nullptr) glue_.line(display_->text);
     textures();
     if (textures_ != nullptr) fetches();
     brdf();
-    light_code_ += light_loops(glue_, scene_, lit_);
+    light_code_ += light_loops(glue_, scene_, any_light_);
     hemispheres();
     environment();
     glue_.line("out vec4 pixel_color;\n");
-    if (lit_) {
+    if (any_light_) {
       glue_.line(
           "vec3 lit(vec3 l, vec3 v) {\n  Angles a = angles(l, v);\n  if (a.valid <= 0.0) return vec3(0.0);");
       glue_.line("  return (" + brdf_ + ") * a.nl;\n}\n");
     }
     glue_.line("vec3 shade(vec3 p, vec3 n, vec3 v) {");
-    if (lit_)
+    if (any_light_)
       glue_.line(
           "  vec3 t = tangent_of(n);\n  vec3 b = cross(n, t);\n  vec3 local_v = in_frame(v, t, b, n);");
     glue_.line("  vec3 sum = vec3(0.0);");
@@ -54,10 +54,11 @@ class SceneText {
   }
 
  private:
-  bool body_is_black(bool both) const {
+  bool body_is_black(bool combined) const {
     return is_black(scene_.surface.diffuse) ||
-           (both ? etak::body_is_black(*scene_.specular, scene_.specular_values)
-                 : scene_.diffuse != nullptr && etak::body_is_black(*scene_.diffuse, scene_.diffuse_values));
+           (combined
+                ? etak::body_is_black(*scene_.specular, scene_.specular_values)
+                : scene_.diffuse != nullptr && etak::body_is_black(*scene_.diffuse, scene_.diffuse_values));
   }
 
   // Textures as globals that main() fills for its pixel.
@@ -77,11 +78,11 @@ class SceneText {
     const Model* diffuse = scene_.diffuse;
     if (specular == nullptr && diffuse == nullptr)
       throw Error::at("scene", "no model", "a specular or a diffuse one");
-    const bool both = specular != nullptr && specular->kind == ModelKind::both;
+    const bool combined = specular != nullptr && specular->kind == ModelKind::combined;
     const bool fetched = textures_ != nullptr && textures_->diffuse;
-    const bool black = !textured_ && !fetched && body_is_black(both);
-    has_diffuse_ = !black && (both || diffuse != nullptr);
-    if (!lit_) {
+    const bool black = !textured_ && !fetched && body_is_black(combined);
+    has_diffuse_ = !black && (combined || diffuse != nullptr);
+    if (!any_light_) {
       // Hemispheres and environment have forms of their own.
       glue_.leave_out("specular", "no discrete light");
       glue_.leave_out("diffuse", "no discrete light");
@@ -94,7 +95,7 @@ class SceneText {
     } else {
       glue_.leave_out("specular", "no specular model");
     }
-    if (both) {
+    if (combined) {
       glue_.use("diffuse", "part of " + std::string(specular->id));
     } else if (has_diffuse_) {
       brdf_ += brdf_.empty() ? "" : " + ";
@@ -103,7 +104,7 @@ class SceneText {
     } else {
       glue_.leave_out("diffuse", diffuse == nullptr ? "no diffuse model" : "K_d is 0");
     }
-    lit_ = !brdf_.empty();
+    any_light_ = !brdf_.empty();
   }
 
   void hemispheres() {
@@ -334,7 +335,7 @@ class SceneText {
   GlslGlue glue_;
   std::string brdf_, light_code_;
   std::string body_ = "body_K", mirror_f0_ = "gloss_K", mirror_gloss_ = "gloss";  // names of the values
-  bool lit_;               // some discrete light meets some model
+  bool any_light_;         // some discrete light meets some model
   bool fetching_ = false;  // some texture is read
   bool has_diffuse_ = false, body_declared_ = false, mirror_declared_ = false;
 };

@@ -83,14 +83,14 @@ PictureDifference angle_difference(ErrorUnit unit, const FresnelTruth& truth, co
   return out;
 }
 
-template <class Thing>
+template <class Candidate>
 struct Ranked {
-  Thing thing;
+  Candidate candidate;
   double cost;
 };
 
-template <class Thing>
-void by_cost(std::vector<Ranked<Thing>>& all) {
+template <class Candidate>
+void by_cost(std::vector<Ranked<Candidate>>& all) {
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
 }
 

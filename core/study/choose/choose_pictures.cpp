@@ -82,7 +82,7 @@ const ChoosePictures::Pixels& ChoosePictures::pixels_of(TextureFilter filter) co
         const double x = 2 * (i + 0.5) / side - 1, y = 1 - 2 * (j + 0.5) / side, r2 = x * x + y * y;
         if (r2 >= 1) continue;
         const Vec3 normal{x, y, std::sqrt(1 - r2)};
-        Pixel pixel{one, 0, kept.lit.size(), 0};
+        Pixel pixel{one, 0, kept.samples.size(), 0};
         if (textured) {
           const TexelChain& texture = *subject_.texture;
           const auto place = [&](double at, int size) {
@@ -97,8 +97,8 @@ const ChoosePictures::Pixels& ChoosePictures::pixels_of(TextureFilter filter) co
           const double nl = dot(normal, lights_[l].direction), nv = normal[2];
           if (nl <= 0 || nv <= 0) continue;
           const Directions d = directions_of(nl, nv, lights_[l].direction[2]);
-          kept.lit.push_back({l, nl, d, value_of(lobe, d, pixel.alpha)});
-          ++pixel.lit;
+          kept.samples.push_back({l, nl, d, value_of(lobe, d, pixel.alpha)});
+          ++pixel.sample_count;
         }
         kept.pixels.push_back(pixel);
       }
@@ -106,16 +106,16 @@ const ChoosePictures::Pixels& ChoosePictures::pixels_of(TextureFilter filter) co
   return kept;
 }
 
-// F of the look for each lit place of the pixels.
+// F of the look for each sample of the pixels.
 const std::vector<Vec3>& ChoosePictures::fresnel_of(const Look& look) const {
   for (const Reflectances& each : fresnel_)
     if (each.form == look.form && each.filter == look.filter && each.values == look.values) return each.f;
   const Pixels& all = pixels_of(look.filter);
   Reflectances out{look.form, look.filter, look.values, {}};
-  out.f.reserve(all.lit.size());
+  out.f.reserve(all.samples.size());
   for (const Pixel& pixel : all.pixels)
-    for (std::size_t i = pixel.first_lit; i < pixel.first_lit + pixel.lit; ++i) {
-      const Light& light = lights_[all.lit[i].light];
+    for (std::size_t i = pixel.first_sample; i < pixel.first_sample + pixel.sample_count; ++i) {
+      const Light& light = lights_[all.samples[i].light];
       Vec3 f = light.spectral_f;
       if (look.form != nullptr)
         for (std::size_t c = 0; c < 3; ++c) {
@@ -140,11 +140,11 @@ std::vector<Vec3> ChoosePictures::draw(const Look& look) const {
   out.reserve(all.pixels.size());
   for (const Pixel& pixel : all.pixels) {
     Vec3& sum = out.emplace_back(Vec3{0, 0, 0});
-    for (std::size_t i = pixel.first_lit; i < pixel.first_lit + pixel.lit; ++i) {
-      const Lit& lit = all.lit[i];
-      const double specular = lit.lobe * value_of(masking, lit.directions, pixel.alpha);
+    for (std::size_t i = pixel.first_sample; i < pixel.first_sample + pixel.sample_count; ++i) {
+      const LightSample& sample = all.samples[i];
+      const double specular = sample.lobe * value_of(masking, sample.directions, pixel.alpha);
       for (std::size_t c = 0; c < 3; ++c)
-        sum[c] += lights_[lit.light].irradiance * lit.nl *
+        sum[c] += lights_[sample.light].irradiance * sample.nl *
                   (specular * fresnel[i][c] + pixel.texel.diffuse[c] / std::numbers::pi);
     }
   }

@@ -38,7 +38,7 @@ class ChoosePictures {
     Vec3 spectral_f{};  // where the spectrum is known
   };
   // A pixel under a light that reaches it.
-  struct Lit {
+  struct LightSample {
     std::size_t light = 0;
     double nl = 0;
     Directions directions;
@@ -47,17 +47,17 @@ class ChoosePictures {
   struct Pixel {
     SurfaceTexel texel;
     double alpha = 0;
-    std::size_t first_lit = 0, lit = 0;  // of Pixels::lit
+    std::size_t first_sample = 0, sample_count = 0;  // of Pixels::samples
   };
   struct Pixels {
     std::vector<Pixel> pixels;
-    std::vector<Lit> lit;
+    std::vector<LightSample> samples;
   };
   struct Reflectances {
     const FresnelForm* form = nullptr;
     TextureFilter filter{};
     FresnelValues values{};
-    std::vector<Vec3> f;  // one for each of Pixels::lit
+    std::vector<Vec3> f;  // one for each of Pixels::samples
   };
   const Pixels& pixels_of(TextureFilter filter) const;
   const std::vector<Vec3>& fresnel_of(const Look& look) const;

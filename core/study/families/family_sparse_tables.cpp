@@ -15,14 +15,14 @@ namespace etak {
 namespace {
 
 // n and k in one table.
-struct Page {
+struct NkTable {
   std::string name;
   std::vector<double> nm, n, k;
 };
 
 // Tables of n and k with as many rows in 400..700 nm, of the whole library.
-std::vector<Page> pages_with(std::size_t least, std::size_t most) {
-  std::vector<Page> out;
+std::vector<NkTable> pages_with(std::size_t least, std::size_t most) {
+  std::vector<NkTable> out;
   const auto library = MaterialLibrary::builtin();
   const F0Solver solver({});
   for (std::size_t i = 0; i < library.ids().size(); ++i)
@@ -41,9 +41,9 @@ std::vector<Page> pages_with(std::size_t least, std::size_t most) {
 }
 
 // Rows nearest to `points` wavelengths evenly over what is seen, its ends included.
-Page decimated(const Page& page, std::size_t points) {
+NkTable decimated(const NkTable& page, std::size_t points) {
   const double first = std::max(page.nm.front(), 380.0), last = std::min(page.nm.back(), 780.0);
-  Page out{page.name, {}, {}, {}};
+  NkTable out{page.name, {}, {}, {}};
   for (std::size_t i = 0; i < points; ++i) {
     const double wanted = first + (last - first) * static_cast<double>(i) / static_cast<double>(points - 1);
     auto at =
@@ -57,14 +57,14 @@ Page decimated(const Page& page, std::size_t points) {
   return out;
 }
 
-Optics constants_of(const Page& page) {
+Optics constants_of(const NkTable& page) {
   OpticalConstants out;
   out.n = Spectrum{page.nm, page.n};
   out.k = Spectrum{page.nm, page.k};
   return out;
 }
 
-Optics reflectance_of(const Page& page) {
+Optics reflectance_of(const NkTable& page) {
   Spectrum out{page.nm, std::vector<double>(page.nm.size())};
   f64::f0(page.n, page.k, out.value);
   return Reflectance{std::move(out)};
@@ -74,7 +74,7 @@ struct Way {
   const char* id;
   const char* title;
   Interpolation interpolation;
-  Optics (*optics)(const Page&);
+  Optics (*optics)(const NkTable&);
 };
 constexpr std::array ways{Way{"linear_nk", "n and k, linear", Interpolation::linear, constants_of},
                           Way{"pchip_nk", "n and k, pchip", Interpolation::pchip, constants_of},
@@ -89,7 +89,7 @@ F0Solver solver_of(const Way& way) {
 }
 
 // Every way over `tables` against `truth`, n and k linear, page by page.
-ErrorTimeTable table_of(std::string id, std::string title, std::span<const Page> tables,
+ErrorTimeTable table_of(std::string id, std::string title, std::span<const NkTable> tables,
                         std::span<const F0Result> truth, const ReportOptions& options) {
   ErrorTimeTable table;
   table.id = std::move(id);
@@ -132,10 +132,10 @@ ErrorTimeTable table_of(std::string id, std::string title, std::span<const Page>
   return table;
 }
 
-std::vector<F0Result> truth_of(std::span<const Page> pages) {
+std::vector<F0Result> truth_of(std::span<const NkTable> pages) {
   const F0Solver reference = solver_of(ways[0]);
   std::vector<F0Result> out;
-  for (const Page& page : pages) out.push_back(reference.solve(constants_of(page)));
+  for (const NkTable& page : pages) out.push_back(reference.solve(constants_of(page)));
   return out;
 }
 
@@ -145,7 +145,7 @@ constexpr std::array<std::size_t, 4> kept{5, 10, 20, 40};
 }  // namespace
 
 ErrorTimeFamily sparse_table_family(const ReportOptions& options) {
-  const std::vector<Page> dense = pages_with(dense_rows, 1000000);
+  const std::vector<NkTable> dense = pages_with(dense_rows, 1000000);
   ErrorTimeFamily family;
   family.id = "sparse-tables";
   family.letter = "j";
@@ -155,16 +155,16 @@ ErrorTimeFamily sparse_table_family(const ReportOptions& options) {
                 std::to_string(dense_rows) + " rows in 400-700 nm, thinned evenly over 380-780 nm";
   const auto truth = truth_of(dense);
   for (const std::size_t points : kept) {
-    std::vector<Page> thin;
-    for (const Page& page : dense) thin.push_back(decimated(page, points));
+    std::vector<NkTable> thin;
+    for (const NkTable& page : dense) thin.push_back(decimated(page, points));
     family.tables.push_back(table_of("points_" + std::to_string(points),
                                      std::to_string(points) + " rows kept", thin, truth, options));
   }
   // Johnson and Christy's metals have about ten rows in the visible, and nothing denser to be checked
   // against.
-  std::vector<Page> johnson = pages_with(1, dense_rows - 1);
+  std::vector<NkTable> johnson = pages_with(1, dense_rows - 1);
   std::erase_if(johnson,
-                [](const Page& page) { return page.name.find("/johnson-197") == std::string::npos; });
+                [](const NkTable& page) { return page.name.find("/johnson-197") == std::string::npos; });
   family.tables.push_back(table_of("johnson",
                                    "Johnson and Christy's metals, drawn otherwise than by n and k linear",
                                    johnson, truth_of(johnson), options));

@@ -340,7 +340,7 @@ std::optional<FileRole> kind_of_content(std::string_view head) {
 
 }  // namespace
 
-std::optional<FileRole> file_kind(const std::string& path) {
+std::optional<FileRole> role_of_file(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const char* picture : {".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".webp", ".tga", ".hdr"})

@@ -32,7 +32,7 @@ ValidationReport validate(const std::vector<CheckTarget>& targets, const Setting
 /// What kind of file a path is by its ending and, for .json and what comes from a pipe, by its first bytes;
 /// nullopt: none that is checked. Throws Error where those bytes cannot be read. Pictures come back as
 /// specular_gloss: which role they have is for the caller's patterns to say.
-std::optional<FileRole> file_kind(const std::string& path);
+std::optional<FileRole> role_of_file(const std::string& path);
 
 /// An atlas layout: one target per page, with tiles and gutter, and last one for the materials that are on no
 /// page because numbers say everything. Paths of pages are taken beside the file. Throws Error naming file

@@ -22,9 +22,9 @@ std::string beside(const std::string& path, const std::string& name) {
 }
 
 // Only what the rules ask for is read: layouts of other programs may hold less and more than etak's.
-Tile read_tile(const JsonNode& node, std::size_t pages, int levels) {
+CheckTile read_tile(const JsonNode& node, std::size_t pages, int levels) {
   node.expect_object();
-  Tile tile;
+  CheckTile tile;
   tile.name = node.at("name").text();
   if (node.has("island")) tile.name += '#' + std::to_string(node.at("island").integer());
   tile.page = pages > 1 || node.has("page") ? node.at("page").integer(0, static_cast<int>(pages) - 1) : 0;
@@ -128,7 +128,7 @@ std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const s
   // Materials that share texels have a row each: the tile is one.
   std::map<std::tuple<int, int, int, int, int>, std::size_t> seen;
   for (std::size_t i = 0; i < rects.size(); ++i) {
-    Tile tile = read_tile(rects.at(i), pages.size(), levels);
+    CheckTile tile = read_tile(rects.at(i), pages.size(), levels);
     if (const auto material = by_name.find(rects.at(i).at("name").text()); material != by_name.end())
       tile.flat = material->second->flat;
     const PixelBox& box = tile.box;
@@ -139,7 +139,7 @@ std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const s
   numbers.label = label;
   for (const MaterialNode& material : materials) {
     if (material.texels || !material.flat[0] || !material.flat[1]) continue;
-    Tile& tile = numbers.manifest.tiles.emplace_back();
+    CheckTile& tile = numbers.manifest.tiles.emplace_back();
     tile.name = material.name;
     tile.flat = material.flat;
   }

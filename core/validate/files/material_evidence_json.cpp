@@ -182,14 +182,14 @@ MaterialEvidence evidence_of_material(std::string_view text, const std::string& 
     if (!evidence.computed_f0) {
       Json rest = document;
       rest.erase("f0");
-      MaterialEvidence again = evidence_of_material(rest.dump(), label);
-      evidence.computed_f0 = again.computed_f0;
-      evidence.computed_bytes = again.computed_bytes;
-      evidence.luminance = again.luminance;
-      evidence.at_550 = again.at_550;
-      evidence.material_class = again.material_class;
-      evidence.schema_error = again.schema_error;
-      evidence.schema_pointer = again.schema_pointer;
+      MaterialEvidence solved = evidence_of_material(rest.dump(), label);
+      evidence.computed_f0 = solved.computed_f0;
+      evidence.computed_bytes = solved.computed_bytes;
+      evidence.luminance = solved.luminance;
+      evidence.at_550 = solved.at_550;
+      evidence.material_class = solved.material_class;
+      evidence.schema_error = solved.schema_error;
+      evidence.schema_pointer = solved.schema_pointer;
     }
   }
   return evidence;

@@ -117,17 +117,17 @@ LoadedPictures MetalRoughSet::convert(ScenePictures& pictures) const {
     const Image8& larger = metallic == nullptr || (roughness != nullptr && roughness->width > metallic->width)
                                ? *roughness
                                : *metallic;
-    Image8 both(larger.width, larger.height, 3);
+    Image8 joined(larger.width, larger.height, 3);
     const auto fill = [&](const Image8* from, std::size_t channel) {
-      for (int y = 0; y < both.height; ++y)
-        for (int x = 0; x < both.width; ++x)
-          both.at(x, y)[channel] = from == nullptr ? std::uint8_t{255}
-                                                   : from->at(under(x, both.width, from->width),
-                                                              under(y, both.height, from->height))[0];
+      for (int y = 0; y < joined.height; ++y)
+        for (int x = 0; x < joined.width; ++x)
+          joined.at(x, y)[channel] = from == nullptr ? std::uint8_t{255}
+                                                     : from->at(under(x, joined.width, from->width),
+                                                                under(y, joined.height, from->height))[0];
     };
     fill(roughness, 1);
     fill(metallic, 2);
-    pictures.set(joined_, std::move(both));
+    pictures.set(joined_, std::move(joined));
   }
   return convert_material(material_, pictures);
 }

@@ -82,7 +82,7 @@ class PngRowSource : public RowSource {
   const TextureHeader& header() const override { return header_; }
 
   void read_rows(std::uint8_t* rgba, std::size_t stride, int count) override {
-    file_->told_as_change([&] { convert_rows(rgba, stride, count); });
+    file_->read_checked([&] { convert_rows(rgba, stride, count); });
     rows_ += count;
     if (rows_ == reader_.info().height) file_->check_unchanged();
   }
@@ -193,7 +193,7 @@ std::unique_ptr<SteadyFile> open_file(const std::string& path) {
 
 // Takes the file over where it is PNG.
 std::unique_ptr<RowSource> rows_of_png(std::unique_ptr<SteadyFile>& file, const std::string& path) {
-  auto reader = file->told_as_change([&] { return PngReader::open(*file, path); });
+  auto reader = file->read_checked([&] { return PngReader::open(*file, path); });
   if (!reader) return nullptr;
   TextureHeader header = header_of(reader->info(), *file);
   return std::make_unique<PngRowSource>(std::move(file), std::move(*reader), std::move(header));
@@ -229,7 +229,7 @@ TextureHeader read_texture_header(const std::string& path, std::string_view byte
     return load_whole(bytes, label).second;
   }
   const auto file = open_file(path);
-  return file->told_as_change([&] {
+  return file->read_checked([&] {
     if (const auto reader = PngReader::open(*file, label)) return header_of(reader->info(), *file);
     return load_whole(file->all(), label).second;
   });

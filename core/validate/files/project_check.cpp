@@ -21,7 +21,7 @@ void add(CheckedFile& to, CheckedFile from) {
   to.unreadable = to.unreadable || from.unreadable;
 }
 
-Finding told(std::string_view rule, Severity severity, const std::string& message) {
+Finding finding_with(std::string_view rule, Severity severity, const std::string& message) {
   Finding out = finding_of(*find_rule(rule), severity);
   out.message = message;
   return out;
@@ -84,10 +84,11 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrar
     try {
       add(out, check());
     } catch (const Error& error) {
-      out.findings.push_back(told("ETK001", Severity::error, error.what()));
+      out.findings.push_back(finding_with("ETK001", Severity::error, error.what()));
       out.unreadable = true;
     } catch (const std::bad_alloc&) {
-      out.findings.push_back(told("ETK902", Severity::warning, "not enough memory to check the pictures"));
+      out.findings.push_back(
+          finding_with("ETK902", Severity::warning, "not enough memory to check the pictures"));
       out.unreadable = true;
     }
   };

@@ -79,13 +79,13 @@ std::string validation_junit(const ValidationReport& report, const OutputOptions
     std::string cases;
     std::size_t suite_tests = 0, suite_failures = 0, suite_errors = 0;
     for (const Family& family : families) {
-      Case made = test_case(file, family, options.fail_on);
+      Case result = test_case(file, family, options.fail_on);
       // The tool's own family is no property of the file: it appears only when it has something to say.
-      if (family.digit == '9' && made.text.ends_with("/>\n")) continue;
+      if (family.digit == '9' && result.text.ends_with("/>\n")) continue;
       ++suite_tests;
-      suite_failures += made.failures;
-      suite_errors += made.errors;
-      cases += made.text;
+      suite_failures += result.failures;
+      suite_errors += result.errors;
+      cases += result.text;
     }
     suites += "  <testsuite name=\"" + escape_html(file.path) + "\" tests=\"" + std::to_string(suite_tests) +
               "\" failures=\"" + std::to_string(suite_failures) + "\" errors=\"" +

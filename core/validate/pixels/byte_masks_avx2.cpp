@@ -29,10 +29,10 @@ inline V smaller(V a, V b) {
 inline V equal(V a, V b) {
   return _mm256_cmpeq_epi8(a, b);
 }
-inline V both(V a, V b) {
+inline V bit_and(V a, V b) {
   return _mm256_and_si256(a, b);
 }
-inline V either(V a, V b) {
+inline V bit_or(V a, V b) {
   return _mm256_or_si256(a, b);
 }
 inline V without(V a, V b) {

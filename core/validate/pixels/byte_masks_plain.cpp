@@ -33,10 +33,10 @@ inline V smaller(V a, V b) {
 inline V equal(V a, V b) {
   return _mm_cmpeq_epi8(a, b);
 }
-inline V both(V a, V b) {
+inline V bit_and(V a, V b) {
   return _mm_and_si128(a, b);
 }
-inline V either(V a, V b) {
+inline V bit_or(V a, V b) {
   return _mm_or_si128(a, b);
 }
 inline V without(V a, V b) {
@@ -103,10 +103,10 @@ inline V smaller(const V& a, const V& b) {
 inline V equal(const V& a, const V& b) {
   return each([&](int i) { return a.v[i] == b.v[i] ? 255 : 0; });
 }
-inline V both(const V& a, const V& b) {
+inline V bit_and(const V& a, const V& b) {
   return each([&](int i) { return a.v[i] & b.v[i]; });
 }
-inline V either(const V& a, const V& b) {
+inline V bit_or(const V& a, const V& b) {
   return each([&](int i) { return a.v[i] | b.v[i]; });
 }
 inline V without(const V& a, const V& b) {

@@ -55,7 +55,7 @@ struct Detail {
 
 /// A tile after its last row.
 struct TileEvidence {
-  Tile tile;  // name, material, box; the whole picture when the target has no tiles
+  CheckTile tile;  // name, material, box; the whole picture when the target has no tiles
   bool whole = false;
   ByteCounts counts;
   Detail detail;

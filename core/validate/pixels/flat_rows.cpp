@@ -30,7 +30,7 @@ class FlatRows : public RowSource {
     header_.channels = 4;
     if (texture == 0)
       header_.channels = std::ranges::all_of(target.manifest.tiles,
-                                             [](const Tile& tile) { return (*tile.flat[0])[3] == 255; })
+                                             [](const CheckTile& tile) { return (*tile.flat[0])[3] == 255; })
                              ? 3
                              : 4;
     coming_.resize(target.manifest.tiles.size());
@@ -47,7 +47,7 @@ class FlatRows : public RowSource {
       std::memset(rgba, 0, 4 * static_cast<std::size_t>(header_.width));
       find_tiles_of_row();
       for (const std::size_t at : here_) {
-        const Tile& tile = manifest.tiles[at];
+        const CheckTile& tile = manifest.tiles[at];
         const int gutter = tile.gutter.value_or(manifest.gutter);
         const PixelBox& box = tile.box;
         const int end = std::min(header_.width, box.x + box.width + gutter);
@@ -60,7 +60,7 @@ class FlatRows : public RowSource {
  private:
   // The first row that a tile covers, and the one behind the last.
   std::pair<int, int> rows_of(std::size_t at) const {
-    const Tile& tile = target_.manifest.tiles[at];
+    const CheckTile& tile = target_.manifest.tiles[at];
     const int gutter = tile.gutter.value_or(target_.manifest.gutter);
     return {tile.box.y - gutter, tile.box.y + tile.box.height + gutter};
   }
@@ -87,10 +87,10 @@ class FlatRows : public RowSource {
 
 std::unique_ptr<RowSource> flat_rows(const CheckTarget& target, std::size_t texture, int width, int height) {
   const auto& tiles = target.manifest.tiles;
-  if (tiles.empty() || std::ranges::any_of(tiles, [&](const Tile& tile) { return !tile.flat[texture]; }))
+  if (tiles.empty() || std::ranges::any_of(tiles, [&](const CheckTile& tile) { return !tile.flat[texture]; }))
     return nullptr;
   if (width == 0)
-    for (const Tile& tile : tiles) {
+    for (const CheckTile& tile : tiles) {
       width = std::max(width, tile.box.x + tile.box.width);
       height = std::max(height, tile.box.y + tile.box.height);
     }
@@ -99,7 +99,7 @@ std::unique_ptr<RowSource> flat_rows(const CheckTarget& target, std::size_t text
 
 void place_flat_tiles(Manifest& manifest) {
   for (std::size_t i = 0; i < manifest.tiles.size(); ++i) {
-    Tile& tile = manifest.tiles[i];
+    CheckTile& tile = manifest.tiles[i];
     tile.box = {flat_side * static_cast<int>(i % most_flat_in_row),
                 flat_side * static_cast<int>(i / most_flat_in_row), flat_side, flat_side};
     tile.gutter = 0;

@@ -124,7 +124,7 @@ struct Strip {
 
 class Pass {
  public:
-  Pass(PictureRows& pictures, std::span<const Tile> tiles, const std::vector<bool>& every_row,
+  Pass(PictureRows& pictures, std::span<const CheckTile> tiles, const std::vector<bool>& every_row,
        const PassPlan& plan)
       : pictures_(pictures),
         tiles_(tiles),
@@ -192,7 +192,7 @@ class Pass {
  private:
   void prepare_tiles() {
     if (plan_.frames)
-      for (const Tile& tile : tiles_)
+      for (const CheckTile& tile : tiles_)
         reach_ =
             std::max({reach_, plan_.gutter_of(tile), plan_.mips_of(tile) > 0 ? 1 << plan_.mips_of(tile) : 0});
     waiting_.resize(tiles_.size());
@@ -228,7 +228,7 @@ class Pass {
       auto tile = std::make_shared<Active>();
       tile->index = waiting_.back();
       waiting_.pop_back();
-      const Tile& what = tiles_[tile->index];
+      const CheckTile& what = tiles_[tile->index];
       tile->pass = std::make_unique<TilePass>(what, plan_, strip_, every_row_[tile->index]);
       tile->first = what.box.y;
       tile->last = what.box.y + what.box.height - 1;
@@ -276,7 +276,7 @@ class Pass {
   }
 
   PictureRows& pictures_;
-  std::span<const Tile> tiles_;
+  std::span<const CheckTile> tiles_;
   const std::vector<bool>& every_row_;
   const PassPlan& plan_;
   const TextureHeader header_;
@@ -295,8 +295,8 @@ class Pass {
 
 }  // namespace
 
-PassResult pixel_pass(PictureRows& pictures, std::span<const Tile> tiles, const std::vector<bool>& every_row,
-                      const PassPlan& plan) {
+PassResult pixel_pass(PictureRows& pictures, std::span<const CheckTile> tiles,
+                      const std::vector<bool>& every_row, const PassPlan& plan) {
   return Pass(pictures, tiles, every_row, plan).run();
 }
 

@@ -20,7 +20,7 @@ struct PassResult {
 ///   tiles       inside the pictures
 ///   every_row   per tile: whether its detail is taken from every row
 ///   plan        workers, which never change the result: with two or more, A and B are decoded side by side
-PassResult pixel_pass(PictureRows& pictures, std::span<const Tile> tiles, const std::vector<bool>& every_row,
-                      const PassPlan& plan);
+PassResult pixel_pass(PictureRows& pictures, std::span<const CheckTile> tiles,
+                      const std::vector<bool>& every_row, const PassPlan& plan);
 
 }  // namespace etak

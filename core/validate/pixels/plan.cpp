@@ -40,7 +40,8 @@ std::uint64_t of_one(double value) {
 bool named_in_library(const CheckTarget& target) {
   const auto known = [](const std::string& material) { return !known_f0_of(material).empty(); };
   if (known(target.manifest.material)) return true;
-  return std::ranges::any_of(target.manifest.tiles, [&](const Tile& tile) { return known(tile.material); });
+  return std::ranges::any_of(target.manifest.tiles,
+                             [&](const CheckTile& tile) { return known(tile.material); });
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool ha
   return plan;
 }
 
-bool wants_every_row(const Tile& tile, const Settings& settings) {
+bool wants_every_row(const CheckTile& tile, const Settings& settings) {
   return (!tile.material.empty() && is_on("ETK110", settings)) ||
          (!tile.surface_class.empty() && is_on("ETK205", settings));
 }

@@ -13,7 +13,7 @@ PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool ha
                     bool has_metallic, unsigned workers);
 
 /// Whether some rule wants every row of this tile counted into its detail at once.
-bool wants_every_row(const Tile& tile, const Settings& settings);
+bool wants_every_row(const CheckTile& tile, const Settings& settings);
 
 /// Whether a tile is suspected of something that only a closer look can decide, after the first pass; the
 /// second pass then takes every row into the detail and looks for all flat F0. On a clean picture there is no

@@ -31,7 +31,7 @@ void mix(std::array<std::uint64_t, 2>& hash, const std::uint8_t* bytes, std::siz
 
 }  // namespace
 
-TileFrame::TileFrame(const Tile& whole, int picture_width, int picture_height, const PassPlan& plan)
+TileFrame::TileFrame(const CheckTile& whole, int picture_width, int picture_height, const PassPlan& plan)
     : tile_(whole.box),
       width_(picture_width),
       height_(picture_height),

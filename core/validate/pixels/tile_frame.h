@@ -12,7 +12,7 @@ namespace etak {
 /// (ETK504); and the tile's hash (ETK507). Sees the rows from reach() above the tile to reach() below it.
 class TileFrame {
  public:
-  TileFrame(const Tile& tile, int picture_width, int picture_height, const PassPlan& plan);
+  TileFrame(const CheckTile& tile, int picture_width, int picture_height, const PassPlan& plan);
 
   int first_row() const;
   int last_row() const;  // inclusive

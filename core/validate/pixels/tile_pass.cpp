@@ -24,7 +24,7 @@ void each_bit(std::uint64_t bits, Act act) {
 
 }  // namespace
 
-TilePass::TilePass(const Tile& tile, const PassPlan& plan, int strip_rows, bool every_row)
+TilePass::TilePass(const CheckTile& tile, const PassPlan& plan, int strip_rows, bool every_row)
     : plan_(plan), strip_rows_(strip_rows) {
   evidence_.tile = tile;
   const PixelBox& box = tile.box;

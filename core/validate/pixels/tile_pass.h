@@ -33,10 +33,12 @@ struct PassPlan {
   unsigned workers = 1;
   RegionAnalysis::Recorder recorder;
 
-  int gutter_of(const Tile& tile) const {
+  int gutter_of(const CheckTile& tile) const {
     return check_gutter ? std::clamp(tile.gutter.value_or(gutter), 0, 256) : 0;
   }
-  int mips_of(const Tile& tile) const { return check_mips ? std::clamp(tile.mips.value_or(mips), 0, 8) : 0; }
+  int mips_of(const CheckTile& tile) const {
+    return check_mips ? std::clamp(tile.mips.value_or(mips), 0, 8) : 0;
+  }
 };
 
 /// Levels of Y as byte_masks.h has them.
@@ -47,7 +49,7 @@ enum ALevel { a_dark, a_bright };
 /// work, which needs rows in order, is follow_row's, and may be a strip behind.
 class TilePass {
  public:
-  TilePass(const Tile& tile, const PassPlan& plan, int strip_rows, bool every_row);
+  TilePass(const CheckTile& tile, const PassPlan& plan, int strip_rows, bool every_row);
 
   const PixelBox& box() const { return evidence_.tile.box; }
 

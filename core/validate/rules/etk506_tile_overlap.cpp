@@ -11,7 +11,7 @@ void etk506(RuleCheck& check) {
   const auto& tiles = check.target.manifest.tiles;
   const auto& picture = check.evidence.b ? check.evidence.b : check.evidence.a;
   if (picture)
-    for (const Tile& tile : tiles) {
+    for (const CheckTile& tile : tiles) {
       const PixelBox& box = tile.box;
       if (box.x >= 0 && box.y >= 0 && box.width > 0 && box.height > 0 &&
           box.width <= picture->header.width - box.x && box.height <= picture->header.height - box.y)
@@ -22,10 +22,10 @@ void etk506(RuleCheck& check) {
       finding.message = "the tile leaves its page of " + std::to_string(picture->header.width) + " x " +
                         std::to_string(picture->header.height);
     }
-  std::vector<const Tile*> by_row;
-  for (const Tile& tile : tiles) by_row.push_back(&tile);
+  std::vector<const CheckTile*> by_row;
+  for (const CheckTile& tile : tiles) by_row.push_back(&tile);
   std::stable_sort(by_row.begin(), by_row.end(),
-                   [](const Tile* a, const Tile* b) { return a->box.y < b->box.y; });
+                   [](const CheckTile* a, const CheckTile* b) { return a->box.y < b->box.y; });
   for (std::size_t i = 0; i < by_row.size(); ++i) {
     const PixelBox& a = by_row[i]->box;
     for (std::size_t j = i + 1; j < by_row.size() && by_row[j]->box.y < a.y + a.height; ++j) {

@@ -29,12 +29,12 @@ PlanOptions options(int side) {
 }
 
 // No two cells share a texel, none leaves its page, each region and its gutter lie in their cell.
-std::string fault_of(const Plan& plan, const std::vector<Region>& regions) {
+std::string fault_of(const PackingPlan& plan, const std::vector<Region>& regions) {
   for (std::size_t p = 0; p < plan.pages.size(); ++p) {
-    const Page& page = plan.pages[p];
+    const PlannedPage& page = plan.pages[p];
     std::vector<bool> taken(static_cast<std::size_t>(page.width) * static_cast<std::size_t>(page.height));
     for (std::size_t i = 0; i < regions.size(); ++i) {
-      const Place& at = plan.places[i];
+      const PlannedPlace& at = plan.places[i];
       if (at.page != static_cast<int>(p)) continue;
       const PixelBox& box = regions[i].box;
       const int width = at.rotated ? box.height : box.width, height = at.rotated ? box.width : box.height;
@@ -61,7 +61,7 @@ std::string fault_of(const Plan& plan, const std::vector<Region>& regions) {
 TEST_CASE("64 power-of-two regions fill one page by default, without gutters but with insets") {
   std::vector<Region> regions;
   for (std::size_t i = 0; i < 64; ++i) regions.push_back(region(i, 64, 64));
-  const Plan plan = plan_pages(regions, names(64), options(512));
+  const PackingPlan plan = plan_pages(regions, names(64), options(512));
   REQUIRE(plan.pages.size() == 1);
   CHECK(plan.pages[0].width * plan.pages[0].height == 512 * 512);
   CHECK(plan.inset);
@@ -69,7 +69,7 @@ TEST_CASE("64 power-of-two regions fill one page by default, without gutters but
 }
 
 TEST_CASE("regions of the largest page's size need no gutter to fit") {
-  const Plan plan = plan_pages({region(0, 256, 256)}, names(1), options(256));
+  const PackingPlan plan = plan_pages({region(0, 256, 256)}, names(1), options(256));
   CHECK(plan.pages.size() == 1);
   CHECK(plan.places[0].gutter == 0);
 }
@@ -88,11 +88,11 @@ TEST_CASE("cells never overlap or leave the page, and mips never share a texel")
     o.rects.rotate = round % 2 == 0;
     o.levels = static_cast<int>(random() % 5);
     if (round % 3 == 0) o.gutter = static_cast<int>(random() % 5);
-    const Plan plan = plan_pages(regions, names(count), o);
+    const PackingPlan plan = plan_pages(regions, names(count), o);
     CHECK(fault_of(plan, regions) == "");
     int clean = 1;
-    for (const Place& at : plan.places) clean = std::max(clean, at.clean_levels);
-    for (const Place& at : plan.places) {
+    for (const PlannedPlace& at : plan.places) clean = std::max(clean, at.clean_levels);
+    for (const PlannedPlace& at : plan.places) {
       CHECK(plan.pages[static_cast<std::size_t>(at.page)].has[1]);
       if (o.levels == 1) continue;
       CHECK(at.cell.x % (1 << (clean - 1)) == 0);
@@ -108,9 +108,9 @@ TEST_CASE("regions that lack a texture share pages that lack it, where that is s
     regions.back().in = {true, i < 4};
   }
   PlanOptions o = options(512);
-  const Plan apart = plan_pages(regions, names(8), o);
+  const PackingPlan apart = plan_pages(regions, names(8), o);
   o.split_textures = false;
-  const Plan common = plan_pages(regions, names(8), o);
+  const PackingPlan common = plan_pages(regions, names(8), o);
   CHECK(apart.page_texels() < common.page_texels());
   CHECK(apart.page_texels() == 12 * 128 * 128);
 }
@@ -118,8 +118,8 @@ TEST_CASE("regions that lack a texture share pages that lack it, where that is s
 TEST_CASE("a tiling region has a page of just its size to itself") {
   std::vector<Region> regions{region(0, 30, 40), region(1, 50, 20)};
   regions[0].own_page = true;
-  const Plan plan = plan_pages(regions, names(2), options(512));
-  CHECK(plan.pages.at(1) == Page{30, 40, {true, true}});
+  const PackingPlan plan = plan_pages(regions, names(2), options(512));
+  CHECK(plan.pages.at(1) == PlannedPage{30, 40, {true, true}});
   CHECK(plan.places[0].page == 1);
 }
 
@@ -130,9 +130,9 @@ TEST_CASE("a region larger than any page is refused") {
 namespace {
 
 // The layout that a plan was written as.
-AtlasLayout written(const Plan& plan, const std::vector<Region>& regions) {
+AtlasLayout written(const PackingPlan& plan, const std::vector<Region>& regions) {
   AtlasLayout out;
-  for (const Page& page : plan.pages) {
+  for (const PlannedPage& page : plan.pages) {
     AtlasPage row{page.width, page.height, {}};
     for (std::size_t t = 0; t < 2; ++t)
       if (page.has[t]) row.files[t] = {"file"};
@@ -141,7 +141,7 @@ AtlasLayout written(const Plan& plan, const std::vector<Region>& regions) {
   const auto all = names(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i) {
     AtlasRect rect;
-    const Place& at = plan.places[i];
+    const PlannedPlace& at = plan.places[i];
     rect.name = all[regions[i].material];
     rect.page = at.page, rect.x = at.x, rect.y = at.y, rect.rotated = at.rotated;
     rect.crop = regions[i].box;
@@ -162,17 +162,17 @@ TEST_CASE("staying costs no more than the stated share of area") {
   for (std::size_t i = 0; i < 16; ++i) regions.push_back(region(i, 60, 60));
   PlanOptions choice = options(1024);
   choice.rects.form = PageForm::free;
-  const Plan before = plan_pages(regions, names(16), choice);
+  const PackingPlan before = plan_pages(regions, names(16), choice);
   const AtlasLayout old = written(before, regions);
   std::vector<Region> rest;
   for (std::size_t i = 0; i < 16; i += 2) rest.push_back(regions[i]);
-  const Plan fresh = plan_pages(rest, names(16), choice);
+  const PackingPlan fresh = plan_pages(rest, names(16), choice);
   REQUIRE(fresh.page_texels() < before.page_texels());
   choice.most_extra_area = 0;
-  const Plan tight = plan_pages(rest, names(16), choice, &old);
+  const PackingPlan tight = plan_pages(rest, names(16), choice, &old);
   CHECK(tight.page_texels() <= fresh.page_texels());
   choice.most_extra_area = 10;
-  const Plan loose = plan_pages(rest, names(16), choice, &old);
+  const PackingPlan loose = plan_pages(rest, names(16), choice, &old);
   CHECK(loose.moved == 0);
   CHECK(loose.kept_previous);
   CHECK(fault_of(loose, rest) == "");
@@ -180,7 +180,7 @@ TEST_CASE("staying costs no more than the stated share of area") {
   // In between: never above the share, whatever moves.
   for (const double share : {0.02, 0.1, 0.3, 0.6, 1.0}) {
     choice.most_extra_area = share;
-    const Plan plan = plan_pages(rest, names(16), choice, &old);
+    const PackingPlan plan = plan_pages(rest, names(16), choice, &old);
     CHECK(static_cast<double>(plan.page_texels()) <= static_cast<double>(fresh.page_texels()) * (1 + share));
     CHECK(fault_of(plan, rest) == "");
   }
@@ -192,12 +192,12 @@ TEST_CASE("a new region with more clean mips than the others moves none of them"
     regions.push_back(region(i, 70 + static_cast<int>(i), 90 - static_cast<int>(i)));
   PlanOptions choice = options(2048);
   choice.levels = 0;
-  const Plan before = plan_pages(regions, names(13), choice);
+  const PackingPlan before = plan_pages(regions, names(13), choice);
   const AtlasLayout old = written(before, regions);
   std::vector<Region> more = regions;
   more.push_back(region(12, 300, 300));
   choice.most_extra_area = 0.5;
-  const Plan after = plan_pages(more, names(13), choice, &old);
+  const PackingPlan after = plan_pages(more, names(13), choice, &old);
   CHECK(after.moved == 0);
   CHECK(after.clean_limit == before.places[0].clean_levels);
   CHECK(fault_of(after, more) == "");

@@ -60,7 +60,7 @@ TEST_CASE("found 4.03: a file that shrinks between two reads is an error that na
   CHECK(error_of([&] { (void)file.view(600000, 200000); }) == told);
   CHECK(error_of([&] { file.check_unchanged(); }) == told);
   CHECK(error_of([&] { (void)file.all(); }) == told);
-  CHECK(error_of([&] { file.told_as_change([] { throw Error("damaged"); }); }) == told);
+  CHECK(error_of([&] { file.read_checked([] { throw Error("damaged"); }); }) == told);
   char to[8];
   CHECK(file.read_what_is_there(699996, to, 8) == 4);
 }
@@ -71,7 +71,7 @@ TEST_CASE("found 4.03: a file that is written or replaced while it is read is to
   spit(path, "0123456789");
   set_time(path, 1000000000);
   const SteadyFile file(path, much);
-  CHECK(error_of([&] { file.told_as_change([] { throw Error("damaged"); }); }) == "damaged");
+  CHECK(error_of([&] { file.read_checked([] { throw Error("damaged"); }); }) == "damaged");
   SECTION("other bytes of the same number") {
     spit(path, "0123456780");
     CHECK(error_of([&] { file.check_unchanged(); }) ==

@@ -170,7 +170,7 @@ TEST_CASE("energy is conserved where it is claimed, and a counter-example exists
         for (int c = 0; c < (p.color ? 3 : 1); ++c) values.push_back(value);
       }
       // Both parts white would sum to two by intention: the parts are looked at one by one.
-      const bool parts = model.kind == ModelKind::both;
+      const bool parts = model.kind == ModelKind::combined;
       for (int part = 0; part < (parts ? 2 : 1); ++part) {
         std::vector<double> one = values;
         if (parts) set_role(model, part == 0 ? Role::diffuse : Role::f0, 0, one);

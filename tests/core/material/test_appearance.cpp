@@ -105,7 +105,7 @@ TEST_CASE("found 1.06: every class has a roughness, and clear bodies are smooth"
   CHECK(of("surface").gloss.roughness() == 0.9);
   CHECK(of("plastic").gloss.roughness() == 0.3);
   CHECK(of("plastic", true).gloss.roughness() == 0);
-  CHECK(told(of("surface")) ==
+  CHECK(default_gloss_remark(of("surface")) ==
         "roughness 0.9 (gloss 0.00567): the default of class surface, a convention, no measurement");
 }
 

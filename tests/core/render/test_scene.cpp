@@ -124,7 +124,7 @@ TEST_CASE("scenes with numbers out of their domain are refused") {
   refused([](Scene& s) {
     // A second diffuse part beside the formula's own.
     for (const Model& model : models())
-      if (model.kind == ModelKind::both) s.specular = &model;
+      if (model.kind == ModelKind::combined) s.specular = &model;
     s.specular_values = model_values(*s.specular, s.surface, {});
   });
   refused([](Scene& s) {

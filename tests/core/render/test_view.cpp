@@ -221,7 +221,7 @@ TEST_CASE("a texture of one colour is the surface of that colour") {
   for (const char* id : {"schueler-optimized-bounded", "ggx-schlick", "blinn-phong", "ashikhmin-shirley"}) {
     const Model& model = *find_model(id);
     state.a.specular = &model;
-    state.a.diffuse = model.kind == ModelKind::both ? nullptr : find_model("lambert");
+    state.a.diffuse = model.kind == ModelKind::combined ? nullptr : find_model("lambert");
     for (const ViewShape shape : {ViewShape::sphere, ViewShape::quad}) {
       state.shape = shape;
       state.a.textures.reset();

@@ -15,10 +15,10 @@ using namespace etak::test;
 namespace {
 
 /// Source texel under each texel of a page; -1 where none lies.
-struct Page {
+struct PageSources {
   int width, height;
   std::vector<int> source;
-  Page(int w, int h) : width(w), height(h), source(static_cast<std::size_t>(w * h), -1) {}
+  PageSources(int w, int h) : width(w), height(h), source(static_cast<std::size_t>(w * h), -1) {}
   void put(const std::array<int, 4>& box, int texture_width, const std::array<int, 4>& place, bool rotated) {
     for (int j = 0; j < box[3]; ++j)
       for (int i = 0; i < box[2]; ++i) {
@@ -30,7 +30,7 @@ struct Page {
 
 /// Looks up texels of every triangle of a material before and after; returns how many lookups were compared.
 std::size_t compare_lookups(const GltfScene& before, const GltfScene& after, int material, int new_material,
-                            int width, int height, const Page& page) {
+                            int width, int height, const PageSources& page) {
   const GltfTexture old_texture = *leading_texture(before.materials[static_cast<std::size_t>(material)]);
   const GltfTexture new_texture = *leading_texture(after.materials[static_cast<std::size_t>(new_material)]);
   std::mt19937 random(11);
@@ -84,13 +84,13 @@ std::size_t compare_lookups(const GltfScene& before, const GltfScene& after, int
 }
 
 /// Places islands of a texture in one row of a page of their own, every second one turned.
-Page in_a_row(const std::vector<Island>& islands, int width, int height, AtlasMaterial& out) {
+PageSources in_a_row(const std::vector<Island>& islands, int width, int height, AtlasMaterial& out) {
   int page_width = 0, page_height = 0;
   for (std::size_t i = 0; i < islands.size(); ++i) {
     page_width += i % 2 ? islands[i].height : islands[i].width;
     page_height = std::max(page_height, i % 2 ? islands[i].width : islands[i].height);
   }
-  Page page(page_width, page_height);
+  PageSources page(page_width, page_height);
   int x = 0;
   for (std::size_t i = 0; i < islands.size(); ++i) {
     const bool rotated = i % 2 == 1;
@@ -117,7 +117,7 @@ TEST_CASE("a turned region is found texel by texel through the material's own tr
       const int width = 32, height = 16;
       const TexelUse use = texel_use(scene, 0, *leading_texture(scene.materials[0]), width, height);
       REQUIRE(!use.tiles);
-      Page page(64, 64);
+      PageSources page(64, 64);
       const std::array<int, 4> place{20, 30, turned ? use.box[3] : use.box[2],
                                      turned ? use.box[2] : use.box[3]};
       page.put(use.box, width, place, turned);
@@ -138,7 +138,7 @@ TEST_CASE("a shear that no transform can say is written into the UVs") {
   const GltfScene scene = parsed(quad_json(R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,
 "extensions":{"KHR_texture_transform":{"offset":[0.25,0.5],"scale":[0.25,0.25],"rotation":0.5}}}}}])",
                                            std::string(two_images)));
-  Page page(64, 128);
+  PageSources page(64, 128);
   page.put({0, 0, 32, 32}, 32, {8, 16, 32, 32}, false);
   GltfOutput output;
   output.images = {"p.png"};
@@ -181,7 +181,7 @@ TEST_CASE("triangles in periods of their own are brought together, and shared ve
     AtlasMaterial m;
     m.material = 0;
     m.diffuse_alpha_image = 0;
-    const Page page = in_a_row(islands(use, 0, 64), 16, 16, m);
+    const PageSources page = in_a_row(islands(use, 0, 64), 16, 16, m);
     output.materials = {m};
     const Written written(scene, output);
     CHECK(compare_lookups(scene, written.scene, 0, 0, 16, 16, page) > 0);
@@ -208,7 +208,7 @@ TEST_CASE("islands of real scenes: every lookup finds its texel, and the file va
     const GltfScene scene = read_gltf(path, {});
     GltfOutput output;
     output.images = {"a.png", "b.png", "r.png"};
-    std::vector<Page> pages;
+    std::vector<PageSources> pages;
     const int size = 512;
     for (const GltfMaterial& material : scene.materials) {
       AtlasMaterial m;

@@ -83,7 +83,7 @@ TEST_CASE("one colour of F per light gives the spectral reference's picture, for
       const SphereMaterial material =
           sphere_material(library(), id, id == std::string("polystyrene") ? Vec3{0.3, 0.2, 0.1} : Vec3{});
       // A reference with a body of its own has no lobe to take F from.
-      if (model->kind == ModelKind::both && material.surface.diffuse != Vec3{}) continue;
+      if (model->kind == ModelKind::combined && material.surface.diffuse != Vec3{}) continue;
       const Scene scene = sphere_scene(*model, material, gloss, side);
       ReferenceOptions options;
       options.samples_per_side = 2;

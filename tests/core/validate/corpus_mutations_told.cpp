@@ -12,8 +12,8 @@ namespace etak::test {
 
 namespace {
 
-Tile tile_of(std::string name, std::string material, PixelBox box) {
-  Tile tile;
+CheckTile tile_of(std::string name, std::string material, PixelBox box) {
+  CheckTile tile;
   tile.name = std::move(name);
   tile.material = std::move(material);
   tile.box = box;
@@ -146,7 +146,7 @@ const std::vector<Mutation>& mutations_told() {
       {"ETK303", "roughness of three materials in place of gloss",
        [](TextureSet& s, Random& r) {
          name_columns(s, {"one", "two", "three"});
-         for (Tile& tile : s.manifest.tiles) {
+         for (CheckTile& tile : s.manifest.tiles) {
            const int gloss = r.below(2) == 0 ? 30 + r.below(80) : 145 + r.below(80);
            tile.typical_gloss = gloss / 255.0;
            for (int y = 0; y < tile.box.height; ++y)

@@ -50,7 +50,7 @@ CheckTarget flat_target(std::size_t tiles) {
   CheckTarget out;
   out.manifest.tiles.resize(tiles);
   for (std::size_t i = 0; i < tiles; ++i) {
-    Tile& tile = out.manifest.tiles[i];
+    CheckTile& tile = out.manifest.tiles[i];
     for (auto& codes : tile.flat) codes = {static_cast<std::uint8_t>(i % 251), 2, 3, 255};
   }
   place_flat_tiles(out.manifest);

@@ -203,7 +203,7 @@ TEST_CASE("a layout gives a target per page, and materials that share texels one
     {"name": "one", "page": 0, "x": 4, "y": 4, "w": 20, "h": 20, "rotated": false, "mips": 2},
     {"name": "twin", "page": 0, "x": 4, "y": 4, "w": 20, "h": 20, "rotated": false, "mips": 2},
     {"name": "two", "page": 1, "x": 0, "y": 0, "w": 64, "h": 64, "rotated": false}]})");
-  CHECK(file_kind(path) == FileRole::layout);
+  CHECK(role_of_file(path) == FileRole::layout);
   const auto targets = targets_of_layout(path, "sub/atlas.json");
   REQUIRE(targets.size() == 2);
   CHECK(targets[0].files[1].path == folder.file("p0_b.png"));
@@ -226,7 +226,7 @@ TEST_CASE("the built-in materials are clean, and each fault of a material file i
   const TempFolder folder;
   const auto check_text = [&](const std::string& text) {
     spit(folder.file("m.json"), text);
-    CHECK(file_kind(folder.file("m.json")) == FileRole::material);
+    CHECK(role_of_file(folder.file("m.json")) == FileRole::material);
     return check(single(FileRole::material, folder.file("m.json"), "m.json"), {});
   };
   const auto replaced = [&](const std::string& from, const std::string& to) {
