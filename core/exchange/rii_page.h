@@ -27,20 +27,12 @@ struct RiiPage {
   std::string refusal;
 };
 
-/// The free-text part of a page, for import.
-struct RiiText {
-  std::string references, comments;          // as in the page, HTML tags included
-  std::optional<double> temperature_kelvin;  // of CONDITIONS
-};
-
 /// Reads the small subset of YAML that the database uses, and refuses what it does not understand: Error with
 /// file and line, what was found and what was expected. `page` is overwritten; its vectors' capacity is
 /// reused.
 ///   n,k rules: rows sorted; identical duplicates dropped, different ones averaged; k < 0 taken as 0; n <= 0
 ///   refused only where 360..830 nm uses it; each flagged. `tabulated nk` beside a formula gives k only.
 void parse_rii_page(std::string_view text, std::string_view file, RiiPage& page);
-
-RiiText parse_rii_text(std::string_view text, std::string_view file);
 
 /// A page as a material with one dataset: citation, sample and axis taken from text and path as far as they
 /// can be.

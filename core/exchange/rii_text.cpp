@@ -134,9 +134,11 @@ std::string_view nested_value(std::string_view block, std::string_view name) {
   return {};
 }
 
+// The free text of a page.
 struct PageText {
-  RiiText text;
-  std::string direction;  // of CONDITIONS
+  std::string references, comments;          // as in the page, HTML tags included
+  std::optional<double> temperature_kelvin;  // of CONDITIONS
+  std::string direction;                     // of CONDITIONS
 };
 
 PageText read_text(std::string_view text, std::string_view file) {
@@ -146,14 +148,14 @@ PageText read_text(std::string_view text, std::string_view file) {
   while (lines.next_top_key(key)) {
     const char* first = lines.at;
     if (key == "REFERENCES") {
-      page.text.references = text_value(lines);
+      page.references = text_value(lines);
     } else if (key == "COMMENTS") {
-      page.text.comments = text_value(lines);
+      page.comments = text_value(lines);
     } else {
       lines.skip_block(0);
       if (key != "CONDITIONS" && key != "SPECS") continue;
       const std::string_view block(first, static_cast<std::size_t>(lines.at - first));
-      page.text.temperature_kelvin = kelvin(nested_value(block, "temperature"));
+      page.temperature_kelvin = kelvin(nested_value(block, "temperature"));
       page.direction = nested_value(block, "direction");
     }
   }
@@ -355,7 +357,7 @@ std::string find_axis(std::string_view page, const PageText& text) {
     if (auto axis = axis_named(page.substr(0, page.find('-'))); !axis.empty()) return axis;
   }
   if (auto axis = axis_named(text.direction); !axis.empty()) return axis;
-  const std::string_view comments = text.text.comments;
+  const std::string_view comments = text.comments;
   if (comments.find("xtraordinary ray") != comments.npos) return "extraordinary";
   if (comments.find("rdinary ray") != comments.npos) return "ordinary";
   return {};
@@ -375,10 +377,6 @@ void drop_no_medium(OpticalConstants& optics) {
 }
 
 }  // namespace
-
-RiiText parse_rii_text(std::string_view text, std::string_view file) {
-  return read_text(text, file).text;
-}
 
 Material material_from_rii_page(std::string_view text, std::string_view path, std::string_view id) {
   RiiPage page;
@@ -401,10 +399,10 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   dataset.optics = std::move(page.optics);
   dataset.flags = page.flags;
   dataset.flags.clear(Flag::computed);  // the origin says it
-  dataset.temperature_kelvin = words.text.temperature_kelvin;
+  dataset.temperature_kelvin = words.temperature_kelvin;
   dataset.axis = find_axis(stem(place), words);
-  dataset.note = plain(words.text.comments);
-  dataset.citation = parse_citation(words.text.references);
+  dataset.note = plain(words.comments);
+  dataset.citation = parse_citation(words.references);
   dataset.citation.licence = "CC0-1.0";
   dataset.citation.via = "refractiveindex.info " + page_name(place);
   if (dataset.citation.title.empty()) dataset.citation.title = dataset.citation.via;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/image/files/containers.h"
+#include "tests/core/image/container_bytes.h"
 
 using namespace etak;
 
@@ -24,9 +24,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   assert(!file.levels.empty());
-  const TextureLevels levels{file.levels, file.srgb};
-  const TextureFile again = ktx2 ? read_ktx2(ktx2_bytes(levels, 0), "again")
-                                 : read_dds(dds_bytes(levels, file.custom_alpha), "again");
+  const test::TextureLevels levels{file.levels, file.srgb};
+  const TextureFile again = ktx2 ? read_ktx2(test::ktx2_bytes(levels, 0), "again")
+                                 : read_dds(test::dds_bytes(levels, file.custom_alpha), "again");
   assert(again.levels == file.levels && again.srgb == file.srgb && again.custom_alpha == file.custom_alpha);
   return 0;
 }

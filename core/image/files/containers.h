@@ -13,18 +13,6 @@
 
 namespace etak {
 
-/// One RGBA8 texture with its mip chain: levels[l] has max(1, side >> l) texels a side, 4 channels.
-struct TextureLevels {
-  std::span<const Image8> levels;
-  bool srgb = true;  // the colour is sRGB-encoded; alpha never is
-};
-
-/// A KTX 2.0 file (Khronos KTX 2.0 specification): VK_FORMAT_R8G8B8A8_UNORM or _SRGB with its data format
-/// descriptor, straight alpha, KTXorientation "rd", KTXwriter "etak".
-///   zstd_level   0: no supercompression; 1..22: Zstandard. Throws Error above 0 where etak was built without
-///                Zstandard
-std::string ktx2_bytes(const TextureLevels& texture, int zstd_level);
-
 /// Where a file goes that is never whole in memory: bytes one behind the other, and some put over earlier
 /// ones.
 struct FileSink {
@@ -32,7 +20,12 @@ struct FileSink {
   std::function<void(std::size_t at, std::string_view)> patch;
 };
 
-/// The same file, piece by piece, of levels that somebody else holds; rows without gaps between them.
+/// A KTX 2.0 file (Khronos KTX 2.0 specification): VK_FORMAT_R8G8B8A8_UNORM or _SRGB with its data format
+/// descriptor, straight alpha, KTXorientation "rd", KTXwriter "etak".
+///   levels       an RGBA8 texture with its mip chain: levels[l] has max(1, side >> l) texels a side, 4
+///                channels, rows without gaps between them
+///   srgb         the colour is sRGB-encoded; alpha never is
+///   zstd_level   0: no supercompression; 1..22: Zstandard
 void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink);
 
 /// How a DDS file says what it holds.
@@ -43,15 +36,13 @@ enum class DdsHeader { dx10, legacy };
 
 /// A DDS file, level 0 first, rows without padding; alpha mode straight for colour + alpha and custom for the
 /// rest.
+///   levels, srgb   as above
 ///   custom_alpha   the fourth channel is not an opacity (gloss); DX10 only
 ///   header         legacy cannot say sRGB: throws Error for such a texture
-std::string dds_bytes(const TextureLevels& texture, bool custom_alpha, DdsHeader header = DdsHeader::dx10);
-
-/// The same file, piece by piece.
 void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
                const FileSink& sink);
 
-/// Reads back what the two above write (and other uncompressed RGBA8 files of these kinds: 2-D, one layer,
+/// For programs that load an atlas: reads back what the two above write (and other uncompressed RGBA8 files of these kinds: 2-D, one layer,
 /// one face, alpha not premultiplied). Sizes, level counts and places are checked before anything is
 /// allocated. Throws Error.
 struct TextureFile {

@@ -27,15 +27,6 @@ constexpr std::array<std::uint32_t, 4> rgba_masks{0xff, 0xff00, 0xff0000, 0xff00
 
 }  // namespace
 
-std::string dds_bytes(const TextureLevels& texture, bool custom_alpha, DdsHeader header) {
-  std::vector<ConstPixelsView8> levels;
-  for (const Image8& level : texture.levels) levels.push_back(view(level));
-  std::string out;
-  write_dds(levels, texture.srgb, custom_alpha, header,
-            {[&](std::string_view bytes) { out += bytes; }, [](std::size_t, std::string_view) {}});
-  return out;
-}
-
 void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
                const FileSink& sink) {
   assert(!levels.empty());

@@ -166,16 +166,6 @@ struct Reader {
 
 }  // namespace
 
-std::string ktx2_bytes(const TextureLevels& texture, int zstd_level) {
-  std::vector<ConstPixelsView8> levels;
-  for (const Image8& level : texture.levels) levels.push_back(view(level));
-  std::string out;
-  write_ktx2(levels, texture.srgb, zstd_level,
-             {[&](std::string_view bytes) { out += bytes; },
-              [&](std::size_t at, std::string_view bytes) { out.replace(at, bytes.size(), bytes); }});
-  return out;
-}
-
 void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink) {
   assert(!levels.empty() && zstd_level >= 0 && zstd_level <= 22);
   const ConstPixelsView8& first = levels[0];

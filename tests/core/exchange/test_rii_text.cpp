@@ -30,16 +30,20 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("references, comments and temperature are read as they stand") {
-  const auto text = parse_rii_text(page("    A. One.\n      <i>Two</i>\n\n    Three.\n\n",
-                                        "COMMENTS: |\n    Film\nCONDITIONS:\n    temperature: 293\n"),
-                                   "p.yml");
-  CHECK(text.references == "A. One.\n  <i>Two</i>\n\nThree.");
-  CHECK(text.comments == "Film");
-  CHECK(text.temperature_kelvin == 293.0);
-  CHECK(parse_rii_text("COMMENTS: \"a \\\"b\\\"\"\n" + rows, "p.yml").comments == "a \"b\"");
-  CHECK(parse_rii_text("CONDITIONS:\n    temperature: 20 °C\n" + rows, "p.yml").temperature_kelvin == 293.15);
-  CHECK(!parse_rii_text("CONDITIONS:\n    temperature: warm\n" + rows, "p.yml").temperature_kelvin);
+TEST_CASE("references, comments and temperature are read, blank and indented lines among them") {
+  const auto read = [](const std::string& text) {
+    return material_from_rii_page(text, "p.yml", "").datasets[0];
+  };
+  const auto data = read(page("    A. One.\n      <i>Two</i>\n\n    Three.\n\n",
+                              "COMMENTS: |\n    Film\nCONDITIONS:\n    temperature: 293\n"));
+  CHECK(data.citation.authors == Names{"A. One"});
+  CHECK(data.citation.title == "Two");
+  CHECK(data.citation.published_in == "Three.");
+  CHECK(data.note == "Film");
+  CHECK(data.temperature_kelvin == 293.0);
+  CHECK(read("COMMENTS: \"a \\\"b\\\"\"\n" + rows).note == "a \"b\"");
+  CHECK(read("CONDITIONS:\n    temperature: 20 °C\n" + rows).temperature_kelvin == 293.15);
+  CHECK(!read("CONDITIONS:\n    temperature: warm\n" + rows).temperature_kelvin);
 }
 
 TEST_CASE("a citation of three lines is taken apart") {

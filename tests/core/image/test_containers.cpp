@@ -9,6 +9,7 @@
 #include "core/base/bytes_le.h"
 #include "core/image/image_io.h"
 #include "core/image/mips.h"
+#include "tests/core/image/container_bytes.h"
 #include "tests/core/image/mip_reference.h"
 #include "tests/support.h"
 
@@ -16,7 +17,9 @@ namespace etak {
 namespace {
 
 using test::contains;
+using test::dds_bytes;
 using test::error_of;
+using test::ktx2_bytes;
 
 std::vector<Image8> chain(int width, int height) {
   const Image8 picture = test::noise_picture(width, height, 11);

@@ -118,7 +118,7 @@ TEST_CASE("found 4.02: tables and pages are read in time proportional to their r
         return text +
                "DATA:\n  - type: tabulated nk\n    data: |\n        0.38 1.5 0.1\n        0.78 1.5 0.1\n";
       },
-      [](const std::string& text) { (void)parse_rii_text(text, "p.yml"); });
+      [](const std::string& text) { (void)material_from_rii_page(text, "p.yml", ""); });
 }
 
 TEST_CASE("found 4.02: materials, manifests and projects are read in time proportional to their parts") {
