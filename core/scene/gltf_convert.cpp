@@ -31,8 +31,7 @@ std::optional<UvMatrix> inverse(const UvMatrix& m) {
 class Lookup {
  public:
   Lookup(const std::optional<GltfTexture>& texture, const SceneImages& images, int width, int height,
-         bool color)
-      : width_(width) {
+         bool color) {
     if (!texture) return;
     const Image8& image = images(texture->image);
     if (image.width == width && image.height == height)
@@ -88,7 +87,6 @@ class Lookup {
       }
   }
 
-  int width_;
   const Image8* source_ = nullptr;
   Image8 scaled_;
 };

@@ -78,7 +78,7 @@ std::string settings_hash(const Settings& settings) {
     for (const RuleParameter& parameter : rule->parameters)
       add(number(parameter_of(*rule, parameter.name, settings), 17));
   }
-  text += library_hash();
+  text += known_materials(settings).hash();
   ContentHash hash;
   hash.add(text);
   return hash.hex();

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/hash/content_hash.h"
 #include "core/material/f0.h"
 #include "core/material/json.h"
-#include "core/material/library.h"
 #include "core/material/quality.h"
 #include "core/validate/pixels/code_tables.h"
 
@@ -15,17 +15,15 @@ namespace etak {
 
 namespace {
 
-const MaterialLibrary* asked_library = nullptr;
-std::string asked_hash;
-
-const MaterialLibrary& known_library() {
-  if (asked_library != nullptr) return *asked_library;
-  static const MaterialLibrary library = MaterialLibrary::builtin();
-  return library;
+std::string hash_of(const MaterialLibrary& library) {
+  ContentHash hash;
+  std::string text;
+  for (std::size_t i = 0; i < library.ids().size(); ++i) text += format_material(library.at(i));
+  hash.add(text);
+  return hash.hex();
 }
 
-std::vector<KnownF0> compute() {
-  const MaterialLibrary& library = known_library();
+std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
   const F0Solver solver{F0Options{}};
   std::vector<KnownF0> known;
   for (std::size_t i = 0; i < library.ids().size(); ++i) {
@@ -62,32 +60,34 @@ double code_with_fraction(double linear, TextureTransfer transfer) {
 
 }  // namespace
 
-void use_library(const MaterialLibrary& library) {
-  asked_library = &library;
-  ContentHash hash;
-  std::string text;
-  for (std::size_t i = 0; i < library.ids().size(); ++i) text += format_material(library.at(i));
-  hash.add(text);
-  asked_hash = hash.hex();
-}
+KnownMaterials::KnownMaterials(MaterialLibrary library, std::string hash)
+    : library_(std::move(library)), hash_(std::move(hash)) {}
 
-const std::string& library_hash() {
-  return asked_hash;
-}
+KnownMaterials::KnownMaterials(MaterialLibrary library)
+    : library_(std::move(library)), hash_(hash_of(library_)) {}
 
-std::span<const KnownF0> known_f0() {
-  static const std::vector<KnownF0> known = compute();
+const KnownMaterials& KnownMaterials::builtin() {
+  static const KnownMaterials known(MaterialLibrary::builtin(), "");
   return known;
 }
 
-std::vector<const KnownF0*> known_f0_of(std::string_view material) {
+std::span<const KnownF0> KnownMaterials::f0() const {
+  std::call_once(computed_, [this] { f0_ = f0_in(library_); });
+  return f0_;
+}
+
+std::vector<const KnownF0*> KnownMaterials::f0_of(std::string_view material) const {
   std::vector<const KnownF0*> found;
   if (material.empty()) return found;
-  const auto match = known_library().find(material);
+  const auto match = library_.find(material);
   if (!match) return found;
-  for (const KnownF0& entry : known_f0())
+  for (const KnownF0& entry : f0())
     if (entry.id == match->id) found.push_back(&entry);
   return found;
+}
+
+const KnownMaterials& known_materials(const Settings& settings) {
+  return settings.known ? *settings.known : KnownMaterials::builtin();
 }
 
 double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, TextureTransfer transfer) {
@@ -98,10 +98,11 @@ double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, 
   return distance;
 }
 
-std::vector<NearestMaterial> nearest_materials(const std::array<double, 3>& linear, TextureTransfer transfer,
+std::vector<NearestMaterial> nearest_materials(const KnownMaterials& known,
+                                               const std::array<double, 3>& linear, TextureTransfer transfer,
                                                std::size_t count) {
   std::vector<NearestMaterial> all;
-  for (const KnownF0& entry : known_f0()) {
+  for (const KnownF0& entry : known.f0()) {
     const double distance = std::round(10 * code_distance(linear, entry, transfer)) / 10;
     // Datasets of one material stand together: only the best stays.
     if (!all.empty() && all.back().id == entry.id) {
@@ -115,7 +116,8 @@ std::vector<NearestMaterial> nearest_materials(const std::array<double, 3>& line
   return all;
 }
 
-Explanation explain_f0(const std::array<double, 3>& linear, TextureTransfer transfer) {
+Explanation explain_f0(const KnownMaterials& known, const std::array<double, 3>& linear,
+                       TextureTransfer transfer) {
   constexpr double most_distance = 4;                 // codes
   constexpr double least_f0 = 0.017, most_f0 = 0.09;  // where dielectrics lie
   Explanation best;
@@ -129,7 +131,7 @@ Explanation explain_f0(const std::array<double, 3>& linear, TextureTransfer tran
   const CodeTables& tables = code_tables(transfer);
   best.distance = most_distance;
   const double code = code_with_fraction(grey, transfer);
-  for (const KnownF0& entry : known_f0()) {
+  for (const KnownF0& entry : known.f0()) {
     if (!entry.preferred || entry.conductor || entry.luminance < least_f0 || entry.luminance > most_f0)
       continue;
     const double f0 = entry.luminance, once = code_with_fraction(f0, transfer);

@@ -2,19 +2,19 @@
 #pragma once
 
 #include <array>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/material/library.h"
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
 
 namespace etak {
 
-class MaterialLibrary;
-
-/// F0 of one dataset of the built-in library.
+/// F0 of one dataset of a library.
 struct KnownF0 {
   std::string id, name, dataset;  // material id and name
   bool preferred = false;
@@ -23,25 +23,41 @@ struct KnownF0 {
   double luminance = 0;
 };
 
-/// Puts `library`, which must live on, in the place of the built-in one for everything below. Called before
-/// the first question.
-void use_library(const MaterialLibrary& library);
+/// The materials of one library, by which textures are judged.
+class KnownMaterials {
+ public:
+  explicit KnownMaterials(MaterialLibrary library);
+  /// Those of the library inside the program.
+  static const KnownMaterials& builtin();
 
-/// A fingerprint of that library's materials, as results depend on them; empty for the built-in one.
-const std::string& library_hash();
+  /// A fingerprint of the materials, as results depend on them; empty for the built-in ones.
+  const std::string& hash() const { return hash_; }
 
-/// F0 of every dataset of that library that gives one, without doubtful datasets that are not preferred:
-/// computed once per process, when first asked for.
-std::span<const KnownF0> known_f0();
+  /// F0 of every dataset that gives one, without doubtful datasets that are not preferred: computed once, when
+  /// first asked for, by any thread.
+  std::span<const KnownF0> f0() const;
 
-/// The entries of one material, by id, alias or name; empty: not in the library.
-std::vector<const KnownF0*> known_f0_of(std::string_view material);
+  /// The entries of one material, by id, alias or name; empty: not in the library.
+  std::vector<const KnownF0*> f0_of(std::string_view material) const;
+
+ private:
+  KnownMaterials(MaterialLibrary library, std::string hash);
+
+  MaterialLibrary library_;
+  std::string hash_;
+  mutable std::once_flag computed_;
+  mutable std::vector<KnownF0> f0_;
+};
+
+/// Those that the settings name, else the built-in ones.
+const KnownMaterials& known_materials(const Settings& settings);
 
 /// Largest channel difference in codes between a linear colour and an entry clipped to [0, 1].
 double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, TextureTransfer transfer);
 
 /// The `count` nearest materials (best dataset of each), nearest first.
-std::vector<NearestMaterial> nearest_materials(const std::array<double, 3>& linear, TextureTransfer transfer,
+std::vector<NearestMaterial> nearest_materials(const KnownMaterials& known,
+                                               const std::array<double, 3>& linear, TextureTransfer transfer,
                                                std::size_t count = 3);
 
 /// How an F0 may have come about, for dielectrics only: the value does not tell it of metals.
@@ -56,6 +72,7 @@ struct Explanation {
 };
 
 /// Only a grey is explained; the cause is `none` unless some dielectric of the library is within 4 codes.
-Explanation explain_f0(const std::array<double, 3>& linear, TextureTransfer transfer);
+Explanation explain_f0(const KnownMaterials& known, const std::array<double, 3>& linear,
+                       TextureTransfer transfer);
 
 }  // namespace etak

@@ -122,7 +122,7 @@ Finding& RuleCheck::report(const TileEvidence& tile, const PlateauSummary& plate
   finding.value = (diffuse ? "albedo " : "F0 ") + colour(linear);
   finding.message = finding.value + " on " + area_text(plateaus.area, tile.counts.texels);
   if (plateaus.regions > 1) finding.message += " in " + in_thousands(plateaus.regions) + " regions";
-  if (!diffuse) finding.nearest = nearest_materials(linear, settings.transfer);
+  if (!diffuse) finding.nearest = nearest_materials(known_materials(settings), linear, settings.transfer);
   return finding;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -63,6 +64,8 @@ struct AllowEntry {
   friend bool operator==(const AllowEntry&, const AllowEntry&) = default;
 };
 
+class KnownMaterials;
+
 /// Everything that decides what is found. Equal settings and equal files give equal findings.
 struct Settings {
   Profile profile = Profile::standard;
@@ -73,6 +76,7 @@ struct Settings {
   std::map<std::string, RuleSetting, std::less<>> rules;  // by whole id: prefixes are resolved by the reader
   ZoneSettings zone;
   std::vector<AllowEntry> allow;
+  std::shared_ptr<const KnownMaterials> known;  // nearest.h; null: the materials of the built-in library
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

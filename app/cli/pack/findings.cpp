@@ -42,8 +42,10 @@ struct PackFindings::Parts {
   ValidationReport report;
   bool checked = false;
 
-  explicit Parts(const PackArguments& a)
-      : arguments(as_validate(a)), plan(validate_plan(arguments)), path(arguments.paths.front()) {
+  explicit Parts(PackArguments& a)
+      : arguments(as_validate(a)),
+        plan(validate_plan(arguments, asked_materials(a.library))),
+        path(arguments.paths.front()) {
     label = relative_label(path, plan.root);
     threads = thread_count(a.threads);
   }
@@ -73,11 +75,7 @@ struct PackFindings::Parts {
   }
 };
 
-void judge_by_library(Library& library) {
-  use_asked_library(library);
-}
-
-PackFindings::PackFindings(const PackArguments& arguments) {
+PackFindings::PackFindings(PackArguments& arguments) {
   if (!arguments.no_validate) parts_ = std::make_unique<Parts>(arguments);
 }
 PackFindings::~PackFindings() = default;

@@ -10,15 +10,13 @@
 
 namespace etak::cli {
 
-/// Lets the validator know the materials of `library` too. In a build without the validator it does nothing.
-void judge_by_library(Library& library);
-
 /// What the validator says of an atlas: the rules of `etak validate` on its layout, looked at while the pages
 /// are still in memory.
 class PackFindings {
  public:
-  /// Reads the configuration as `etak validate` of the result would. Throws Error.
-  explicit PackFindings(const PackArguments& arguments);
+  /// Reads the configuration and the library that is asked for as `etak validate` of the result would. Throws
+  /// Error.
+  explicit PackFindings(PackArguments& arguments);
   ~PackFindings();
   PackFindings(const PackFindings&) = delete;
   PackFindings& operator=(const PackFindings&) = delete;

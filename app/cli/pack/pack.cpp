@@ -207,7 +207,6 @@ int pack_once(PackArguments& a) {
   if (a.out.empty()) throw Error::at("etak pack", "no folder to write", "-o DIR");
   PackOptions options = pack_options(a);
   check_page_report(a);
-  if (!a.no_validate) judge_by_library(a.library);
   PackFindings findings(a);
   findings.attach(options);
   PackPage page(a);

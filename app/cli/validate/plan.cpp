@@ -45,11 +45,12 @@ std::string find_config(const ValidateArguments& arguments) {
 
 }  // namespace
 
-void use_asked_library(Library& library) {
-  if (!library.folders.empty() || std::getenv("ETAK_LIBRARY") != nullptr) use_library(library.get());
+std::shared_ptr<const KnownMaterials> asked_materials(Library& library) {
+  if (library.folders.empty() && std::getenv("ETAK_LIBRARY") == nullptr) return nullptr;
+  return std::make_shared<const KnownMaterials>(library.get());
 }
 
-ValidatePlan validate_plan(const ValidateArguments& arguments) {
+ValidatePlan validate_plan(const ValidateArguments& arguments, std::shared_ptr<const KnownMaterials> known) {
   ValidatePlan plan;
   plan.config_file = find_config(arguments);
   std::error_code failure;
@@ -61,6 +62,7 @@ ValidatePlan validate_plan(const ValidateArguments& arguments) {
   }
   plan.root = root.string();
   Settings& settings = plan.config.settings;
+  settings.known = std::move(known);
   const auto given = [](const char* option, const std::string& text, auto named, auto& value,
                         const char* expected) {
     if (text.empty()) return;

@@ -18,12 +18,14 @@ struct ValidatePlan {
   std::string root;         // absolute
 };
 
-/// Judges by the library that the line and the environment ask for, where it is not the built-in one alone.
-void use_asked_library(Library& library);
+/// The materials of the library that the line and the environment ask for; null where that is the built-in one
+/// alone. Throws Error for a folder that cannot be read.
+std::shared_ptr<const KnownMaterials> asked_materials(Library& library);
 
 /// From etak.toml (of --config, else of the first path's folder or the nearest one above it) and the command
 /// line, which wins. Throws Error.
-ValidatePlan validate_plan(const ValidateArguments& arguments);
+///   known   what textures are judged by; null: the built-in library
+ValidatePlan validate_plan(const ValidateArguments& arguments, std::shared_ptr<const KnownMaterials> known);
 
 /// Marks what [[allow]] entries and the baseline know. Returns the baseline that is asked for, to be put in
 /// place with the other outputs of the run; null where none is.

@@ -177,8 +177,8 @@ int check_files(ValidateArguments& arguments) {
   if (!arguments.cache_key.empty() && arguments.cache_folder.empty())
     throw Error::at("--cache-key", "no --cache", "--cache DIR with it");
   check_targets(arguments);
-  use_asked_library(arguments.library);
-  const ValidatePlan plan = validate_plan(arguments);
+  auto known = asked_materials(arguments.library);
+  const ValidatePlan plan = validate_plan(arguments, std::move(known));
   const Settings& settings = plan.config.settings;
   FoundTargets found = targets_of(arguments, plan);
   if (!found.no_files.empty()) remark(arguments.output, skipped_remark(found.no_files));

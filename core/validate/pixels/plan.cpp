@@ -37,8 +37,9 @@ std::uint64_t of_one(double value) {
   return static_cast<std::uint64_t>(std::llround(value * linear_one));
 }
 
-bool named_in_library(const CheckTarget& target) {
-  const auto known = [](const std::string& material) { return !known_f0_of(material).empty(); };
+bool named_in_library(const CheckTarget& target, const Settings& settings) {
+  const KnownMaterials& materials = known_materials(settings);
+  const auto known = [&](const std::string& material) { return !materials.f0_of(material).empty(); };
   if (known(target.manifest.material)) return true;
   return std::ranges::any_of(target.manifest.tiles,
                              [&](const CheckTile& tile) { return known(tile.material); });
@@ -78,7 +79,7 @@ PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool ha
 
   // The encoding rules (401, 402) are asked only where low, gem or zone regions make them likely.
   const bool encoding = is_on("ETK401", settings) || is_on("ETK402", settings);
-  const bool named = named_in_library(target);
+  const bool named = named_in_library(target, settings);
   const auto want = [&](RegionKind kind, bool wanted) {
     if (wanted) plan.kinds.push_back(kind);
   };

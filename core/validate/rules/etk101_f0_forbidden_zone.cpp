@@ -29,9 +29,10 @@ Severity severity_of_plateau(const RuleCheck& check, const TileEvidence& tile, c
   if (is_half_metal(check, plateau)) return check.at_most(Severity::warning);
   const ZoneSettings& zone = check.settings.zone;
   const double most = check.parameter("match_bytes");
-  const std::vector<const KnownF0*> named = known_f0_of(tile.tile.material);
+  const KnownMaterials& known = known_materials(check.settings);
+  const std::vector<const KnownF0*> named = known.f0_of(tile.tile.material);
   bool matches = false;
-  for (const KnownF0& entry : known_f0()) {
+  for (const KnownF0& entry : known.f0()) {
     if (entry.luminance <= zone.low || entry.luminance >= zone.high) continue;
     const bool is_named = !named.empty() && named.front()->id == entry.id;
     // Of others only the preferred dataset: with all of them a tenth of the greys would be excused.
@@ -58,7 +59,8 @@ void etk101(RuleCheck& check) {
     Finding& finding = check.report(tile, plateaus, *shown, false);
     finding.severity = worst;
     finding.limit = percent(zone.low) + " to " + percent(zone.high);
-    const Explanation why = explain_f0(shown->specular, check.settings.transfer);
+    const Explanation why =
+        explain_f0(known_materials(check.settings), shown->specular, check.settings.transfer);
     if (is_half_metal(check, *shown)) {
       finding.cause = "metallic is " + number(shown->metallic, 2);
       finding.message += "; " + finding.cause;

@@ -14,7 +14,8 @@ void etk103(RuleCheck& check) {
   for_each_region(check, RegionKind::f0_low, [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
     Finding& finding = check.report(tile, plateaus, plateaus.largest.front(), false);
     finding.limit = number(check.parameter("max_luminance"), 3);
-    const Explanation why = explain_f0(plateaus.largest.front().specular, check.settings.transfer);
+    const Explanation why = explain_f0(known_materials(check.settings), plateaus.largest.front().specular,
+                                       check.settings.transfer);
     if (why.cause == Explanation::Cause::missing) {
       finding.cause = "matches a dielectric of F0 " + number(why.original, 2) + " stored linear, within " +
                       number(why.distance, 2) + " codes";

@@ -9,8 +9,8 @@ namespace etak {
 
 namespace {
 
-bool is_known_metal(const std::array<double, 3>& linear) {
-  return std::ranges::any_of(known_f0(), [&](const KnownF0& entry) {
+bool is_known_metal(const KnownMaterials& known, const std::array<double, 3>& linear) {
+  return std::ranges::any_of(known.f0(), [&](const KnownF0& entry) {
     double distance = 0;
     for (std::size_t c = 0; c < 3; ++c) distance = std::max(distance, std::abs(linear[c] - entry.linear[c]));
     return entry.conductor && distance <= 0.03;
@@ -23,7 +23,7 @@ void etk107(RuleCheck& check) {
     const std::array<double, 3> value{static_cast<double>(f.above_value[0]),
                                       static_cast<double>(f.above_value[1]),
                                       static_cast<double>(f.above_value[2])};
-    const bool metal = f.above_luminance <= 1 && is_known_metal(value);
+    const bool metal = f.above_luminance <= 1 && is_known_metal(known_materials(check.settings), value);
     Finding& finding = check.report(*b);
     finding.severity = metal ? check.severity() : check.at_least(Severity::error);
     finding.box = PixelBox{f.above_at[0], f.above_at[1], 1, 1};

@@ -17,7 +17,8 @@ void etk111(RuleCheck& check) {
     std::size_t area = 0;
     const Plateau* shown = nullptr;
     for (const Plateau& plateau : plateaus->largest) {
-      const auto nearest = nearest_materials(plateau.specular, check.settings.transfer, 1);
+      const auto nearest =
+          nearest_materials(known_materials(check.settings), plateau.specular, check.settings.transfer, 1);
       if (nearest.empty() || nearest.front().bytes <= check.parameter("distance")) continue;
       area += plateau.area;
       if (shown == nullptr) shown = &plateau;

@@ -29,7 +29,7 @@ std::string encoding_of(const CodeTables& tables, const std::array<double, 3>& f
 void etk112(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const PlateauSummary* plateaus = tile.region(RegionKind::any_f0);
-    const std::vector<const KnownF0*> datasets = known_f0_of(tile.tile.material);
+    const std::vector<const KnownF0*> datasets = known_materials(check.settings).f0_of(tile.tile.material);
     if (plateaus == nullptr || datasets.empty()) continue;
     std::size_t area = 0;
     const Plateau* shown = nullptr;

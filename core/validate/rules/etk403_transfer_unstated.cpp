@@ -15,7 +15,7 @@ void etk403(RuleCheck& check) {
   std::size_t power = 0, srgb = 0;
   for (const TileEvidence& tile : check.evidence.tiles) {
     const PlateauSummary* plateaus = tile.region(RegionKind::any_f0);
-    const auto datasets = known_f0_of(tile.tile.material);
+    const auto datasets = known_materials(check.settings).f0_of(tile.tile.material);
     if (plateaus == nullptr || plateaus->regions == 0 || datasets.empty() || datasets.front()->conductor)
       continue;
     const double code = check.tables.encode(luminance_of(plateaus->largest.front().specular));

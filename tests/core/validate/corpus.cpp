@@ -51,7 +51,7 @@ void fill_alpha_and_gloss(TextureSet& set, Random& random) {
 const std::vector<const KnownF0*>& plain_metals() {
   static const auto metals = [] {
     std::vector<const KnownF0*> out;
-    for (const KnownF0& entry : known_f0())
+    for (const KnownF0& entry : KnownMaterials::builtin().f0())
       if (entry.conductor && entry.preferred && entry.luminance > 0.5 &&
           *std::ranges::max_element(entry.linear) < 0.98)
         out.push_back(&entry);

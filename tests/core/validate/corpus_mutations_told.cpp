@@ -40,7 +40,7 @@ std::array<int, 3> codes_of(const KnownF0& entry) {
 
 const KnownF0& any_known(Random& random, bool conductor) {
   std::vector<const KnownF0*> entries;
-  for (const KnownF0& entry : known_f0())
+  for (const KnownF0& entry : KnownMaterials::builtin().f0())
     if (entry.preferred && entry.conductor == conductor) entries.push_back(&entry);
   return *entries[static_cast<std::size_t>(random.below(static_cast<int>(entries.size())))];
 }
@@ -103,7 +103,8 @@ const std::vector<Mutation>& mutations_told() {
              codes[c] = 40 + r.below(200);
              linear[c] = srgb_decode(codes[c] / 255.0);
            }
-           distance = nearest_materials(linear, TextureTransfer::srgb, 1).front().bytes;
+           distance =
+               nearest_materials(KnownMaterials::builtin(), linear, TextureTransfer::srgb, 1).front().bytes;
          }
          const int side = 12 + r.below(20), x0 = r.below(s.b.width - side), y0 = r.below(s.b.height - side);
          for (int y = y0; y < y0 + side; ++y)
@@ -118,7 +119,7 @@ const std::vector<Mutation>& mutations_told() {
            named = &any_known(r, true);
            drawn = &any_known(r, true);
            distance = 255;
-           for (const KnownF0* entry : known_f0_of(named->id))
+           for (const KnownF0* entry : KnownMaterials::builtin().f0_of(named->id))
              distance = std::min(distance, code_distance(drawn->linear, *entry, TextureTransfer::srgb));
          }
          each_texel(s.b, [&](auto b, int, int) { set_rgb(b, codes_of(*drawn)); });
@@ -163,7 +164,7 @@ const std::vector<Mutation>& mutations_told() {
            const int code = code_tables(TextureTransfer::gamma22).encode(entry.luminance);
            // Where the two curves, or the sources of the material, say nearly the same nobody can tell.
            bool clear = entry.luminance < 0.1;
-           for (const KnownF0* other : known_f0_of(entry.id))
+           for (const KnownF0* other : KnownMaterials::builtin().f0_of(entry.id))
              clear = clear && std::abs(srgb_u8(other->luminance) - code) >= 3;
            if (!clear || std::ranges::find(names, entry.id) != names.end()) continue;
            names.push_back(entry.id);

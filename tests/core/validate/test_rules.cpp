@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/color/srgb.h"
+#include "core/validate/config.h"
 #include "core/validate/nearest.h"
 #include "core/validate/rules.h"
 #include "tests/core/validate/corpus.h"
@@ -90,9 +91,24 @@ TEST_CASE("a plateau in the forbidden zone names value, place, area, cause and f
   CHECK(!finding->nearest.empty());
 }
 
+TEST_CASE("materials judge by the settings that name them, and by no others") {
+  MaterialLibrary library = MaterialLibrary::builtin();
+  Material mine = *library.find("silicon");
+  mine.id = "mine";
+  library.add(mine);
+  Settings own;
+  own.known = std::make_shared<const KnownMaterials>(library);
+  CHECK(!known_materials(own).f0_of("mine").empty());
+  CHECK(known_materials({}).f0_of("mine").empty());
+  CHECK(settings_hash(own) != settings_hash({}));
+  Settings same;
+  same.known = std::make_shared<const KnownMaterials>(library);
+  CHECK(settings_hash(same) == settings_hash(own));
+}
+
 TEST_CASE("silicon is let pass as information when named, and warned of when it only looks like it") {
   TextureSet set = plain_set();
-  const auto known = known_f0_of("silicon");
+  const auto known = KnownMaterials::builtin().f0_of("silicon");
   REQUIRE(!known.empty());
   const auto preferred = *std::ranges::find_if(known, [](const KnownF0* k) { return k->preferred; });
   const std::array<int, 3> codes{srgb_u8(preferred->linear[0]), srgb_u8(preferred->linear[1]),
