@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: every formula text of core/fresnel and core/brdf, in the order in which they use each
-// other, for a namespace that has `real` and the constants of core/math/glsl.h.
-// The order is the meaning.
+// No include guard: every formula text of core/fresnel and core/brdf, after core/math/real_f64.h or real_f32.h
+// in the same namespace. The order is the meaning: each text uses those above it.
+#include "core/fresnel/texts.h"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"   // not every place needs every function
+#pragma GCC diagnostic ignored "-Wunused-parameter"  // entries of one kind have one signature
 // clang-format off
-#include "core/fresnel/conductor.glsl"
-#include "core/fresnel/dielectric.glsl"
-#include "core/fresnel/schlick.glsl"
-#include "core/fresnel/schueler.glsl"
-#include "core/fresnel/f82.glsl"
-#include "core/fresnel/spherical_gaussian.glsl"
-#include "core/fresnel/lazanyi.glsl"
-#include "core/fresnel/gulbrandsen.glsl"
-#include "core/fresnel/from_f0.glsl"
-#include "core/fresnel/by_f0.glsl"
 #include "core/brdf/geometry.glsl"
 #include "core/brdf/gloss.glsl"
 #include "core/brdf/d_ggx.glsl"
@@ -32,3 +26,5 @@
 #include "core/brdf/cook_torrance.glsl"
 #include "core/brdf/ashikhmin_shirley.glsl"
 #include "core/brdf/schueler.glsl"
+// clang-format on
+#pragma GCC diagnostic pop

@@ -3,29 +3,21 @@
 
 #include <cmath>
 
-#pragma GCC diagnostic ignored "-Wunused-function"  // the texts' forms for colours
-
 // The formula text comes into namespaces of its own, so that the shim's min, sqrt, ... are not seen
 // elsewhere.
 namespace etak::f64::text {
 namespace {
-using real = double;
-constexpr real tiny = 1e-300;
-#include "core/math/glsl.h"
+#include "core/math/real_f64.h"
 
-#include "core/fresnel/conductor.glsl"
-#include "core/fresnel/schlick.glsl"
+#include "core/fresnel/texts.h"
 }  // namespace
 }  // namespace etak::f64::text
 
 namespace etak::f32::text {
 namespace {
-using real = float;
-constexpr real tiny = 1e-37f;
-#include "core/math/glsl.h"
+#include "core/math/real_f32.h"
 
-#include "core/fresnel/conductor.glsl"
-#include "core/fresnel/schlick.glsl"
+#include "core/fresnel/texts.h"
 }  // namespace
 }  // namespace etak::f32::text
 

@@ -79,8 +79,8 @@ struct PictureCodes {
 };
 
 namespace f32 {
-using real = float;
-constexpr real tiny = 1e-37f;
+#include "core/math/real_f32.h"
+
 #include "core/render/shade_chunk.h"
 
 void respond(const Model& model, const double* values, const Range& range, Chunk& c) {
@@ -105,8 +105,8 @@ void respond_far(const Model& model, const double* values, double lh, const Rang
 }  // namespace f32
 
 namespace f64 {
-using real = double;
-constexpr real tiny = 1e-300;
+#include "core/math/real_f64.h"
+
 #include "core/render/shade_chunk.h"
 
 void respond(const Model& model, const double* values, const Range& range, Chunk& c) {

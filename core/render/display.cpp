@@ -18,13 +18,9 @@ constexpr std::array<std::pair<Transfer, std::string_view>, 4> names{{{Transfer:
                                                                       {Transfer::linear, "linear"}}};
 
 namespace f64 {
-using real = double;
-[[maybe_unused]] constexpr real tiny = 1e-300;
-// Not sorted: the text uses the types.
-// clang-format off
-#include "core/math/glsl.h"
+#include "core/math/real_f64.h"
+
 #include "core/light/transfer.glsl"
-// clang-format on
 // What a display shows of a linear value.
 real encode(Transfer transfer, real x) {
   switch (transfer) {

@@ -25,13 +25,9 @@ using std::numbers::pi;
 constexpr std::size_t fresnel_steps = 4096;
 
 namespace f64 {
-using real = double;
-[[maybe_unused]] constexpr real tiny = 1e-300;
-// Not sorted: the text uses the types.
-// clang-format off
-#include "core/math/glsl.h"
+#include "core/math/real_f64.h"
+
 #include "core/light/lights.glsl"
-// clang-format on
 }  // namespace f64
 
 using etak::operator*;

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // No include guard: shading of some hundred surface points at once, included in an unnamed namespace that has
-// `real`, the constants of core/math/glsl.h, chunk_size and ETAK_RENDER_CLONES. Arrays of one quantity each,
-// so that the loops vectorise. Not sorted: each text uses those above it.
-// clang-format off
-#include "core/math/glsl.h"
-#include "core/fresnel/schueler.glsl"
-#include "core/light/hemispheres.glsl"
-#include "core/light/lights.glsl"
-#include "core/light/transparency.glsl"
-#include "core/light/marks.glsl"
-// clang-format on
+// chunk_size and ETAK_RENDER_CLONES, after core/math/real_f64.h or real_f32.h. Arrays of one quantity each, so
+// that the loops vectorise.
+#include "core/fresnel/texts.h"
+
+#include "core/light/texts.h"
 
 // Loops run over whole blocks of lanes, past the end too (nothing reads what they leave there): a rest that
 // is taken one by one costs as much as the row before it.

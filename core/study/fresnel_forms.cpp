@@ -12,53 +12,24 @@
 #include "core/render/scene.h"
 #include "core/spectrum/integration.h"
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-
 namespace etak {
 namespace {
 
 namespace in_double {
-using real = double;
-constexpr real tiny = 1e-300;
-constexpr real largest_reflectance = 1 - 1e-12;
-#include "core/math/glsl.h"
-// The order is the meaning.
-// clang-format off
-#include "core/fresnel/conductor.glsl"
-#include "core/fresnel/schlick.glsl"
-#include "core/fresnel/schueler.glsl"
-#include "core/fresnel/f82.glsl"
-#include "core/fresnel/spherical_gaussian.glsl"
-#include "core/fresnel/lazanyi.glsl"
-#include "core/fresnel/gulbrandsen.glsl"
-#include "core/fresnel/from_f0.glsl"
-#include "core/fresnel/by_f0.glsl"
+#include "core/math/real_f64.h"
+
+#include "core/fresnel/texts.h"
+
 #include "core/study/fresnel_forms.inc"
-// clang-format on
 }  // namespace in_double
 
 namespace in_single {
-using real = float;
-constexpr real tiny = 1e-37f;
-constexpr real largest_reflectance = 1 - 1e-6f;
-#include "core/math/glsl.h"
-// The order is the meaning.
-// clang-format off
-#include "core/fresnel/conductor.glsl"
-#include "core/fresnel/schlick.glsl"
-#include "core/fresnel/schueler.glsl"
-#include "core/fresnel/f82.glsl"
-#include "core/fresnel/spherical_gaussian.glsl"
-#include "core/fresnel/lazanyi.glsl"
-#include "core/fresnel/gulbrandsen.glsl"
-#include "core/fresnel/from_f0.glsl"
-#include "core/fresnel/by_f0.glsl"
+#include "core/math/real_f32.h"
+
+#include "core/fresnel/texts.h"
+
 #include "core/study/fresnel_forms.inc"
-// clang-format on
 }  // namespace in_single
-#pragma GCC diagnostic pop
 
 constexpr std::array<double, 3> channel_nm{611.4, 549.1, 464.3};
 

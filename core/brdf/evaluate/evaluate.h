@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // No include guard: every term and model as a type, from terms.inc and models.inc. Included once per kind of
-// evaluation in an unnamed namespace that has `real` and its constants; nothing here or in what it includes
-// is visible outside, so that a file compiled for other instructions leaves nothing behind that others call.
-#include "core/math/glsl.h"
+// evaluation in an unnamed namespace, after core/math/real_f64.h or real_f32.h; nothing here or in what it
+// includes is visible outside, so that a file compiled for other instructions leaves nothing behind that others call.
+#include "core/brdf/texts.h"
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"   // a text's functions are not all for all
-#pragma GCC diagnostic ignored "-Wunused-parameter"  // entries of one kind have one signature
-#include "core/brdf/texts.h"
+#pragma GCC diagnostic ignored "-Wunused-parameter"  // a constant value asks for no angles
 
 inline vec3 color(const real* p) {
   return vec3(p[0], p[1], p[2]);

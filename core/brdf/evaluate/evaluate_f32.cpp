@@ -6,11 +6,8 @@
 
 namespace etak::f32 {
 namespace {
-using real = float;
-constexpr real tiny = 1e-37f;
-constexpr real power_floor = -90;
-constexpr real exponent_floor = -62;  // e^-62 is about 2^-90
-constexpr real largest_reflectance = 1 - 1e-6f;
+#include "core/math/real_f32.h"
+
 #include "core/brdf/evaluate/evaluate.h"
 #include "core/brdf/evaluate/evaluate_one.inc"
 }  // namespace

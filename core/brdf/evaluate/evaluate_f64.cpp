@@ -6,11 +6,8 @@
 
 namespace etak::f64 {
 namespace {
-using real = double;
-constexpr real tiny = 1e-300;
-constexpr real power_floor = -1e300;
-constexpr real exponent_floor = -1e300;
-constexpr real largest_reflectance = 1 - 1e-12;
+#include "core/math/real_f64.h"
+
 #include "core/brdf/evaluate/evaluate.h"
 #include "core/brdf/evaluate/evaluate_one.inc"
 }  // namespace

@@ -14,35 +14,24 @@
 #include "core/study/error_time.h"
 #include "core/study/measure.h"
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
-
 namespace etak {
 namespace {
 
 namespace in_double {
-using real = double;
-constexpr real tiny = 1e-300;
-#include "core/math/glsl.h"
-// The order is the meaning.
-// clang-format off
-#include "core/fresnel/schueler.glsl"
-#include "core/light/hemispheres.glsl"
-// clang-format on
+#include "core/math/real_f64.h"
+
+#include "core/fresnel/texts.h"
+
+#include "core/light/texts.h"
 }  // namespace in_double
 
 namespace in_single {
-using real = float;
-constexpr real tiny = 1e-37f;
-#include "core/math/glsl.h"
-// The order is the meaning.
-// clang-format off
-#include "core/fresnel/schueler.glsl"
-#include "core/light/hemispheres.glsl"
-// clang-format on
+#include "core/math/real_f32.h"
+
+#include "core/fresnel/texts.h"
+
+#include "core/light/texts.h"
 }  // namespace in_single
-#pragma GCC diagnostic pop
 
 constexpr std::array reflectances{0.02, 0.04, 0.17, 0.5, 0.9};
 constexpr std::array glosses{0.0, 0.25, 0.5, 0.75, 0.9, 1.0};

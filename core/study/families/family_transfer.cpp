@@ -13,16 +13,8 @@ namespace {
 
 // The texts that shaders get, in float.
 namespace formulas {
-using real = float;
-inline real max(real a, real b) {
-  return a < b ? b : a;
-}
-inline real pow(real x, real e) {
-  return std::pow(x, e);
-}
-inline real sqrt(real x) {
-  return std::sqrt(x);
-}
+#include "core/math/real_f32.h"
+
 #include "core/light/transfer.glsl"
 }  // namespace formulas
 

@@ -6,8 +6,6 @@
 #include "core/study/stability/stability_rows.h"
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wunused-parameter"
 // The naive forms divide by zero: that is what they are here for.
 #pragma GCC diagnostic ignored "-Wdiv-by-zero"
 
@@ -15,19 +13,13 @@ namespace etak {
 namespace {
 
 namespace in_double {
-using real = double;
-constexpr real tiny = 1e-300;
-constexpr real power_floor = -1e300;
-constexpr real exponent_floor = -1e300;
-constexpr real largest_reflectance = 1 - 1e-12;
-#include "core/math/glsl.h"
-// The order is the meaning.
-// clang-format off
+#include "core/math/real_f64.h"
+
 #include "core/brdf/texts.h"
+
 #include "core/brdf/textbook.glsl"
-#include "core/light/hemispheres.glsl"
-#include "core/light/transfer.glsl"
-// clang-format on
+
+#include "core/light/texts.h"
 
 #define ETAK_STABILITY(id, title, input, naive, ours, expected, most64, most32, source) \
   double naive_##id() {                                                                 \
@@ -42,19 +34,13 @@ constexpr real largest_reflectance = 1 - 1e-12;
 
 // As in a shader: what only keeps loops fast (power_floor) is in.
 namespace in_single {
-using real = float;
-constexpr real tiny = 1e-37f;
-constexpr real power_floor = -90;
-constexpr real exponent_floor = -62;
-constexpr real largest_reflectance = 1 - 1e-6f;
-#include "core/math/glsl.h"
-// The order is the meaning.
-// clang-format off
+#include "core/math/real_f32.h"
+
 #include "core/brdf/texts.h"
+
 #include "core/brdf/textbook.glsl"
-#include "core/light/hemispheres.glsl"
-#include "core/light/transfer.glsl"
-// clang-format on
+
+#include "core/light/texts.h"
 
 #define ETAK_STABILITY(id, title, input, naive, ours, expected, most64, most32, source) \
   float naive_##id() {                                                                  \
