@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/color/luminance.h"
 #include "core/image/mips.h"
 
 namespace etak::mip_detail {
@@ -25,8 +26,6 @@ using Float4 = float __attribute__((vector_size(16)));
 struct Texel {
   Float4 v;
 };
-
-inline constexpr float luminance_of[3] = {0.2126f, 0.7152f, 0.0722f};  // linear sRGB (Rec.709)
 
 /// Which old texels the new one at `index` covers, and their shares: one (side 1 stays), two (even sides), or
 /// three (2k + 1 to k: each new texel is 2 + 1/k wide).
@@ -57,9 +56,7 @@ inline Float4 mean_of_a(Float4 plain, Float4 weighted) {
 /// 1/e is weighted by F0's luminance, which is linear in F0: the mean of Y(F0) / e is Y of the mean of F0 /
 /// e.
 inline Float4 mean_of_b(Float4 plain, Float4 weighted) {
-  const auto y = [](Float4 c) {
-    return luminance_of[0] * c[0] + luminance_of[1] * c[1] + luminance_of[2] * c[2];
-  };
+  const auto y = [](Float4 c) { return luminance_of<float>(c[0], c[1], c[2]); };
   const float all = y(plain), part = y(weighted);
   if (all > 0 && part > 0) plain[3] = part / all;
   return plain;

@@ -70,9 +70,9 @@ Channels weighted_mean(const Channels (&p)[4]) {
 }
 
 Floats luminance(const Channels& c) {
-  return _mm256_add_ps(
-      _mm256_add_ps(_mm256_mul_ps(all(luminance_of[0]), c.r), _mm256_mul_ps(all(luminance_of[1]), c.g)),
-      _mm256_mul_ps(all(luminance_of[2]), c.b));
+  return _mm256_add_ps(_mm256_add_ps(_mm256_mul_ps(all(luminance_weights<float>[0]), c.r),
+                                     _mm256_mul_ps(all(luminance_weights<float>[1]), c.g)),
+                       _mm256_mul_ps(all(luminance_weights<float>[2]), c.b));
 }
 
 void store(const Channels& c, Texel* out) {

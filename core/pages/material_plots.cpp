@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/number.h"
+#include "core/color/luminance.h"
 
 namespace etak {
 namespace {
@@ -47,9 +48,7 @@ void add_samples(LinePlot& plot, const PlotCurve& curve, const std::vector<doubl
 }
 
 double seen(const Vec3& rgb, PlotChannel channel) {
-  // Rec. 709 luminance of linear sRGB.
-  return channel == PlotChannel::luminance ? 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]
-                                           : rgb[static_cast<std::size_t>(channel)];
+  return channel == PlotChannel::luminance ? luminance_of(rgb) : rgb[static_cast<std::size_t>(channel)];
 }
 
 std::vector<double> seen(const std::vector<Vec3>& all, PlotChannel channel) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/color/luminance.h"
 #include "core/color/srgb.h"
 
 namespace etak {
@@ -105,7 +106,7 @@ std::array<std::size_t, 256> f0_histogram(const Image8& specular, const Image8& 
       ++out[r];
       continue;
     }
-    const double y = 0.2126 * light[r] + 0.7152 * light[g] + 0.0722 * light[b];
+    const double y = luminance_of(light[r], light[g], light[b]);
     const auto above = std::upper_bound(edge.begin(), edge.end(), y);
     ++out[static_cast<std::size_t>(above - edge.begin()) - 1];
   }

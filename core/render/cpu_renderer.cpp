@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/color/luminance.h"
 #include "core/render/camera.h"
 #include "core/render/display.h"
 #include "core/render/surface_textures.h"

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/color/luminance.h"
 
 namespace etak {
 namespace {
@@ -18,8 +19,9 @@ constexpr int level_count = 9;
 // degrees).
 constexpr int prefilter_width = 512;
 
-double luminance(const float* rgb) {
-  return 0.2126 * double{rgb[0]} + 0.7152 * double{rgb[1]} + 0.0722 * double{rgb[2]};
+double luminance_at(const Image& map, int x, int y) {
+  const float* rgb = map.at(x, y).data();
+  return luminance_of<double>(rgb[0], rgb[1], rgb[2]);
 }
 
 double dot3(const Vec3& a, const Vec3& b) {
@@ -222,14 +224,12 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
   // A little of the mean everywhere: bilinear look-up sees light in pixels that are black themselves.
   double mean = 0;
   for (int y = 0; y < map_.height; ++y)
-    for (int x = 0; x < map_.width; ++x)
-      mean += luminance(map_.at(x, y).data()) * solid_angle(map_, y) / (4 * pi);
+    for (int x = 0; x < map_.width; ++x) mean += luminance_at(map_, x, y) * solid_angle(map_, y) / (4 * pi);
   const double floor = mean > 0 ? 0.01 * mean : 1;
   double total = 0;
   for (int y = 0; y < map_.height; ++y) {
     double row = 0;
-    for (int x = 0; x < map_.width; ++x)
-      column_sums_.push_back(row += luminance(map_.at(x, y).data()) + floor);
+    for (int x = 0; x < map_.width; ++x) column_sums_.push_back(row += luminance_at(map_, x, y) + floor);
     for (int x = 0; x < map_.width; ++x)
       column_sums_[column_sums_.size() - 1 - static_cast<std::size_t>(x)] /= row;
     row_sums_.push_back(total += row * solid_angle(map_, y));

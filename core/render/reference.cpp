@@ -13,6 +13,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/color/colorspace.h"
+#include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
 #include "core/render/camera.h"
 #include "core/render/optics_grid.h"
@@ -42,10 +43,6 @@ Vec3 operator*(const Vec3& a, double s) {
 }
 double dot(const Vec3& a, const Vec3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-constexpr Vec3 luminous{0.2126, 0.7152, 0.0722};
-double luminance(const Vec3& c) {
-  return dot(c, luminous);
 }
 
 // Numbers in [0, 1) that depend on their place alone (the mixer of Steele et al. 2014, SplitMix).
@@ -192,10 +189,11 @@ class Shader {
     if (scene_.surface.opacity >= 1) return {};
     double f = 0;
     if (fresnel_ != nullptr)
-      f = luminance(fresnel_->at(nv));
+      f = luminance_of(fresnel_->at(nv));
     else
       for (std::size_t c = 0; c < 3; ++c)
-        f += luminous[c] * etak::f64::fresnel_exact(scene_.surface.n[c], scene_.surface.k[c], nv);
+        f += luminance_weights<double>[c] *
+             etak::f64::fresnel_exact(scene_.surface.n[c], scene_.surface.k[c], nv);
     return scene_.background * ((1 - scene_.surface.opacity) * (1 - f));
   }
 
@@ -241,7 +239,7 @@ PixelSum draw_pixel(const Scene& scene, const Camera& camera, const Shader& shad
       for (int s = 0; s < options.light_samples; ++s) {
         const Vec3 one = shader.ambient_sample(frame, v, random);
         ambient = ambient + one;
-        const double y_one = luminance(one);
+        const double y_one = luminance_of(one);
         sum += y_one;
         squares += y_one * y_one;
         ++count;
@@ -366,8 +364,8 @@ AmbientError ambient_error(Scene scene, const Environment* environment, const Re
       const auto truth = reference.picture.at(x, y);
       const auto shown = quick.at(x, y);
       if (truth[3] < 1 || shown[3] < 1) continue;
-      const double right = luminance({truth[0], truth[1], truth[2]});
-      const double off = luminance({shown[0], shown[1], shown[2]}) - right;
+      const double right = luminance_of({truth[0], truth[1], truth[2]});
+      const double off = luminance_of({shown[0], shown[1], shown[2]}) - right;
       level += right;
       out.bias += off;
       out.mean += std::abs(off);

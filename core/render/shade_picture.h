@@ -38,7 +38,7 @@ struct Shading {
       with_diffuse = diffuse != nullptr || combined;
       needs_positions = true;
     }
-    f0_luminance = 0.2126 * s.surface.f0[0] + 0.7152 * s.surface.f0[1] + 0.0722 * s.surface.f0[2];
+    f0_luminance = etak::luminance_of(s.surface.f0);
     needs_viewers = s.lights.hemispheres.has_value() || e != nullptr || camera.turned();
     const Vec3& viewer = camera.axes()[2];
     const double scale = s.lights.pi_scaled ? std::numbers::pi : 1;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/color/gloss.h"
+#include "core/color/luminance.h"
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
 
@@ -13,9 +14,6 @@ namespace {
 
 double largest(const Vec3& v) {
   return std::max({v[0], v[1], v[2]});
-}
-double luminance(const Vec3& v) {
-  return 0.2126 * v[0] + 0.7152 * v[1] + 0.0722 * v[2];
 }
 
 std::uint8_t code_of(double share) {
@@ -52,12 +50,12 @@ DiffuseSpecular diffuse_specular(const Vec3& base, double metallic, const Vec3& 
 MetalRough metal_rough_of(const DiffuseSpecular& texel) {
   constexpr double dielectric = 0.04;
   // With t = 1 - metallic: D = base t and F = 0.04 t + base (1 - t), so 0.04 t^2 - (D + F) t + D = 0.
-  const double d = luminance(texel.diffuse), sum = d + luminance(texel.f0);
+  const double d = luminance_of(texel.diffuse), sum = d + luminance_of(texel.f0);
   const double root = std::sqrt(std::max(0.0, sum * sum - 4 * dielectric * d));
   // The smaller root, in the form that does not lose digits; without any light, plain black.
   const double t = sum + root > 0 ? std::clamp(2 * d / (sum + root), 0.0, 1.0) : 1;
   MetalRough out;
-  out.metallic = luminance(texel.f0) <= dielectric ? 0 : 1 - t;
+  out.metallic = luminance_of(texel.f0) <= dielectric ? 0 : 1 - t;
   const double rest = 1 - out.metallic;
   for (std::size_t i = 0; i < 3; ++i) {
     const double base = (rest * texel.diffuse[i] + out.metallic * (texel.f0[i] - dielectric * rest)) /

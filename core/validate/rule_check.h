@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/color/luminance.h"
 #include "core/validate/nearest.h"
 #include "core/validate/pixels/evidence.h"
 #include "core/validate/rules.h"
@@ -62,11 +63,6 @@ class RuleCheck {
   bool fixed_severity_;
   std::vector<Finding>& findings_;
 };
-
-/// Y of linear sRGB.
-inline double luminance_of(const std::array<double, 3>& c) {
-  return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
-}
 
 /// act(tile, plateaus) for every tile with plateaus of this kind.
 template <class Act>

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/color/luminance.h"
 #include "core/render/camera.h"
 #include "core/render/environment.h"
 #include "core/render/glsl/glsl_camera.h"
@@ -275,9 +276,9 @@ class SceneText {
       return glue_.use("transparency", "of the texture");
     }
     if (textures_ != nullptr && textures_->alpha == TextureUse::Alpha::blend) {
-      std::string f0 = "dot(texel_f0, vec3(0.2126, 0.7152, 0.0722))";
+      std::string f0 = "luminance_of(texel_f0)";
       if (!textures_->specular) {
-        glue_.uniform("f0_luminance", luminance(scene_.surface.f0));
+        glue_.uniform("f0_luminance", luminance_of(scene_.surface.f0));
         f0 = "f0_luminance";
       }
       glue_.line("    object += (1.0 - fresnel_opacity(texel_opacity, " + f0 + ", dot(n, v))) * background;");
@@ -286,12 +287,10 @@ class SceneText {
     if (opacity_ >= 1) return glue_.leave_out("transparency", "opacity is 1");
     const Vec3& f0 = scene_.surface.f0;
     glue_.uniform("opacity", opacity_);
-    glue_.uniform("f0_luminance", luminance(f0));
+    glue_.uniform("f0_luminance", luminance_of(f0));
     glue_.line("    object += (1.0 - fresnel_opacity(opacity, f0_luminance, dot(n, v))) * background;");
     glue_.use("transparency", "opacity below 1");
   }
-
-  static double luminance(const Vec3& rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
   void transfer() {
     if (scene_.exposure != 1 || scene_.view) {

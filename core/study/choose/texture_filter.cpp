@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/color/luminance.h"
 #include "core/color/srgb.h"
 
 namespace etak {
@@ -15,8 +16,7 @@ void sort_by_luminance(std::vector<std::uint32_t>& codes) {
   std::array<double, 256> linear{};
   for (std::size_t code = 0; code < 256; ++code) linear[code] = srgb_decode(static_cast<double>(code) / 255);
   const auto luminance = [&](std::uint32_t code) {
-    return 0.2126 * linear[code >> 16 & 255u] + 0.7152 * linear[code >> 8 & 255u] +
-           0.0722 * linear[code & 255u];
+    return luminance_of(linear[code >> 16 & 255u], linear[code >> 8 & 255u], linear[code & 255u]);
   };
   std::vector<std::pair<double, std::uint32_t>> keyed;
   keyed.reserve(codes.size());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/color/luminance.h"
 #include "core/color/srgb.h"
 
 namespace etak {
@@ -44,9 +45,9 @@ CodeTables::CodeTables(TextureTransfer transfer) : transfer_(transfer) {
   for (std::size_t code = 0; code < 256; ++code) {
     decoded[code] = decode_of(transfer, static_cast<double>(code) / 255);
     linear[code] = fixed(decoded[code]);
-    red[code] = fixed(0.2126 * decoded[code]);
-    green[code] = fixed(0.7152 * decoded[code]);
-    blue[code] = fixed(0.0722 * decoded[code]);
+    red[code] = fixed(luminance_weights<double>[0] * decoded[code]);
+    green[code] = fixed(luminance_weights<double>[1] * decoded[code]);
+    blue[code] = fixed(luminance_weights<double>[2] * decoded[code]);
     // Greys must be their own luminance code, so the limits between codes stand on the sums, not on 2^24 Y.
     code_first_[code] = code == 0 ? 0 : fixed(decode_of(transfer, (static_cast<double>(code) - 0.5) / 255));
   }

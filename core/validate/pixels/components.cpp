@@ -5,6 +5,8 @@
 #include <bit>
 #include <tuple>
 
+#include "core/color/luminance.h"
+
 namespace etak {
 
 namespace {
@@ -171,8 +173,7 @@ void Components::close(const Sums& sums) {
   ++result_.regions;
   result_.area += plateau.area;
   result_.area_by_code.resize(256);
-  const auto& c = plateau.specular;
-  result_.area_by_code[tables_.encode(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2])] += plateau.area;
+  result_.area_by_code[tables_.encode(luminance_of(plateau.specular))] += plateau.area;
   auto& largest = result_.largest;
   largest.push_back(plateau);
   if (largest.size() >= 2 * PlateauSummary::kept) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/color/luminance.h"
 #include "core/validate/pixels/crew.h"
 #include "core/validate/pixels/tile_frame.h"
 
@@ -86,9 +87,7 @@ class Strips {
           f.largest = largest;
           f.above_at = place;
           f.above_value = {values[i], values[i + 1], values[i + 2]};
-          f.above_luminance = 0.2126 * static_cast<double>(values[i]) +
-                              0.7152 * static_cast<double>(values[i + 1]) +
-                              0.0722 * static_cast<double>(values[i + 2]);
+          f.above_luminance = luminance_of<double>(values[i], values[i + 1], values[i + 2]);
         }
       }
     }
