@@ -14,21 +14,13 @@ constexpr double largest_gloss = 3.32;
 
 }  // namespace
 
-double exponent_of_gloss(double gloss) {
-  return std::exp2(12 * gloss);
-}
-
-double alpha_of_gloss(double gloss) {
-  return std::sqrt(2 / (std::exp2(12 * gloss) + 2));
-}
-
 double roughness_of_gloss(double gloss) {
   return std::sqrt(alpha_of_gloss(gloss));
 }
 
 double gloss_of_roughness(double roughness) {
   // log2 of the infinity at 0 and of the 0 at 1 are the two infinities that are promised.
-  return std::log2(std::max(0.0, 2 / std::pow(roughness, 4) - 2)) / 12;
+  return gloss_of_exponent(std::max(0.0, 2 / std::pow(roughness, 4) - 2));
 }
 
 Gloss Gloss::of_roughness(double roughness) {
@@ -47,9 +39,7 @@ double Gloss::alpha() const {
 }
 
 double Gloss::exponent() const {
-  if (!roughness_) return exponent_of_gloss(gloss_);
-  const double alpha = *roughness_ * *roughness_;
-  return 2 / (alpha * alpha) - 2;
+  return roughness_ ? exponent_of_alpha(alpha()) : exponent_of_gloss(gloss_);
 }
 
 bool Gloss::held() const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,10 +17,41 @@ namespace etak {
 // al. 2007 (alpha = sqrt(2 / (e + 2)) matches the lobe of Blinn and Phong to that of Beckmann and GGX);
 // Burley 2012 (alpha = roughness^2).
 
-/// Exponent of Schueler's lobe: e = 2^(12 gloss), 1 to 4096.
-double exponent_of_gloss(double gloss);
-/// Width of the lobe of Schueler's gloss for GGX or Beckmann: alpha = sqrt(2 / (e + 2)), e = 2^(12 gloss).
-double alpha_of_gloss(double gloss);
+/// Exponent of Schueler's lobe: e = 2^(12 gloss), 1 to 4096. core/brdf/gloss.glsl has this and
+/// alpha_of_exponent() for shaders.
+template <std::floating_point Real>
+Real exponent_of_gloss(Real gloss) {
+  return std::exp2(12 * gloss);
+}
+template <std::floating_point Real>
+Real gloss_of_exponent(Real exponent) {
+  return std::log2(exponent) / 12;
+}
+
+/// Width of the lobe for GGX or Beckmann, alpha = sqrt(2 / (e + 2)), and back.
+template <std::floating_point Real>
+Real alpha_of_exponent(Real exponent) {
+  return std::sqrt(2 / (exponent + 2));
+}
+template <std::floating_point Real>
+Real exponent_of_alpha(Real alpha) {
+  return 2 / (alpha * alpha) - 2;
+}
+template <std::floating_point Real>
+Real alpha_of_gloss(Real gloss) {
+  return alpha_of_exponent(exponent_of_gloss(gloss));
+}
+
+/// The variance of the lobe, 1 / e, as which gloss is averaged; and back.
+template <std::floating_point Real>
+Real variance_of_gloss(Real gloss) {
+  return std::exp2(-12 * gloss);
+}
+template <std::floating_point Real>
+Real gloss_of_variance(Real variance) {
+  return -std::log2(variance) / 12;
+}
+
 /// Perceptual roughness sqrt(alpha), 0.904 for gloss 0 to 0.149 for gloss 1: not 1 - gloss.
 double roughness_of_gloss(double gloss);
 /// Back: g = log2(2 / roughness^4 - 2) / 12, not held to [0, 1]; infinite for 0, minus infinity for 1.

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <vector>
 
+#include "core/color/gloss.h"
 #include "core/image/linear_tables.h"
-#include "core/image/lobe_variance.h"
 #include "core/image/mips.h"
 
 namespace etak {
@@ -172,7 +172,7 @@ std::size_t bleed_under_alpha(Image& a, Image& b) {
     const auto from = a.at(x, y), other = b.at(x, y);
     if (from[3] == 0) return out;
     out.a = Float4{from[0], from[1], from[2], 1};
-    out.b = Float4{other[0], other[1], other[2], inverse_exponent(other[3])};
+    out.b = Float4{other[0], other[1], other[2], variance_of_gloss(other[3])};
     return out;
   });
   push(blocks);
@@ -182,7 +182,7 @@ std::size_t bleed_under_alpha(Image& a, Image& b) {
       if (to[3] != 0) continue;
       const Block& block = blocks.row(y / 2)[x / 2];
       for (std::size_t c = 0; c < 3; ++c) to[c] = block.a[c], other[c] = block.b[c];
-      other[3] = gloss_of_inverse_exponent(block.b[3]);
+      other[3] = gloss_of_variance(block.b[3]);
     }
   return hidden;
 }

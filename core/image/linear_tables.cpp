@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/color/gloss.h"
 #include "core/color/srgb.h"
 
 namespace etak {
@@ -25,9 +26,9 @@ LinearTables built() {
   for (std::size_t c = 0; c < 256; ++c) {
     const auto code = static_cast<double>(c);
     t.srgb[c] = static_cast<float>(srgb_decode(code / 255));
-    t.inverse[c] = static_cast<float>(std::exp2(-12 * code / 255));
+    t.inverse[c] = static_cast<float>(variance_of_gloss(code / 255));
     t.srgb_step[c] = c == 0 ? -infinity : not_below(srgb_decode((code - 0.5) / 255));
-    t.gloss_step[c] = c == 0 ? infinity : not_above(std::exp2(-12 * (code - 0.5) / 255));
+    t.gloss_step[c] = c == 0 ? infinity : not_above(variance_of_gloss((code - 0.5) / 255));
   }
   t.srgb_step[256] = infinity;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/image/lobe_variance.h"
+#include "core/color/gloss.h"
 #include "core/image/mip_chain.h"
 
 namespace etak {
@@ -17,7 +17,7 @@ struct FloatRow {
   }
   Float4 b(int x) const {
     const float* c = values_b + 4 * x;
-    return Float4{c[0], c[1], c[2], inverse_exponent(c[3])};
+    return Float4{c[0], c[1], c[2], variance_of_gloss(c[3])};
   }
   Float4 n(int x) const {
     const float* c = values_n + 3 * x;
@@ -80,7 +80,7 @@ MipPairFloat mip_pair(const Image& a, const Image& b, const MipOptions& options,
                    to_b.at(x, y)[c] = texel_b[static_cast<int>(c)];
                  }
                  to_a.at(x, y)[3] = texel_a[3];
-                 to_b.at(x, y)[3] = gloss_of_inverse_exponent(inverse);
+                 to_b.at(x, y)[3] = gloss_of_variance(inverse);
                }
              });
 

@@ -4,6 +4,7 @@
 
 #include "core/brdf/integrals/albedo.h"
 #include "core/brdf/integrals/normalise.h"
+#include "core/color/gloss.h"
 #include "core/light/function_rows.h"
 
 namespace etak::function_rows {
@@ -43,9 +44,6 @@ double integral(double parameter, double width) {
   return integral_of_distribution([&](double nm_value, double s2) { return D(parameter, nm_value, s2); },
                                   width);
 }
-double lobe_width(double exponent) {
-  return std::sqrt(2 / (exponent + 2));
-}
 
 constexpr Function rows[] = {
     {"D_ggx", "density of facets, 1/sr", "Walter et al. 2007, eq. 33", alpha_nm, false,
@@ -71,9 +69,9 @@ constexpr Function rows[] = {
     {"integral_D_beckmann_printed", "integral of D nm", "by quadrature", width_parameter, false,
      [](In x) { return integral<formulas::d_beckmann_printed_s2>(x[0], x[0]); }},
     {"integral_D_phong", "integral of D nm", "by quadrature", exponent_parameter, false,
-     [](In x) { return integral<formulas::d_phong_s2>(x[0], lobe_width(x[0])); }},
+     [](In x) { return integral<formulas::d_phong_s2>(x[0], alpha_of_exponent(x[0])); }},
     {"integral_D_schueler_over_pi", "integral of D nm / pi", "by quadrature", exponent_parameter, false,
-     [](In x) { return integral<formulas::d_schueler_over_pi_s2>(x[0], lobe_width(x[0])); }},
+     [](In x) { return integral<formulas::d_schueler_over_pi_s2>(x[0], alpha_of_exponent(x[0])); }},
     {"G_ct", "shadowing and masking", "Torrance and Sparrow 1967", ct_inputs, false,
      [](In x) {
        return formulas::g_cook_torrance(at_least_0(x[0]), at_least_0(x[1]), at_least_0(x[2]),

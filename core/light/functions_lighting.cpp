@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
+#include "core/color/gloss.h"
 #include "core/color/srgb.h"
 #include "core/light/function_rows.h"
 
@@ -54,7 +55,7 @@ double hemisphere_reference(double K_value, double g_value, double nv_value, std
   const Model& model = *find_model("schueler-simplified");
   const double values[] = {K_value, K_value, K_value, g_value};
   AlbedoOptions options;
-  options.lobe_width = std::sqrt(2 / (std::exp2(12 * g_value) + 2));
+  options.lobe_width = alpha_of_gloss(g_value);
   options.half_space = z;
   return directional_albedo(
       [&](const Directions& d) {

@@ -7,6 +7,7 @@
 
 #include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
+#include "core/color/gloss.h"
 #include "core/light/function_rows.h"
 
 namespace etak::function_rows {
@@ -80,11 +81,8 @@ double furnace(const char* id, In x, std::vector<double> values, double width) {
       },
       x[1], options);
 }
-double lobe_width(double e_value) {
-  return std::sqrt(2 / (e_value + 2));
-}
 double furnace_exponent(const char* id, In x) {
-  return furnace(id, x, {1, 1, 1, x[0]}, lobe_width(x[0]));
+  return furnace(id, x, {1, 1, 1, x[0]}, alpha_of_exponent(x[0]));
 }
 double furnace_width(const char* id, In x) {
   return furnace(id, x, {1, 1, 1, x[0]}, x[0]);
@@ -142,11 +140,11 @@ constexpr Function rows[] = {
     {"furnace_optimized", "directional albedo, K = 1", "Schueler 2009, technique 4, as printed",
      exponent_furnace, false,
      [](In x) {
-       return furnace("schueler-optimized", x, {1, 1, 1, std::log2(x[0]) / 12}, lobe_width(x[0]));
+       return furnace("schueler-optimized", x, {1, 1, 1, gloss_of_exponent(x[0])}, alpha_of_exponent(x[0]));
      }},
     {"furnace_blinn", "directional albedo, cs = 1", "TU Graz, (m + 8) / (8 pi)", exponent_furnace, false,
      [](In x) {
-       return furnace("blinn-phong", x, {0, 0, 0, 1, 1, 1, x[0]}, lobe_width(x[0]));
+       return furnace("blinn-phong", x, {0, 0, 0, 1, 1, 1, x[0]}, alpha_of_exponent(x[0]));
      }},
     {"furnace_beckmann_ct", "directional albedo, F = 1", "Beckmann, V-grooves", width_furnace, false,
      [](In x) { return furnace_width("microfacet:beckmann,schlick,cook-torrance", x); }},

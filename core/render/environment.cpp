@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/color/gloss.h"
 #include "core/color/luminance.h"
 
 namespace etak {
@@ -174,7 +175,7 @@ class LobeWeight {
 };
 
 Image lobe_map(const Image& map, double gloss, unsigned threads) {
-  const double e = std::exp2(12 * gloss);
+  const double e = exponent_of_gloss(gloss);
   // Half the lobe's width per pixel of the result, a quarter per pixel of what is summed.
   const double wanted = std::clamp(6.3 * std::sqrt(e), 32.0, 256.0);
   const Image seen = at_most(map, static_cast<int>(std::min(2 * wanted, double(prefilter_width))));

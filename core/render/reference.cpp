@@ -13,6 +13,7 @@
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/color/colorspace.h"
+#include "core/color/gloss.h"
 #include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
 #include "core/render/camera.h"
@@ -93,7 +94,7 @@ class Shader {
         environment_(environment),
         turn_(scene.environment_turn_deg),
         fresnel_(fresnel),
-        exponent_(std::exp2(12 * scene.surface.gloss)),
+        exponent_(exponent_of_gloss(double{scene.surface.gloss})),
         specular_values_(seen_specular_values(scene)) {
     if (scene.specular != nullptr && fresnel_ != nullptr)
       lobe_ = lobe_of(*scene.specular, scene.specular_values);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/color/gloss.h"
 
 namespace etak {
 namespace {
@@ -85,7 +86,7 @@ TexturedValues::TexturedValues(const Model& model, std::vector<double> values)
 
 const double* TexturedValues::at(const std::array<double, 4>& body, const std::array<double, 4>& gloss) {
   std::size_t at = 0;
-  const double exponent = std::exp2(12 * gloss[3]);
+  const double exponent = exponent_of_gloss(gloss[3]);
   for (const Parameter& parameter : model_.parameters) {
     const std::size_t count = parameter.color ? 3 : 1;
     const auto held = [&](double value) { return std::clamp(value, parameter.min, parameter.max); };
@@ -100,7 +101,7 @@ const double* TexturedValues::at(const std::array<double, 4>& body, const std::a
           values_[at] = held(gloss[3]);
           break;
         case Role::alpha:
-          values_[at] = held(std::sqrt(2 / (exponent + 2)));
+          values_[at] = held(alpha_of_exponent(exponent));
           break;
         case Role::exponent:
           values_[at] = held(exponent);

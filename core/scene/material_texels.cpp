@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/color/gloss.h"
 #include "core/color/luminance.h"
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
@@ -69,35 +68,10 @@ MetalRough metal_rough_of(const DiffuseSpecular& texel) {
   return out;
 }
 
-ConvertedGloss gloss_of_roughness(double roughness, GlossConvention convention) {
-  // r = 0 gives e = infinity and r = 1 gives log2(0): both are clamped.
-  const double gloss = convention == GlossConvention::one_minus_roughness
-                           ? 1 - roughness
-                           : etak::gloss_of_roughness(roughness);
-  const double held = std::clamp(gloss, 0.0, 1.0);
-  return {held, held != gloss};
-}
-
-double roughness_of_gloss(double gloss, GlossConvention convention) {
-  if (convention == GlossConvention::one_minus_roughness) return 1 - gloss;
-  return etak::roughness_of_gloss(gloss);
-}
-
-GlossCodes gloss_codes(double roughness_factor, GlossConvention convention) {
-  GlossCodes out;
-  for (std::size_t i = 0; i < 256; ++i) {
-    const ConvertedGloss gloss =
-        gloss_of_roughness(roughness_factor * static_cast<double>(i) / 255, convention);
-    out.gloss[i] = code_of(gloss.gloss);
-    out.clamped[i] = gloss.clamped;
-  }
-  return out;
-}
-
-std::array<std::uint8_t, 256> roughness_codes(GlossConvention convention) {
+std::array<std::uint8_t, 256> roughness_codes(GlossForm form) {
   std::array<std::uint8_t, 256> out;
   for (std::size_t i = 0; i < 256; ++i)
-    out[i] = code_of(roughness_of_gloss(static_cast<double>(i) / 255, convention));
+    out[i] = code_of(converted_gloss(static_cast<double>(i) / 255, form, GlossForm::roughness));
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/color/gloss.h"
 #include "core/math/mat3.h"
 
 namespace etak {
@@ -48,29 +49,8 @@ struct MetalRough {
 };
 MetalRough metal_rough_of(const DiffuseSpecular& texel);
 
-/// What the gloss channel holds.
-///   schueler              g with exponent e = 2^(12 g) of a normalised Blinn-Phong lobe; from glTF roughness
-///                         r: alpha = r^2, e = 2 / alpha^2 - 2
-///   one_minus_roughness   1 - r
-enum class GlossConvention { schueler, one_minus_roughness };
-
-/// Gloss in [0,1] and whether it had to be clamped to get there: Schueler's g is 1 at r = 0.1486 and 0 at
-/// r = 0.9036, and glTF goes on beyond both.
-struct ConvertedGloss {
-  double gloss = 0;
-  bool clamped = false;
-};
-ConvertedGloss gloss_of_roughness(double roughness, GlossConvention convention);
-double roughness_of_gloss(double gloss, GlossConvention convention);
-
-/// The same for 8-bit codes: gloss code of a roughness code under a factor, 255 * gloss rounded half up.
-struct GlossCodes {
-  std::array<std::uint8_t, 256> gloss;
-  std::array<bool, 256> clamped;  // for the reported share
-};
-GlossCodes gloss_codes(double roughness_factor, GlossConvention convention);
-/// Roughness code (what a glTF roughness texture holds) of a gloss code.
-std::array<std::uint8_t, 256> roughness_codes(GlossConvention convention);
+/// Roughness code (what a glTF roughness texture holds) of a gloss code: 255 * roughness rounded half up.
+std::array<std::uint8_t, 256> roughness_codes(GlossForm form);
 
 /// diffuse_specular() for the 8-bit codes of one material's textures; equal to srgb_u8 of the formulas in
 /// double.

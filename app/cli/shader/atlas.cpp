@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
+#include "core/color/gloss.h"
 #include "core/color/srgb.h"
-#include "core/scene/material_texels.h"
 
 namespace etak::cli {
 namespace {
@@ -29,9 +29,7 @@ const AtlasMaterialRow& material_named(const AtlasLayout& layout, const std::str
 
 // What the texture's gloss code stands for, as Schueler's g.
 double schueler_gloss(double value, GlossForm form) {
-  if (form == GlossForm::schueler) return value;
-  return gloss_of_roughness(form == GlossForm::roughness ? value : 1 - value, GlossConvention::schueler)
-      .gloss;
+  return std::clamp(converted_gloss(value, form, GlossForm::schueler), 0.0, 1.0);
 }
 
 // "f0=0.04", or "f0=1,0.8,0.3" for channels that differ; the codes are sRGB's.

@@ -44,9 +44,7 @@ std::vector<std::string> write_scene_pictures(OutputFolder& folder, int page, co
                                               const PngOptions& png) {
   std::vector<std::string> names;
   const auto has = [&](GltfForm form) { return std::find(forms.begin(), forms.end(), form) != forms.end(); };
-  const auto convention =
-      gloss == GlossForm::schueler ? GlossConvention::schueler : GlossConvention::one_minus_roughness;
-  const auto roughness = roughness_codes(convention);
+  const auto roughness = roughness_codes(gloss);
   const bool b = pixels.view(Texture::specular_gloss).data != nullptr;
   const auto write = [&](const char* what, int channels, const TexelMap& map) {
     write_mapped(folder, names.emplace_back(scene_picture(page, what)), pixels, channels, png, map);

@@ -23,9 +23,9 @@ std::string from_texture(const Parameter& parameter) {
     case Role::gloss:
       return held("gloss_here.w");
     case Role::alpha:
-      return held("sqrt(2.0 / (exp2(12.0 * gloss_here.w) + 2.0))");
+      return held("exponent_alpha(gloss_exponent(gloss_here.w))");
     default:
-      return held("exp2(12.0 * gloss_here.w)");
+      return held("gloss_exponent(gloss_here.w)");
   }
 }
 

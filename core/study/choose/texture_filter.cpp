@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/color/gloss.h"
 #include "core/color/luminance.h"
 #include "core/color/srgb.h"
 
@@ -47,7 +48,7 @@ TexelChain::TexelChain(const ConstPixelsView8& diffuse_alpha, const ConstPixelsV
     const double value = static_cast<double>(code) / 255;
     linear[code] = static_cast<float>(srgb_decode(value));
     const double g = std::clamp(converted_gloss(value, gloss, GlossForm::schueler), 0.0, 1.0);
-    inverse_exponent[code] = static_cast<float>(std::exp2(-12 * g));
+    inverse_exponent[code] = static_cast<float>(variance_of_gloss(g));
   }
   Level first{box.width, box.height, {}};
   first.values.reserve(numbers * static_cast<std::size_t>(box.width) * static_cast<std::size_t>(box.height));

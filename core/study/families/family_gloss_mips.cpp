@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/base/number.h"
+#include "core/color/gloss.h"
 #include "core/color/srgb.h"
 #include "core/math/quadrature.h"
 #include "core/study/error_time.h"
@@ -14,15 +15,6 @@
 namespace etak {
 namespace {
 
-template <class Real>
-Real exponent_of(Real gloss) {
-  return std::exp2(12 * gloss);
-}
-template <class Real>
-Real gloss_of(Real exponent) {
-  return std::log2(exponent) / 12;
-}
-
 // A rule makes one gloss of two; in double for the errors, in float for the times.
 template <class Real>
 Real mean_gloss(Real a, Real b) {
@@ -30,17 +22,17 @@ Real mean_gloss(Real a, Real b) {
 }
 template <class Real>
 Real mean_exponent(Real a, Real b) {
-  return gloss_of((exponent_of(a) + exponent_of(b)) / 2);
+  return gloss_of_exponent((exponent_of_gloss(a) + exponent_of_gloss(b)) / 2);
 }
 template <class Real>
 Real mean_variance(Real a, Real b) {
-  return gloss_of(2 / (1 / exponent_of(a) + 1 / exponent_of(b)));
+  return gloss_of_exponent(2 / (1 / exponent_of_gloss(a) + 1 / exponent_of_gloss(b)));
 }
 // The mean of alpha^2 = 2 / (e + 2). It may be wider than gloss 0, whose exponent is 1.
 template <class Real>
 Real mean_alpha2(Real a, Real b) {
-  const Real mean = 1 / (exponent_of(a) + 2) + 1 / (exponent_of(b) + 2);
-  return gloss_of(std::max(2 / mean - 2, Real(1)));
+  const Real mean = 1 / (exponent_of_gloss(a) + 2) + 1 / (exponent_of_gloss(b) + 2);
+  return gloss_of_exponent(std::max(2 / mean - 2, Real(1)));
 }
 
 struct Rule {
@@ -67,7 +59,7 @@ double lobe(double e, double s) {
 
 // Half the integral of |D - mean of D_a and D_b| nh: 0 for the same lobe, 1 for lobes that do not meet.
 double lobe_error(const Pair& pair, double gloss) {
-  const double e = exponent_of(gloss), a = exponent_of(pair.a), b = exponent_of(pair.b);
+  const double e = exponent_of_gloss(gloss), a = exponent_of_gloss(pair.a), b = exponent_of_gloss(pair.b);
   // With s = nh^2 the measure D nh dw is pi D ds. Glossy lobes live in a sliver below s = 1: pieces that
   // shrink towards it.
   const auto difference = [&](double t) {

@@ -11,6 +11,7 @@
 #include "core/base/number.h"
 #include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
+#include "core/color/gloss.h"
 #include "core/study/error_time.h"
 #include "core/study/measure.h"
 
@@ -73,7 +74,7 @@ std::vector<Vec3> make_axes(int tilts, int azimuths) {
 // midpoints of `steps` equal parts of its weight times `steps` azimuths.
 std::array<Truth, reflectances.size()> integrate(double g, double nv, std::span<const Vec3> axes, int steps) {
   const Model& model = *find_model("schueler-simplified");
-  const double e = std::exp2(12 * g);
+  const double e = exponent_of_gloss(g);
   const Vec3 v{std::sqrt(1 - nv * nv), 0, nv};
   std::array<Truth, reflectances.size()> out{};
   for (Truth& truth : out) truth.upper.assign(axes.size(), 0.0);

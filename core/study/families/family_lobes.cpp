@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/brdf/models.h"
+#include "core/color/gloss.h"
 #include "core/math/quadrature.h"
 #include "core/study/error_time.h"
 #include "core/study/measure.h"
@@ -55,7 +56,7 @@ const Model& model_of(std::string_view id) {
 
 // The numbers a model takes for three surfaces, a channel each, at one gloss.
 std::vector<double> values_for(const Model& model, std::span<const Surface> three, double gloss) {
-  const double e = std::exp2(12 * gloss);
+  const double e = exponent_of_gloss(gloss);
   std::vector<double> out;
   for (const Parameter& p : model.parameters)
     for (std::size_t c = 0; c < (p.color ? 3 : 1); ++c) switch (p.role) {
@@ -75,7 +76,7 @@ std::vector<double> values_for(const Model& model, std::span<const Surface> thre
           out.push_back(e);
           break;
         case Role::alpha:
-          out.push_back(std::sqrt(2 / (e + 2)));
+          out.push_back(alpha_of_exponent(e));
           break;
         default:
           out.push_back(0);  // the diffuse part of Blinn-Phong: left out
@@ -103,7 +104,7 @@ struct Sample {
 // Half vectors spread as GGX of the gloss's width spreads them, so that long tails are seen too: `steps`
 // equal parts of its weight, `steps` azimuths over half a turn (the other half is its mirror image).
 std::vector<Sample> samples_of(double gloss, double nv, int steps) {
-  const double alpha2 = 2 / (std::exp2(12 * gloss) + 2);
+  const double alpha2 = 2 / (exponent_of_gloss(gloss) + 2);
   const double vx = std::sqrt(1 - nv * nv);
   std::vector<Sample> out;
   for (int i = 0; i < steps; ++i) {
@@ -195,7 +196,7 @@ std::vector<RunTime> times_of(const ReportOptions& options) {
 ErrorTimeTable table_of(double gloss, const Measured& measured, std::span<const RunTime> times) {
   ErrorTimeTable table;
   table.id = "gloss_" + number(gloss, 3);
-  table.title = "Gloss " + number(gloss, 3) + " (exponent " + number(std::exp2(12 * gloss), 4) + ")";
+  table.title = "Gloss " + number(gloss, 3) + " (exponent " + number(exponent_of_gloss(gloss), 4) + ")";
   table.time_unit = "ns per pair of directions, three channels";
   table.base = "schueler-simplified";
   table.metrics = {{"l1_mean", "relative L1, mean", "%"}};

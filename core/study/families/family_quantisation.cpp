@@ -7,6 +7,7 @@
 
 #include "core/base/number.h"
 #include "core/color/delta_e.h"
+#include "core/color/gloss.h"
 #include "core/color/srgb.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
@@ -137,18 +138,8 @@ ErrorTimeTable f0_table(std::span<const LinearRgb> colours, const ReportOptions&
 
 // ---- gloss: the number kept is a function of Schueler's g, and so is the exponent
 
-double exponent_of(double gloss) {
-  return std::exp2(12 * gloss);
-}
-double alpha_of(double gloss) {
-  return std::sqrt(2 / (exponent_of(gloss) + 2));
-}
 double gloss_of_alpha(double alpha) {
-  return std::log2(2 / (alpha * alpha) - 2) / 12;
-}
-
-float alpha_of(float gloss) {
-  return std::sqrt(2 / (std::exp2(12 * gloss) + 2));
+  return gloss_of_exponent(exponent_of_alpha(alpha));
 }
 
 constexpr std::array gloss_codings{
@@ -157,19 +148,20 @@ constexpr std::array gloss_codings{
              encode_many(in, out, count, 255, [](float g) { return g; });
            }},
     Coding{"roughness8", "roughness, the root of alpha, 8 bit", 255,
-           [](double g) { return std::sqrt(alpha_of(g)); },
+           [](double g) { return std::sqrt(alpha_of_gloss(g)); },
            [](double code) { return gloss_of_alpha(code * code); },
            [](const float* in, std::uint16_t* out, std::size_t count) {
-             encode_many(in, out, count, 255, [](float g) { return std::sqrt(alpha_of(g)); });
+             encode_many(in, out, count, 255, [](float g) { return std::sqrt(alpha_of_gloss(g)); });
            }},
-    Coding{"alpha8", "alpha, 8 bit", 255, [](double g) { return alpha_of(g); }, gloss_of_alpha,
+    Coding{"alpha8", "alpha, 8 bit", 255, [](double g) { return alpha_of_gloss(g); }, gloss_of_alpha,
            [](const float* in, std::uint16_t* out, std::size_t count) {
-             encode_many(in, out, count, 255, [](float g) { return alpha_of(g); });
+             encode_many(in, out, count, 255, [](float g) { return alpha_of_gloss(g); });
            }},
-    Coding{"exponent8", "exponent e up to 4096, 8 bit", 255, [](double g) { return exponent_of(g) / 4096; },
-           [](double code) { return std::log2(std::max(4096 * code, 1.0)) / 12; },
+    Coding{"exponent8", "exponent e up to 4096, 8 bit", 255,
+           [](double g) { return exponent_of_gloss(g) / 4096; },
+           [](double code) { return gloss_of_exponent(std::max(4096 * code, 1.0)); },
            [](const float* in, std::uint16_t* out, std::size_t count) {
-             encode_many(in, out, count, 255, [](float g) { return std::exp2(12 * g) / 4096; });
+             encode_many(in, out, count, 255, [](float g) { return exponent_of_gloss(g) / 4096; });
            }}};
 
 ErrorTimeTable gloss_table(const ReportOptions& options) {
@@ -191,8 +183,8 @@ ErrorTimeTable gloss_table(const ReportOptions& options) {
     for (int i = 0; i <= sweep; ++i) {
       const double gloss = i / double{sweep};
       const double kept = std::clamp(rounded(coding, gloss), 0.0, 2.0);
-      const double alpha = 100 * std::abs(alpha_of(kept) / alpha_of(gloss) - 1);
-      const double e = 100 * std::abs(exponent_of(kept) / exponent_of(gloss) - 1);
+      const double alpha = 100 * std::abs(alpha_of_gloss(kept) / alpha_of_gloss(gloss) - 1);
+      const double e = 100 * std::abs(exponent_of_gloss(kept) / exponent_of_gloss(gloss) - 1);
       row.errors[0] = std::max(row.errors[0], alpha);
       row.errors[1] += alpha / (sweep + 1);
       row.errors[2] = std::max(row.errors[2], e);
@@ -223,7 +215,7 @@ ErrorTimeFamily quantisation_family(const ReportOptions& options) {
       "; 16 bit linear has nothing to see and is quicker, for twice the bytes) and gloss as it is: its " +
       number(family.tables[1].rows[0].errors[2], 2) +
       " % of e is the same everywhere, while alpha in 8 bit fails on polished surfaces.";
-  family.notes = {"One code of gloss multiplies the exponent by " + number(std::exp2(12 / 255.0), 5) +
+  family.notes = {"One code of gloss multiplies the exponent by " + number(exponent_of_gloss(1 / 255.0), 5) +
                       "; g = 0 and g = 1 are codes.",
                   "Half a step is the most that rounding moves a value, as a share of it. Times are of a "
                   "float to a code with the C library's functions; tables of 256 entries are faster."};

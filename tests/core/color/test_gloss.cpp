@@ -40,6 +40,35 @@ TEST_CASE("found 1.06: gloss and roughness go back and forth inside 0.149 to 0.9
   for (const double r : {0.0, 0.1, 0.1486, 0.9037, 1.0}) CHECK(Gloss::of_roughness(r).held());
 }
 
+TEST_CASE("Schueler's gloss ends where the exponent leaves 1 to 4096; one minus roughness has no ends") {
+  const auto g = [](double r) { return converted_gloss(r, GlossForm::roughness, GlossForm::schueler); };
+  // e = 2 / r^4 - 2: r = 0.5 gives 30, log2(30) / 12 = 0.40891.
+  CHECK(g(0.5) == Approx(0.408907).epsilon(1e-5));
+  CHECK(g(0.1485) > 1);
+  CHECK(g(0.1487) < 1);
+  CHECK(g(0.9035) > 0);
+  CHECK(g(0.9037) < 0);
+  CHECK(g(0) > 1);
+  CHECK(g(1) < 0);
+  for (const double r : {0.15, 0.3, 0.6, 0.9}) {
+    CHECK(converted_gloss(g(r), GlossForm::schueler, GlossForm::roughness) == Approx(r));
+    const double linear = converted_gloss(r, GlossForm::roughness, GlossForm::one_minus_roughness);
+    CHECK(linear == Approx(1 - r));
+    CHECK(converted_gloss(linear, GlossForm::one_minus_roughness, GlossForm::roughness) == Approx(r));
+  }
+}
+
+TEST_CASE("an exponent and a width of one lobe stand for one gloss, in double and in float") {
+  for (const double gloss : {0.0, 0.3, 0.75, 1.0}) {
+    const double e = exponent_of_gloss(gloss);
+    CHECK(gloss_of_exponent(e) == Approx(gloss).margin(1e-14));
+    CHECK(exponent_of_alpha(alpha_of_exponent(e)) == Approx(e).epsilon(1e-12));
+    CHECK(variance_of_gloss(gloss) == Approx(1 / e).epsilon(1e-14));
+    CHECK(gloss_of_variance(1 / e) == Approx(gloss).margin(1e-14));
+    CHECK(double{alpha_of_gloss(static_cast<float>(gloss))} == Approx(alpha_of_gloss(gloss)).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("a gloss is a number, and a number put into it forgets the roughness") {
   Gloss gloss = Gloss::of_roughness(0);
   CHECK(gloss != Gloss(1));

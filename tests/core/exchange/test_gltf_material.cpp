@@ -107,7 +107,7 @@ TEST_CASE("etak's own reader finds the materials again") {
       const GltfMaterial& m = scene.materials[i];
       const ExportSurface& s = surfaces[i];
       CHECK(m.roughness == Approx(roughness_of_gloss(s.gloss)).epsilon(1e-12));
-      CHECK(gloss_of_roughness(m.roughness, GlossConvention::schueler).gloss == Approx(s.gloss).margin(1e-9));
+      CHECK(gloss_of_roughness(m.roughness) == Approx(s.gloss).margin(1e-9));
       const Vec3 base{m.base_color[0], m.base_color[1], m.base_color[2]};
       const DiffuseSpecular there = diffuse_specular(
           base, m.metallic,

@@ -55,38 +55,13 @@ TEST_CASE("diffuse conventions differ by 1 - max F0, and convert back") {
   CHECK(back.diffuse[1] == Approx(0.25));
 }
 
-TEST_CASE("gloss saturates where the exponent leaves 1..4096") {
-  const auto g = [](double r) { return gloss_of_roughness(r, GlossConvention::schueler); };
-  // e = 2 / r^4 - 2: r = 0.5 gives 30, log2(30) / 12 = 0.40891.
-  CHECK(g(0.5).gloss == Approx(0.408907).epsilon(1e-5));
-  CHECK(!g(0.5).clamped);
-  CHECK(g(0.1485).gloss == 1);
-  CHECK(g(0.1485).clamped);
-  CHECK(!g(0.1487).clamped);
-  CHECK(!g(0.9035).clamped);
-  CHECK(g(0.9037).gloss == 0);
-  CHECK(g(0.9037).clamped);
-  CHECK(g(0).gloss == 1);
-  CHECK(g(1).gloss == 0);
-  for (const double r : {0.15, 0.3, 0.6, 0.9}) {
-    CHECK(roughness_of_gloss(g(r).gloss, GlossConvention::schueler) == Approx(r));
-    const ConvertedGloss linear = gloss_of_roughness(r, GlossConvention::one_minus_roughness);
-    CHECK(linear.gloss == Approx(1 - r));
-    CHECK(roughness_of_gloss(linear.gloss, GlossConvention::one_minus_roughness) == Approx(r));
-  }
-}
-
-TEST_CASE("code tables hold what the formulas give") {
-  const GlossCodes linear = gloss_codes(1, GlossConvention::one_minus_roughness);
-  const GlossCodes schueler = gloss_codes(0.7, GlossConvention::schueler);
+TEST_CASE("roughness codes are those of the gloss's form") {
+  const auto of_schueler = roughness_codes(GlossForm::schueler);
   for (std::size_t i = 0; i < 256; ++i) {
-    CHECK(linear.gloss[i] == 255 - i);
-    CHECK(!linear.clamped[i]);
-    const ConvertedGloss gloss =
-        gloss_of_roughness(0.7 * static_cast<double>(i) / 255, GlossConvention::schueler);
-    CHECK(schueler.gloss[i] == std::lround(255 * gloss.gloss));
-    CHECK(schueler.clamped[i] == gloss.clamped);
-    CHECK(roughness_codes(GlossConvention::one_minus_roughness)[i] == 255 - i);
+    const double gloss = static_cast<double>(i) / 255;
+    CHECK(roughness_codes(GlossForm::one_minus_roughness)[i] == 255 - i);
+    CHECK(roughness_codes(GlossForm::roughness)[i] == i);
+    CHECK(of_schueler[i] == std::lround(255 * std::pow(2 / (std::exp2(12 * gloss) + 2), 0.25)));
   }
 }
 
