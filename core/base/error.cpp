@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/base/text.h"
 
@@ -17,6 +18,10 @@ Error Error::at(std::string_view place, std::string_view found, std::string_view
 Error Error::at_line(std::string_view file, std::size_t line, std::string_view found,
                      std::string_view expected) {
   return at(std::string(file) + ":" + std::to_string(line), found, expected);
+}
+
+std::string reason_of(int error_number) {
+  return std::strerror(error_number);
 }
 
 std::string printable(std::string_view bytes, std::size_t most) {

@@ -26,6 +26,9 @@ class Error : public std::runtime_error {
                        std::string_view expected = {});
 };
 
+/// The system's words for an errno: "No such file or directory".
+std::string reason_of(int error_number);
+
 /// For quoting foreign bytes in a message: line_text() of text.h, cut after `most` bytes.
 std::string printable(std::string_view bytes, std::size_t most = 40);
 

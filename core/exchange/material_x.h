@@ -13,8 +13,9 @@ namespace etak {
 /// metal is base_color F0 with specular_color as its F82 tint, a dielectric base_color with specular_ior.
 /// Nodes are named by the surfaces' ids, made valid and unique. What had to be changed also stands there as a
 /// comment.
-///   surfaces   valid, all of one space: srgb (lin_rec709), acescg or display_p3 (lin_displayp3). Throws
-///              Error for an empty list, for an invalid surface, and where the space is none of these
+///   surfaces   valid, of srgb (lin_rec709), acescg or display_p3 (lin_displayp3); each colour states its own
+///              space, and the document that of the first. Throws Error for an empty list, for an invalid
+///              surface, and for a surface of another space
 ///   changes    one list per surface
 std::string material_x(std::span<const ExportSurface> surfaces, Fit fit, std::vector<Changes>& changes);
 

@@ -148,6 +148,10 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
   return out;
 }
 
+bool is_clear_body(const Material& material, const Dataset& dataset, const LinearRgb& diffuse) {
+  return diffuse == LinearRgb{} && clarity(material, dataset).clear;
+}
+
 DefaultGloss default_gloss(const Material& material, bool clear_body) {
   constexpr const char* convention = ", a convention, no measurement";
   if (clear_body) return {Gloss::of_roughness(0), std::string("the default of clear bodies") + convention};

@@ -33,6 +33,9 @@ struct Clarity {
 inline constexpr double clear_depth_m = 1e-3;
 Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space = RgbSpace::srgb);
 
+/// Whether a surface shows a clear body: the material's is, and no diffuse colour was put into it.
+bool is_clear_body(const Material& material, const Dataset& dataset, const LinearRgb& diffuse);
+
 /// How rough a surface is taken to be where nobody says: a convention by the class of the material. No
 /// measurement that could be cited was found.
 ///   reason   "the default of class surface, a convention, no measurement"

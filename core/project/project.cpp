@@ -54,11 +54,6 @@ bool is_total(const FoundF0& found) {
   return !gives_f0(found.material.material_class);
 }
 
-// Nothing was put into a body that light goes through.
-bool is_clear(const ProjectMaterial& material, const FoundF0& found) {
-  return material.diffuse == LinearRgb{} && clarity(found.material, found.chosen()).clear;
-}
-
 }  // namespace
 
 std::string_view name(Channel channel) {
@@ -129,7 +124,7 @@ void take_measured(ProjectMaterial& material, const FoundF0& found) {
 
 std::string body_note(const ProjectMaterial& material, const FoundF0& found) {
   std::string out;
-  const bool clear = is_clear(material, found);
+  const bool clear = is_clear_body(found.material, found.chosen(), material.diffuse);
   if (is_total(found)) {
     const LinearRgb &r = found.result.srgb_linear, &f0 = material.specular;
     out = "total reflectance " + number(r.r, 3) + " " + number(r.g, 3) + " " + number(r.b, 3) +

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <set>
 #include <utility>
 
@@ -58,7 +57,7 @@ Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
   Listing out;
   DIR* folder = ::opendir(path.c_str());
   if (folder == nullptr) {
-    out.failure = std::strerror(errno);
+    out.failure = reason_of(errno);
     return out;
   }
   struct stat info {};

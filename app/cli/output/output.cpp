@@ -5,7 +5,6 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 
 #include "app/cli/output/form.h"
 #include "app/cli/output/replace.h"
@@ -18,8 +17,7 @@ namespace etak::cli {
 namespace {
 
 void write_standard_output(std::string_view bytes) {
-  if (!write_all(STDOUT_FILENO, bytes))
-    throw Error::at("<stdout>", std::string("cannot be written: ") + std::strerror(errno));
+  if (!write_all(STDOUT_FILENO, bytes)) throw Error::at("<stdout>", "cannot be written: " + reason_of(errno));
 }
 
 // Written while the others are made ready: whoever reads the pipe may take his time.

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 
 #include "core/base/error.h"
 #include "core/base/files/input.h"
@@ -13,10 +12,6 @@
 
 namespace etak {
 namespace {
-
-std::string reason() {
-  return std::strerror(errno);
-}
 
 std::string too_large(std::size_t most) {
   return "at most " + std::to_string(most >> 20) + " MiB of text";
@@ -29,7 +24,7 @@ std::size_t read_some(int fd, std::string& out, std::size_t wanted, const std::s
   for (;;) {
     const ssize_t got = ::read(fd, out.data() + old, wanted);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw Error::at(path, "cannot be read: " + reason());
+    if (got < 0) throw Error::at(path, "cannot be read: " + reason_of(errno));
     out.resize(old + static_cast<std::size_t>(got));
     return static_cast<std::size_t>(got);
   }

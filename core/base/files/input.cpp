@@ -11,7 +11,6 @@
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -26,10 +25,6 @@ namespace etak {
 namespace {
 
 constexpr const char* what_is_read = "a regular file, a pipe, or - for standard input";
-
-std::string reason() {
-  return std::strerror(errno);
-}
 
 // N of "/dev/fd/N" and its other names; nothing for other paths.
 std::optional<int> descriptor_of(std::string_view path) {
@@ -64,7 +59,7 @@ class Pipe {
     while (at < out.size()) {
       const ssize_t got = ::pread(memory_, out.data() + at, out.size() - at, static_cast<off_t>(at));
       if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) throw Error::at(path_, "cannot be read: " + reason());
+      if (got <= 0) throw Error::at(path_, "cannot be read: " + reason_of(errno));
       at += static_cast<std::size_t>(got);
     }
     return out;
@@ -87,13 +82,13 @@ class Pipe {
         (void)::poll(&waiting, 1, -1);
         continue;
       }
-      if (got < 0) throw Error::at(path_, "cannot be read: " + reason());
+      if (got < 0) throw Error::at(path_, "cannot be read: " + reason_of(errno));
       if (got == 0) {
         finish();
         break;
       }
       if (!write_all(memory_, {buffer.data(), static_cast<std::size_t>(got)}))
-        throw Error::at(path_, "cannot be kept in memory: " + reason());
+        throw Error::at(path_, "cannot be kept in memory: " + reason_of(errno));
       size_ += static_cast<std::size_t>(got);
     }
     return ended_ && size_ <= wanted;
@@ -108,9 +103,9 @@ class Pipe {
       source_ = Descriptor(::open(typed_input(path_).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
       if (source_) wait_for_first_byte(timeout);
     }
-    if (!source_) throw Error::at(path_, "cannot be opened: " + reason());
+    if (!source_) throw Error::at(path_, "cannot be opened: " + reason_of(errno));
     memory_ = ::memfd_create("etak-input", MFD_CLOEXEC);
-    if (memory_ < 0) throw Error::at(path_, "cannot be kept in memory: " + reason());
+    if (memory_ < 0) throw Error::at(path_, "cannot be kept in memory: " + reason_of(errno));
   }
 
   void wait_for_first_byte(double timeout) {
@@ -122,7 +117,7 @@ class Pipe {
       pollfd waiting{source_.get(), POLLIN, 0};
       const int found = ::poll(&waiting, 1, static_cast<int>(std::max<long>(0, left)));
       if (found > 0) break;
-      if (found < 0 && errno != EINTR) throw Error::at(path_, "cannot be read: " + reason());
+      if (found < 0 && errno != EINTR) throw Error::at(path_, "cannot be read: " + reason_of(errno));
       if (Clock::now() < end) continue;
       throw Error::at(path_, "nothing came from this pipe in " + number(timeout, 6) + " s",
                       "a program that writes to it, or more time by --input-timeout");
@@ -144,7 +139,7 @@ class Pipe {
     OpenedInput out{
         Descriptor(::open(("/proc/self/fd/" + std::to_string(memory_)).c_str(), O_RDONLY | O_CLOEXEC)),
         size_};
-    if (!out.file) throw Error::at(path_, "cannot be opened: " + reason());
+    if (!out.file) throw Error::at(path_, "cannot be opened: " + reason_of(errno));
     return out;
   }
 
@@ -210,8 +205,8 @@ OpenedInput open_regular(const std::string& path) {
   if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) refuse(path, info.st_mode);
   // O_NONBLOCK: what has become a pipe since must not hang the call; regular files ignore it.
   out.file = Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!out.file) throw Error::at(path, "cannot be opened: " + reason());
-  if (::fstat(out.file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason());
+  if (!out.file) throw Error::at(path, "cannot be opened: " + reason_of(errno));
+  if (::fstat(out.file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason_of(errno));
   if (!S_ISREG(info.st_mode)) refuse(path, info.st_mode);
   out.size = static_cast<std::size_t>(info.st_size);
   return out;
@@ -285,7 +280,7 @@ std::string read_head(const std::string& path, std::size_t count) {
   while (at < count) {
     const ssize_t got = ::read(opened.file.get(), out.data() + at, count - at);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw Error::at(path, "cannot be read: " + reason());
+    if (got < 0) throw Error::at(path, "cannot be read: " + reason_of(errno));
     if (got == 0) break;
     at += static_cast<std::size_t>(got);
   }

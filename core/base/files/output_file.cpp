@@ -8,14 +8,14 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 
 #include "core/base/error.h"
 
 namespace etak {
 
 void OutputFile::fail(const char* what) const {
-  throw Error::at(path_, std::string(what) + ": " + std::strerror(errno));
+  const int why = errno;
+  throw Error::at(path_, std::string(what) + ": " + reason_of(why));
 }
 
 OutputFile::OutputFile(const std::string& path, std::string_view bytes, bool overwrite)

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <mutex>
 #include <optional>
@@ -30,10 +29,6 @@ namespace {
 
 // One run at a time looks and exchanges below one parent; a large set takes a part of a second.
 constexpr std::chrono::seconds most_wait{10};
-
-std::string reason() {
-  return std::strerror(errno);
-}
 
 // The layout names the textures, so it comes last.
 bool is_layout(const std::string& name) {
@@ -76,8 +71,8 @@ struct OutputFolder::State {
   }
   int fresh_folder() const { return fresh.open().get(); }
   [[noreturn]] void fail(const char* what, const std::string& file = {}) const {
-    const std::string why = reason();
-    throw Error::at(file.empty() ? path : path + "/" + file, std::string(what) + ": " + why);
+    const int why = errno;
+    throw Error::at(file.empty() ? path : path + "/" + file, std::string(what) + ": " + reason_of(why));
   }
 
   void expect_plain(const std::string& file) const {
@@ -147,7 +142,7 @@ OutputFolder::OutputFolder(const std::string& path, Replace replace) : state_(st
   const Descriptor home = s.open_target();
   s.fresh = Temporary(s.parent.get(), s.inside ? "" : s.name, Temporary::Kind::folder, home.get());
   if (!s.fresh)
-    throw Error::at(path, "cannot be written: " + reason(), "a folder that can be made or changed");
+    throw Error::at(path, "cannot be written: " + reason_of(errno), "a folder that can be made or changed");
 }
 
 // What was not put in place goes with the temporary.

@@ -7,7 +7,6 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 #include "core/base/files/output_folder.h"
@@ -57,7 +56,7 @@ void check_file_target(const std::string& path, bool overwrite) {
   if (target.is_device) return;
   const Descriptor folder = open_folder_of(target);
   if (!folder || !Temporary(folder.get(), target.name, Temporary::Kind::file))
-    throw Error::at(path, std::string("cannot be written: ") + std::strerror(errno));
+    throw Error::at(path, "cannot be written: " + reason_of(errno));
 }
 
 void check_folder_target(const std::string& path, std::span<const std::string> names, Replace replace) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 
 #include "core/base/error.h"
 #include "core/base/memory.h"
@@ -36,8 +35,7 @@ FileStamp stamp_of(const std::string& path) {
 SteadyFile::SteadyFile(const std::string& path, std::size_t most)
     : path_(path), input_(open_input(path, most)) {
   struct stat info {};
-  if (::fstat(input_.file.get(), &info) != 0)
-    throw Error::at(path, std::string("cannot be read: ") + std::strerror(errno));
+  if (::fstat(input_.file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason_of(errno));
   stamp_ = stamp(info);
 }
 
@@ -57,7 +55,7 @@ void SteadyFile::read(std::size_t at, char* to, std::size_t count) const {
   if (const std::size_t there = read_what_is_there(at, to, count); there < count) {
     const int why = errno;
     check_unchanged();
-    throw Error::at(path_, why != 0 ? std::string("cannot be read: ") + std::strerror(why)
+    throw Error::at(path_, why != 0 ? "cannot be read: " + reason_of(why)
                                     : "ends at byte " + std::to_string(at + there) + " of " + bytes(size()));
   }
 }
@@ -82,8 +80,7 @@ std::string SteadyFile::all() const {
 
 void SteadyFile::check_unchanged() const {
   struct stat now {};
-  if (::fstat(input_.file.get(), &now) != 0)
-    throw Error::at(path_, std::string("cannot be read: ") + std::strerror(errno));
+  if (::fstat(input_.file.get(), &now) != 0) throw Error::at(path_, "cannot be read: " + reason_of(errno));
   const auto size_now = static_cast<std::size_t>(now.st_size);
   if (size_now != size())
     throw Error::at(path_, "changed while it was read, found " + bytes(size_now), bytes(size()));

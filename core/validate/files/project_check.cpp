@@ -28,10 +28,11 @@ Finding finding_with(std::string_view rule, Severity severity, const std::string
 }
 
 // Whether the black diffuse colour of a dielectric is right, because light goes through its body.
-bool is_clear_body(const ProjectMaterial& material, const MaterialLibrary& library) {
-  if (!material.measured || material.diffuse != LinearRgb{}) return false;
+bool black_is_right(const ProjectMaterial& material, const MaterialLibrary& library) {
+  if (!material.measured) return false;
   const auto record = library.find(material.measured->material);
-  return record && clarity(*record, dataset_named(*record, material.measured->dataset, record->id)).clear;
+  return record && is_clear_body(*record, dataset_named(*record, material.measured->dataset, record->id),
+                                 material.diffuse);
 }
 
 CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary& library,
@@ -54,7 +55,7 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
     // One alpha for all hides no texel: F0 is drawn whatever the body lets through.
     std::vector<std::uint8_t>& texels = pair.diffuse_alpha.values;
     for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
-    if (is_clear_body(material, library)) own.rules["ETK202"].severity = Severity::off;
+    if (black_is_right(material, library)) own.rules["ETK202"].severity = Severity::off;
   }
   return check_pictures(target, {&pair.diffuse_alpha, &pair.specular_gloss, nullptr}, own, threads);
 }

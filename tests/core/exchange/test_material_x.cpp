@@ -49,6 +49,22 @@ TEST_CASE("a metal is F0 and the tint of F82 in an OpenPBR surface") {
   CHECK(contains(text, "<!-- base_color 1.043 0.7738 0.3347 -&gt; 1 0.7738 0.3347 (clamp, 0.0428)"));
 }
 
+TEST_CASE("surfaces of different spaces each state their own; one of a space without a name is refused") {
+  ExportSurface wide = named("wide"), other = named("other");
+  wide.space = RgbSpace::acescg;
+  other.space = RgbSpace::rec2020;
+  const std::string text = written({named("plain"), wide});
+  CHECK(contains(text, "<materialx version=\"1.39\" colorspace=\"lin_rec709\">"));
+  const auto second = text.find("name=\"wide_surface\"");
+  REQUIRE(second != text.npos);
+  const std::string of_plain = text.substr(0, second), of_wide = text.substr(second);
+  CHECK(contains(of_plain, "type=\"color3\""));
+  CHECK(!contains(of_plain, "acescg"));
+  CHECK(contains(of_wide, "colorspace=\"acescg\""));
+  CHECK(!contains(of_wide, "lin_rec709"));
+  CHECK(contains(error_of([&] { (void)written({named("plain"), other}); }), "rec2020"));
+}
+
 TEST_CASE("a dielectric has an index and no F82") {
   const std::string text = written({named("plastic")});
   CHECK(contains(text, R"(<input name="specular_ior" type="float" value="1.5" />)"));
