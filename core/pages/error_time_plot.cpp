@@ -11,7 +11,7 @@
 namespace etak {
 namespace {
 
-constexpr double width = 640, height = 400;
+constexpr double width = 640;
 constexpr double left = 66, right = 612, top = 26, bottom = 350;
 constexpr double letter_width = 6.3, line_height = 13, label_gap = 8;
 // With more points than this only those that nothing beats have a name at any distance, the others beside

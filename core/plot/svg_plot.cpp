@@ -16,7 +16,7 @@
 namespace etak {
 namespace {
 
-constexpr double width = 460, height = 270;
+constexpr double width = 460;
 constexpr double plot_top = 30, plot_bottom = 222;
 constexpr double digit_width = 8;  // of the tick numbers, generous: fonts differ
 constexpr double strip_height = 5;

@@ -30,6 +30,10 @@ inline constexpr int grid_first_nm = 360;
 inline constexpr int grid_last_nm = 830;
 inline constexpr std::size_t grid_size = grid_last_nm - grid_first_nm + 1;
 
+/// The range of visible light that tables are asked to cover, the shorter one of ASTM E308.
+inline constexpr double visible_first_nm = 380;
+inline constexpr double visible_last_nm = 780;
+
 /// The range every F0 result reports on: samples and gaps are counted here.
 inline constexpr double core_first_nm = 400;
 inline constexpr double core_last_nm = 700;

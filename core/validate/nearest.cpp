@@ -118,8 +118,7 @@ std::vector<NearestMaterial> nearest_materials(const KnownMaterials& known,
 
 Explanation explain_f0(const KnownMaterials& known, const std::array<double, 3>& linear,
                        TextureTransfer transfer) {
-  constexpr double most_distance = 4;                 // codes
-  constexpr double least_f0 = 0.017, most_f0 = 0.09;  // where dielectrics lie
+  constexpr double most_distance = 4;  // codes
   Explanation best;
   double grey = 0, spread_least = 255, spread_most = 0;
   for (const double c : linear) {
@@ -132,7 +131,8 @@ Explanation explain_f0(const KnownMaterials& known, const std::array<double, 3>&
   best.distance = most_distance;
   const double code = code_with_fraction(grey, transfer);
   for (const KnownF0& entry : known.f0()) {
-    if (!entry.preferred || entry.conductor || entry.luminance < least_f0 || entry.luminance > most_f0)
+    if (!entry.preferred || entry.conductor || entry.luminance < least_dielectric_f0 ||
+        entry.luminance > most_dielectric_f0)
       continue;
     const double f0 = entry.luminance, once = code_with_fraction(f0, transfer);
     const double twice = code_with_fraction(once / 255, transfer), never = 255 * f0;

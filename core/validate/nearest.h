@@ -60,6 +60,21 @@ std::vector<NearestMaterial> nearest_materials(const KnownMaterials& known,
                                                const std::array<double, 3>& linear, TextureTransfer transfer,
                                                std::size_t count = 3);
 
+/// Linear F0 of the library's dielectrics but gems: ice and water have the least of them.
+inline constexpr double least_dielectric_f0 = 0.017, most_dielectric_f0 = 0.09;
+
+/// Codes, both ends included.
+struct CodeRange {
+  int first, last;
+  constexpr bool holds(int code) const { return code >= first && code <= last; }
+};
+/// These dielectrics in sRGB codes.
+inline constexpr CodeRange dielectric_codes{36, 84};
+/// Stored without the curve: 255 times F0, with 3 codes of noise at the upper end.
+inline constexpr CodeRange linear_dielectric_codes{4, 26};
+/// Encoded twice: the sRGB codes of 36 / 255 and 84 / 255 as linear values.
+inline constexpr CodeRange doubled_dielectric_codes{105, 155};
+
 /// How an F0 may have come about, for dielectrics only: the value does not tell it of metals.
 ///   as_is     a dielectric of the library is within `distance` codes
 ///   doubled   the value was encoded twice

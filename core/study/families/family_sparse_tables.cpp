@@ -42,7 +42,8 @@ std::vector<NkTable> pages_with(std::size_t least, std::size_t most) {
 
 // Rows nearest to `points` wavelengths evenly over what is seen, its ends included.
 NkTable decimated(const NkTable& page, std::size_t points) {
-  const double first = std::max(page.nm.front(), 380.0), last = std::min(page.nm.back(), 780.0);
+  const double first = std::max(page.nm.front(), visible_first_nm),
+               last = std::min(page.nm.back(), visible_last_nm);
   NkTable out{page.name, {}, {}, {}};
   for (std::size_t i = 0; i < points; ++i) {
     const double wanted = first + (last - first) * static_cast<double>(i) / static_cast<double>(points - 1);

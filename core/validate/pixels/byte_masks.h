@@ -9,6 +9,9 @@ namespace etak {
 /// Limits of the byte tests, from the settings through the tables: no test of the byte pass sees a float.
 struct ByteLimits {
   static constexpr int b_levels = 4, a_levels = 2;
+  // Alpha that is neither nothing nor whole (ETK501): beyond these codes premultiplied colour is too near to
+  // black, or to straight colour, to be told.
+  static constexpr std::uint8_t alpha_middle_first = 9, alpha_middle_last = 246;
   std::uint8_t zone_first = 124, zone_last = 178;       // codes of a grey in the forbidden zone, inclusive
   std::uint8_t b_level[b_levels] = {36, 81, 124, 179};  // least grey code at or above each limit of Y, 1..255
   std::uint8_t a_level[a_levels] = {30, 251};
@@ -22,7 +25,7 @@ struct ByteLimits {
 /// channel is, and surely at or above when its smallest one is; the rest is for the table sums to say.
 struct MaskWords {
   std::uint64_t opaque;
-  std::uint64_t alpha_zero, alpha_full, alpha_middle;  // 0; 255; 9..246
+  std::uint64_t alpha_zero, alpha_full, alpha_middle;  // 0; 255; the middle codes
   std::uint64_t zone_any, zone_all;                    // channels of B in the zone's codes
   std::uint64_t black, nearly_black;                   // B: all 0; all at most 1
   std::uint64_t spread;                                // B: largest - smallest channel > spread

@@ -12,7 +12,7 @@ namespace etak {
 inline constexpr std::uint32_t linear_one = 1u << 24;
 
 /// What the 256 codes stand for under one transfer function, as integers: the byte pass adds, never
-/// multiplies, and knows no floats. Y = 0.2126 R + 0.7152 G + 0.0722 B.
+/// multiplies, and knows no floats. Y by luminance_weights.
 struct CodeTables {
   explicit CodeTables(TextureTransfer transfer);
 

@@ -132,8 +132,8 @@ void TilePass::count_words(ByteCounts& counts, const std::vector<MaskWords>& wor
       each_bit(opaque, [&](int i) {
         const std::uint8_t code = row.metallic[4 * (x0 + i)];
         some_metallic |= std::uint64_t{code > 0} << i;
-        half_metallic |= std::uint64_t{code >= 26 && code < 230} << i;
-        metallic |= std::uint64_t{code >= 230} << i;
+        half_metallic |= std::uint64_t{code >= half_metal_first_code && code < metal_first_code} << i;
+        metallic |= std::uint64_t{code >= metal_first_code} << i;
       });
     const std::uint64_t below_zone = ~b_from[b_zone];
     const std::uint64_t dielectric = below_zone & ~(half_metallic | metallic);

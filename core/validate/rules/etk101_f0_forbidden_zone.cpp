@@ -12,7 +12,7 @@ constexpr RuleParameter etk101_parameters[] = {
 
 // Half metals are ETK113's: here they count as a warning.
 bool is_half_metal(const RuleCheck& check, const Plateau& plateau) {
-  return check.evidence.metal_rough && plateau.metallic > 0.1 && plateau.metallic < 0.9;
+  return check.evidence.metal_rough && plateau.metallic > half_metal_above && plateau.metallic < metal_from;
 }
 
 // Share of the opaque texels whose F0 is that of ordinary dielectrics.

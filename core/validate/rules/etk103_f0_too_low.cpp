@@ -7,7 +7,7 @@ namespace etak {
 namespace {
 
 constexpr RuleParameter etk103_parameters[] = {
-    {"max_luminance", 0.017, 0.017, "", "F0 below which a plateau is reported"},
+    {"max_luminance", least_dielectric_f0, least_dielectric_f0, "", "F0 below which a plateau is reported"},
 };
 
 void etk103(RuleCheck& check) {

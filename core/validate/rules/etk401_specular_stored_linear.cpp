@@ -17,19 +17,18 @@ void etk401(RuleCheck& check) {
     const PlateauSummary* plateaus = tile.region(RegionKind::any_f0);
     if (plateaus == nullptr || plateaus->regions == 0) continue;
     std::size_t dielectric = 0, linear = 0, ordinary = 0;
-    for (int code = 0; code <= 84; ++code) {
+    for (int code = 0; code <= dielectric_codes.last; ++code) {
       const std::size_t area = plateaus->area_by_code[static_cast<std::size_t>(code)];
       dielectric += area;
-      if (code >= 4 && code <= 26) linear += area;
-      if (code >= 36 && code <= 84) ordinary += area;
+      if (linear_dielectric_codes.holds(code)) linear += area;
+      if (dielectric_codes.holds(code)) ordinary += area;
     }
     if (linear == 0 || 10 * ordinary > linear ||
         100.0 * static_cast<double>(linear) < check.parameter("share") * static_cast<double>(dielectric))
       continue;
     const auto shown =
         std::find_if(plateaus->largest.begin(), plateaus->largest.end(), [&](const Plateau& p) {
-          const int code = check.tables.encode(luminance_of(p.specular));
-          return code >= 4 && code <= 26;
+          return linear_dielectric_codes.holds(check.tables.encode(luminance_of(p.specular)));
         });
     if (shown == plateaus->largest.end()) continue;
     Finding& finding = check.report(tile, *plateaus, *shown, false);

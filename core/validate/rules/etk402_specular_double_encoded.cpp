@@ -27,8 +27,7 @@ void etk402(RuleCheck& check) {
           *std::max_element(codes.begin(), codes.end()) - *std::min_element(codes.begin(), codes.end());
       if (spread > 4 || luminance_of(plateau.specular) >= check.settings.zone.high) continue;
       grey += plateau.area;
-      const int code = check.tables.encode(luminance_of(plateau.specular));
-      if (code < 105 || code > 155) continue;
+      if (!doubled_dielectric_codes.holds(check.tables.encode(luminance_of(plateau.specular)))) continue;
       if (has_diffuse && luminance_of(plateau.diffuse) <= 0.004) continue;
       doubled += plateau.area;
       above_gems = above_gems || luminance_of(plateau.specular) > check.settings.zone.low;
@@ -38,7 +37,7 @@ void etk402(RuleCheck& check) {
         100.0 * static_cast<double>(doubled) < check.parameter("share") * static_cast<double>(grey))
       continue;
     const double meant = check.tables.decode(255 * luminance_of(shown->specular));
-    if (meant < 0.017 || meant > 0.09) continue;
+    if (meant < least_dielectric_f0 || meant > most_dielectric_f0) continue;
     Finding& finding = check.report(tile, *plateaus, *shown, false);
     const bool sure = has_diffuse && above_gems;
     if (!sure) finding.severity = check.at_most(Severity::warning);

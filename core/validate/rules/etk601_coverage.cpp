@@ -15,7 +15,7 @@ void etk601(RuleCheck& check) {
   if (!material) return;
   for (const SpectralRows& rows : material->datasets) {
     const double first = first_nm(rows), last = last_nm(rows);
-    if (first <= 0 || (first <= 380 && last >= 780)) continue;
+    if (first <= 0 || (first <= visible_first_nm && last >= visible_last_nm)) continue;
     const double held = luminous_coverage(first, last);
     const bool refused = !covers_enough(held);
     Finding& finding = check.report();

@@ -20,7 +20,7 @@ void etk602(RuleCheck& check) {
     if (!rows.preferred || rows.is_formula || rows.wavelength_nm.empty()) continue;
     std::vector<double> inside;
     for (const double nm : rows.wavelength_nm)
-      if (nm >= 380 && nm <= 780) inside.push_back(nm);
+      if (nm >= visible_first_nm && nm <= visible_last_nm) inside.push_back(nm);
     std::sort(inside.begin(), inside.end());
     double gap = 0;
     for (std::size_t i = 1; i < inside.size(); ++i) gap = std::max(gap, inside[i] - inside[i - 1]);

@@ -13,7 +13,7 @@ void etk604(RuleCheck& check) {
     for (std::size_t i = 0; i < rows.wavelength_nm.size(); ++i) {
       const double n = i < rows.n.size() ? rows.n[i] : 1, k = i < rows.k.size() ? rows.k[i] : 0;
       const double r = i < rows.reflectance.size() ? rows.reflectance[i] : 0;
-      const bool visible = rows.wavelength_nm[i] >= 360 && rows.wavelength_nm[i] <= 830;
+      const bool visible = rows.wavelength_nm[i] >= grid_first_nm && rows.wavelength_nm[i] <= grid_last_nm;
       if ((n > 0 || (n == 0 && k > 0)) && k >= 0 && r >= -0.02 && r <= 1.02 &&
           (!visible || (n <= 20 && k <= 50)))
         continue;

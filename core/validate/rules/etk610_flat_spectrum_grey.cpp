@@ -14,7 +14,8 @@ void etk610(RuleCheck& check) {
   if (!material) return;
   static const double difference = [] {
     const F0Solver solver{F0Options{}};
-    const F0Result f0 = solver.solve(Optics{Reflectance{Spectrum{{360, 830}, {0.5, 0.5}}}});
+    const F0Result f0 =
+        solver.solve(Optics{Reflectance{Spectrum{{grid_first_nm, grid_last_nm}, {0.5, 0.5}}}});
     return std::max({f0.linear.r, f0.linear.g, f0.linear.b}) -
            std::min({f0.linear.r, f0.linear.g, f0.linear.b});
   }();
