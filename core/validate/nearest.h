@@ -33,8 +33,8 @@ class KnownMaterials {
   /// A fingerprint of the materials, as results depend on them; empty for the built-in ones.
   const std::string& hash() const { return hash_; }
 
-  /// F0 of every dataset that gives one, without doubtful datasets that are not preferred: computed once, when
-  /// first asked for, by any thread.
+  /// F0 of every dataset that gives one, without doubtful datasets that are not preferred: computed once,
+  /// when first asked for, by any thread.
   std::span<const KnownF0> f0() const;
 
   /// The entries of one material, by id, alias or name; empty: not in the library.

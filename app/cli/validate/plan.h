@@ -18,8 +18,8 @@ struct ValidatePlan {
   std::string root;         // absolute
 };
 
-/// The materials of the library that the line and the environment ask for; null where that is the built-in one
-/// alone. Throws Error for a folder that cannot be read.
+/// The materials of the library that the line and the environment ask for; null where that is the built-in
+/// one alone. Throws Error for a folder that cannot be read.
 std::shared_ptr<const KnownMaterials> asked_materials(Library& library);
 
 /// From etak.toml (of --config, else of the first path's folder or the nearest one above it) and the command

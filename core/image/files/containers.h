@@ -42,9 +42,9 @@ enum class DdsHeader { dx10, legacy };
 void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
                const FileSink& sink);
 
-/// For programs that load an atlas: reads back what the two above write (and other uncompressed RGBA8 files of these kinds: 2-D, one layer,
-/// one face, alpha not premultiplied). Sizes, level counts and places are checked before anything is
-/// allocated. Throws Error.
+/// For programs that load an atlas: reads back what the two above write (and other uncompressed RGBA8 files
+/// of these kinds: 2-D, one layer, one face, alpha not premultiplied). Sizes, level counts and places are
+/// checked before anything is allocated. Throws Error.
 struct TextureFile {
   std::vector<Image8> levels;
   bool srgb = true;

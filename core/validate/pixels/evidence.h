@@ -53,8 +53,8 @@ struct Detail {
   void add(const Detail& other);
 };
 
-/// A metallic value between these is neither metal nor dielectric (ETK101, ETK113): glTF 2.0 and Filament ask for
-/// values close to 0 or 1. `metal_from` begins the metals.
+/// A metallic value between these is neither metal nor dielectric (ETK101, ETK113): glTF 2.0 and Filament ask
+/// for values close to 0 or 1. `metal_from` begins the metals.
 inline constexpr double half_metal_above = 0.1, metal_from = 0.9;
 /// The same as codes: the first above 25.5, and the first from 229.5 on.
 inline constexpr std::uint8_t half_metal_first_code = 26, metal_first_code = 230;
