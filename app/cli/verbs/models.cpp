@@ -48,7 +48,8 @@ std::vector<Row> all_rows() {
   return rows;
 }
 
-std::string table() {
+// -q leaves out the legend, which is no data.
+std::string table(bool quiet) {
   const std::vector<Row> rows = all_rows();
   std::size_t id = 2, title = 5;
   for (const Row& row : rows) {
@@ -63,6 +64,7 @@ std::string table() {
     line.erase(line.find_last_not_of(' ') + 1);
     out += line + '\n';
   }
+  if (quiet) return out;
   return out + "\n* default of its kind. D, F, V: terms; any three make a model by the name " +
          std::string(composed_id) +
          ",\nsuch as microfacet:ggx,f82-tint,smith-height. All models give f_r in 1/sr.\n";
@@ -146,7 +148,9 @@ void add_models(CommandLine& line) {
   add_output_options(verb, *output, {"table", "json", "csv"});
   verb.footer("Example:\n  etak models --format csv");
   verb.runs([output] {
-    write_output(*output, output->format == "json" ? json() : output->format == "csv" ? csv() : table());
+    write_output(*output, output->format == "json"  ? json()
+                          : output->format == "csv" ? csv()
+                                                    : table(output->quiet));
     return exit_ok;
   });
 }

@@ -102,9 +102,10 @@ void append_dataset(std::string& out, const Material& material, std::size_t inde
   line("note", dataset.note);
 }
 
-// `inputs` name the datasets to list; one without: all.
+// `inputs` name the datasets to list; one without: all. -q leaves out the policy, which is no data.
 std::string text_form(const MaterialReport& report, const std::vector<Input>& inputs,
-                      const F0Options& options, bool color) {
+                      const F0Options& options, const OutputArguments& output) {
+  const bool color = use_color(output);
   const auto listed = [&](const Dataset& dataset) {
     return std::any_of(inputs.begin(), inputs.end(), [&](const Input& input) {
       return input.dataset.empty() || input.dataset == dataset.id;
@@ -131,7 +132,7 @@ std::string text_form(const MaterialReport& report, const std::vector<Input>& in
   }
   for (std::size_t i = 0; i < report.results.size(); ++i)
     if (listed(material.datasets[i])) append_dataset(out, material, i, report.results[i], color);
-  return out + "\nF0: " + line_text(policy(options)) + '\n';
+  return output.quiet ? out : out + "\nF0: " + line_text(policy(options)) + '\n';
 }
 
 // A JSON document made by another function, as a member of a larger one.
@@ -192,10 +193,9 @@ int run(ShowArguments& arguments) {
   MaterialReport report{read_material(inputs.front(), tables), {}};
   for (const Dataset& dataset : report.material.datasets)
     report.results.push_back(solve(solver, report.material, dataset));
-  write_output(arguments.output,
-               arguments.output.format == "json"
-                   ? json_form(report, solver.options())
-                   : text_form(report, inputs, solver.options(), use_color(arguments.output)));
+  write_output(arguments.output, arguments.output.format == "json"
+                                     ? json_form(report, solver.options())
+                                     : text_form(report, inputs, solver.options(), arguments.output));
   return exit_ok;
 }
 
