@@ -275,10 +275,10 @@ bool is_prose(const Input& input, std::string_view head) {
   return any_text && content_kind(head) == ContentKind::prose;
 }
 
-std::vector<Input> find_tables(const InputArguments& arguments, Library& library,
+std::vector<Input> find_tables(const InputArguments& arguments, Library& library, unsigned threads,
                                const OutputArguments& output) {
   std::vector<std::string> remarks;
-  std::vector<Input> inputs = find_inputs(arguments, library, 1, &remarks);
+  std::vector<Input> inputs = find_inputs(arguments, library, threads, &remarks);
   const auto prose = [](const Input& input) {
     if (!input.from_folder || input.kind != Input::Kind::table) return false;
     try {

@@ -81,7 +81,7 @@ class ListedNames {
 bool is_prose(const Input& input, std::string_view head);
 
 /// find_inputs() without those; remarks say what was left out.
-std::vector<Input> find_tables(const InputArguments& arguments, Library& library,
+std::vector<Input> find_tables(const InputArguments& arguments, Library& library, unsigned threads,
                                const OutputArguments& output);
 
 /// The input as a material: of the library, of a material file, or made from a page or table with one

@@ -53,6 +53,23 @@ bool fits(const Ending& ending, const std::vector<std::string>& formats, std::st
          std::find(formats.begin(), formats.end(), ending.form) != formats.end();
 }
 
+// The endings that say one of these forms, each once.
+std::vector<std::string> endings_of(const std::vector<std::string>& forms, std::string_view verb) {
+  std::vector<std::string> out;
+  for (const Ending& each : endings)
+    if (fits(each, forms, verb) && each.ending != ".sarif.json" && (out.empty() || out.back() != each.ending))
+      out.emplace_back(each.ending);
+  return out;
+}
+
+// "a, b or c".
+std::string listed(const std::vector<std::string>& all, const char* before_last) {
+  std::string out;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    out += (i == 0 ? "" : i + 1 < all.size() ? ", " : before_last) + all[i];
+  return out;
+}
+
 }  // namespace
 
 void settle_form(OutputArguments& arguments, const std::vector<std::string>& formats, const std::string& verb,
@@ -72,16 +89,29 @@ void settle_form(OutputArguments& arguments, const std::vector<std::string>& for
     return;
   }
   if (form.empty()) {
-    std::string known;
-    for (const Ending& each : endings)
-      if (fits(each, formats, verb) && each.ending != ".sarif.json" && !known.ends_with(each.ending))
-        known += (known.empty() ? "" : ", ") + std::string(each.ending);
     throw Error::at("-o",
                     printable(arguments.file, 200) + " has an ending that no form of " + verb + " goes with",
-                    known + ", or --format beside it");
+                    listed(endings_of(formats, verb), ", ") + ", or --format beside it");
   }
   arguments.format = form;
   arguments.form_asked_by = "-o " + arguments.file;
+}
+
+void refuse_form(const OutputArguments& arguments, const std::string& verb, const std::string& beside,
+                 const std::vector<std::string>& forms, const std::string& else_) {
+  const bool by_ending = arguments.form_asked_by != "--format";
+  std::string found = arguments.format + ' ' + beside;
+  if (by_ending) {
+    const std::string name = name_with_ending(arguments.file);
+    for (const std::string& each : endings_of({arguments.format}, verb))
+      if (name.ends_with(each)) {
+        found = "its ending " + each + " asks for " + found;
+        break;
+      }
+  }
+  throw Error::at(
+      arguments.form_asked_by, found,
+      (else_.empty() ? "" : else_ + ", or ") + listed(by_ending ? endings_of(forms, verb) : forms, " or "));
 }
 
 }  // namespace etak::cli

@@ -16,4 +16,14 @@ struct OutputArguments;
 void settle_form(OutputArguments& arguments, const std::vector<std::string>& formats, const std::string& verb,
                  bool given);
 
+/// Throws Error for a form that does not go with the rest of the line. It names --format and the forms that
+/// would go, or -o, its ending and the endings that would.
+///   verb     as above
+///   beside   what the form does not go with: "without names", "with --to gltf"
+///   forms    those that go
+///   else_    what would make this form go; may be empty
+[[noreturn]] void refuse_form(const OutputArguments& arguments, const std::string& verb,
+                              const std::string& beside, const std::vector<std::string>& forms,
+                              const std::string& else_ = {});
+
 }  // namespace etak::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
+#include "app/cli/output/form.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
@@ -97,7 +98,7 @@ int run(const EvalArguments& arguments) {
   }
   const bool json = arguments.output.format == "json";
   if (!arguments.csv.empty()) {
-    if (json) throw Error::at("--format", "json with --csv, which answers with CSV", "text");
+    if (json) refuse_form(arguments.output, "etak eval", "with --csv, which answers with CSV", {"text"});
     return run_csv(arguments);
   }
   const Function& function = function_named(arguments.function, {});

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/options.h"
 #include "app/cli/options/roughness.h"
+#include "app/cli/output/form.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/parallel.h"
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
@@ -28,6 +32,7 @@ struct ExportArguments {
   std::vector<double> diffuse;
   RoughnessArguments rough;
   double opacity = 1;
+  unsigned threads = 0;
 };
 
 struct Found {
@@ -36,39 +41,65 @@ struct Found {
   bool refused = false, failed = false;
 };
 
-// The surfaces of the inputs; one that cannot be had is told, and the others are still answered.
-Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
-  const TableOptions tables = table_options(arguments.tables);
+// What came of one input: a surface, or why there is none.
+struct Answer {
+  std::optional<ExportSurface> surface;
+  std::string dataset, remark, complaint;
+  bool refused = false, failed = false;
+};
+
+Answer answer(const Input& input, const ExportArguments& arguments, const TableOptions& tables,
+              const F0Solver& solver) {
   LinearRgb diffuse{0, 0, 0};
   if (!arguments.diffuse.empty())
     diffuse = {arguments.diffuse[0], arguments.diffuse[1], arguments.diffuse[2]};
-  Found out;
-  const std::vector<Input> inputs = find_tables(arguments.inputs, arguments.library, arguments.output);
-  for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
-  for (const Input& input : inputs) {
-    try {
-      const Material material = read_material(input, tables);
-      const Dataset& dataset = dataset_named(material, input.dataset, input.label());
-      const F0Result result = solve(solver, material, dataset);
-      if (result.refused()) {
-        complain(material.id + "/" + dataset.id + ": refused: " + result.refusal);
-        // Of the whole library some have no F0, and nobody asked for those.
-        out.refused |= !input.from_folder;
-        continue;
-      }
-      ExportSurface surface =
-          export_surface(material, dataset, solver.options(), result, diffuse, given_gloss(arguments.rough));
-      surface.opacity = arguments.opacity;
-      validate(surface);
-      if (!input.alias_note.empty()) surface.notes.push_back(input.alias_note);
-      if (!arguments.diffuse.empty() && surface.diffuse != diffuse)
-        remark(arguments.output, material.id + " is no dielectric: --diffuse is not used");
-      out.surfaces.push_back(std::move(surface));
-      out.datasets.push_back(dataset.id);
-    } catch (const Error& error) {
-      complain(error.what());
-      out.failed = true;
+  Answer out;
+  try {
+    const Material material = read_material(input, tables);
+    const Dataset& dataset = dataset_named(material, input.dataset, input.label());
+    const F0Result result = solve(solver, material, dataset);
+    if (result.refused()) {
+      out.complaint = material.id + "/" + dataset.id + ": refused: " + result.refusal;
+      // Of the whole library some have no F0, and nobody asked for those.
+      out.refused = !input.from_folder;
+      return out;
     }
+    ExportSurface surface =
+        export_surface(material, dataset, solver.options(), result, diffuse, given_gloss(arguments.rough));
+    surface.opacity = arguments.opacity;
+    validate(surface);
+    if (!input.alias_note.empty()) surface.notes.push_back(input.alias_note);
+    if (!arguments.diffuse.empty() && surface.diffuse != diffuse)
+      out.remark = material.id + " is no dielectric: --diffuse is not used";
+    out.dataset = dataset.id;
+    out.surface = std::move(surface);
+  } catch (const Error& error) {
+    out.complaint = error.what();
+    out.failed = true;
+  }
+  return out;
+}
+
+// The surfaces of the inputs; one that cannot be had is told, and the others are still answered.
+Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
+  const TableOptions tables = table_options(arguments.tables);
+  const unsigned threads = thread_count(arguments.threads);
+  Found out;
+  const std::vector<Input> inputs =
+      find_tables(arguments.inputs, arguments.library, threads, arguments.output);
+  for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
+  std::vector<Answer> answers(inputs.size());
+  parallel_chunks(inputs.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t i = begin; i < end; ++i) answers[i] = answer(inputs[i], arguments, tables, solver);
+  });
+  for (Answer& each : answers) {
+    if (!each.complaint.empty()) complain(each.complaint);
+    if (!each.remark.empty()) remark(arguments.output, each.remark);
+    out.refused |= each.refused;
+    out.failed |= each.failed;
+    if (!each.surface) continue;
+    out.surfaces.push_back(std::move(*each.surface));
+    out.datasets.push_back(std::move(each.dataset));
   }
   return out;
 }
@@ -87,13 +118,15 @@ std::string values(const ExportArguments& arguments, Found& found, Fit fit, cons
   }
   if (targets.empty())
     for (const EngineTarget& each : engine_targets()) targets.push_back(&each);
-  std::vector<ExportedValues> all;
-  for (std::size_t i = 0; i < found.surfaces.size(); ++i) {
-    ExportedValues one{std::move(found.surfaces[i]), found.datasets[i], {}};
-    for (const EngineTarget* target : targets)
-      one.targets.push_back(engine_values(*target, one.surface, fit));
-    all.push_back(std::move(one));
-  }
+  std::vector<ExportedValues> all(found.surfaces.size());
+  parallel_chunks(all.size(), thread_count(arguments.threads), 8,
+                  [&](std::size_t begin, std::size_t end, unsigned) {
+                    for (std::size_t i = begin; i < end; ++i) {
+                      all[i] = {std::move(found.surfaces[i]), found.datasets[i], {}};
+                      for (const EngineTarget* target : targets)
+                        all[i].targets.push_back(engine_values(*target, all[i].surface, fit));
+                    }
+                  });
   const std::string& format = arguments.output.format;
   return format == "csv"    ? export_csv(all)
          : format == "json" ? export_json(all, fit, policy)
@@ -109,15 +142,11 @@ void choose_format(ExportArguments& arguments) {
     format = values ? "table" : arguments.to;
     return;
   }
-  const bool of_values = format == "table" || format == "text" || format == "csv" || format == "json";
-  const bool fits = values                   ? of_values
-                    : arguments.to == "gltf" ? format == "gltf" || format == "glb"
-                                             : format == "mtlx";
-  if (!fits)
-    throw Error::at(arguments.output.form_asked_by, format + " with --to " + arguments.to,
-                    values                   ? "table, text, csv or json"
-                    : arguments.to == "gltf" ? "gltf or glb"
-                                             : "mtlx");
+  const std::vector<std::string> fitting = values ? std::vector<std::string>{"table", "text", "csv", "json"}
+                                           : arguments.to == "gltf" ? std::vector<std::string>{"gltf", "glb"}
+                                                                    : std::vector<std::string>{"mtlx"};
+  if (std::find(fitting.begin(), fitting.end(), format) == fitting.end())
+    refuse_form(arguments.output, "etak export", "with --to " + arguments.to, fitting);
 }
 
 // A file has no room beside it for what was assumed and changed: it goes to standard error.
@@ -229,6 +258,7 @@ void add_export(CommandLine& line) {
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output,
                      {"auto", "table", "text", "csv", "json", "gltf", "glb", "mtlx"});
+  add_thread_option(verb, arguments->threads);
   verb.footer(
       "--format auto is table for values, mtlx, and gltf (glb where -o ends in it); text is what to paste.\n"
       "What a target cannot hold is changed by --fit or a rule of the target and told beside the value.\n"

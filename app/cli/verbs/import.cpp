@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <exception>
 #include <memory>
 
 #include "app/cli/inputs/inputs.h"
@@ -9,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/free_names.h"
 #include "core/base/memory.h"
+#include "core/base/parallel.h"
 #include "core/material/json.h"
 
 namespace etak::cli {
@@ -19,6 +21,7 @@ struct ImportArguments {
   std::string id, name, material_class;
   TableArguments tables;
   OutputArguments output;
+  unsigned threads = 0;
   Library library;  // find_inputs needs one; no name of it can be imported
 };
 
@@ -31,15 +34,39 @@ void append_datasets(Material& material, Material more, FreeNames& ids) {
   }
 }
 
+struct Reading {
+  Material material;
+  std::exception_ptr failure;
+};
+
+Reading reading(const Input& input, const TableOptions& tables, const std::string& id) {
+  Reading out;
+  try {
+    if (input.kind == Input::Kind::material)
+      throw Error::at(input.path, "is a material of the library", "a page, table or material file");
+    out.material = read_material(input, tables, id);
+  } catch (const Error&) {
+    out.failure = std::current_exception();
+  }
+  return out;
+}
+
 int import_inputs(ImportArguments& arguments) {
   const TableOptions tables = table_options(arguments.tables);
   if (arguments.inputs.names.empty()) throw Error::at("etak import", "no input", "a page or table");
   Material material;
   FreeNames ids;  // of its datasets
-  for (const Input& input : find_tables(arguments.inputs, arguments.library, arguments.output)) {
-    if (input.kind == Input::Kind::material)
-      throw Error::at(input.path, "is a material of the library", "a page, table or material file");
-    Material next = read_material(input, tables, arguments.id);
+  const unsigned threads = thread_count(arguments.threads);
+  const std::vector<Input> inputs =
+      find_tables(arguments.inputs, arguments.library, threads, arguments.output);
+  // Read side by side and taken in their order, so that of several faults the first is told.
+  std::vector<Reading> readings(inputs.size());
+  parallel_chunks(inputs.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t i = begin; i < end; ++i) readings[i] = reading(inputs[i], tables, arguments.id);
+  });
+  for (Reading& read : readings) {
+    if (read.failure) std::rethrow_exception(read.failure);
+    Material next = std::move(read.material);
     if (material.datasets.empty()) {
       material = std::move(next);
       if (!arguments.id.empty()) material.id = arguments.id;
@@ -76,6 +103,7 @@ void add_import(CommandLine& line) {
   verb.option("--class", arguments->material_class, "class, such as metal or glass");
   add_table_options(verb, arguments->tables);
   add_output_options(verb, arguments->output, {"json"});
+  add_thread_option(verb, arguments->threads);
   verb.footer(
       "Several inputs become datasets of one material; the first is preferred. Citation, sample and class "
       "are\n"

@@ -6,6 +6,7 @@
 #include "app/cli/list/catalogue.h"
 #include "app/cli/list/names.h"
 #include "app/cli/options/options.h"
+#include "app/cli/output/form.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
@@ -144,7 +145,7 @@ int list_names(ListArguments& arguments) {
 int run(ListArguments& arguments) {
   if (!arguments.names.empty() || !arguments.names_from.empty()) return list_names(arguments);
   if (arguments.output.format == "markdown")
-    throw Error::at("--format", "markdown without names", "names, or table, csv, json or jsonl");
+    refuse_form(arguments.output, "etak list", "without names", {"table", "csv", "json", "jsonl"}, "names");
   check_classes(arguments.classes);
   const F0Solver solver{F0Options{}};
   const std::vector<CatalogueEntry> all =

@@ -4,6 +4,7 @@
 #include "app/cli/options/empty_list.h"
 #include "app/cli/options/files.h"
 #include "app/cli/options/options.h"
+#include "app/cli/output/form.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/validate/validate.h"
 #include "app/cli/verbs.h"
@@ -17,7 +18,7 @@ namespace {
 int run(ValidateArguments& arguments) {
   if (!arguments.list_rules) return check_files(arguments);
   if (arguments.output.format != "text" && arguments.output.format != "json")
-    throw Error::at("--format", arguments.output.format + " with --list-rules", "text or json");
+    refuse_form(arguments.output, "etak validate", "with --list-rules", {"text", "json"});
   write_output(arguments.output, arguments.output.format == "json" ? rules_json(rules()) : rules_table());
   return exit_ok;
 }
