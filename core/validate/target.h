@@ -33,6 +33,8 @@ enum class FileRole {
 // "diffuse", "specular", "f0", "base-color", "metal-rough", "layout", ...
 std::string_view name(FileRole role);
 std::optional<FileRole> role_named(std::string_view text);
+// What a person may say that a picture is.
+inline constexpr std::string_view picture_roles = "diffuse, specular, f0, base-color or metal-rough";
 
 struct TargetFile {
   FileRole role = FileRole::specular_gloss;

@@ -139,7 +139,7 @@ class Finder {
     return is_pipe_input(path) ? path : relative_label(path, request_.root);
   }
 
-  void fail(const std::string& path, const std::string& message) {
+  void fail(const std::string& path, const std::string& message, const std::string& fix = {}) {
     // What a search has found may be come by again as a companion.
     if (!failed_.insert(path).second) return;
     const std::string text = label(path);
@@ -149,6 +149,7 @@ class Finder {
     Finding& finding = file.findings.emplace_back(finding_of(*find_rule("ETK001"), Severity::error));
     finding.file = text;
     finding.message = message;
+    if (!fix.empty()) finding.fix = fix;
     out_.failed.push_back(std::move(file));
   }
 
@@ -228,7 +229,10 @@ class Finder {
       } else if (!failures[i].empty())
         fail(candidate.path, failures[i]);
       else if (!kinds[i])
-        skip(candidate, "a kind of file that etak validate does not check");
+        skip(candidate,
+             is_pipe_input(candidate.path) ? "holds nothing that etak validate checks"
+                                           : "a kind of file that etak validate does not check",
+             "Name a picture, atlas layout, glTF scene, material or spectrum.");
       else if (is_picture(*kinds[i]))
         pictures.push_back(&candidate);
       else
@@ -241,8 +245,8 @@ class Finder {
         add_picture(*picture);
   }
 
-  void skip(const Candidate& candidate, const std::string& why) {
-    if (candidate.named == Named::by_hand) return fail(candidate.path, why);
+  void skip(const Candidate& candidate, const std::string& why, const std::string& fix = {}) {
+    if (candidate.named == Named::by_hand) return fail(candidate.path, why, fix);
     ++out_.skipped;
   }
 
@@ -308,8 +312,15 @@ class Finder {
       return;
     }
     auto picture = named_picture(candidate.path);
-    if (!picture)
-      return skip(candidate, "its name tells no role; give --role, or a pattern in [roles] of etak.toml");
+    if (!picture) {
+      // Texels do not tell a role either: grey may be F0, metallic, roughness or a mask.
+      const bool pipe = is_pipe_input(candidate.path);
+      return skip(
+          candidate,
+          pipe ? "a picture that comes without a name, which would tell its role" : "its name tells no role",
+          "Say what it is: --role " + std::string(picture_roles) +
+              (pipe ? "." : "; or give a pattern in [roles] of etak.toml."));
+    }
     picture->named = candidate.named;
     pictures_.push_back(std::move(*picture));
   }

@@ -49,9 +49,7 @@ FoundTargets targets_of(const ValidateArguments& arguments, const ValidatePlan& 
   request.threads = thread_count(arguments.threads);
   if (!arguments.role.empty()) {
     request.role = role_named(arguments.role);
-    if (!request.role)
-      throw Error::at("--role", printable(arguments.role),
-                      "diffuse, specular, f0, base-color or metal-rough");
+    if (!request.role) throw Error::at("--role", printable(arguments.role), picture_roles);
   }
   return find_targets(std::move(request));
 }
