@@ -6,13 +6,16 @@
 #include <QTimer>
 #include <cstdio>
 
+#include "app/editor/document/files.h"
 #include "app/editor/options.h"
 #include "app/editor/screenshot.h"
 #include "app/editor/start_time.h"
 #include "app/editor/theme.h"
 #include "app/editor/window.h"
+#include "core/base/error.h"
 #include "core/base/files/links.h"
 #include "core/base/signals.h"
+#include "core/base/text.h"
 
 namespace {
 
@@ -44,7 +47,7 @@ int main(int argc, char** argv) {
   etak::end_by_signals();
   QStringList arguments;
   for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
-  const Options options = parse_options(arguments);
+  Options options = parse_options(arguments);
   // Answered without a display.
   if (!options.error.isEmpty()) {
     std::fprintf(stderr, "etak-editor: %s\n", qPrintable(options.error));
@@ -52,6 +55,13 @@ int main(int argc, char** argv) {
   }
   if (options.help) return std::fputs(qPrintable(help_text()), stdout) < 0 ? 2 : 0;
   if (options.version) return std::puts("etak-editor " ETAK_VERSION) < 0 ? 2 : 0;
+
+  try {
+    for (QString& subject : options.subjects) subject = accept_named(subject);
+  } catch (const etak::Error& error) {
+    std::fprintf(stderr, "etak-editor: %s\n", etak::line_text(error.what()).c_str());
+    return 2;
+  }
 
   choose_gl();
   QApplication application(argc, argv);

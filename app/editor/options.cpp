@@ -26,7 +26,7 @@ QString help_text() {
              "author diffuse,\n"
              "specular, gloss and alpha, be warned by the validator, export and pack.\n"
              "\n"
-             "FILE is a project or a material (.json).\n"
+             "FILE is a project or a material (.json); a pipe that holds one, or - for standard input.\n"
              "\n"
              "  --screenshot FILE   write a PNG of the window and exit; needs no display with "
              "QT_QPA_PLATFORM=offscreen\n"

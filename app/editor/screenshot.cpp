@@ -179,12 +179,14 @@ void show_state(Window& window, const QString& state) {
 QString bring_into_state(Window& window, const QString& material, const QString& model,
                          const QString& state) {
   settle(window);
-  Document& document = window.document();
   if (!material.isEmpty()) {
-    if (QFileInfo::exists(material)) {
+    if (QFileInfo::exists(material) || is_pipe(material)) {
+      bool well = false;
+      QObject scope;  // of the connection
+      QObject::connect(&window, &Window::opened, &scope, [&well](bool ok) { well = ok; });
       window.open(material);
       settle(window);
-      if (document.path().isEmpty()) return QObject::tr("%1 could not be opened").arg(material);
+      if (!well) return QObject::tr("%1 could not be opened").arg(material);
     } else if (!window.use_library_material(material)) {
       return QObject::tr("%1 is no file, and no material of the library").arg(material);
     }

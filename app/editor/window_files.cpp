@@ -81,8 +81,10 @@ void Window::open(const QString& path) {
           emit opened(false);
           return;
         }
-        document_.replace(std::move(opened_project.project), path, true);
-        note_recent(path);
+        // What came from a pipe is in no file yet.
+        const bool pipe = is_pipe(path);
+        document_.replace(std::move(opened_project.project), pipe ? QString() : path, !pipe);
+        if (!pipe) note_recent(path);
         tell(tr("%1 materials").arg(document_.project().materials.size()));
         if (!opened_project.problems.isEmpty())
           show_problems(tr("Some measured records were not found; their colours are kept as numbers"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What leaves the window and what comes into it: the question before changes are lost, exports, values
 // copied, files dropped, recent files, what is remembered from run to run.
+#include <sys/stat.h>
+#include <unistd.h>
 #include <QAbstractButton>
 #include <QAction>
 #include <QClipboard>
@@ -15,6 +17,7 @@
 #include <QPointer>
 #include <QSettings>
 #include <QXmlStreamReader>
+#include <thread>
 
 #include "app/editor/document/files.h"
 #include "app/editor/fields/press_id.h"
@@ -22,6 +25,7 @@
 #include "app/editor/panels/texture_section.h"
 #include "app/editor/panels/texture_view.h"
 #include "core/exchange/engine_values.h"
+#include "core/material/json.h"
 #include "tests/gui/editor_support.h"
 
 using namespace etak;
@@ -351,6 +355,50 @@ class EditorFiles : public QObject {
     other->document().edit_compare({}, QStringLiteral("compare"));
     other->document().undo_stack().undo();
     QVERIFY(other->document().project().view.compare == compare);
+  }
+
+  void a_project_or_material_is_opened_from_a_pipe_and_is_not_saved_yet() {
+    // As the shell's <(...) gives it.
+    const auto pipe_of = [](const QByteArray& bytes) {
+      int ends[2] = {-1, -1};
+      if (::pipe(ends) != 0) return QString();
+      const bool whole =
+          ::write(ends[1], bytes.constData(), static_cast<size_t>(bytes.size())) == bytes.size();
+      ::close(ends[1]);
+      return whole ? QStringLiteral("/dev/fd/%1").arg(ends[0]) : QString();
+    };
+    TestWindow window(true);
+    const auto open = [&](const QString& typed) {
+      QSignalSpy opened(window.window.get(), &Window::opened);
+      window->open(accept_named(typed));
+      return QTest::qWaitFor([&] { return opened.count() == 1; }, 20000) && opened.front().front().toBool();
+    };
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    const QString file = window.file(QStringLiteral("p.json"));
+    QVERIFY(save_project(window->document().project(), file).isEmpty());
+    const Project before = window->document().project();
+    QVERIFY(open(pipe_of(read(file))));
+    QVERIFY(window->document().project() == before);
+    QVERIFY(window->document().path().isEmpty() && !window->document().is_saved());
+
+    const QString named = window.file(QStringLiteral("pipe"));
+    QCOMPARE(::mkfifo(qPrintable(named), 0600), 0);
+    const Material copper = *MaterialLibrary::builtin().find("copper");
+    std::thread writer([&] { write(named, QByteArray::fromStdString(format_material(copper))); });
+    QVERIFY(open(named));
+    writer.join();
+    QVERIFY(window->document().path().isEmpty());
+    QCOMPARE(window->document().material()->name, std::string("Copper"));
+
+    // What is no project says what it is, and nothing is lost.
+    QVERIFY(!open(pipe_of(R"({"asset": {"version": "2.0"}, "meshes": []})")));
+    QVERIFY(message(window).contains(QLatin1String("holds a glTF scene; expected a project or a material")));
+    QVERIFY(!open(pipe_of("nm,n,k\n400,1,0\n700,1,0\n")));
+    QVERIFY(message(window).contains(QLatin1String("holds a page or a table")));
+    QVERIFY(!open(QStringLiteral("/dev/zero")));
+    QVERIFY(
+        message(window).contains(QLatin1String("/dev/zero: is a device; expected a regular file, a pipe")));
+    QCOMPARE(window->document().material()->name, std::string("Copper"));
   }
 
   void recent_files_the_layout_and_the_theme_are_remembered() {

@@ -8,6 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/input.h"
+#include "core/exchange/content_kind.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/appearance.h"
@@ -65,6 +67,33 @@ Material record_of(const QString& path) {
   return out;
 }
 
+// What is no project and no material, by its first bytes; null for what may be one.
+const char* told_by_content(std::string_view text) {
+  switch (content_kind(text)) {
+    case ContentKind::gltf:
+      return "holds a glTF scene";
+    case ContentKind::page:
+    case ContentKind::table:
+      return "holds a page or a table, which is imported and not opened";
+    case ContentKind::binary:
+      return "holds no text";
+    case ContentKind::json:
+    case ContentKind::prose:
+      break;
+  }
+  return nullptr;
+}
+
+Material material_in(const std::string& text, const std::string& file) {
+  try {
+    return parse_material(text, file);
+  } catch (const Error&) {
+    const char* other = told_by_content(text);
+    if (other != nullptr) throw Error::at(file, other, "a project or a material (.json)");
+    throw;
+  }
+}
+
 void note(Opened& out, const std::vector<std::string>& problems) {
   for (const std::string& each : problems) out.problems << QString::fromStdString(each);
 }
@@ -100,6 +129,16 @@ ProjectMaterial material_of(const Material& record) {
   return out;
 }
 
+QString accept_named(const QString& typed) {
+  const std::string path = accept_input(typed.toStdString());
+  if (is_pipe_input(path)) (void)read_file(path);
+  return QString::fromStdString(path);
+}
+
+bool is_pipe(const QString& path) {
+  return is_pipe_input(path.toStdString());
+}
+
 Opened open_project(const QString& path, const MaterialLibrary& library) {
   Opened out;
   try {
@@ -107,7 +146,7 @@ Opened open_project(const QString& path, const MaterialLibrary& library) {
     const std::string text = read_file(file);
     if (!is_project(text)) {
       // A material file of the library's kind: its record comes along.
-      const Material record = parse_material(text, file);
+      const Material record = material_in(text, file);
       out.project.spectra.push_back(record);
       out.project.materials.push_back(material_of(record));
     } else {

@@ -30,6 +30,14 @@ struct Opened {
   QString error;         // not empty: nothing was read
 };
 
+/// Takes the file of the command line, which may be a pipe or standard input ("-", /dev/stdin, /dev/fd/63, a
+/// named pipe) as for `etak`: accept_input() of core/base/files/input.h. A pipe is read to its end, so that
+/// no window waits for it. Returns the path to open it by. Throws Error for a pipe that cannot be read.
+QString accept_named(const QString& typed);
+
+/// Whether `path` is of accept_named() and lies in no folder: what it holds cannot be saved to it.
+bool is_pipe(const QString& path);
+
 /// A project or a single material of one (.json).
 Opened open_project(const QString& path, const MaterialLibrary& library);
 
