@@ -68,7 +68,7 @@ void take_total(const LinearRgb& measured, ExportSurface& out) {
   const TotalReflectance parts = divided(*out.total);
   out.f0 = parts.f0;
   out.diffuse = parts.diffuse;
-  out.notes.push_back(total_reflectance_remark(parts.f0));
+  out.notes.push_back(total_reflectance_remark(parts));
 }
 
 void take_clarity(const Material& material, const Clarity& body, ExportSurface& out) {

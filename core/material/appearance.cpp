@@ -167,26 +167,24 @@ std::string default_gloss_remark(const DefaultGloss& standard) {
   return roughness_text(standard.gloss) + ": " + standard.reason;
 }
 
-std::string total_reflectance_remark(const LinearRgb& f0) {
-  return "the data are the total reflectance of a body: F0 " + number(f0.g, 3) +
-         (f0.g < assumed_f0
-              ? ", lowered from an assumed " + number(assumed_f0, 3) + " to the smallest channel of it,"
+std::string total_reflectance_remark(const TotalReflectance& parts) {
+  const double f0 = parts.f0.g;
+  const bool less = f0 > 0 && std::min({parts.diffuse.r, parts.diffuse.g, parts.diffuse.b}) <= 0;
+  return "the data are the total reflectance of a body: F0 " + number(f0, 3) +
+         (f0 < assumed_f0
+              ? ", lowered from an assumed " + number(assumed_f0, 3) + " to the mean of its channels,"
               : ", which is assumed,") +
-         " is taken off the diffuse colour, so that both add up to what was measured at normal incidence";
+         " is taken off the diffuse colour, so that both add up to what was measured at normal incidence" +
+         (less ? "; a channel that has less than F0 keeps F0, and its diffuse colour is black" : "");
 }
 
 TotalReflectance divided(const LinearRgb& total, const LinearRgb& wanted) {
-  double share = 1;
-  for (std::size_t c = 0; c < 3; ++c)
-    if (vec(wanted)[c] > 0) share = std::min(share, vec(total)[c] / vec(wanted)[c]);
-  share = std::max(share, 0.0);
+  const double of_wanted = wanted.r + wanted.g + wanted.b, of_total = total.r + total.g + total.b;
+  const double share = of_total < of_wanted ? std::max(of_total / of_wanted, 0.0) : 1;
   TotalReflectance out;
   out.lowered = share < 1;
   out.f0 = {share * wanted.r, share * wanted.g, share * wanted.b};
-  // The channel that F0 was scaled to is left with nothing, not with what rounding left.
-  const auto rest = [](double whole, double part) {
-    return whole >= 0 ? std::max(0.0, whole - part) : whole - part;
-  };
+  const auto rest = [](double whole, double part) { return std::max(whole - part, std::min(whole, 0.0)); };
   out.diffuse = {rest(total.r, out.f0.r), rest(total.g, out.f0.g), rest(total.b, out.f0.b)};
   return out;
 }

@@ -53,9 +53,11 @@ std::string default_gloss_remark(const DefaultGloss& standard);
 inline constexpr double assumed_f0 = 0.04;
 
 /// The total reflectance of a rough body, as integrating spheres measure it, divided into what its surface
-/// reflects and what its body sends back, which add up to it at normal incidence: total = f0 + diffuse,
-/// channel by channel.
-///   f0   `wanted`, scaled down as a whole where a channel of the total is less
+/// reflects and what its body sends back: total = f0 + diffuse at normal incidence, channel by channel. A
+/// saturated colour has channels that are darker than its surface, or below 0, because a channel of RGB is no
+/// band of the spectrum: F0 stays there, diffuse is black, and both are more than the total.
+///   diffuse   at least 0, or the channel of the total where that is below 0
+///   f0        `wanted`, scaled down as a whole where the total is darker by the mean of its channels
 struct TotalReflectance {
   LinearRgb diffuse, f0;
   bool lowered = false;  // f0 is below what was wanted
@@ -65,7 +67,8 @@ struct TotalReflectance {
 TotalReflectance divided(const LinearRgb& total,
                          const LinearRgb& wanted = {assumed_f0, assumed_f0, assumed_f0});
 
-/// What is told of a total that was divided with the assumed surface, whose F0 then became `f0`.
-std::string total_reflectance_remark(const LinearRgb& f0);
+/// What is told of a total that was divided with the assumed surface.
+///   parts   of divided(); `lowered` is not looked at
+std::string total_reflectance_remark(const TotalReflectance& parts);
 
 }  // namespace etak

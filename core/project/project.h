@@ -134,7 +134,7 @@ struct FoundF0 {
 FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library);
 
 /// Sets the measured colours: F0, and for materials of class "surface" the diffuse colour, which is the
-/// measured total less the material's own specular colour (lowered where the total is less: divided() in
+/// measured total less the material's own specular colour (lowered where the total is darker: divided() in
 /// core/material/appearance.h). What cannot be found keeps its colour and loses `measured`; returned are the
 /// reasons, "NAME: ...".
 std::vector<std::string> resolve(Project& project, const MaterialLibrary& library);

@@ -35,7 +35,7 @@ struct SurfaceValues {
 
 /// Surface of a library material: F0, F82 and RGB n, k from its spectrum; diffuse black for conductors and
 /// semiconductors, `diffuse` for the rest. `surface` class materials give the diffuse colour that adds up
-/// with an F0 of 0.04 to what was measured, and a lower F0 where the darkest channel has less (divided() in
+/// with an F0 of 0.04 to what was measured, and a lower F0 where the body is darker than that (divided() in
 /// core/material/appearance.h).
 SurfaceValues surface_of(const Material& material, const Dataset& dataset, const Vec3& diffuse,
                          const Gloss& gloss);

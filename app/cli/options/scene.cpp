@@ -146,7 +146,8 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
     notes.remarks.push_back(
         "the body of " + material.id + " is clear (" + body.reason +
         ") and is not drawn: its surface's reflection is; --opacity 0 lets the background through");
-  if (!gives_f0(material.material_class)) notes.remarks.push_back(total_reflectance_remark(to_rgb(out.f0)));
+  if (!gives_f0(material.material_class))
+    notes.remarks.push_back(total_reflectance_remark({to_rgb(out.diffuse), to_rgb(out.f0)}));
   if (!dielectric && !arguments.diffuse.empty())
     notes.remarks.push_back(material.id + " is a " + std::string(optical_kind(material.material_class)) +
                             ": --diffuse is not used");

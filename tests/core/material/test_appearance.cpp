@@ -111,18 +111,39 @@ TEST_CASE("found 1.06: every class has a roughness, and clear bodies are smooth"
 
 TEST_CASE("found 1.07: surface and body add up to the total, and a dark total lowers F0") {
   for (const LinearRgb& total :
-       {LinearRgb{0.5, 0.3, 0.1}, {0.04, 0.04, 0.04}, {0.01, 0.02, 0.03}, {1, 1, 1}, {0, 0, 0}}) {
+       {LinearRgb{0.5, 0.3, 0.1}, {0.04, 0.04, 0.04}, {0.02, 0.02, 0.02}, {1, 1, 1}, {0, 0, 0}}) {
     const TotalReflectance parts = divided(total);
     for (std::size_t c = 0; c < 3; ++c) {
       CHECK(vec(parts.f0)[c] + vec(parts.diffuse)[c] == Approx(vec(total)[c]).margin(1e-15));
       CHECK(vec(parts.diffuse)[c] >= 0);
       CHECK(vec(parts.f0)[c] == Approx(std::min({0.04, total.r, total.g, total.b})).margin(1e-15));
     }
-    CHECK(parts.lowered == (std::min({total.r, total.g, total.b}) < 0.04));
+    CHECK(parts.lowered == (total.r < 0.04));
   }
   // Another surface, such as an author's: scaled as a whole, so that its colour stays.
-  const TotalReflectance coloured = divided({0.1, 0.1, 0.02}, {0.08, 0.04, 0.04});
+  const TotalReflectance coloured = divided({0.04, 0.02, 0.02}, {0.08, 0.04, 0.04});
   CHECK(coloured.f0.r == Approx(0.04));
   CHECK(coloured.f0.b == Approx(0.02));
   CHECK(coloured.diffuse.b == Approx(0).margin(1e-15));
+}
+
+TEST_CASE("a saturated total keeps the assumed F0, and its dark channels have no diffuse colour") {
+  // A green plastic, out of the gamut in red, and an orange.
+  const TotalReflectance green = divided({-0.02, 0.347, 0.0265}), orange = divided({0.6142, 0.2309, 0.0094});
+  for (const TotalReflectance& each : {green, orange}) {
+    CHECK(each.f0 == LinearRgb{0.04, 0.04, 0.04});
+    CHECK(!each.lowered);
+    CHECK(total_reflectance_remark(each).starts_with(
+        "the data are the total reflectance of a body: F0 0.04, which is assumed,"));
+    CHECK(contains(total_reflectance_remark(each), "a channel that has less than F0 keeps F0"));
+  }
+  CHECK(green.diffuse.r == -0.02);  // as it was, for the caller to fit or keep
+  CHECK(green.diffuse.g == Approx(0.307));
+  CHECK(green.diffuse.b == 0);
+  CHECK(orange.diffuse == LinearRgb{0.6142 - 0.04, 0.2309 - 0.04, 0});
+  CHECK(!contains(total_reflectance_remark(divided({0.5, 0.3, 0.1})), "keeps F0"));
+  // Black in all channels is no saturated colour, however small the differences between them are.
+  const TotalReflectance black = divided({0.006, 0.007, 0.008});
+  CHECK(black.lowered);
+  CHECK(black.f0.r == Approx(0.007));
 }
