@@ -94,6 +94,7 @@ struct PngReader::State {
   void finish();
   void finish_chunks();
   void check_rows(std::size_t rows, std::size_t length);
+  void find_end();
 };
 
 PngChunk PngReader::State::next_chunk(std::size_t start) const {
@@ -283,6 +284,21 @@ void PngReader::State::check_rows(std::size_t rows, std::size_t length) {
   }
 }
 
+// Looks for the end of the stream behind the last row. More data and a wrong checksum are no errors to other
+// decoders; of the former a little is read, since a small file may hold gigabytes of it.
+void PngReader::State::find_end() {
+  constexpr std::size_t enough = 1024;
+  for (std::size_t more = 0; more < enough;) {
+    std::size_t written = 0;
+    const Inflater::Status status = inflater.read(std::span(filtered).first(enough), written);
+    more += written;
+    if (status == Inflater::Status::ended || status == Inflater::Status::damaged) return;
+    if (status != Inflater::Status::hungry) continue;
+    if (idat_over) fail("image data has no end");
+    gather_input();
+  }
+}
+
 std::optional<PngReader> PngReader::open(std::string_view bytes, std::string_view path) {
   auto own = std::make_unique<BytesInMemory>(bytes);
   std::optional<PngReader> out = open(*own, path);
@@ -357,26 +373,32 @@ std::optional<Image8> read_png8(std::string_view bytes, std::string_view path) {
 
 void check_png(std::string_view in_memory, std::string_view path) {
   BytesInMemory bytes(in_memory);
-  for (std::size_t at = png_signature.size();;) {
-    const std::optional<PngChunk> chunk = png_chunk_at(bytes, at);
-    if (!chunk) throw Error::at(path, "is cut short", "a whole picture file");
-    if (checksum(bytes, *chunk) != stored_checksum(bytes, *chunk))
-      throw Error::at(
-          path,
-          "PNG chunk " + printable(chunk->type) + " at byte " + std::to_string(at) + " has a wrong checksum",
-          "an undamaged PNG");
-    if (chunk->type == "IEND") break;
-    at = chunk->end();
-  }
   PngReader::State s;
   s.bytes = &bytes;
   s.path = path;
+  bool image = false;
+  for (std::size_t at = png_signature.size();;) {
+    if (!png_chunk_at(bytes, at)) throw Error::at(path, "is cut short", "a whole picture file");
+    const PngChunk chunk = s.next_chunk(at);
+    if (checksum(bytes, chunk) != stored_checksum(bytes, chunk)) s.fail(chunk, "has a wrong checksum");
+    if (chunk.type == "IEND") break;
+    if (image && chunk.critical() && chunk.type != "IDAT")
+      s.fail(chunk, "has no place behind the image data");
+    image |= chunk.type == "IDAT";
+    at = chunk.end();
+  }
   const Header h = s.header();
   bool palette = false;
   std::size_t at = png_signature.size() + png_chunk_overhead + 13;
   for (PngChunk chunk = s.checked_chunk(at); chunk.type != "IDAT"; chunk = s.checked_chunk(at)) {
     if (chunk.type == "IEND") s.fail("holds no image data");
-    palette |= chunk.type == "PLTE";
+    if (chunk.type == "PLTE") {
+      const bool sized = chunk.size % 3 == 0 && chunk.size > 0 && chunk.size <= 768;
+      if (palette || (h.colour == 3 && !sized)) s.fail(chunk, "is no palette that belongs here");
+      palette = true;
+    } else if (chunk.critical()) {
+      s.fail(chunk, "is one that etak does not know or expect here, and no decoder may skip it");
+    }
     at = chunk.end();
   }
   if (h.colour == 3 && !palette) s.fail("holds codes of a palette before any palette");
@@ -403,6 +425,7 @@ void check_png(std::string_view in_memory, std::string_view path) {
     const std::size_t columns = (h.width - pass.x + pass.dx - 1) / pass.dx;
     s.check_rows((h.height - pass.y + pass.dy - 1) / pass.dy, (columns * bits + 7) / 8);
   }
+  s.find_end();
 }
 
 }  // namespace etak
