@@ -9,8 +9,8 @@
 namespace etak {
 namespace {
 
-constexpr const char* schema = "etak-atlas-layout/1";
-constexpr int most_depth = 8;
+constexpr const char* layout_schema = "etak-atlas-layout/1";
+constexpr int layout_depth = 8;
 constexpr const char *reduced = "reduced_when_shading", *as_it_is = "as_it_is";
 
 std::string box_json(const PixelBox& box) {
@@ -176,7 +176,7 @@ AtlasMaterialRow read_material(const JsonNode& node) {
 
 std::string layout_json(const AtlasLayout& layout) {
   std::vector<JsonMember> members{
-      {"schema", json(schema)},
+      {"schema", json(layout_schema)},
       {"settings_hash", json(layout.settings_hash)},
       {"content_hash", json(layout.content_hash)},
       {"gloss", json(name(layout.gloss))},
@@ -191,11 +191,11 @@ std::string layout_json(const AtlasLayout& layout) {
 }
 
 AtlasLayout parse_layout(std::string_view text, std::string_view file) {
-  const JsonDocument document = parse_json_strictly(text, file, most_depth, "an atlas layout");
+  const JsonDocument document = parse_json_strictly(text, file, layout_depth, "an atlas layout");
   const JsonNode root{document, file, {}};
   root.expect_object();
-  if (root.text_or_empty("schema") != schema)
-    root.fail("not an atlas layout", std::string("\"schema\": \"") + schema + "\"");
+  if (root.text_or_empty("schema") != layout_schema)
+    root.fail("not an atlas layout", std::string("\"schema\": \"") + layout_schema + "\"");
   AtlasLayout out;
   const auto form = gloss_form_named(root.at("gloss").text());
   if (!form) root.at("gloss").fail_type("schueler, one_minus_roughness or roughness");

@@ -10,7 +10,7 @@
 namespace etak {
 namespace {
 
-constexpr int most_depth = 8;
+constexpr int manifest_depth = 8;
 constexpr const char* source_forms =
     "a file name, the name of a library material, a number, [r, g, b], \"#rrggbb\", or an object with "
     "\"image\" "
@@ -138,7 +138,7 @@ class ManifestReader {
 }  // namespace
 
 AtlasManifest parse_manifest(std::string_view text, const std::string& file) {
-  const JsonDocument document = parse_json_strictly(text, file, most_depth, "an atlas manifest");
+  const JsonDocument document = parse_json_strictly(text, file, manifest_depth, "an atlas manifest");
   AtlasManifest out = ManifestReader(document, file).read();
   // By name, so that the order in the file cannot change the atlas.
   std::sort(out.materials.begin(), out.materials.end(),

@@ -9,7 +9,7 @@
 namespace etak {
 namespace {
 
-constexpr std::string_view schema = "etak-choose/2";
+constexpr std::string_view choices_schema = "etak-choose/2";
 
 std::array<double, 3> colour(const JsonNode& node) {
   node.expect_array();
@@ -50,8 +50,9 @@ ShadingVariants parse_choices(std::string_view text, std::string_view file) {
   const JsonDocument document = parse_json_strictly(text, file, 6, "a choice");
   const JsonNode root{document, file, {}};
   root.expect_object();
-  if (root.text_or_empty("schema") != schema)
-    root.fail("not what etak choose --format json writes", "\"schema\": \"" + std::string(schema) + '"');
+  if (root.text_or_empty("schema") != choices_schema)
+    root.fail("not what etak choose --format json writes",
+              "\"schema\": \"" + std::string(choices_schema) + '"');
   ShadingVariants out;
   out.png_level = root.at("png_level").text();
   const JsonNode choices = root.at("choices");

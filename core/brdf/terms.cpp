@@ -49,13 +49,13 @@ constexpr Parameter gulbrandsen_parameters[] = {
 
 constexpr std::string_view ggx_files[] = {"brdf/geometry.glsl", "brdf/d_ggx.glsl"};
 constexpr std::string_view beckmann_files[] = {"brdf/geometry.glsl", "brdf/d_beckmann.glsl"};
-constexpr std::string_view phong_files[] = {"brdf/geometry.glsl", "brdf/d_phong.glsl"};
+constexpr std::string_view d_phong_files[] = {"brdf/geometry.glsl", "brdf/d_phong.glsl"};
 constexpr std::string_view abc_files[] = {"brdf/geometry.glsl", "brdf/d_abc.glsl"};
 constexpr std::string_view sgd_files[] = {"brdf/geometry.glsl", "brdf/d_sgd.glsl"};
 constexpr std::string_view exact_files[] = {"fresnel/conductor.glsl"};
 constexpr std::string_view dielectric_files[] = {"fresnel/dielectric.glsl"};
 constexpr std::string_view schlick_files[] = {"fresnel/schlick.glsl"};
-constexpr std::string_view schueler_files[] = {"fresnel/schueler.glsl"};
+constexpr std::string_view f_schueler_files[] = {"fresnel/schueler.glsl"};
 constexpr std::string_view f82_files[] = {"fresnel/schlick.glsl", "fresnel/f82.glsl"};
 constexpr std::string_view lazanyi_files[] = {"fresnel/lazanyi.glsl"};
 constexpr std::string_view gulbrandsen_files[] = {"fresnel/conductor.glsl", "fresnel/gulbrandsen.glsl"};
@@ -107,7 +107,7 @@ constexpr Term rows[] = {
      D,
      exponent_only,
      {},
-     phong_files,
+     d_phong_files,
      "d_phong_s2",
      "integral 1",
      true},
@@ -117,7 +117,7 @@ constexpr Term rows[] = {
      D,
      exponent_only,
      {},
-     phong_files,
+     d_phong_files,
      "d_schueler_over_pi_s2",
      "as printed: integral (1 + e) / (2 + e)",
      false},
@@ -169,7 +169,7 @@ constexpr Term rows[] = {
      F,
      K_only,
      {},
-     schueler_files,
+     f_schueler_files,
      "f_schueler",
      "rises to min(60 K, 1) with the 4th power"},
     {"f82", "F82, absolute", "Hoffman 2019", F, f82_parameters, {}, f82_files, "f_f82", "for metals"},

@@ -105,9 +105,9 @@ std::string svg_legend(const std::vector<PlotKey>& keys, double left, double top
 }
 
 std::string svg_file(const LinePlot& plot, bool dark) {
-  constexpr double width = 460, height = 270;  // of svg()
+  constexpr double height = 270;  // of svg()
   double legend = 0;
-  const std::string keys = svg_legend(plot.keys, 10, 6, width - 20, legend);
+  const std::string keys = svg_legend(plot.keys, 10, 6, plot_width - 20, legend);
   LinePlot bare = plot;
   bare.keys.clear();
   bare.strip.clear();
@@ -116,7 +116,7 @@ std::string svg_file(const LinePlot& plot, bool dark) {
   const std::size_t begin = inner.find("<path class=\"grid\"");
   inner = inner.substr(begin == inner.npos ? inner.find('>') + 1 : begin);
   const double top = legend > 0 ? legend + 8 : 0;
-  return svg_head(width, height + top, plot.title, plot.description, dark) + keys +
+  return svg_head(plot_width, height + top, plot.title, plot.description, dark) + keys +
          "<g transform=\"translate(0 " + fixed(top, 1) + ")\">\n" + inner.substr(0, inner.rfind("</svg>")) +
          "\n</g>\n</svg>\n";
 }

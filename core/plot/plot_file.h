@@ -38,6 +38,9 @@ double value_at(const PlotCurve& curve, double x);
 
 // For the other kinds of plots.
 
+/// Width of every plot in the user units of SVG, which are pixels at a browser's usual size.
+inline constexpr double plot_width = 460;
+
 /// Rows of legend entries "sample text" as SVG, from (left, top) on, no wider than `width`; `height` is what
 /// they take.
 std::string svg_legend(const std::vector<PlotKey>& keys, double left, double top, double width,

@@ -7,11 +7,12 @@
 
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "core/plot/plot_file.h"
 
 namespace etak {
 namespace {
 
-constexpr double width = 460, rim = 190, side = 40;
+constexpr double rim = 190, side = 40;
 constexpr double decades = 4;
 
 PolarPoint on_rim(double angle_deg, double radius) {
@@ -52,10 +53,10 @@ PolarPoint polar_point(const PolarPlot& plot, double angle_deg, double value) {
 
 std::string svg_file(const PolarPlot& plot, bool dark) {
   double legend = 0;
-  const std::string keys = svg_legend(plot.keys, 10, 6, width - 20, legend);
-  const double cx = width / 2, cy = legend + side + rim;
+  const std::string keys = svg_legend(plot.keys, 10, 6, plot_width - 20, legend);
+  const double cx = plot_width / 2, cy = legend + side + rim;
   const auto at = [&](PolarPoint p) { return fixed(cx + rim * p.x, 1) + " " + fixed(cy - rim * p.y, 1); };
-  std::string out = svg_head(width, cy + 40, plot.title, plot.description, dark) + keys;
+  std::string out = svg_head(plot_width, cy + 40, plot.title, plot.description, dark) + keys;
   std::string grid;
   for (const double tick : plot.radial.ticks) {
     const double r = rim * polar_radius(plot, tick);

@@ -12,11 +12,11 @@
 
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "core/plot/plot_file.h"
 
 namespace etak {
 namespace {
 
-constexpr double width = 460;
 constexpr double plot_top = 30, plot_bottom = 222;
 constexpr double digit_width = 8;  // of the tick numbers, generous: fonts differ
 constexpr double strip_height = 5;
@@ -150,7 +150,7 @@ void append_axes(std::string& out, const Frame& frame) {
       append_text(out, frame.right_edge + 7, y + 4, "start", tick_text(tick, step_of(*plot.right)));
     }
     append(out, "<path class=\"axis\" d=\"", marks, "\"/>");
-    append_text(out, width - 6, 16, "end", plot.right->label, " class=\"label\"");
+    append_text(out, plot_width - 6, 16, "end", plot.right->label, " class=\"label\"");
   }
   if (!plot.strip.empty())
     append(out, "<rect x=\"", coordinate(frame.left_edge), "\" y=\"", coordinate(plot_bottom), "\" width=\"",
@@ -199,7 +199,7 @@ void append_keys(std::string& out, const LinePlot& plot) {
   const auto key_width = [&](const PlotKey& key) {
     return sample_width(key) + per_letter * static_cast<double>(display_width(key.text)) + key_gap;
   };
-  double x = (width + key_gap) / 2;
+  double x = (plot_width + key_gap) / 2;
   for (const PlotKey& key : plot.keys) x -= key_width(key) / 2;
   for (const PlotKey& key : plot.keys) {
     if (!key.css_class.empty())
@@ -238,7 +238,7 @@ std::string tick_text(const PlotAxis& axis, double tick) {
 }
 
 std::string svg(const LinePlot& plot) {
-  const Frame frame{plot, margin(plot.left), width - (plot.right ? margin(*plot.right) : 14)};
+  const Frame frame{plot, margin(plot.left), plot_width - (plot.right ? margin(*plot.right) : 14)};
   std::string out = "<svg class=\"plot\" viewBox=\"0 0 460 270\" role=\"img\"><title>";
   append(out, escape_html(plot.title), "</title>");
   if (!plot.description.empty()) append(out, "<desc>", escape_html(plot.description), "</desc>");

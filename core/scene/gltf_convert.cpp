@@ -28,10 +28,10 @@ std::optional<UvMatrix> inverse(const UvMatrix& m) {
 }
 
 // A texture at the pair's size: four channels, where the picture has fewer as glTF fills them up.
-class Lookup {
+class CodeLookup {
  public:
-  Lookup(const std::optional<GltfTexture>& texture, const SceneImages& images, int width, int height,
-         bool color) {
+  CodeLookup(const std::optional<GltfTexture>& texture, const SceneImages& images, int width, int height,
+             bool color) {
     if (!texture) return;
     const Image8& image = images(texture->image);
     if (image.width == width && image.height == height)
@@ -120,7 +120,7 @@ class Converter {
   }
 
  private:
-  Lookup lookup(const std::optional<GltfTexture>& texture, bool color) const {
+  CodeLookup lookup(const std::optional<GltfTexture>& texture, bool color) const {
     return {texture, images_, width_, height_, color};
   }
 
@@ -148,10 +148,10 @@ class Converter {
 
   template <class At>
   void metal_rough(std::size_t texels, At at, std::size_t& clamped) const {
-    const Lookup base = lookup(m_.base_color_texture, true),
-                 rough = lookup(m_.metallic_roughness_texture, false),
-                 specular = lookup(m_.specular_texture, false),
-                 tint = lookup(m_.specular_color_texture, true);
+    const CodeLookup base = lookup(m_.base_color_texture, true),
+                     rough = lookup(m_.metallic_roughness_texture, false),
+                     specular = lookup(m_.specular_texture, false),
+                     tint = lookup(m_.specular_color_texture, true);
     const Vec3 color{m_.base_color[0], m_.base_color[1], m_.base_color[2]};
     const Vec3 tint_factor{m_.specular_color[0], m_.specular_color[1], m_.specular_color[2]};
     const MetalRoughCodes codes(color, m_.metallic, dielectric_f0(m_.ior, m_.specular, tint_factor));
@@ -182,8 +182,8 @@ class Converter {
 
   template <class At>
   void specular_glossiness(std::size_t texels, At at, std::size_t& clamped) const {
-    const Lookup diffuse = lookup(m_.diffuse_texture, true),
-                 f0 = lookup(m_.specular_glossiness_texture, true);
+    const CodeLookup diffuse = lookup(m_.diffuse_texture, true),
+                     f0 = lookup(m_.specular_glossiness_texture, true);
     std::array<std::array<std::uint8_t, 256>, 3> diffuse_codes, f0_codes;
     const auto& linear = linear_tables().srgb;
     for (std::size_t c = 0; c < 3; ++c)

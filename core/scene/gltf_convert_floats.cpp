@@ -14,10 +14,10 @@ namespace {
 using Texel = std::array<double, 4>;
 
 // A texture at the pair's size, as glTF fills up channels that are missing: linear light or plain numbers.
-class Lookup {
+class FloatLookup {
  public:
-  Lookup(const std::optional<GltfTexture>& texture, const SceneFloats& images, int width, int height,
-         bool color)
+  FloatLookup(const std::optional<GltfTexture>& texture, const SceneFloats& images, int width, int height,
+              bool color)
       : width_(width), height_(height), color_(color) {
     if (!texture) return;
     image_ = &images(texture->image);
@@ -80,12 +80,13 @@ FloatPair scene_material_floats(const GltfMaterial& m, const SceneFloats& images
     height = std::max(height, images(texture->image).height);
   }
   const auto lookup = [&](const std::optional<GltfTexture>& texture, bool color) {
-    return Lookup(texture, images, width, height, color);
+    return FloatLookup(texture, images, width, height, color);
   };
   const bool opaque = m.alpha_mode == AlphaMode::opaque && !keep_alpha;
   FloatPair out{Image(width, height, 4), Image(width, height, 4)};
   if (m.specular_glossiness) {
-    const Lookup diffuse = lookup(m.diffuse_texture, true), f0 = lookup(m.specular_glossiness_texture, true);
+    const FloatLookup diffuse = lookup(m.diffuse_texture, true),
+                      f0 = lookup(m.specular_glossiness_texture, true);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         const Texel d = diffuse.at(x, y), s = f0.at(x, y);
@@ -95,8 +96,10 @@ FloatPair scene_material_floats(const GltfMaterial& m, const SceneFloats& images
       }
     return out;
   }
-  const Lookup base = lookup(m.base_color_texture, true), rough = lookup(m.metallic_roughness_texture, false),
-               specular = lookup(m.specular_texture, false), tint = lookup(m.specular_color_texture, true);
+  const FloatLookup base = lookup(m.base_color_texture, true),
+                    rough = lookup(m.metallic_roughness_texture, false),
+                    specular = lookup(m.specular_texture, false),
+                    tint = lookup(m.specular_color_texture, true);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const Texel b = base.at(x, y), r = rough.at(x, y);

@@ -33,11 +33,12 @@ Densities densities(const std::array<Uv, 3>& uv, int width, int height, const st
 }
 
 // Pixels per unit of the world.
-struct Pixels {
+struct ScreenPixels {
   double fewest = infinite, most = 0;
 };
 
-Pixels pixels(const GltfCamera& camera, const std::array<float, 3>& center, double radius, int view_height) {
+ScreenPixels pixels(const GltfCamera& camera, const std::array<float, 3>& center, double radius,
+                    int view_height) {
   if (!camera.perspective) {
     const double all = view_height / (2 * camera.ymag);
     return {all, all};
@@ -73,7 +74,8 @@ TexelScale texel_scale(const MaterialUses& uses, int material, const GltfTexture
       least = std::min(least, std::sqrt(density.least));
       if (view_height == 0) continue;
       for (const GltfCamera& camera : uses.scene().cameras) {
-        const Pixels there = pixels(camera, use.world_center[t], double{use.world_radius[t]}, view_height);
+        const ScreenPixels there =
+            pixels(camera, use.world_center[t], double{use.world_radius[t]}, view_height);
         if (there.most == 0) continue;
         out.seen = true;
         least_level = std::min(least_level, 0.5 * std::log2(density.least) - std::log2(there.most));
