@@ -12,24 +12,25 @@
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "core/base/signals.h"
 
 namespace etak::cli {
 namespace {
 
-int print_version(bool json) {
+int print_version(bool as_json) {
   const std::string version = ETAK_VERSION;
-  write_output({}, json ? "{\"name\": \"etak\", \"version\": " + json_string(version) +
-                              ", \"compiler\": " + json_string(__VERSION__) + "}\n"
-                        : "etak " + version + "\n");
+  write_output({}, as_json ? "{\"name\": \"etak\", \"version\": " + json(version) +
+                                 ", \"compiler\": " + json(__VERSION__) + "}\n"
+                           : "etak " + version + "\n");
   return exit_ok;
 }
 
 int run(int argc, char** argv) {
   CommandLine line("etak: measured optics into materials a renderer can trust", "etak");
-  bool version = false, json = false;
+  bool version = false, as_json = false;
   line.top().flag("--version", version, "print the version and stop");
-  line.top().flag("--json", json, "with --version: as JSON");
+  line.top().flag("--json", as_json, "with --version: as JSON");
   line.top().footer(
       "Exit status: 0 done, 1 a named input was refused, 2 bad input, option or output.\n"
       "Example:\n  etak f0 gold copper");
@@ -52,7 +53,7 @@ int run(int argc, char** argv) {
   line.add_help_verb();
   add_input_timeout(line);
   const Work work = line.read(argc, argv);
-  if (version) return print_version(json);
+  if (version) return print_version(as_json);
   if (!work) {
     complain("no verb given; see etak --help");
     return exit_failure;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/layout.h"
 
+#include <span>
+
 #include "core/base/files/output_folder.h"
 #include "core/base/json_text.h"
 #include "core/base/node_json.h"
@@ -18,17 +20,10 @@ std::string box_json(const PixelBox& box) {
          ", " + std::to_string(box.height) + "]";
 }
 
-std::string texts_json(const std::vector<std::string>& texts) {
-  std::vector<std::string> items;
-  for (const std::string& each : texts) items.push_back(json(each));
-  return json_array(items);
-}
-
 // The first file is the texture by name; the rest are the same in other formats, and mips in files of
 // their own.
 std::string page_json(const AtlasPage& page) {
   std::string out = "{";
-  std::vector<std::string> more;
   for (const Texture texture : both_textures) {
     const auto& files = page.files[static_cast<std::size_t>(texture)];
     out += json(name(texture)) + ": " + (files.empty() ? "null" : json(files[0])) + ", ";
@@ -38,7 +33,7 @@ std::string page_json(const AtlasPage& page) {
     const auto& files = page.files[static_cast<std::size_t>(texture)];
     if (files.size() > 1)
       out += ", " + json(std::string(name(texture)) + "_more") + ": " +
-             texts_json({files.begin() + 1, files.end()});
+             json_array_of(std::span(files).subspan(1));
   }
   return out + "}";
 }
@@ -77,7 +72,7 @@ std::string material_json(const AtlasMaterialRow& m) {
     if (m.value[c])
       values += (values.empty() ? "" : ", ") + json(channel_names[c]) + ": " + json(*m.value[c]);
   if (!values.empty()) out += ", \"value\": {" + values + "}";
-  return out + ", \"defines\": " + texts_json(m.defines) + "}";
+  return out + ", \"defines\": " + json_array_of(m.defines) + "}";
 }
 
 template <class Rows, class Form>
@@ -99,7 +94,7 @@ PixelBox box_of(const JsonNode& node) {
 // layout may come from anyone: a name with a folder in it is refused.
 std::string read_file_name(const JsonNode& node) {
   std::string out = node.text();
-  if (!is_plain_file_name(out)) node.fail("\"" + printable(out) + "\"", "a file name without folders");
+  if (!is_plain_file_name(out)) node.fail(in_quotes(out), "a file name without folders");
   return out;
 }
 
@@ -185,7 +180,7 @@ std::string layout_json(const AtlasLayout& layout) {
       {"pages", rows_json(layout.pages, page_json)},
       {"rects", rows_json(layout.rects, rect_json)},
       {"materials", rows_json(layout.materials, material_json)},
-      {"other_files", texts_json(layout.other_files)},
+      {"other_files", json_array_of(layout.other_files)},
   };
   return json_object(members, 0) + "\n";
 }

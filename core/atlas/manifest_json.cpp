@@ -118,8 +118,7 @@ class ManifestReader {
     if (text.empty()) node.fail_type(source_forms);
     if (text.find_first_of("./") != text.npos) return ImageSource{path_of(node), "", ""};
     if (!role.color)
-      node.fail("\"" + printable(text) + "\", which is no file name (it has no ending)",
-                "a file or a number");
+      node.fail(in_quotes(text) + ", which is no file name (it has no ending)", "a file or a number");
     return LibrarySource{text, "", ""};
   }
 

@@ -29,7 +29,7 @@ std::vector<Material> read_materials(const JsonNode& list, Read read) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     out.push_back(read(list.at(i)));
     if (!names.insert(out.back().name).second)
-      list.at(i).fail("a second material \"" + printable(out.back().name) + "\"", "each name once");
+      list.at(i).fail("a second material " + in_quotes(out.back().name), "each name once");
   }
   return out;
 }

@@ -11,6 +11,7 @@
 #include "core/atlas/compose.h"
 #include "core/base/parallel.h"
 #include "core/color/delta_e.h"
+#include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
 #include "core/image/wrap.h"
 
@@ -61,10 +62,6 @@ LinearRgb color(const Quantities& v, std::size_t first) {
   return {double{v[first]}, double{v[first + 1]}, double{v[first + 2]}};
 }
 
-double encoded(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
 ResolutionError difference(const Quantities& a, const Quantities& b) {
   if (a == b) return {};
   ResolutionError out;
@@ -75,7 +72,7 @@ ResolutionError difference(const Quantities& a, const Quantities& b) {
     out.delta_e = std::max(out.delta_e, 100 * plain);
     out.codes = std::max(out.codes, 255 * plain);
     for (std::size_t c = first; c < first + 3; ++c)
-      out.codes = std::max(out.codes, 255 * std::abs(encoded(double{a[c]}) - encoded(double{b[c]})));
+      out.codes = std::max(out.codes, 255 * std::abs(srgb_encode(double{a[c]}) - srgb_encode(double{b[c]})));
   }
   return out;
 }
@@ -139,8 +136,7 @@ auto chain_of(const Picture& a, const Picture& b, MipOptions options, GlossForm 
 MipPair region_chain(const Image8& a, const Image8& b, const MipOptions& options, GlossForm gloss,
                      unsigned threads) {
   return chain_of(
-      a, b, options, gloss, threads, [](std::uint8_t code) { return code / 255.0; },
-      [](double v) { return static_cast<std::uint8_t>(255 * std::clamp(v, 0.0, 1.0) + 0.5); });
+      a, b, options, gloss, threads, [](std::uint8_t code) { return code / 255.0; }, plain_u8);
 }
 
 MipPairFloat region_chain(const Image& a, const Image& b, const MipOptions& options, GlossForm gloss,

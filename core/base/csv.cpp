@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/csv.h"
 
+#include <utility>
+
+#include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
 
@@ -28,6 +31,50 @@ std::string csv_field(std::string_view text) {
   std::string out;
   append_csv_field(out, text);
   return out;
+}
+
+std::vector<CsvRow> csv_rows(std::string_view text, std::string_view file) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  std::vector<CsvRow> rows;
+  CsvRow row{1, {}};
+  std::string field;
+  std::size_t line = 1;
+  bool quoted = false, was_quoted = false;
+  const auto end_row = [&] {
+    if (!row.fields.empty() || !field.empty() || was_quoted) {
+      row.fields.push_back(std::move(field));
+      rows.push_back(std::move(row));
+    }
+    row = {line + 1, {}};
+    field.clear();
+    was_quoted = false;
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '"' && i + 1 < text.size() && text[i + 1] == '"')
+        field += text[++i];
+      else if (c == '"')
+        quoted = false;
+      else
+        field += c;
+      line += c == '\n';
+    } else if (c == '"' && field.empty()) {
+      quoted = was_quoted = true;
+    } else if (c == ',') {
+      row.fields.push_back(std::move(field));
+      field.clear();
+      was_quoted = false;
+    } else if (c == '\n') {
+      end_row();
+      ++line;
+    } else if (c != '\r' || (i + 1 < text.size() && text[i + 1] != '\n')) {
+      field += c;
+    }
+  }
+  if (quoted) throw Error::at_line(file, row.line, "a quote that is not closed", "\"");
+  end_row();
+  return rows;
 }
 
 }  // namespace etak

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace etak {
 
@@ -12,5 +14,15 @@ namespace etak {
 /// it for a formula.
 std::string csv_field(std::string_view text);
 void append_csv_field(std::string& out, std::string_view text);
+
+/// A row that was read, and the line of the file on which it begins, 1-based.
+struct CsvRow {
+  std::size_t line = 1;
+  std::vector<std::string> fields;
+};
+
+/// The rows of a CSV by RFC 4180: fields in quotes may hold commas, line ends and doubled quotes. Lines end
+/// with LF or CRLF; empty ones and a byte order mark are skipped. Throws Error for a quote that is not closed.
+std::vector<CsvRow> csv_rows(std::string_view text, std::string_view file);
 
 }  // namespace etak

@@ -33,4 +33,8 @@ std::string printable(std::string_view bytes, std::size_t most) {
   return line_text(bytes.substr(0, end)) + (end < bytes.size() ? "..." : "");
 }
 
+std::string in_quotes(std::string_view bytes, std::size_t most) {
+  return '"' + printable(bytes, most) + '"';
+}
+
 }  // namespace etak

@@ -33,8 +33,7 @@ class StrictReader : public nlohmann::json_sax<Json> {
   bool start_object(std::size_t) override { return open(Json::object()); }
   bool key(string_t& key) override {
     const auto [member, is_new] = open_.back()->emplace(key, nullptr);
-    if (!is_new)
-      throw Error::at(file_, "key \"" + printable(key) + "\" twice in one object", "each key once");
+    if (!is_new) throw Error::at(file_, "key " + in_quotes(key) + " twice in one object", "each key once");
     member_ = &*member;
     return true;
   }

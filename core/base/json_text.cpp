@@ -44,9 +44,7 @@ std::string json(std::size_t value) {
 }
 
 std::string json_array(std::span<const std::string> items) {
-  std::string out = "[";
-  for (std::size_t i = 0; i < items.size(); ++i) append(out, i == 0 ? "" : ", ", items[i]);
-  return out += ']';
+  return '[' + joined(items) + ']';
 }
 
 std::string json_object(std::span<const JsonMember> members, int indent) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/text.h"
+
 namespace etak {
 
 // JSON written directly: the shortest number that reads back equal, and the line breaks that the writer
@@ -19,6 +21,12 @@ std::string json(std::size_t value);
 
 /// "[a, b, c]" of what is JSON already.
 std::string json_array(std::span<const std::string> items);
+
+/// The same of values that json() writes.
+template <class Values>
+std::string json_array_of(const Values& values) {
+  return '[' + joined(values, ", ", [](const auto& value) { return json(value); }) + ']';
+}
 
 /// A key and its value, which is JSON already.
 struct JsonMember {

@@ -77,8 +77,7 @@ struct JsonNode {
   void expect_object(std::initializer_list<std::string_view> keys) const {
     expect_object();
     for (const auto& [key, ignored] : value.items())
-      if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        fail("unknown key \"" + printable(key) + "\"");
+      if (std::find(keys.begin(), keys.end(), key) == keys.end()) fail("unknown key " + in_quotes(key));
   }
   void expect_array() const {
     if (!value.is_array()) fail_type("an array");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,16 @@ inline void append_part(std::string& out, char c) {
 template <class... Parts>
 void append(std::string& out, const Parts&... parts) {
   (append_part(out, parts), ...);
+}
+
+/// The text of every part, none of them empty, with `between` between them.
+///   text_of   of a part: a function or a member
+template <class Parts, class TextOf = std::identity>
+std::string joined(const Parts& parts, std::string_view between = ", ", TextOf text_of = {}) {
+  std::string out;
+  for (const auto& part : parts)
+    append(out, out.empty() ? std::string_view() : between, std::invoke(text_of, part));
+  return out;
 }
 
 /// `text` with every byte that is not part of well-formed UTF-8 (RFC 3629) replaced by U+FFFD: file names may

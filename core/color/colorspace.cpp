@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "core/base/ascii.h"
+
 namespace etak {
 namespace {
 
@@ -48,8 +50,7 @@ std::optional<RgbSpace> rgb_space_named(std::string_view text) {
   if (text.empty() || text.front() == ' ' || text.back() == ' ') return std::nullopt;
   std::string folded;
   for (const char c : text)
-    if (c != ' ' && c != '-' && c != '_' && c != '.')
-      folded += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (c != ' ' && c != '-' && c != '_' && c != '.') folded += lower_case(c);
   for (const CommonName& each : common_names)
     if (folded == each.folded) return each.space;
   return std::nullopt;

@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/text.h"
 #include "core/color/colorspace.h"
 #include "core/color/ocio_config.h"
 #include "core/color/ocio_files.inc"
@@ -110,10 +111,8 @@ std::string nearest_spaces(const ocio::Config& config, const std::string& asked)
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::string out;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, ranked.size()); ++i)
-    out += (i == 0 ? "\"" : ", \"") + printable(ranked[i].second, 80) + "\"";
-  return out;
+  ranked.resize(std::min<std::size_t>(3, ranked.size()));
+  return joined(ranked, ", ", [](const auto& each) { return in_quotes(each.second, 80); });
 }
 
 Xyz white_of(double x, double y) {
@@ -189,17 +188,15 @@ namespace {
 ocio::ConstColorSpaceRcPtr colour_space(const OpenConfig& open, const std::string& space) {
   const auto found = space.empty() ? nullptr : open.config->getColorSpace(space.c_str());
   if (!found)
-    throw Error::at(open.label, "no colour space \"" + printable(space, 80) + "\"",
+    throw Error::at(open.label, "no colour space " + in_quotes(space, 80),
                     "one of its spaces, the nearest are " + nearest_spaces(*open.config, space));
   if (found->isData())
-    throw Error::at(open.label, "space \"" + printable(space, 80) + "\" holds data",
-                    "a space that holds colour");
+    throw Error::at(open.label, "space " + in_quotes(space, 80) + " holds data", "a space that holds colour");
   return found;
 }
 
 [[noreturn]] void cannot_be_used(const OpenConfig& open, const std::string& space, const ocio::Exception& e) {
-  throw Error::at(open.label, "space \"" + printable(space, 80) + "\" cannot be used" + where(e.what()),
-                  usable);
+  throw Error::at(open.label, "space " + in_quotes(space, 80) + " cannot be used" + where(e.what()), usable);
 }
 
 }  // namespace
@@ -297,9 +294,8 @@ std::string one_of(const std::string& asked, const std::string& standard,
                    const std::vector<std::string>& known, const std::string& label, const char* what) {
   if (asked.empty()) return standard;
   if (std::find(known.begin(), known.end(), asked) != known.end()) return asked;
-  std::string list;
-  for (const std::string& each : known) list += (list.empty() ? "\"" : ", \"") + printable(each, 80) + "\"";
-  throw Error::at(label, std::string("no ") + what + " \"" + printable(asked, 80) + "\"", list);
+  const auto cut = [](const std::string& each) { return in_quotes(each, 80); };
+  throw Error::at(label, std::string("no ") + what + " " + in_quotes(asked, 80), joined(known, ", ", cut));
 }
 
 }  // namespace
@@ -316,7 +312,7 @@ OcioDisplay OcioDisplay::open(const std::string& config, const std::string& disp
     for (int i = 0; i < c.getNumViews(state.display.c_str()); ++i)
       views.emplace_back(c.getView(state.display.c_str(), i));
     state.view = one_of(view, c.getDefaultView(state.display.c_str()), views, open.label,
-                        ("view of display \"" + printable(state.display, 80) + "\", named").c_str());
+                        ("view of display " + in_quotes(state.display, 80) + ", named").c_str());
     // Pictures are scene-referred: the scene side's role where there is one.
     const Interchange door = leads_in(c, aces_interchange()) ? aces_interchange() : cie_interchange();
     if (!leads_in(c, door)) no_way_in(open);
@@ -332,8 +328,8 @@ OcioDisplay OcioDisplay::open(const std::string& config, const std::string& disp
     return OcioDisplay(std::make_shared<const State>(std::move(state)));
   } catch (const ocio::Exception& e) {
     throw Error::at(open.label,
-                    "display \"" + printable(display, 80) + "\" with view \"" + printable(view, 80) +
-                        "\" cannot be used" + where(e.what()),
+                    "display " + in_quotes(display, 80) + " with view " + in_quotes(view, 80) +
+                        " cannot be used" + where(e.what()),
                     usable);
   }
 }
@@ -404,8 +400,7 @@ OcioShader OcioDisplay::shader() const {
     out.text = text.str();
     return out;
   } catch (const ocio::Exception& e) {
-    throw Error::at("display \"" + printable(state_->display, 80) + "\"", "has no shader" + where(e.what()),
-                    usable);
+    throw Error::at("display " + in_quotes(state_->display, 80), "has no shader" + where(e.what()), usable);
   }
 }
 

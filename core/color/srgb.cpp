@@ -4,24 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 
 namespace etak {
-namespace {
-
-std::uint8_t half_up(double encoded) {
-  return static_cast<std::uint8_t>(std::floor(255 * encoded + 0.5));
-}
-
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
-}  // namespace
-
 double srgb_encode(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
@@ -30,12 +16,16 @@ double srgb_decode(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
+std::uint8_t plain_u8(double value) {
+  return static_cast<std::uint8_t>(std::floor(255 * std::clamp(value, 0.0, 1.0) + 0.5));
+}
+
 std::uint8_t srgb_u8(double linear) {
-  return half_up(srgb_encode(std::clamp(linear, 0.0, 1.0)));
+  return plain_u8(srgb_encode(std::clamp(linear, 0.0, 1.0)));
 }
 
 std::uint8_t power22_u8(double linear) {
-  return half_up(std::pow(std::clamp(linear, 0.0, 1.0), 1 / 2.2));
+  return plain_u8(std::pow(std::clamp(linear, 0.0, 1.0), 1 / 2.2));
 }
 
 Srgb8 srgb_u8(const LinearRgb& c) {
@@ -65,7 +55,7 @@ Srgb8 parse_hex(std::string_view text) {
   if (!digits.empty() && digits.front() == '#') digits.remove_prefix(1);
   const bool is_hex = std::all_of(digits.begin(), digits.end(), [](char c) { return hex_digit(c) >= 0; });
   if (!is_hex || (digits.size() != 3 && digits.size() != 6))
-    throw Error::at("colour \"" + printable(text) + "\"", "no hexadecimal colour", "#rrggbb or #rgb");
+    throw Error::at("colour " + in_quotes(text), "no hexadecimal colour", "#rrggbb or #rgb");
   const std::size_t width = digits.size() / 3;
   const auto code = [&](std::size_t channel) {
     const int high = hex_digit(digits[channel * width]), low = hex_digit(digits[channel * width + width - 1]);

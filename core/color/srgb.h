@@ -14,7 +14,11 @@ namespace etak {
 double srgb_encode(double linear);
 double srgb_decode(double encoded);
 
-/// floor(255 encode(clamp(linear, 0, 1)) + 1/2). NaN is the caller's mistake.
+/// floor(255 clamp(value, 0, 1) + 1/2): the code of what is kept as it is, such as opacity and gloss. NaN is
+/// the caller's mistake, here and below.
+std::uint8_t plain_u8(double value);
+
+/// floor(255 encode(clamp(linear, 0, 1)) + 1/2).
 std::uint8_t srgb_u8(double linear);
 
 /// The same with encode(x) = x^(1/2.2): the codes of Schueler's table.

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
 #include "core/material/dispersion.h"
@@ -83,10 +84,8 @@ void take_clarity(const Material& material, const Clarity& body, ExportSurface& 
     out.notes.emplace_back("a gas has no surface of its own: the index alone is of use");
 }
 
-std::string joined(const std::vector<double>& values) {
-  std::string out;
-  for (const double value : values) out += (out.empty() ? "" : " ") + number(value, 4);
-  return out;
+std::string numbers(const std::vector<double>& values) {
+  return joined(values, " ", [](double value) { return number(value, 4); });
 }
 
 }  // namespace
@@ -173,7 +172,7 @@ double Change::amount() const {
 }
 
 std::string one_line(const Change& change) {
-  return change.field + " " + joined(change.wanted) + " -> " + joined(change.used) + " (" + change.action +
+  return change.field + " " + numbers(change.wanted) + " -> " + numbers(change.used) + " (" + change.action +
          ", " + number(change.amount(), 3) + "): " + change.reason;
 }
 

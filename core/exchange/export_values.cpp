@@ -12,14 +12,8 @@
 namespace etak {
 namespace {
 
-std::string json_numbers(const std::vector<double>& values) {
-  std::vector<std::string> items;
-  for (const double value : values) items.push_back(json(value));
-  return json_array(items);
-}
-
 std::string json_color(const LinearRgb& c) {
-  return json_numbers({c.r, c.g, c.b});
+  return json_array_of(vec(c));
 }
 
 std::string json_clear(const std::optional<ClearBody>& body) {
@@ -27,12 +21,6 @@ std::string json_clear(const std::optional<ClearBody>& body) {
   return json_object(
       std::array{JsonMember{"color", json_color(body->color)}, JsonMember{"depth_m", json(body->depth_m)}},
       -1);
-}
-
-std::string json_texts(const std::vector<std::string>& texts) {
-  std::vector<std::string> items;
-  for (const std::string& text : texts) items.push_back(json(text));
-  return json_array(items);
 }
 
 // Objects, one a line, as the value of a member whose brace closes at `indent`.
@@ -47,16 +35,16 @@ std::string json_lines(const std::vector<std::string>& items, std::size_t indent
 std::string json_target(const EngineValues& values) {
   std::vector<std::string> fields, changes;
   for (const EngineField& f : values.fields)
-    fields.push_back("{\"name\": " + json(f.name) + ", \"values\": " + json_numbers(f.values) +
+    fields.push_back("{\"name\": " + json(f.name) + ", \"values\": " + json_array_of(f.values) +
                      ", \"text\": " + json(f.text) + "}");
   for (const Change& c : values.changes)
-    changes.push_back("{\"field\": " + json(c.field) + ", \"wanted\": " + json_numbers(c.wanted) +
-                      ", \"used\": " + json_numbers(c.used) + ", \"action\": " + json(c.action) +
+    changes.push_back("{\"field\": " + json(c.field) + ", \"wanted\": " + json_array_of(c.wanted) +
+                      ", \"used\": " + json_array_of(c.used) + ", \"action\": " + json(c.action) +
                       ", \"amount\": " + json(c.amount()) + ", \"reason\": " + json(c.reason) + "}");
   return "{\"id\": " + json(values.target) + ", \"title\": " + json(engine_target(values.target)->title) +
          ",\n         \"fields\": " + json_lines(fields, 9) +
          ",\n         \"changes\": " + json_lines(changes, 9) +
-         ",\n         \"notes\": " + json_texts(values.notes) + ", \"copy\": " + json(copy_text(values)) +
+         ",\n         \"notes\": " + json_array_of(values.notes) + ", \"copy\": " + json(copy_text(values)) +
          "}";
 }
 
@@ -118,9 +106,9 @@ std::string export_csv(const std::vector<ExportedValues>& all) {
           out += ",,,\n";
           return;
         }
-        std::string wanted;
-        for (const double value : change->wanted) wanted += (wanted.empty() ? "" : " ") + number(value, 9);
-        out += ',' + wanted + ',' + change->action + ',' + number(change->amount(), 6) + '\n';
+        const auto digits_9 = [](double value) { return number(value, 9); };
+        out += ',' + joined(change->wanted, " ", digits_9) + ',' + change->action + ',' +
+               number(change->amount(), 6) + '\n';
       };
       for (const EngineField& f : values.fields) {
         row(f.name, f.text, f.values);
@@ -163,7 +151,7 @@ std::string export_json(const std::vector<ExportedValues>& all, Fit fit, const s
                                           {"alpha", json(s.gloss.alpha())},
                                           {"roughness", json(s.gloss.roughness())},
                                           {"opacity", json(s.opacity)},
-                                          {"notes", json_texts(s.notes)},
+                                          {"notes", json_array_of(s.notes)},
                                           {"targets", json_lines(targets, 6)}};
     out += (&each == all.data() ? "\n    " : ",\n    ") + json_object(members, 4);
   }

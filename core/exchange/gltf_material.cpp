@@ -53,15 +53,12 @@ Geometry geometry() {
   for (const auto& uv : mesh.uvs)
     for (const float c : uv) bytes_le::append_float(out.buffer, c);
   end_view(vertices);
-  const auto three = [](const std::array<float, 3>& v) {
-    const std::array<std::string, 3> items{json(double{v[0]}), json(double{v[1]}), json(double{v[2]})};
-    return json_array(items);
-  };
   const std::string count = std::to_string(mesh.points.size());
   out.accessors = "\n    {\"bufferView\": 0, \"componentType\": 5123, \"count\": " +
                   std::to_string(mesh.triangles.size()) + ", \"type\": \"SCALAR\"},\n" +
                   "    {\"bufferView\": 1, \"componentType\": 5126, \"count\": " + count +
-                  ", \"type\": \"VEC3\", \"min\": " + three(least) + ", \"max\": " + three(most) + "},\n" +
+                  ", \"type\": \"VEC3\", \"min\": " + json_array_of(least) +
+                  ", \"max\": " + json_array_of(most) + "},\n" +
                   "    {\"bufferView\": 2, \"componentType\": 5126, \"count\": " + count +
                   ", \"type\": \"VEC2\"}";
   return out;
@@ -69,18 +66,12 @@ Geometry geometry() {
 
 // ---- the materials
 
-std::string array_of(std::span<const double> values) {
-  std::vector<std::string> items;
-  for (const double value : values) items.push_back(json(value));
-  return json_array(items);
-}
-
 std::string three(const LinearRgb& c) {
-  return array_of(std::array{c.r, c.g, c.b});
+  return json_array_of(std::array{c.r, c.g, c.b});
 }
 
 std::string four(const LinearRgb& c, double alpha) {
-  return array_of(std::array{c.r, c.g, c.b, alpha});
+  return json_array_of(std::array{c.r, c.g, c.b, alpha});
 }
 
 std::string extras_of(const ExportSurface& s, const Changes& changes) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/exchange/rii_rows.h"
 #include "core/exchange/yaml_lines.h"
@@ -130,7 +131,7 @@ class PageReader {
       entry.data = value_at;
       const std::string_view style = lines_.value();
       if (!style.starts_with('|') || style.find_first_not_of("|+-0123456789") != style.npos)
-        lines_.fail(value_at, "data: " + quoted(style), "\"data: |\" and rows below it");
+        lines_.fail(value_at, "data: " + in_quotes(style), "\"data: |\" and rows below it");
       if (entry.type == Entry::Type::table) {
         read_table(entry, column);
       } else {
@@ -138,7 +139,7 @@ class PageReader {
         lines_.skip_block(column);
       }
     } else {
-      lines_.fail(where, "the key " + quoted(key), "type, wavelength_range, coefficients or data");
+      lines_.fail(where, "the key " + in_quotes(key), "type, wavelength_range, coefficients or data");
     }
   }
 
@@ -156,7 +157,7 @@ class PageReader {
       entry.type = Entry::Type::formula;
       entry.formula = type[8] - '0';
     } else {
-      lines_.fail(where, "type " + quoted(type), "tabulated nk, n, k or n2, or formula 1 to 9");
+      lines_.fail(where, "type " + in_quotes(type), "tabulated nk, n, k or n2, or formula 1 to 9");
     }
   }
 
@@ -167,7 +168,7 @@ class PageReader {
       const std::size_t stop = std::min(text.find_first_of(" \t"), text.size());
       double value = 0;
       if (!parse_number(text.substr(0, stop), value))
-        lines_.fail(where, quoted(text.substr(0, stop)), "a number");
+        lines_.fail(where, in_quotes(text.substr(0, stop)), "a number");
       out.push_back(value);
       text.remove_prefix(std::min(text.find_first_not_of(" \t", stop), text.size()));
     }

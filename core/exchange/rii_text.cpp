@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/exchange/rii_page.h"
@@ -18,28 +19,13 @@
 namespace etak {
 namespace {
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool is_lower(char c) {
-  return c >= 'a' && c <= 'z';
-}
-bool is_upper(char c) {
-  return c >= 'A' && c <= 'Z';
-}
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
-char lower(char c) {
-  return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
-std::string_view trimmed(std::string_view text, std::string_view also = {}) {
-  const auto drop = [&](char c) { return is_space(c) || also.find(c) != also.npos; };
-  while (!text.empty() && drop(text.front())) text.remove_prefix(1);
-  while (!text.empty() && drop(text.back())) text.remove_suffix(1);
-  return text;
-}
+// What is dropped around a text, and around one of a list.
+constexpr std::string_view white = " \t\n\r", white_commas = " \t\n\r,", white_stops = " \t\n\r.,",
+                           white_dashes = " \t\n\r-";
 
 std::vector<std::string_view> split_lines(std::string_view text) {
   std::vector<std::string_view> lines;
@@ -70,7 +56,7 @@ std::string plain(std::string_view html) {
   for (std::size_t i = 0; i < html.size(); ++i) {
     const char next = i + 1 < html.size() ? html[i + 1] : ' ';
     // "x<0.3" is no tag.
-    if (html[i] == '<' && (next == '/' || is_lower(lower(next)))) {
+    if (html[i] == '<' && (next == '/' || is_letter(next))) {
       const std::size_t stop = html.find('>', i);
       if (stop == html.npos) break;
       if (html.substr(i, 3) == "<br") text.push_back(' ');
@@ -84,7 +70,7 @@ std::string plain(std::string_view html) {
   for (const auto& [entity, meaning] : entities) replace_all(text, entity, meaning);
   text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return a == ' ' && b == ' '; }),
              text.end());
-  return readable(trimmed(text));
+  return readable(trimmed(text, white));
 }
 
 // The value of a key whose `key:` was just read: a block scalar with its indentation taken off, or a plain or
@@ -97,18 +83,18 @@ std::string text_value(YamlLines& lines) {
   std::string text;
   if (!head.starts_with('|') && !head.starts_with('>')) {
     text = head;
-    for (const auto line : block) text.append(" ").append(trimmed(line));
-    text = unquoted(trimmed(text));
+    for (const auto line : block) text.append(" ").append(trimmed(line, white));
+    text = unquoted(trimmed(text, white));
     replace_all(text, "\\\"", "\"");
     return text;
   }
   std::size_t indent = std::string_view::npos;
   for (const auto line : block) {
-    if (indent == line.npos && !trimmed(line).empty()) indent = line.find_first_not_of(' ');
+    if (indent == line.npos && !trimmed(line, white).empty()) indent = line.find_first_not_of(' ');
     const std::size_t spaces = std::min(line.find_first_not_of(' '), line.size());
     text.append(line.substr(std::min(spaces, indent))).append("\n");
   }
-  return std::string(trimmed(text));
+  return std::string(trimmed(text, white));
 }
 
 // "293", "293 K" or "20 °C" in kelvin.
@@ -116,7 +102,7 @@ std::optional<double> kelvin(std::string_view text) {
   const std::size_t stop = std::min(text.find_first_not_of("+-.0123456789eE"), text.size());
   double value = 0;
   if (!parse_number(text.substr(0, stop), value)) return {};
-  const std::string_view unit = trimmed(text.substr(stop));
+  const std::string_view unit = trimmed(text.substr(stop), white);
   if (unit == "°C" || unit == "C")
     value += 273.15;
   else if (!unit.empty() && unit != "K")
@@ -127,9 +113,9 @@ std::optional<double> kelvin(std::string_view text) {
 // The value of `name:` among the lines of an indented block; empty when it is not there.
 std::string_view nested_value(std::string_view block, std::string_view name) {
   for (auto line : split_lines(block)) {
-    line = trimmed(line, "-");
+    line = trimmed(line, white_dashes);
     if (line.starts_with(name) && line.substr(name.size()).starts_with(':'))
-      return unquoted(trimmed(line.substr(name.size() + 1)));
+      return unquoted(trimmed(line.substr(name.size() + 1), white));
   }
   return {};
 }
@@ -199,11 +185,11 @@ std::size_t end_of_authors(std::string_view text) {
 
 std::vector<std::string> author_list(std::string_view text) {
   std::vector<std::string> authors;
-  std::string rest(trimmed(text, ".,"));
+  std::string rest(trimmed(text, white_stops));
   for (const std::string_view between : {", and ", " and ", " & ", "; "}) replace_all(rest, between, ", ");
   for (std::string_view left = rest; !left.empty();) {
     const std::size_t stop = std::min(left.find(", "), left.size());
-    if (const auto author = trimmed(left.substr(0, stop), ","); !author.empty())
+    if (const auto author = trimmed(left.substr(0, stop), white_commas); !author.empty())
       authors.push_back(std::string(author) + (author.ends_with(" et al") ? "." : ""));
     left.remove_prefix(std::min(stop + 2, left.size()));
   }
@@ -232,7 +218,7 @@ std::string without_year(std::string text, int year) {
   const std::string digits = std::to_string(year);
   for (const std::string& tail : {"(" + digits + ")", ", " + digits})
     if (text.ends_with(tail)) text.resize(text.size() - tail.size());
-  return std::string(trimmed(text, ","));
+  return std::string(trimmed(text, white_commas));
 }
 
 // The first of the references, as HTML.
@@ -240,14 +226,14 @@ std::string_view first_reference(std::string_view references) {
   if (references.starts_with("1)")) references.remove_prefix(2);
   for (const std::string_view mark : {"<br>", "\n2)", "\n(", "\n[", "\n*"})
     references = references.substr(0, references.find(mark));
-  return trimmed(references);
+  return trimmed(references, white);
 }
 
 void read_address(std::string_view tag, Citation& citation) {
   const std::size_t begin = tag.find("http");
   if (begin == tag.npos) return;
   tag.remove_prefix(begin);
-  const std::string_view address = trimmed(tag.substr(0, tag.find_first_of("\"'>")));
+  const std::string_view address = trimmed(tag.substr(0, tag.find_first_of("\"'>")), white);
   static constexpr std::string_view resolver = "doi.org/";
   const std::size_t doi = address.find(resolver);
   if (doi == address.npos)
@@ -264,7 +250,7 @@ Citation parse_citation(std::string_view references) {
       std::min(reference.find('>', std::min(tag, reference.size())), reference.size());
   std::vector<std::string> before;
   for (const auto line : split_lines(reference.substr(0, tag)))
-    if (auto text = plain(line); !trimmed(text, ".,").empty()) before.push_back(std::move(text));
+    if (auto text = plain(line); !trimmed(text, white_stops).empty()) before.push_back(std::move(text));
   if (tag != reference.npos) {
     const std::size_t close = std::min(reference.find("</a>", tag_end), reference.size());
     read_address(reference.substr(tag, tag_end - tag), citation);
@@ -286,11 +272,11 @@ Citation parse_citation(std::string_view references) {
   } else if (before.size() == 1) {
     const std::size_t stop = end_of_authors(before[0]);
     citation.authors = author_list(std::string_view(before[0]).substr(0, stop));
-    citation.title = trimmed(std::string_view(before[0]).substr(stop), ".,");
+    citation.title = trimmed(std::string_view(before[0]).substr(stop), white_stops);
   } else {
     citation.authors = author_list(before[0]);
     for (std::size_t i = 1; i < before.size(); ++i) citation.title.append(i > 1 ? " " : "").append(before[i]);
-    citation.title = std::string(trimmed(citation.title, ".,"));
+    citation.title = std::string(trimmed(citation.title, white_stops));
   }
   return citation;
 }
@@ -326,16 +312,8 @@ std::string_view book(std::string_view path) {
   return path.substr(path.rfind('/') + 1);
 }
 
-// Lower case, with `separator` for whatever is no letter or digit; never empty.
-std::string identifier(std::string_view text, char separator) {
-  std::string id;
-  for (const char c : text) {
-    if (is_lower(lower(c)) || is_digit(c))
-      id.push_back(lower(c));
-    else if (!id.empty() && id.back() != separator)
-      id.push_back(separator);
-  }
-  while (!id.empty() && id.back() == separator) id.pop_back();
+std::string id_of(std::string_view text, char separator) {
+  const std::string id = identifier(text, separator);
   return id.empty() ? "material" : id;
 }
 
@@ -406,13 +384,13 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   dataset.citation.licence = "CC0-1.0";
   dataset.citation.via = "refractiveindex.info " + page_name(place);
   if (dataset.citation.title.empty()) dataset.citation.title = dataset.citation.via;
-  dataset.id = identifier(stem(place), '-');
+  dataset.id = id_of(stem(place), '-');
   const std::string year = std::to_string(dataset.citation.year);
   if (dataset.citation.year != 0 && dataset.id.find(year) == dataset.id.npos) dataset.id += "-" + year;
 
   Material material;
   std::string_view name = book(place);
-  material.id = id.empty() ? identifier(name, '_') : std::string(id);
+  material.id = id.empty() ? id_of(name, '_') : std::string(id);
   if (const std::size_t dash = name.find(" - "); dash != name.npos) name.remove_prefix(dash + 3);
   material.name = readable(name);
   material.material_class = "crystal";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/exchange/table_columns.h"
@@ -43,11 +44,6 @@ struct Block {
 
 std::size_t place_of(Quantity quantity) {
   return quantity == Quantity::n ? 0 : quantity == Quantity::k ? 1 : 2;
-}
-
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  return out.append(printable(text)).append("\"");
 }
 
 // Without a comment, which starts at a '#' outside quotes, and without the end of the line.
@@ -98,7 +94,7 @@ class TableReader {
       read_row(line);
     } else if (!blocks_.empty() &&
                (!options_.columns.empty() || blocks_.back().rows.empty() || !is_header(line))) {
-      fail(line_, fields_.empty() ? quoted(line) : quoted(fields_[0]), "a finite number");
+      fail(line_, fields_.empty() ? in_quotes(line) : in_quotes(fields_[0]), "a finite number");
     } else if (blocks_.size() == 2) {
       fail(line_, "a third header", "at most a block with n and one with k");
     } else {
@@ -160,7 +156,7 @@ class TableReader {
         continue;
       }
       bool& has = block.has[place_of(column.quantity)];
-      if (has) throw Error::at(place, "the column " + quoted(name) + " twice");
+      if (has) throw Error::at(place, "the column " + in_quotes(name) + " twice");
       has = true;
     }
     if (axes != 1)
@@ -189,7 +185,7 @@ class TableReader {
       double value = 0;
       if (!parse_number(fields_[i], value)) {
         const bool comma = fields_[i].find(',') != std::string_view::npos;
-        fail(line_, quoted(fields_[i]), comma ? "a number with a decimal point" : "a finite number");
+        fail(line_, in_quotes(fields_[i]), comma ? "a number with a decimal point" : "a finite number");
       }
       take(block, column, value, row);
     }
@@ -357,9 +353,7 @@ std::string_view name(WavelengthUnit unit) {
 }
 
 std::optional<WavelengthUnit> wavelength_unit_named(std::string_view text) {
-  std::string folded(text);
-  for (char& c : folded)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  std::string folded = lower_case(text);
   if (folded.size() > 3 && folded.back() == 's') folded.pop_back();
   struct Named {
     std::string_view name;

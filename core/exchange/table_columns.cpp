@@ -5,28 +5,17 @@
 #include <array>
 #include <utility>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 
 namespace etak {
 namespace {
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 // ASCII letters in lower case, blanks and '-' as '_'.
 std::string folded(std::string_view text) {
-  std::string out(trimmed(text));
-  for (char& c : out) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  std::string out = lower_case(trimmed(text));
+  for (char& c : out)
     if (is_blank(c) || c == '-') c = '_';
-  }
   return out;
 }
 
@@ -82,11 +71,6 @@ bool is_percent(std::string_view unit) {
   return unit == "%" || folded(unit) == "percent";
 }
 
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  return out.append(printable(text)).append("\"");
-}
-
 }  // namespace
 
 bool parse_column(std::string_view name, Column& column, std::string& problem) {
@@ -108,7 +92,7 @@ bool parse_column(std::string_view name, Column& column, std::string& problem) {
     }
   }
   if (!quantity) {
-    problem = "the column " + quoted(name);
+    problem = "the column " + in_quotes(name);
     return false;
   }
   column.quantity = *quantity;
@@ -116,9 +100,9 @@ bool parse_column(std::string_view name, Column& column, std::string& problem) {
   if ((*quantity != Quantity::wavelength && *quantity != Quantity::energy) || unit.empty()) return true;
   column.unit = wavelength_unit_named(unit);
   if (!column.unit)
-    problem = "the unit " + quoted(unit);
+    problem = "the unit " + in_quotes(unit);
   else if ((*column.unit == WavelengthUnit::electronvolt) != (*quantity == Quantity::energy))
-    problem = "the unit " + quoted(unit) + " of the column " + quoted(base);
+    problem = "the unit " + in_quotes(unit) + " of the column " + in_quotes(base);
   else
     return true;
   return false;

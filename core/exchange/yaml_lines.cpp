@@ -4,21 +4,18 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 
 namespace etak {
 namespace {
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
 bool is_line_end(char c) {
   return c == '\n' || c == '\r';
 }
 
 bool is_key_char(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
-         c == '.';
+  return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '.';
 }
 
 const char* next_line_start(const char* at, const char* end) {
@@ -40,11 +37,6 @@ std::string_view unquoted(std::string_view scalar) {
   return scalar;
 }
 
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  return out.append(printable(text)).append("\"");
-}
-
 YamlLines::YamlLines(std::string_view text, std::string_view file)
     : at(text.data()), end(text.data() + text.size()), begin_(text.data()), file_(file) {
   if (text.empty()) throw Error::at(file, "the file is empty");
@@ -60,7 +52,7 @@ void YamlLines::fail_token(const char* where, std::string_view expected) const {
   const char* stop = where;
   while (stop < end && !is_blank(*stop) && !is_line_end(*stop)) ++stop;
   const std::string_view token(where, static_cast<std::size_t>(stop - where));
-  fail(where, token.empty() ? "the end of the line" : quoted(token), expected);
+  fail(where, token.empty() ? "the end of the line" : in_quotes(token), expected);
 }
 
 int YamlLines::next_line() {

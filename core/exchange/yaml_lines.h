@@ -61,7 +61,4 @@ bool is_dash(const char* at, const char* end);
 /// A scalar without its quotes, if it has any ('' and \" are not undone: names and numbers do not need it).
 std::string_view unquoted(std::string_view scalar);
 
-/// Foreign text between quotes, made printable, for a message.
-std::string quoted(std::string_view text);
-
 }  // namespace etak

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/image/picture_bytes.h"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstddef>
 #include <cstdint>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/image/files/png.h"
 
@@ -45,10 +45,7 @@ std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t size, b
 }
 
 bool ends_in(std::string_view name, std::string_view ending) {
-  return name.size() >= ending.size() &&
-         std::equal(ending.rbegin(), ending.rend(), name.rbegin(), [](char a, char b) {
-           return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
-         });
+  return lower_case(name).ends_with(ending);
 }
 
 [[noreturn]] void fail_cut(std::string_view label) {

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/color/gloss.h"
 #include "core/light/function_rows.h"
 
@@ -13,11 +15,7 @@ namespace etak {
 namespace {
 
 std::string range_of(const FunctionInput& input) {
-  if (!input.words.empty()) {
-    std::string out;
-    for (const std::string_view word : input.words) out += (out.empty() ? "" : ", ") + std::string(word);
-    return out;
-  }
+  if (!input.words.empty()) return joined(input.words);
   const std::string low = (input.above_min ? "above " : "at least ") + number(input.min, 6);
   if (input.min <= -function_rows::largest && input.max >= function_rows::largest) return "a finite number";
   return input.max >= function_rows::largest ? low : low + ", at most " + number(input.max, 6);
@@ -94,10 +92,8 @@ double evaluate(const Function& function, std::span<const NamedText> inputs, std
         std::find_if(function.inputs.begin(), function.inputs.end(),
                      [&, &wanted = name](const FunctionInput& input) { return input.name == wanted; });
     if (found == function.inputs.end()) {
-      std::string known;
-      for (const FunctionInput& input : function.inputs)
-        known += (known.empty() ? "" : ", ") + std::string(input.name);
-      throw Error::at(at, "unknown input \"" + printable(name) + "\"", known.empty() ? "no inputs" : known);
+      const std::string known = joined(function.inputs, ", ", &FunctionInput::name);
+      throw Error::at(at, "unknown input " + in_quotes(name), known.empty() ? "no inputs" : known);
     }
     const auto i = static_cast<std::size_t>(found - function.inputs.begin());
     if (given[i]) throw Error::at(at, "input \"" + name + "\" twice", "each once");
@@ -123,14 +119,9 @@ double evaluate(const Function& function, std::span<const NamedText> inputs, std
 
 NamedText split_input(std::string_view text, std::string_view place) {
   const auto equals = text.find('=');
-  const auto trimmed = [](std::string_view part) {
-    while (!part.empty() && (part.front() == ' ' || part.front() == '\t')) part.remove_prefix(1);
-    while (!part.empty() && (part.back() == ' ' || part.back() == '\t')) part.remove_suffix(1);
-    return std::string(part);
-  };
   if (equals == text.npos || trimmed(text.substr(0, equals)).empty())
     throw Error::at(place, printable(text), "name=value");
-  return {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
+  return {std::string(trimmed(text.substr(0, equals))), std::string(trimmed(text.substr(equals + 1)))};
 }
 
 }  // namespace etak

@@ -104,16 +104,13 @@ LightSetup parse_lights(std::string_view text, std::string_view file) {
 }
 
 std::string format_lights(const LightSetup& setup, int indent) {
-  const auto three_json = [](const Vec3& v) {
-    return json_array(std::vector<std::string>{json(v[0]), json(v[1]), json(v[2])});
-  };
   std::string lights = "[";
   for (std::size_t i = 0; i < setup.lights.size(); ++i) {
     const Light& light = setup.lights[i];
     std::vector<JsonMember> members{{"kind", json(name(light.kind))}};
-    if (light.kind != LightKind::directional) members.push_back({"position", three_json(light.position)});
-    if (light.kind != LightKind::point) members.push_back({"direction", three_json(light.direction)});
-    members.push_back({"color", three_json(light.color)});
+    if (light.kind != LightKind::directional) members.push_back({"position", json_array_of(light.position)});
+    if (light.kind != LightKind::point) members.push_back({"direction", json_array_of(light.direction)});
+    members.push_back({"color", json_array_of(light.color)});
     members.push_back({"intensity", json(light.intensity)});
     if (light.kind == LightKind::spot) {
       members.push_back({"inner_deg", json(light.inner_deg)});
@@ -125,12 +122,12 @@ std::string format_lights(const LightSetup& setup, int indent) {
   lights += setup.lights.empty() ? "]" : "\n" + std::string(static_cast<std::size_t>(indent) + 2, ' ') + "]";
   std::vector<JsonMember> out{{"schema", json(schema_name)}, {"lights", lights}};
   if (setup.hemispheres)
-    out.push_back(
-        {"hemispheres", json_object(std::vector<JsonMember>{{"upper", three_json(setup.hemispheres->upper)},
-                                                            {"lower", three_json(setup.hemispheres->lower)},
-                                                            {"axis", three_json(setup.hemispheres->axis)},
-                                                            {"form", json(name(setup.hemispheres->form))}},
-                                    -1)});
+    out.push_back({"hemispheres",
+                   json_object(std::vector<JsonMember>{{"upper", json_array_of(setup.hemispheres->upper)},
+                                                       {"lower", json_array_of(setup.hemispheres->lower)},
+                                                       {"axis", json_array_of(setup.hemispheres->axis)},
+                                                       {"form", json(name(setup.hemispheres->form))}},
+                               -1)});
   if (!setup.environment.empty())
     out.push_back(
         {"environment", json_object(std::vector<JsonMember>{{"file", json(setup.environment)},

@@ -29,7 +29,7 @@ double read_scale(const Node& node) {
   const std::string unit = node.text();
   if (unit == "nm") return 1;
   if (unit == "um") return 1000;
-  node.fail("unit \"" + printable(unit) + "\"", "\"nm\" or \"um\"");
+  node.fail("unit " + in_quotes(unit), "\"nm\" or \"um\"");
 }
 
 // Column `column` of rows as a spectrum over column 0; every value within [lo, hi].
@@ -150,7 +150,7 @@ Dataset read_dataset(const Node& node) {
   if (node.has("flags"))
     for (const std::string& text : node.at("flags").texts()) {
       const auto flag = flag_named(text);
-      if (!flag) node.at("flags").fail("flag \"" + printable(text) + "\"", "a known flag");
+      if (!flag) node.at("flags").fail("flag " + in_quotes(text), "a known flag");
       d.flags.set(*flag);
     }
   d.note = node.text_or_empty("note");
@@ -187,12 +187,6 @@ class Writer {
  public:
   void line(int indent, std::string_view text) {
     out_.append(static_cast<std::size_t>(indent), ' ').append(text).push_back('\n');
-  }
-  static std::string quoted(const std::string& text) { return json(text); }
-  static std::string list(const std::vector<std::string>& items) {
-    std::string out = "[";
-    for (const auto& item : items) out.append(out.size() > 1 ? ", " : "").append(quoted(item));
-    return out + "]";
   }
   std::string take() { return std::move(out_); }
 
@@ -273,34 +267,34 @@ void write_dataset(Writer& w, const Dataset& d) {
     w.line(indent, "\"" + std::string(key) + "\": " + value + (comma ? "," : ""));
   };
   const auto* constants = std::get_if<OpticalConstants>(&d.optics);
-  pair(6, "id", Writer::quoted(d.id));
+  pair(6, "id", json(d.id));
   pair(6, "quantity", constants ? constants->k ? "\"n,k\"" : "\"n\"" : "\"reflectance\"");
-  pair(6, "origin", Writer::quoted(std::string(name(d.origin))));
-  pair(6, "sample", Writer::quoted(d.sample));
+  pair(6, "origin", json(name(d.origin)));
+  pair(6, "sample", json(d.sample));
   if (d.temperature_kelvin) {
     std::string kelvin;
     append(kelvin, *d.temperature_kelvin);
     pair(6, "temperature_kelvin", kelvin);
   }
-  if (!d.axis.empty()) pair(6, "axis", Writer::quoted(d.axis));
+  if (!d.axis.empty()) pair(6, "axis", json(d.axis));
   const Citation& c = d.citation;
   w.line(6, "\"citation\": {");
-  pair(8, "authors", Writer::list(c.authors));
-  pair(8, "title", Writer::quoted(c.title));
-  pair(8, "published_in", Writer::quoted(c.published_in));
+  pair(8, "authors", json_array_of(c.authors));
+  pair(8, "title", json(c.title));
+  pair(8, "published_in", json(c.published_in));
   if (c.year != 0) pair(8, "year", std::to_string(c.year));
-  if (!c.doi.empty()) pair(8, "doi", Writer::quoted(c.doi));
-  if (!c.url.empty()) pair(8, "url", Writer::quoted(c.url));
-  pair(8, "licence", Writer::quoted(c.licence));
-  pair(8, "via", Writer::quoted(c.via), false);
+  if (!c.doi.empty()) pair(8, "doi", json(c.doi));
+  if (!c.url.empty()) pair(8, "url", json(c.url));
+  pair(8, "licence", json(c.licence));
+  pair(8, "via", json(c.via), false);
   w.line(6, "},");
   if (!d.flags.none()) {
     std::vector<std::string> flags;
     d.flags.for_each([&](Flag flag) { flags.emplace_back(name(flag)); });
-    pair(6, "flags", Writer::list(flags));
+    pair(6, "flags", json_array_of(flags));
   }
-  if (!d.note.empty()) pair(6, "note", Writer::quoted(d.note));
-  if (!d.doubtful.empty()) pair(6, "doubtful", Writer::quoted(d.doubtful));
+  if (!d.note.empty()) pair(6, "note", json(d.note));
+  if (!d.doubtful.empty()) pair(6, "doubtful", json(d.doubtful));
   write_optics(w, d.optics);
 }
 
@@ -310,7 +304,7 @@ std::vector<AliasNote> read_alias_notes(const Node& node, const Material& m) {
   for (const auto& [alias, ignored] : node.value.items()) {
     if (alias != m.id && alias != m.name &&
         std::find(m.aliases.begin(), m.aliases.end(), alias) == m.aliases.end())
-      node.fail("a note on \"" + printable(alias) + "\"", "the id, the name or an alias of the material");
+      node.fail("a note on " + in_quotes(alias), "the id, the name or an alias of the material");
     const std::string note = node.at(alias).text();
     if (note.empty()) node.at(alias).fail_type("a sentence");
     out.push_back({alias, note});
@@ -367,21 +361,20 @@ std::string format_material(const Material& m) {
   const auto pair = [&](std::string_view key, const std::string& value) {
     w.line(2, "\"" + std::string(key) + "\": " + value + ",");
   };
-  pair("schema", Writer::quoted(std::string(schema_name)));
-  pair("id", Writer::quoted(m.id));
-  pair("name", Writer::quoted(m.name));
-  pair("aliases", Writer::list(m.aliases));
+  pair("schema", json(schema_name));
+  pair("id", json(m.id));
+  pair("name", json(m.name));
+  pair("aliases", json_array_of(m.aliases));
   if (!m.alias_notes.empty()) {
     w.line(2, "\"alias_notes\": {");
     for (const AliasNote& each : m.alias_notes)
-      w.line(4, Writer::quoted(each.alias) + ": " + Writer::quoted(each.note) +
-                    (&each == &m.alias_notes.back() ? "" : ","));
+      w.line(4, json(each.alias) + ": " + json(each.note) + (&each == &m.alias_notes.back() ? "" : ","));
     w.line(2, "},");
   }
-  pair("class", Writer::quoted(m.material_class));
-  if (!m.group.empty()) pair("group", Writer::quoted(m.group));
-  pair("preferred", Writer::quoted(m.preferred_dataset().id));
-  pair("preferred_reason", Writer::quoted(m.preferred_reason));
+  pair("class", json(m.material_class));
+  if (!m.group.empty()) pair("group", json(m.group));
+  pair("preferred", json(m.preferred_dataset().id));
+  pair("preferred_reason", json(m.preferred_reason));
   w.line(2, "\"datasets\": [");
   for (std::size_t i = 0; i < m.datasets.size(); ++i) {
     w.line(4, "{");

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/text.h"
 #include "core/material/blob.h"
 #include "core/material/json.h"
 #include "core/material/names.h"
@@ -201,20 +202,15 @@ const Unmeasured* MaterialLibrary::unmeasured(std::string_view word) const {
 }
 
 MaterialLibrary::Missing MaterialLibrary::missing(std::string_view name) const {
-  const auto listed = [](const std::vector<std::string>& items) {
-    std::string out;
-    for (const std::string& each : items) out += (out.empty() ? "" : ", ") + each;
-    return out;
-  };
   Missing out;
-  if (const Unmeasured* entry = unmeasured(name)) {
-    out.found = "no open measurement known: " + entry->why;
-    if (!entry->nearest.empty()) out.expected = "what is measured and near: " + listed(entry->nearest);
+  if (const Unmeasured* thing = unmeasured(name)) {
+    out.found = "no open measurement known: " + thing->why;
+    if (!thing->nearest.empty()) out.expected = "what is measured and near: " + joined(thing->nearest);
     return out;
   }
   std::vector<std::string> near;
   for (Suggestion& each : suggest(name)) near.push_back(std::move(each.text));
-  if (!near.empty()) out.expected = "one of the nearest names: " + listed(near);
+  if (!near.empty()) out.expected = "one of the nearest names: " + joined(near);
   return out;
 }
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/ascii.h"
 #include "core/base/edit_distance.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace etak {
 namespace {
@@ -19,10 +21,6 @@ constexpr std::array<std::string_view, 103> elements{
     "No", "Np", "O",  "Os", "P",  "Pa", "Pb", "Pd", "Pm", "Po", "Pr", "Pt", "Pu", "Ra", "Rb",
     "Re", "Rh", "Rn", "Ru", "S",  "Sb", "Sc", "Se", "Si", "Sm", "Sn", "Sr", "Ta", "Tb", "Tc",
     "Te", "Th", "Ti", "Tl", "Tm", "U",  "V",  "W",  "Xe", "Y",  "Yb", "Zn", "Zr"};
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 bool separates(char c) {
   return c == ' ' || c == '-' || c == '_' || c == ',' || c == '(' || c == ')';
@@ -66,9 +64,7 @@ std::size_t allowed_edits(std::string_view asked, std::string_view known) {
 }
 
 std::string ids_of(const std::vector<const Dataset*>& datasets) {
-  std::string out;
-  for (const Dataset* each : datasets) out += (out.empty() ? "" : ", ") + each->id;
-  return out;
+  return joined(datasets, ", ", &Dataset::id);
 }
 
 }  // namespace
@@ -77,7 +73,7 @@ std::string folded_name(std::string_view name) {
   std::string out;
   for (const char c : name) {
     if (c == ' ' || c == '-' || c == '_') continue;
-    out.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
+    out.push_back(lower_case(c));
   }
   return out;
 }

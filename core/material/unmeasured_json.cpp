@@ -26,7 +26,7 @@ std::vector<Unmeasured> parse_unmeasured(std::string_view text, std::string_view
     if (each.why.empty()) entry.at("why").fail_type("a reason");
     for (const std::string& word : each.words)
       if (!seen.insert(folded_name(word)).second)
-        entry.at("words").fail("\"" + printable(word) + "\" again", "each word once");
+        entry.at("words").fail(in_quotes(word) + " again", "each word once");
     out.push_back(std::move(each));
   }
   return out;

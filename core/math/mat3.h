@@ -11,6 +11,10 @@ using Vec3 = std::array<double, 3>;
 /// 3x3 matrix, rows first.
 using Mat3 = std::array<Vec3, 3>;
 
+constexpr double dot(const Vec3& a, const Vec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 constexpr Vec3 operator*(const Mat3& m, const Vec3& v) {
   Vec3 out{};
   for (std::size_t i = 0; i < 3; ++i) out[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];

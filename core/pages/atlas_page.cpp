@@ -119,12 +119,10 @@ void append_materials(std::string& out, const AtlasLayout& layout) {
          "<th>material</th><th>diffuse</th><th>alpha</th><th>F0</th><th>gloss</th><th>texels</th>"
          "<th>defines</th></tr></thead><tbody>\n");
   for (const AtlasMaterialRow& row : layout.materials) {
-    std::string defines;
-    for (const std::string& each : row.defines) defines += (defines.empty() ? "" : " ") + each;
     append(out, "<tr><th>", escape_html(row.name), "</th><td>", constant_text(row, 0), "</td><td>",
            constant_number(row, alpha_channel), "</td><td>", constant_text(row, specular_channel),
            "</td><td>", constant_number(row, gloss_channel), "</td><td>", row.texels ? "on pages" : "none",
-           "</td><td class=\"text\"><code>", escape_html(defines), "</code></td></tr>\n");
+           "</td><td class=\"text\"><code>", escape_html(joined(row.defines, " ")), "</code></td></tr>\n");
   }
   out += "</tbody></table></div></section>\n";
 }

@@ -24,20 +24,13 @@ std::string candidates_json(const std::vector<Candidate>& candidates) {
   return out.empty() ? "[]" : "[" + out + "\n      ]";
 }
 
-std::string values_json(const std::vector<double>& values) {
-  std::vector<std::string> items;
-  for (const double value : values) items.push_back(json(value));
-  return json_array(items);
-}
-
 }  // namespace
 
 std::string choice_json(const std::vector<Choice>& choices, const CostTable& costs, std::string_view scene) {
   std::string rows;
   for (const Choice& each : choices) {
-    std::vector<std::string> codes, defines;
+    std::vector<std::string> codes;
     for (const std::uint8_t code : each.codes) codes.push_back(std::to_string(code));
-    for (const std::string& define : each.defines) defines.push_back(json(define));
     const SurfaceTexel& texel = each.texel;
     const JsonMember members[] = {{"material", json(each.material)},
                                   {"library", json(each.library)},
@@ -48,13 +41,13 @@ std::string choice_json(const std::vector<Choice>& choices, const CostTable& cos
                                   {"filter", json(name(each.filter))},
                                   {"textured", json(each.textured)},
                                   {"model", json(each.model)},
-                                  {"values", values_json(each.model_values)},
-                                  {"diffuse", values_json({texel.diffuse.begin(), texel.diffuse.end()})},
-                                  {"f0", values_json({texel.f0.begin(), texel.f0.end()})},
+                                  {"values", json_array_of(each.model_values)},
+                                  {"diffuse", json_array_of(texel.diffuse)},
+                                  {"f0", json_array_of(texel.f0)},
                                   {"gloss", json(double{texel.gloss})},
                                   {"roughness", json(texel.gloss.roughness())},
                                   {"codes", json_array(codes)},
-                                  {"defines", json_array(defines)},
+                                  {"defines", json_array_of(each.defines)},
                                   {"fresnel_error", json(each.fresnel_error)},
                                   {"picture_error", json(each.picture_error)},
                                   {"picture_mean", json(each.picture_mean)},

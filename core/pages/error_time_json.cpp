@@ -26,13 +26,13 @@ std::string time_json(const RunTime& time) {
 }
 
 std::string row_json(const ErrorTimeRow& row) {
-  std::vector<std::string> errors;
-  for (const double error : row.errors) errors.push_back(json(error));
-  const JsonMember members[] = {
-      {"id", json(row.id)},           {"title", json(row.title)},
-      {"errors", json_array(errors)}, {"time", row.time ? time_json(*row.time) : "null"},
-      {"pareto", json(row.pareto)},   {"dominated", json(row.dominated)},
-      {"note", json(row.note)}};
+  const JsonMember members[] = {{"id", json(row.id)},
+                                {"title", json(row.title)},
+                                {"errors", json_array_of(row.errors)},
+                                {"time", row.time ? time_json(*row.time) : "null"},
+                                {"pareto", json(row.pareto)},
+                                {"dominated", json(row.dominated)},
+                                {"note", json(row.note)}};
   return json_object(members, -1);
 }
 

@@ -196,7 +196,7 @@ class Reader {
 // ---- writing
 
 std::string color_json(const LinearRgb& c) {
-  return json_array(std::vector<std::string>{json(c.r), json(c.g), json(c.b)});
+  return json_array_of(vec(c));
 }
 
 class Writer {

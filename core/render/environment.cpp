@@ -25,10 +25,6 @@ double luminance_at(const Image& map, int x, int y) {
   return luminance_of<double>(rgb[0], rgb[1], rgb[2]);
 }
 
-double dot3(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 Vec3 direction_at(double u, double v) {
   const double phi = 2 * pi * (u - 0.5), theta = pi * v;
   return {std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
@@ -310,7 +306,7 @@ Image studio_environment(int width) {
       const double rise = std::pow(1 - d[1], 4);
       out = {0.25 + 0.55 * rise, 0.42 + 0.45 * rise, 0.80 + 0.15 * rise};
     }
-    if (dot3(d, sun) > sun_cosine) out = {60, 54, 45};
+    if (dot(d, sun) > sun_cosine) out = {60, 54, 45};
     // The softbox: a square of side 1 on the plane x = -1.5, turned towards the object.
     if (d[0] < -0.1) {
       const double y = d[1] / -d[0] * 1.5, z = d[2] / -d[0] * 1.5;

@@ -42,9 +42,6 @@ Vec3 operator*(const Vec3& a, const Vec3& b) {
 Vec3 operator*(const Vec3& a, double s) {
   return {a[0] * s, a[1] * s, a[2] * s};
 }
-double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // Numbers in [0, 1) that depend on their place alone (the mixer of Steele et al. 2014, SplitMix).
 class Random {

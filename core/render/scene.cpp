@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/fresnel/fresnel.h"
 #include "core/image/image.h"
 #include "core/render/surface_textures.h"
@@ -71,9 +72,7 @@ bool apply(const Model& model, const std::string& name, double value, std::vecto
 }
 
 std::string parameter_names(const Model& model) {
-  std::string out;
-  for (const Parameter& parameter : model.parameters)
-    out += (out.empty() ? "" : ", ") + std::string(parameter.name);
+  const std::string out = joined(model.parameters, ", ", &Parameter::name);
   return out.empty() ? "none" : out;
 }
 

@@ -13,10 +13,6 @@ namespace {
 
 constexpr double quarter_turn_deg = 90;
 
-double dot3(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 Vec3 scaled(const Vec3& v, double by) {
   return {v[0] * by, v[1] * by, v[2] * by};
 }
@@ -28,7 +24,7 @@ double one_turn(double degrees) {
 
 Vec3 to_light(const Light& light) {
   if (light.kind == LightKind::directional) return scaled(light.direction, -1);
-  const double length = std::sqrt(dot3(light.position, light.position));
+  const double length = std::sqrt(dot(light.position, light.position));
   return length > 0 ? scaled(light.position, 1 / length) : Vec3{0, 0, 1};
 }
 
@@ -36,10 +32,10 @@ Vec3 to_light(const Light& light) {
 ViewPlace highlight(const Vec3& l, const Mat3& axes) {
   Vec3 half{};
   for (std::size_t i = 0; i < 3; ++i) half[i] = l[i] + axes[2][i];
-  const double length = std::sqrt(dot3(half, half));
+  const double length = std::sqrt(dot(half, half));
   // Straight behind there is no highlight; its mark is kept at the rim.
   if (length < 1e-9) return {silhouette_limit, 0};
-  return {dot3(half, axes[0]) / length, dot3(half, axes[1]) / length};
+  return {dot(half, axes[0]) / length, dot(half, axes[1]) / length};
 }
 
 Vec3 mirrored_at(const ViewPlace& place, const Mat3& axes) {
@@ -50,7 +46,7 @@ Vec3 mirrored_at(const ViewPlace& place, const Mat3& axes) {
   Vec3 out{};
   for (std::size_t i = 0; i < 3; ++i)
     out[i] = seen[0] * axes[0][i] + seen[1] * axes[1][i] + seen[2] * axes[2][i];
-  return scaled(out, 1 / std::sqrt(dot3(out, out)));
+  return scaled(out, 1 / std::sqrt(dot(out, out)));
 }
 
 const ViewTile& tile_at(const std::vector<ViewTile>& tiles, int column, int row) {
@@ -141,7 +137,7 @@ LightSetup moved_light(const LightSetup& setup, const View& view, int mark, cons
     throw Error::at("lights", "no light " + std::to_string(mark));
   Light& light = out.lights[static_cast<std::size_t>(mark)];
   if (light.kind != LightKind::directional)
-    light.position = scaled(l, std::sqrt(dot3(light.position, light.position)));
+    light.position = scaled(l, std::sqrt(dot(light.position, light.position)));
   if (light.kind != LightKind::point) light.direction = scaled(l, -1);
   return out;
 }

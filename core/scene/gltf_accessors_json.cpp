@@ -35,7 +35,7 @@ std::size_t components_of(const JsonNode& node) {
   if (type == "VEC2") return 2;
   if (type == "VEC3") return 3;
   if (type == "VEC4") return 4;
-  node.fail("\"" + printable(type) + "\"", "SCALAR, VEC2, VEC3 or VEC4");
+  node.fail(in_quotes(type), "SCALAR, VEC2, VEC3 or VEC4");
 }
 
 /// A buffer view's bytes and stride (0: tight).

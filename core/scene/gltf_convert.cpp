@@ -14,10 +14,6 @@
 namespace etak {
 namespace {
 
-std::uint8_t code(double value) {
-  return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0, 1.0) + 0.5);
-}
-
 // None for a transform that leaves no area.
 std::optional<UvMatrix> inverse(const UvMatrix& m) {
   const double area = m[0] * m[4] - m[1] * m[3];
@@ -82,7 +78,7 @@ class CodeLookup {
           const double mean =
               (value(0, 0) * (1 - right_share) + value(1, 0) * right_share) * (1 - low_share) +
               (value(0, 1) * (1 - right_share) + value(1, 1) * right_share) * low_share;
-          scaled_.at(x, y)[c] = curve ? srgb_u8(mean) : code(mean);
+          scaled_.at(x, y)[c] = curve ? srgb_u8(mean) : plain_u8(mean);
         }
       }
   }
@@ -126,7 +122,7 @@ class Converter {
 
   std::uint8_t alpha(std::uint8_t texture, double factor) const {
     if (m_.alpha_mode == AlphaMode::opaque && !keep_alpha_) return 255;
-    return code(texture / 255.0 * factor);
+    return plain_u8(texture / 255.0 * factor);
   }
 
   // Codes of gloss for codes of roughness (or of glossiness) under a factor.
@@ -140,7 +136,7 @@ class Converter {
       const double v = static_cast<double>(i) / 255 * factor;
       const double value =
           converted_gloss(v, glossiness ? GlossForm::one_minus_roughness : GlossForm::roughness, gloss_);
-      out.codes[i] = code(value);
+      out.codes[i] = plain_u8(value);
       out.clamped[i] = value < -1e-12 || value > 1 + 1e-12;
     }
     return out;

@@ -29,7 +29,7 @@ void check_head(const GltfDocument& document) {
   const JsonNode asset = root.at("asset");
   asset.expect_object();
   const std::string version = asset.at("version").text();
-  if (!version.starts_with("2.")) asset.at("version").fail("\"" + printable(version) + "\"", "version 2.x");
+  if (!version.starts_with("2.")) asset.at("version").fail(in_quotes(version), "version 2.x");
   if (asset.has("minVersion") && asset.at("minVersion").text() != "2.0")
     asset.at("minVersion").fail_type("at most \"2.0\"");
   if (!root.has("extensionsRequired")) return;
@@ -39,7 +39,7 @@ void check_head(const GltfDocument& document) {
     if (names[i] == "KHR_draco_mesh_compression" || names[i].ends_with("_meshopt_compression"))
       required.at(i).fail("meshes compressed by " + names[i], "meshes that are not compressed");
     if (!can_be_required(names[i]))
-      required.at(i).fail("required extension \"" + printable(names[i]) + "\"", "extensions that etak knows");
+      required.at(i).fail("required extension " + in_quotes(names[i]), "extensions that etak knows");
   }
 }
 

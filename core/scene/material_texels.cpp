@@ -15,10 +15,6 @@ double largest(const Vec3& v) {
   return std::max({v[0], v[1], v[2]});
 }
 
-std::uint8_t code_of(double share) {
-  return static_cast<std::uint8_t>(std::floor(255 * std::clamp(share, 0.0, 1.0) + 0.5));
-}
-
 }  // namespace
 
 DiffuseSpecular converted(const DiffuseSpecular& texel, DiffuseConvention from, DiffuseConvention to) {
@@ -71,7 +67,7 @@ MetalRough metal_rough_of(const DiffuseSpecular& texel) {
 std::array<std::uint8_t, 256> roughness_codes(GlossForm form) {
   std::array<std::uint8_t, 256> out;
   for (std::size_t i = 0; i < 256; ++i)
-    out[i] = code_of(converted_gloss(static_cast<double>(i) / 255, form, GlossForm::roughness));
+    out[i] = plain_u8(converted_gloss(static_cast<double>(i) / 255, form, GlossForm::roughness));
   return out;
 }
 

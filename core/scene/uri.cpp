@@ -5,24 +5,11 @@
 #include <array>
 #include <cstdint>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 
 namespace etak {
 namespace {
-
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-int hex_value(char c) {
-  if (is_digit(c)) return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
 
 std::string without_escapes(std::string_view text, std::string_view place) {
   std::string out;
@@ -32,11 +19,10 @@ std::string without_escapes(std::string_view text, std::string_view place) {
       out += text[i];
       continue;
     }
-    const int high = i + 2 < text.size() ? hex_value(text[i + 1]) : -1;
-    const int low = i + 2 < text.size() ? hex_value(text[i + 2]) : -1;
+    const int high = i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
+    const int low = i + 2 < text.size() ? hex_digit(text[i + 2]) : -1;
     if (high < 0 || low < 0)
-      throw Error::at(place, "\"" + printable(text.substr(i, 3)) + "\" in a URI",
-                      "% and two hexadecimal digits");
+      throw Error::at(place, in_quotes(text.substr(i, 3)) + " in a URI", "% and two hexadecimal digits");
     out += static_cast<char>(16 * high + low);
     i += 2;
   }
@@ -78,7 +64,7 @@ std::string from_base64(std::string_view text, std::string_view place) {
   int held = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const int digit = value[static_cast<unsigned char>(text[i])];
-    if (digit < 0) fail("\"" + printable(text.substr(i, 1)) + "\" in base64 data, at " + std::to_string(i));
+    if (digit < 0) fail(in_quotes(text.substr(i, 1)) + " in base64 data, at " + std::to_string(i));
     bits = bits << 6 | static_cast<std::uint32_t>(digit);
     held += 6;
     if (held < 8) continue;
@@ -91,12 +77,12 @@ std::string from_base64(std::string_view text, std::string_view place) {
 }  // namespace
 
 std::string file_of_uri(std::string_view uri, std::string_view place) {
-  const auto quoted = [&] { return "\"" + printable(uri, 60) + "\""; };
   if (uri.empty()) throw Error::at(place, "an empty URI", "a file");
-  if (has_scheme(uri)) throw Error::at(place, quoted(), "a file in the scene's folder or a data: URI");
+  if (has_scheme(uri))
+    throw Error::at(place, in_quotes(uri, 60), "a file in the scene's folder or a data: URI");
   std::string path = without_escapes(uri, place);
-  if (path.find('\0') != path.npos) throw Error::at(place, quoted(), "a file name");
-  if (leaves_folder(path)) throw Error::at(place, quoted(), "a file in the scene's folder");
+  if (path.find('\0') != path.npos) throw Error::at(place, in_quotes(uri, 60), "a file name");
+  if (leaves_folder(path)) throw Error::at(place, in_quotes(uri, 60), "a file in the scene's folder");
   return path;
 }
 

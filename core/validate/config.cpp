@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/validate/nearest.h"
 #include "core/validate/rules.h"
 
@@ -49,11 +50,8 @@ bool can_be_turned_off(const Rule& rule) {
 }
 
 void unknown_rule(std::string_view place, std::string_view id) {
-  std::string nearest;
-  for (const std::string_view near : nearest_rules(id))
-    nearest += (nearest.empty() ? "" : ", ") + std::string(near);
-  throw Error::at(place, "ETK904 unknown-rule: no rule is called \"" + printable(id) + '"',
-                  "an id or a prefix such as ETK101 or ETK1; nearest: " + nearest);
+  throw Error::at(place, "ETK904 unknown-rule: no rule is called " + in_quotes(id),
+                  "an id or a prefix such as ETK101 or ETK1; nearest: " + joined(nearest_rules(id)));
 }
 
 Severity severity_when_on(const Rule& rule, Profile profile) {

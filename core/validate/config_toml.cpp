@@ -30,6 +30,7 @@ struct NoToml {};
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/validate/config.h"
 #include "core/validate/rules.h"
 #include "core/validate/suppress.h"
@@ -71,9 +72,7 @@ struct Key {
 };
 
 std::string quoted_names(std::span<const Key> keys) {
-  std::string out;
-  for (const Key& key : keys) out += (out.empty() ? "" : ", ") + std::string(key.name);
-  return out;
+  return joined(keys, ", ", &Key::name);
 }
 
 // Calls the handler of every key of `table`; `place` names the table in messages.
@@ -83,8 +82,7 @@ void read_keys(const toml::table& table, std::string_view file, const std::strin
     const auto known = std::find_if(keys.begin(), keys.end(),
                                     [&, name = key.str()](const Key& k) { return k.name == name; });
     if (known == keys.end())
-      throw Error::at_line(file, key.source().begin.line,
-                           place + "unknown key \"" + printable(key.str()) + '"',
+      throw Error::at_line(file, key.source().begin.line, place + "unknown key " + in_quotes(key.str()),
                            "one of " + quoted_names(keys));
     known->read({value, file, place + std::string(known->name)}, config);
   }
@@ -140,8 +138,7 @@ void read_roles(const Node& node, ValidateConfig& config) {
     std::replace(role_name.begin(), role_name.end(), '_', '-');
     const auto role = role_named(role_name);
     if (!role)
-      throw Error::at_line(node.file, key.source().begin.line,
-                           "[roles] unknown role \"" + printable(key.str()) + '"',
+      throw Error::at_line(node.file, key.source().begin.line, "[roles] unknown role " + in_quotes(key.str()),
                            "one of diffuse, specular, f0, base-color, metal-rough");
     const Node patterns{value, node.file, "[roles] " + role_name};
     const auto add = [&](const toml::node& pattern) {
@@ -192,8 +189,7 @@ void read_rule(const Node& node, const std::vector<const Rule*>& meant, Validate
       }
     if (!taken)
       throw Error::at_line(node.file, key.source().begin.line,
-                           node.name + " has no parameter \"" + printable(key.str()) + '"',
-                           "one of " + known);
+                           node.name + " has no parameter " + in_quotes(key.str()), "one of " + known);
   }
 }
 
@@ -332,8 +328,7 @@ UserConfig parse_user_config(std::string_view text, std::string_view file) {
   const toml::table table = document_of(text, file);
   for (const auto& [key, value] : table) {
     if (key.str() != "force")
-      throw Error::at_line(file, key.source().begin.line, "unknown key \"" + printable(key.str()) + '"',
-                           "force");
+      throw Error::at_line(file, key.source().begin.line, "unknown key " + in_quotes(key.str()), "force");
     const auto* force = value.as_boolean();
     if (force == nullptr) Node{value, file, "force"}.fail_value("true or false");
     out.force = force->get();

@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
@@ -114,11 +115,9 @@ DataFileKind data_file_kind(std::string_view path) {
                                Ending{"json", DataFileKind::material}};
   const std::size_t dot = path.rfind('.');
   if (dot == std::string_view::npos) return DataFileKind::unknown;
-  const std::string_view ending = path.substr(dot + 1);
-  const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+  const std::string ending = lower_case(path.substr(dot + 1));
   for (const Ending& known : endings)
-    if (std::equal(ending.begin(), ending.end(), known.text.begin(), known.text.end(), same))
-      return known.kind;
+    if (ending == known.text) return known.kind;
   return DataFileKind::unknown;
 }
 

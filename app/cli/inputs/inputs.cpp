@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/cli/inputs/folder.h"
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/memory.h"
@@ -171,15 +172,7 @@ void add_name(const std::string& name, const InputArguments& arguments, Library&
 std::string id_from_file(std::string_view path, char blank) {
   path = path.substr(path.rfind('/') + 1);
   path = path.substr(0, path.rfind('.'));
-  std::string out;
-  for (const char c : path) {
-    const char low = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    if ((low >= 'a' && low <= 'z') || (low >= '0' && low <= '9'))
-      out += low;
-    else if (!out.empty() && out.back() != blank)
-      out += blank;
-  }
-  while (!out.empty() && out.back() == blank) out.pop_back();
+  const std::string out = identifier(path, blank);
   return out.empty() ? "table" : out;
 }
 

@@ -5,7 +5,9 @@
 
 #include "app/cli/output/output.h"
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/material/quality.h"
 
 namespace etak::cli {
@@ -35,8 +37,7 @@ std::string flag_names(const CatalogueEntry& entry) {
 
 std::string json_flags(const CatalogueEntry& entry) {
   std::string out = "[";
-  entry.result.flags.for_each(
-      [&](Flag flag) { out += (out.size() > 1 ? ", " : "") + json_string(name(flag)); });
+  entry.result.flags.for_each([&](Flag flag) { out += (out.size() > 1 ? ", " : "") + json(name(flag)); });
   return out + "]";
 }
 
@@ -47,10 +48,7 @@ void add_class_option(Command verb, std::vector<std::string>& classes, const std
 void check_classes(const std::vector<std::string>& classes) {
   for (const std::string& each : classes) {
     if (std::find(material_classes.begin(), material_classes.end(), each) != material_classes.end()) continue;
-    std::string known;
-    for (const std::string_view one : material_classes)
-      known += (known.empty() ? "" : ", ") + std::string(one);
-    throw Error::at("--class", printable(each), known);
+    throw Error::at("--class", printable(each), joined(material_classes));
   }
 }
 

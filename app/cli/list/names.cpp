@@ -120,14 +120,13 @@ NameAnswer answer_name(const MaterialLibrary& library, const F0Solver& solver, c
     out.refusal = solver.solve(dataset.optics, dataset.flags).refusal;
     return out;
   }
-  const auto listed = [&](const std::string& each) { out.near += (out.near.empty() ? "" : ", ") + each; };
-  if (const Unmeasured* entry = library.unmeasured(name)) {
+  if (const Unmeasured* thing = library.unmeasured(name)) {
     out.unmeasured = true;
-    out.note = entry->why;
-    for (const std::string& id : entry->nearest) listed(id);
+    out.note = thing->why;
+    out.near = joined(thing->nearest);
     return out;
   }
-  for (const Suggestion& each : library.suggest(name)) listed(each.text);
+  out.near = joined(library.suggest(name), ", ", &Suggestion::text);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
@@ -111,8 +112,7 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
   for (const double value : blank.diffuse)
     if (!(value >= 0 && value <= 1)) throw Error::at("--diffuse", number(value, 6), "0 to 1");
   if (arguments.subject.front().find('=') != std::string::npos) {
-    for (const std::string& each : arguments.subject)
-      notes.subject += (notes.subject.empty() ? "" : " ") + each;
+    notes.subject = joined(arguments.subject, " ");
     return made_up(arguments.subject, blank);
   }
   InputArguments names;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/cli/output/output.h"
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 
 namespace etak::cli {
@@ -41,11 +42,10 @@ constexpr std::array endings{
 
 // The name without folders, in lower case; empty where it has no ending: "x", "x.", ".x".
 std::string name_with_ending(const std::string& file) {
-  std::string name = file.substr(file.rfind('/') + 1);
+  const std::string name = file.substr(file.rfind('/') + 1);
   const std::size_t dot = name.rfind('.');
   if (dot == std::string::npos || dot == 0 || dot + 1 == name.size()) return {};
-  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return name;
+  return lower_case(name);
 }
 
 bool fits(const Ending& ending, const std::vector<std::string>& formats, std::string_view verb) {

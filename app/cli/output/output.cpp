@@ -11,7 +11,6 @@
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/files/output_file.h"
-#include "core/base/json_text.h"
 
 namespace etak::cli {
 namespace {
@@ -91,10 +90,6 @@ void remark(const OutputArguments& arguments, std::string_view message) {
 
 std::string swatch(int r, int g, int b) {
   return "\x1b[48;2;" + std::to_string(r) + ";" + std::to_string(g) + ";" + std::to_string(b) + "m  \x1b[0m";
-}
-
-std::string json_string(std::string_view text) {
-  return json(text);
 }
 
 }  // namespace etak::cli

@@ -56,7 +56,4 @@ void remark(const OutputArguments& arguments, std::string_view message);
 /// A swatch of two character cells in 24-bit colour.
 std::string swatch(int r, int g, int b);
 
-/// `text` as a JSON string with its quotes.
-std::string json_string(std::string_view text);
-
 }  // namespace etak::cli

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/output_file.h"
 #include "core/image/files/png.h"
@@ -64,9 +65,7 @@ AtlasPagePictures pictures_of(const AtlasPage& page, const PagePixels& pixels) {
 // (javascript:, data:) or reach into the reader's machine (file:), and so does a host without a scheme on a
 // page that is opened as a file.
 bool is_page_target(const std::string& target) {
-  std::string front = target.substr(0, 8);
-  for (char& c : front)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string front = lower_case(target.substr(0, 8));
   if (front.starts_with("http://") || front.starts_with("https://")) return true;
   const auto slash = [](char c) { return c == '/' || c == '\\'; };
   if (target.size() > 1 && slash(target[0]) && slash(target[1])) return false;

@@ -11,8 +11,10 @@
 #include "app/cli/pictures/sheet.h"
 #include "core/base/error.h"
 #include "core/base/files/output_target.h"
+#include "core/base/json_text.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/color/ocio.h"
 #include "core/image/image_io.h"
 #include "core/render/cpu_renderer.h"
@@ -132,14 +134,12 @@ Image draw_cpu(const RenderArguments& arguments, const Scene& scene, const Envir
 }
 
 std::string numbers(const std::vector<double>& values) {
-  std::string out;
-  for (const double value : values) out += (out.empty() ? "" : ", ") + number(value, 9);
-  return "[" + out + "]";
+  return "[" + joined(values, ", ", [](double value) { return number(value, 9); }) + "]";
 }
 
 std::string model_json(const Model* model, const std::vector<double>& values) {
   if (model == nullptr) return "null";
-  return "{\"id\": " + json_string(model->id) + ", \"values\": " + numbers(values) + "}";
+  return "{\"id\": " + json(model->id) + ", \"values\": " + numbers(values) + "}";
 }
 
 std::string times_json(const std::vector<double>& ms) {
@@ -151,8 +151,8 @@ std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& 
   const SurfaceValues& s = scene.surface;
   const auto three = [](const Vec3& v) { return numbers({v[0], v[1], v[2]}); };
   std::string out =
-      "{\n  \"schema\": \"etak-render/1\",\n  \"subject\": " + json_string(stats.subject) +
-      ",\n  \"size\": [" + std::to_string(scene.width) + ", " + std::to_string(scene.height) +
+      "{\n  \"schema\": \"etak-render/1\",\n  \"subject\": " + json(stats.subject) + ",\n  \"size\": [" +
+      std::to_string(scene.width) + ", " + std::to_string(scene.height) +
       "],\n  \"surface\": {\"f0\": " + three(s.f0) + ", \"f82\": " + three(s.f82) + ", \"n\": " + three(s.n) +
       ", \"k\": " + three(s.k) + ", \"nk_residual\": " + three(s.nk_residual) +
       ", \"diffuse\": " + three(s.diffuse) + ", \"gloss\": " + number(double{s.gloss}, 9) +
@@ -160,7 +160,7 @@ std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& 
       "},\n  \"specular\": " + model_json(scene.specular, scene.specular_values) +
       ",\n  \"diffuse\": " + model_json(scene.diffuse, scene.diffuse_values) +
       ",\n  \"lights\": " + std::to_string(scene.lights.lights.size()) +
-      ",\n  \"device\": " + json_string(stats.device) + ",\n  \"threads\": " + std::to_string(threads) +
+      ",\n  \"device\": " + json(stats.device) + ",\n  \"threads\": " + std::to_string(threads) +
       ",\n  \"prepare_ms\": " + number(stats.prepare_ms, 6) +
       ",\n  \"frame_ms\": " + times_json(stats.frame_ms);
   if (!stats.gpu_ms.empty()) out += ",\n  \"gpu_ms\": " + times_json(stats.gpu_ms);
@@ -172,10 +172,7 @@ std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& 
            ", \"bias\": " + number(stats.ambient->bias, 6) +
            ", \"worst\": " + number(stats.ambient->worst, 6) +
            ", \"standard_error\": " + number(stats.ambient->standard_error, 6) + "}";
-  out += ",\n  \"remarks\": [";
-  for (std::size_t i = 0; i < notes.remarks.size(); ++i)
-    out += (i == 0 ? "" : ", ") + json_string(notes.remarks[i]);
-  return out + "]\n}\n";
+  return out + ",\n  \"remarks\": " + json_array_of(notes.remarks) + "\n}\n";
 }
 
 void say(const RenderArguments& arguments, const Scene& scene, const Stats& stats, const SceneNotes& notes,

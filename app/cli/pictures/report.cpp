@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/files/output_folder.h"
 #include "core/base/files/output_target.h"
+#include "core/base/text.h"
 #include "core/pages/error_time_report.h"
 #include "core/pages/stability_report.h"
 #include "core/render/glsl/gl_runner.h"
@@ -29,11 +30,7 @@ std::vector<FamilyEntry> chosen_families(const std::vector<std::string>& names) 
   for (const std::string& name : names) {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const FamilyEntry& each) { return each.id == name; });
-    if (found == all.end()) {
-      std::string known;
-      for (const FamilyEntry& each : all) known += (known.empty() ? "" : ", ") + std::string(each.id);
-      throw Error::at("--family", printable(name), known);
-    }
+    if (found == all.end()) throw Error::at("--family", printable(name), joined(all, ", ", &FamilyEntry::id));
     out.push_back(*found);
   }
   return out;

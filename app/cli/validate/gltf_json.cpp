@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "app/cli/validate/targets.h"
+#include "core/base/ascii.h"
+#include "core/base/bytes_le.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/node_json.h"
@@ -14,15 +16,10 @@ namespace {
 // "a%20b.png" as a path; other schemes than a relative path give nothing.
 std::string path_of_uri(const std::string& uri) {
   if (uri.find(':') != std::string::npos) return {};
-  const auto digit = [](char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-  };
   std::string out;
   for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0) {
-      out += static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2]));
+    if (uri[i] == '%' && i + 2 < uri.size() && hex_digit(uri[i + 1]) >= 0 && hex_digit(uri[i + 2]) >= 0) {
+      out += static_cast<char>(hex_digit(uri[i + 1]) * 16 + hex_digit(uri[i + 2]));
       i += 2;
     } else {
       out += uri[i];
@@ -31,17 +28,11 @@ std::string path_of_uri(const std::string& uri) {
   return out;
 }
 
-std::uint32_t little_endian(const std::string& bytes, std::size_t at) {
-  std::uint32_t out = 0;
-  for (std::size_t i = 4; i-- > 0;) out = out << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return out;
-}
-
 // The JSON of a .glb stands in its first chunk, behind 20 bytes of headers.
 std::string document_of(const std::string& path) {
   std::string bytes = read_file(path);
   if (!bytes.starts_with("glTF") || bytes.size() < 20) return bytes;
-  return bytes.substr(20, little_endian(bytes, 12));
+  return bytes.substr(20, bytes_le::number32(bytes, 12));
 }
 
 }  // namespace

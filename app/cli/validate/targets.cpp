@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "app/cli/inputs/folder.h"
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/files/links.h"
@@ -22,15 +23,6 @@ namespace etak::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = lower(c);
-  return out;
-}
 
 std::string_view folder_of(std::string_view path) {
   const auto slash = path.rfind('/');
@@ -104,7 +96,7 @@ bool looks_like_spectrum(const std::string& path) {
   std::size_t begin = 0;
   while (begin < head.size() && head[begin] == '#')
     begin = std::min(head.find('\n', begin), head.size() - 1) + 1;
-  const std::string line = lower(head.substr(begin, head.find('\n', begin) - begin));
+  const std::string line = lower_case(head.substr(begin, head.find('\n', begin) - begin));
   for (const char* name : {"wavelength", "lambda", "wl", "nm", "um", "\"wavelength"})
     if (line.starts_with(name)) return true;
   return false;
@@ -283,7 +275,7 @@ class Finder {
   std::optional<Picture> named_picture(const std::string& path) const {
     const std::string relative = label(path), name = relative.substr(folder_of(relative).size());
     Picture out{path,
-                lower(path.substr(0, folder_of(path).size())),
+                lower_case(path.substr(0, folder_of(path).size())),
                 FileRole::specular_gloss,
                 false,
                 false,
@@ -291,10 +283,10 @@ class Finder {
     for (const RolePattern& pattern : request_.patterns)
       if (glob_matches(pattern.pattern, relative)) {
         out.role = pattern.role;
-        out.stem += lower(stem_of(pattern.pattern.substr(folder_of(pattern.pattern).size()), name));
+        out.stem += lower_case(stem_of(pattern.pattern.substr(folder_of(pattern.pattern).size()), name));
         return out;
       }
-    const std::string small = lower(name);
+    const std::string small = lower_case(name);
     for (const RolePattern& pattern : default_roles())
       if (glob_matches(pattern.pattern, small)) {
         out.role = pattern.role;

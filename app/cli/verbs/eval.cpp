@@ -6,8 +6,10 @@
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/json_text.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/light/functions.h"
 #include "core/light/functions_csv.h"
 
@@ -38,11 +40,7 @@ int run_csv(const EvalArguments& arguments) {
 // ---- --list
 
 std::string range(const FunctionInput& input) {
-  if (!input.words.empty()) {
-    std::string out;
-    for (const std::string_view word : input.words) out += (out.empty() ? "" : "|") + std::string(word);
-    return out;
-  }
+  if (!input.words.empty()) return joined(input.words, "|");
   const bool no_min = input.min <= -1e300, no_max = input.max >= 1e300;
   return (no_min || input.above_min ? "(" : "[") + (no_min ? "-inf" : number(input.min, 6)) + ", " +
          (no_max ? "inf" : number(input.max, 6)) + (no_max ? ")" : "]");
@@ -64,21 +62,17 @@ std::string list_json() {
   std::string out = "{\n  \"schema\": \"etak-functions/1\",\n  \"functions\": [";
   const char* before = "\n    ";
   for (const Function& function : functions()) {
-    out += before + ("{\"id\": " + json_string(function.id)) +
-           ", \"returns\": " + json_string(function.returns) +
-           ", \"source\": " + json_string(function.source) + ", \"inputs\": [";
+    out += before + ("{\"id\": " + json(function.id)) + ", \"returns\": " + json(function.returns) +
+           ", \"source\": " + json(function.source) + ", \"inputs\": [";
     for (const FunctionInput& input : function.inputs) {
       if (&input != function.inputs.data()) out += ", ";
-      out += "{\"name\": " + json_string(input.name) + ", \"meaning\": " + json_string(input.meaning) +
-             ", \"unit\": " + json_string(input.unit);
+      out += "{\"name\": " + json(input.name) + ", \"meaning\": " + json(input.meaning) +
+             ", \"unit\": " + json(input.unit);
       if (input.words.empty()) {
         out += ", \"min\": " + number(input.min, digits) + ", \"max\": " + number(input.max, digits) +
                ", \"above_min\": " + (input.above_min ? "true" : "false");
       } else {
-        out += ", \"words\": [";
-        for (const std::string_view& word : input.words)
-          out += (&word == input.words.data() ? "" : ", ") + json_string(word);
-        out += ']';
+        out += ", \"words\": " + json_array_of(input.words);
       }
       out += '}';
     }
@@ -96,18 +90,18 @@ int run(const EvalArguments& arguments) {
     write_output(arguments.output, arguments.output.format == "json" ? list_json() : list_text());
     return exit_ok;
   }
-  const bool json = arguments.output.format == "json";
+  const bool as_json = arguments.output.format == "json";
   if (!arguments.csv.empty()) {
-    if (json) refuse_form(arguments.output, "etak eval", "with --csv, which answers with CSV", {"text"});
+    if (as_json) refuse_form(arguments.output, "etak eval", "with --csv, which answers with CSV", {"text"});
     return run_csv(arguments);
   }
   const Function& function = function_named(arguments.function, {});
   std::vector<NamedText> inputs;
   for (const std::string& each : arguments.inputs) inputs.push_back(split_input(each, function.id));
   const std::string value = number(evaluate(function, inputs, {}), digits);
-  write_output(arguments.output, json ? "{\"schema\": \"etak-eval/1\", \"function\": " +
-                                            json_string(function.id) + ", \"value\": " + value + "}\n"
-                                      : value + '\n');
+  write_output(arguments.output, as_json ? "{\"schema\": \"etak-eval/1\", \"function\": " +
+                                               json(function.id) + ", \"value\": " + value + "}\n"
+                                         : value + '\n');
   return exit_ok;
 }
 

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
@@ -108,12 +109,8 @@ std::string values(const ExportArguments& arguments, Found& found, Fit fit, cons
   std::vector<const EngineTarget*> targets;
   for (const std::string& id : arguments.targets) {
     const EngineTarget* const target = engine_target(id);
-    if (target == nullptr) {
-      std::string known;
-      for (const EngineTarget& each : engine_targets())
-        known += (known.empty() ? "" : ", ") + std::string(each.id);
-      throw Error::at("--target", printable(id), known);
-    }
+    if (target == nullptr)
+      throw Error::at("--target", printable(id), joined(engine_targets(), ", ", &EngineTarget::id));
     targets.push_back(target);
   }
   if (targets.empty())

@@ -9,7 +9,9 @@
 #include "app/cli/output/form.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
+#include "core/base/ascii.h"
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "core/base/number.h"
 #include "core/color/srgb.h"
 
@@ -24,15 +26,8 @@ struct ListArguments {
   unsigned threads = 0;
 };
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
-
 bool contains(std::string_view text, const std::string& lower_part) {
-  return lower(text).find(lower_part) != std::string::npos;
+  return lower_case(text).find(lower_part) != std::string::npos;
 }
 
 bool fits(const CatalogueEntry& entry, const ListArguments& arguments) {
@@ -42,7 +37,7 @@ bool fits(const CatalogueEntry& entry, const ListArguments& arguments) {
     return false;
   if (!arguments.zone.empty() && (!entry.result.zone || name(*entry.result.zone) != arguments.zone))
     return false;
-  const std::string part = lower(arguments.search);
+  const std::string part = lower_case(arguments.search);
   return contains(material.id, part) || contains(material.name, part) || contains(material.group, part) ||
          std::any_of(material.aliases.begin(), material.aliases.end(),
                      [&](const std::string& alias) { return contains(alias, part); });
@@ -94,22 +89,19 @@ std::string csv(const std::vector<const CatalogueEntry*>& entries) {
 std::string json_object(const CatalogueEntry& entry) {
   const Material& material = entry.material;
   const F0Result& result = entry.result;
-  std::string aliases;
-  for (const std::string& alias : material.aliases)
-    aliases += (aliases.empty() ? "" : ", ") + json_string(alias);
-  std::string out = "{\"id\": " + json_string(material.id) + ", \"name\": " + json_string(material.name) +
-                    ", \"aliases\": [" + aliases + "], \"class\": " + json_string(material.material_class) +
-                    (material.group.empty() ? "" : ", \"group\": " + json_string(material.group)) +
-                    ", \"datasets\": " + std::to_string(material.datasets.size()) +
-                    ", \"preferred\": " + json_string(material.preferred_dataset().id) +
-                    ", \"kind\": " + json_string(name(material.preferred_dataset().origin)) +
-                    ", \"flags\": " + json_flags(entry);
-  if (result.refused()) return out + ", \"refusal\": " + json_string(result.refusal) + "}";
-  return out + ", \"hex\": " + json_string(hex(result.srgb8)) + ", \"Y\": " + number(result.luminance, 9) +
-         ", \"zone\": " + (result.zone ? json_string(name(*result.zone)) : "null") + "}";
+  std::string out =
+      "{\"id\": " + json(material.id) + ", \"name\": " + json(material.name) +
+      ", \"aliases\": " + json_array_of(material.aliases) + ", \"class\": " + json(material.material_class) +
+      (material.group.empty() ? "" : ", \"group\": " + json(material.group)) +
+      ", \"datasets\": " + std::to_string(material.datasets.size()) +
+      ", \"preferred\": " + json(material.preferred_dataset().id) +
+      ", \"kind\": " + json(name(material.preferred_dataset().origin)) + ", \"flags\": " + json_flags(entry);
+  if (result.refused()) return out + ", \"refusal\": " + json(result.refusal) + "}";
+  return out + ", \"hex\": " + json(hex(result.srgb8)) + ", \"Y\": " + number(result.luminance, 9) +
+         ", \"zone\": " + (result.zone ? json(name(*result.zone)) : "null") + "}";
 }
 
-std::string json(const std::vector<const CatalogueEntry*>& entries) {
+std::string json_form(const std::vector<const CatalogueEntry*>& entries) {
   std::string out = "{\n  \"schema\": \"etak-list/1\",\n  \"materials\": [";
   for (std::size_t i = 0; i < entries.size(); ++i)
     out += (i == 0 ? "\n    " : ",\n    ") + json_object(*entries[i]);
@@ -155,7 +147,7 @@ int run(ListArguments& arguments) {
     if (fits(entry, arguments)) shown.push_back(&entry);
   const std::string& format = arguments.output.format;
   write_output(arguments.output, format == "csv"     ? csv(shown)
-                                 : format == "json"  ? json(shown)
+                                 : format == "json"  ? json_form(shown)
                                  : format == "jsonl" ? json_lines(shown)
                                                      : table(shown, use_color(arguments.output)));
   remark(arguments.output, std::to_string(shown.size()) + " of " + std::to_string(all.size()) + " materials");

@@ -4,6 +4,7 @@
 
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
+#include "core/base/json_text.h"
 #include "core/base/number.h"
 #include "core/brdf/models.h"
 #include "core/light/rows.h"
@@ -84,26 +85,20 @@ std::string csv() {
 std::string json_parameters(std::span<const Parameter> parameters) {
   std::string out;
   for (const Parameter& each : parameters)
-    out += (out.empty() ? "" : ", ") + ("{\"name\": " + json_string(each.name)) +
-           ", \"meaning\": " + json_string(each.meaning) + ", \"unit\": " + json_string(each.unit) +
+    out += (out.empty() ? "" : ", ") + ("{\"name\": " + json(each.name)) +
+           ", \"meaning\": " + json(each.meaning) + ", \"unit\": " + json(each.unit) +
            ", \"color\": " + (each.color ? "true" : "false") + ", \"min\": " + number(each.min, 17) +
            ", \"max\": " + number(each.max, 17) + ", \"default\": " + number(each.initial, 17) + "}";
   return '[' + out + ']';
 }
 
-std::string json_texts(std::span<const std::string_view> texts) {
-  std::string out;
-  for (const std::string_view each : texts) out += (out.empty() ? "" : ", ") + json_string(each);
-  return '[' + out + ']';
-}
-
 std::string json_head(std::string_view id, std::string_view title, std::string_view source,
                       std::string_view kind) {
-  return "{\"id\": " + json_string(id) + ", \"kind\": " + json_string(kind) +
-         ", \"title\": " + json_string(title) + ", \"source\": " + json_string(source);
+  return "{\"id\": " + json(id) + ", \"kind\": " + json(kind) + ", \"title\": " + json(title) +
+         ", \"source\": " + json(source);
 }
 
-std::string json() {
+std::string json_form() {
   std::string out = "{\n  \"schema\": \"etak-models/1\",\n  \"models\": [";
   const char* before = "\n    ";
   for (const Model& m : models()) {
@@ -111,29 +106,29 @@ std::string json() {
            ", \"default\": " + (m.id == default_diffuse || m.id == default_specular ? "true" : "false") +
            ", \"reciprocal\": " + (m.claims.reciprocal ? "true" : "false") +
            ", \"conserves_energy\": " + (m.claims.conserves_energy ? "true" : "false") +
-           ", \"claim\": " + json_string(m.claims.note) + ", \"scale\": \"1/sr\"";
+           ", \"claim\": " + json(m.claims.note) + ", \"scale\": \"1/sr\"";
     if (m.distribution)
-      out += ", \"terms\": [" + json_string(m.distribution->id) + ", " + json_string(m.fresnel->id) + ", " +
-             json_string(m.visibility->id) + "]";
-    out += ", \"parameters\": " + json_parameters(m.parameters) + ", \"files\": " + json_texts(m.files) +
-           ", \"entry\": " + json_string(m.entry) + "}";
+      out += ", \"terms\": [" + json(m.distribution->id) + ", " + json(m.fresnel->id) + ", " +
+             json(m.visibility->id) + "]";
+    out += ", \"parameters\": " + json_parameters(m.parameters) + ", \"files\": " + json_array_of(m.files) +
+           ", \"entry\": " + json(m.entry) + "}";
     before = ",\n    ";
   }
   out += "\n  ],\n  \"terms\": [";
   before = "\n    ";
   for (const Term& t : terms()) {
-    out += before + json_head(t.id, t.title, t.source, name(t.kind)) + ", \"claim\": " + json_string(t.note) +
-           ", \"parameters\": " + json_parameters(t.parameters) + ", \"files\": " + json_texts(t.files) +
-           ", \"entry\": " + json_string(t.entry) + "}";
+    out += before + json_head(t.id, t.title, t.source, name(t.kind)) + ", \"claim\": " + json(t.note) +
+           ", \"parameters\": " + json_parameters(t.parameters) + ", \"files\": " + json_array_of(t.files) +
+           ", \"entry\": " + json(t.entry) + "}";
     before = ",\n    ";
   }
   out += "\n  ],\n  \"light\": [";
   before = "\n    ";
   for (const LightRow& l : light_rows()) {
     out += before + json_head(l.id, l.title, l.source, name(l.kind)) +
-           ", \"default\": " + (l.is_default ? "true" : "false") + ", \"claim\": " + json_string(l.note) +
-           ", \"parameters\": " + json_string(l.parameters) + ", \"file\": " + json_string(l.file) +
-           ", \"entry\": " + json_string(l.entry) + "}";
+           ", \"default\": " + (l.is_default ? "true" : "false") + ", \"claim\": " + json(l.note) +
+           ", \"parameters\": " + json(l.parameters) + ", \"file\": " + json(l.file) +
+           ", \"entry\": " + json(l.entry) + "}";
     before = ",\n    ";
   }
   return out + "\n  ]\n}\n";
@@ -148,7 +143,7 @@ void add_models(CommandLine& line) {
   add_output_options(verb, *output, {"table", "json", "csv"});
   verb.footer("Example:\n  etak models --format csv");
   verb.runs([output] {
-    write_output(*output, output->format == "json"  ? json()
+    write_output(*output, output->format == "json"  ? json_form()
                           : output->format == "csv" ? csv()
                                                     : table(output->quiet));
     return exit_ok;

@@ -7,6 +7,7 @@
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
+#include "core/base/json_text.h"
 #include "core/base/number.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
@@ -120,16 +121,15 @@ std::string csv(const std::vector<Match>& found) {
   return out;
 }
 
-std::string json(const std::vector<Match>& found, const NearestArguments& arguments) {
-  std::string out = "{\n  \"schema\": \"etak-nearest/1\",\n  \"color\": " + json_string(arguments.color) +
+std::string json_form(const std::vector<Match>& found, const NearestArguments& arguments) {
+  std::string out = "{\n  \"schema\": \"etak-nearest/1\",\n  \"color\": " + json(arguments.color) +
                     ",\n  \"linear\": " + (arguments.linear ? "true" : "false") + ",\n  \"nearest\": [";
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Material& material = found[i].entry->material;
     out += std::string(i == 0 ? "" : ",") + "\n    {\"delta_e2000\": " + number(found[i].delta_e, 9) +
-           ", \"hex\": " + json_string(hex(found[i].entry->result.srgb8)) +
-           ", \"id\": " + json_string(material.id) + ", \"name\": " + json_string(material.name) +
-           ", \"class\": " + json_string(material.material_class) +
-           ", \"kind\": " + json_string(name(material.preferred_dataset().origin)) +
+           ", \"hex\": " + json(hex(found[i].entry->result.srgb8)) + ", \"id\": " + json(material.id) +
+           ", \"name\": " + json(material.name) + ", \"class\": " + json(material.material_class) +
+           ", \"kind\": " + json(name(material.preferred_dataset().origin)) +
            ", \"flags\": " + json_flags(*found[i].entry) + "}";
   }
   return out + (found.empty() ? "]\n}\n" : "\n  ]\n}\n");
@@ -152,7 +152,7 @@ int run(NearestArguments& arguments) {
   const std::vector<Match> found = matches(all, arguments);
   const std::string& format = arguments.output.format;
   write_output(arguments.output, format == "csv"    ? csv(found)
-                                 : format == "json" ? json(found, arguments)
+                                 : format == "json" ? json_form(found, arguments)
                                                     : table(found, use_color(arguments.output)));
   tell_surfaces(found, arguments.output);
   return exit_ok;

@@ -11,7 +11,9 @@
 #include "core/atlas/variant.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/json_text.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/render/glsl/glsl_text.h"
 
 namespace etak::cli {
@@ -51,13 +53,11 @@ MaterialVariant take_choice(ShaderArguments& arguments) {
   if (!arguments.scene.subject.empty() || !arguments.scene.model.empty())
     throw Error::at("--choice", "given beside a material or --model", "--material NAME of the choice");
   const ShadingVariants choices = parse_choices(read_file(arguments.choice), arguments.choice);
-  std::string known;
-  for (const MaterialVariant& each : choices.materials) known += (known.empty() ? "" : ", ") + each.material;
   const MaterialVariant* variant = choices.find(arguments.material);
   if (arguments.material.empty() && choices.materials.size() == 1) variant = &choices.materials.front();
   if (variant == nullptr)
     throw Error::at("--material", arguments.material.empty() ? "no name" : printable(arguments.material),
-                    known);
+                    joined(choices.materials, ", ", &MaterialVariant::material));
   const auto colour = [](const char* name, const std::array<double, 3>& c) {
     return std::string(name) + '=' + number(c[0], 17) + ',' + number(c[1], 17) + ',' + number(c[2], 17);
   };
@@ -109,26 +109,26 @@ std::string json_features(const GlslText& text, bool in) {
   std::string out;
   for (const GlslFeature& each : text.features)
     if (each.in == in)
-      out += std::string(out.empty() ? "" : ",") + "\n    {\"name\": " + json_string(each.name) +
-             (in ? ", \"what\": " : ", \"reason\": ") + json_string(each.reason) + "}";
+      out += std::string(out.empty() ? "" : ",") + "\n    {\"name\": " + json(each.name) +
+             (in ? ", \"what\": " : ", \"reason\": ") + json(each.reason) + "}";
   return "[" + out + (out.empty() ? "]" : "\n  ]");
 }
 
 std::string json_form(const GlslText& text, GlslVersion version) {
-  std::string out = "{\n  \"schema\": \"etak-shader/1\",\n  \"version\": " + json_string(name(version)) +
+  std::string out = "{\n  \"schema\": \"etak-shader/1\",\n  \"version\": " + json(name(version)) +
                     ",\n  \"in\": " + json_features(text, true) +
                     ",\n  \"left_out\": " + json_features(text, false) + ",\n  \"uniforms\": [";
   for (std::size_t i = 0; i < text.uniforms.size(); ++i) {
     const GlslUniform& each = text.uniforms[i];
-    out += std::string(i == 0 ? "" : ",") + "\n    {\"name\": " + json_string(each.name) +
-           ", \"type\": " + json_string(each.width == 1 ? "float" : "vec" + std::to_string(each.width)) +
+    out += std::string(i == 0 ? "" : ",") + "\n    {\"name\": " + json(each.name) +
+           ", \"type\": " + json(each.width == 1 ? "float" : "vec" + std::to_string(each.width)) +
            (each.array ? ", \"count\": " + std::to_string(each.count) : "") + ", \"values\": [";
     for (std::size_t j = 0; j < each.values.size(); ++j)
       out += (j == 0 ? "" : ", ") + number(double{each.values[j]}, 9);
     out += "]}";
   }
-  return out + (text.uniforms.empty() ? "]" : "\n  ]") + ",\n  \"vertex\": " + json_string(text.vertex) +
-         ",\n  \"fragment\": " + json_string(text.fragment) + "\n}\n";
+  return out + (text.uniforms.empty() ? "]" : "\n  ]") + ",\n  \"vertex\": " + json(text.vertex) +
+         ",\n  \"fragment\": " + json(text.fragment) + "\n}\n";
 }
 
 // What is fetched from an atlas, when one is named; its constants then stand in for the material.

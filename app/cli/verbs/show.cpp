@@ -9,6 +9,7 @@
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/color/srgb.h"
 #include "core/material/json.h"
 #include "core/material/quality.h"
@@ -31,12 +32,6 @@ std::string three(const LinearRgb& color) {
 
 std::string three(const Srgb8& codes) {
   return std::to_string(codes.r) + " " + std::to_string(codes.g) + " " + std::to_string(codes.b);
-}
-
-std::string joined(const std::vector<std::string>& parts, const char* separator) {
-  std::string out;
-  for (const std::string& part : parts) out += (out.empty() ? "" : separator) + part;
-  return out;
 }
 
 std::string sample_line(const Dataset& dataset) {

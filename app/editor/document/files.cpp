@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
@@ -31,16 +32,7 @@ const QStringList& spectrum_endings() {
 
 // "My sample.csv" gives "my_sample".
 std::string id_of(const QString& path) {
-  std::string out;
-  for (const QChar c : QFileInfo(path).completeBaseName().toLower()) {
-    const bool plain =
-        (c >= QLatin1Char('a') && c <= QLatin1Char('z')) || (c >= QLatin1Char('0') && c <= QLatin1Char('9'));
-    if (plain)
-      out += c.toLatin1();
-    else if (!out.empty() && out.back() != '_')
-      out += '_';
-  }
-  while (!out.empty() && out.back() == '_') out.pop_back();
+  const std::string out = identifier(QFileInfo(path).completeBaseName().toStdString(), '_');
   return out.empty() ? "spectrum" : out;
 }
 

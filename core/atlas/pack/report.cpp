@@ -53,9 +53,7 @@ std::string page_json(const PlannedPage& page) {
 
 template <class Items, class Form>
 std::string list_json(const Items& items, Form form) {
-  std::vector<std::string> out;
-  for (const auto& item : items) out.push_back(form(item));
-  return json_array(out);
+  return '[' + joined(items, ", ", form) + ']';
 }
 
 std::string pages_text(const PackReport& r) {
@@ -102,7 +100,6 @@ std::string report_text(const PackReport& r, bool stages) {
 }
 
 std::string report_json(const PackReport& r, bool stages) {
-  const auto quoted = [](const std::string& text) { return json(text); };
   std::vector<JsonMember> members{
       {"schema", json("etak-pack-report/1")},
       {"input", json(r.input)},
@@ -124,8 +121,8 @@ std::string report_json(const PackReport& r, bool stages) {
       {"reduced", list_json(r.reduced, reduced_json)},
       {"before", account_json(r.left_out.before)},
       {"after", account_json(r.left_out.after)},
-      {"files", list_json(r.files, quoted)},
-      {"remarks", list_json(r.remarks, quoted)},
+      {"files", json_array_of(r.files)},
+      {"remarks", json_array_of(r.remarks)},
   };
   if (!r.validation.empty()) members.push_back({"validation", r.validation});
   if (stages)

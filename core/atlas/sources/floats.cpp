@@ -87,8 +87,7 @@ Image joined(const Image& color, const Image& grey) {
 
 // Which channel of a pair: a colour's code or a plain one.
 std::uint8_t code(std::size_t channel, float value) {
-  if (channel % 4 != 3) return srgb_u8(double{value});
-  return static_cast<std::uint8_t>(255 * std::clamp(double{value}, 0.0, 1.0) + 0.5);
+  return channel % 4 != 3 ? srgb_u8(double{value}) : plain_u8(double{value});
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ class Resolver {
     out.color = false;
     out.pick = {0, 0, 0};
     out.exact.fill(value);
-    out.constant.fill(static_cast<std::uint8_t>(255 * std::clamp(value, 0.0, 1.0) + 0.5));
+    out.constant.fill(plain_u8(value));
     return out;
   }
 

@@ -121,7 +121,7 @@ double directional_albedo(const Reflectance& f, double theta_v_deg, const Albedo
         if (!(l[2] > 0)) return 0.0;
         if (options.half_space) {
           const Vec3& z = *options.half_space;
-          if (!(l[0] * z[0] + l[1] * z[1] + l[2] * z[2] > 0)) return 0.0;
+          if (!(dot(l, z) > 0)) return 0.0;
         }
         return f({l[0], l[1], l[2], v[0], v[1], v[2]}) * l[2] * 4 * vh;
       };

@@ -87,7 +87,7 @@ TextureFile read_dds(std::string_view bytes, std::string_view path) {
   std::size_t at = header_end;
   if ((u32(80) & pixel_four_cc) != 0) {
     if (bytes.substr(84, 4) != "DX10")
-      throw Error::at(path, "format \"" + printable(bytes.substr(84, 4)) + '"', "DX10 or 32-bit RGBA masks");
+      throw Error::at(path, "format " + in_quotes(bytes.substr(84, 4)), "DX10 or 32-bit RGBA masks");
     expect(bytes.size() >= dx10_end, "a DX10 header of bytes", bytes.size() - header_end, "20");
     at = dx10_end;
     const std::uint32_t format = u32(128), alpha = u32(144) & 7;

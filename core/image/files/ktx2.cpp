@@ -150,7 +150,7 @@ struct Reader {
       std::string_view value = pair.substr(end + 1);
       while (!value.empty() && value.back() == '\0') value.remove_suffix(1);
       if (pair.substr(0, end) == "KTXorientation" && value != "rd")
-        fail("KTXorientation \"" + printable(value) + '"', "\"rd\": columns to the right, rows down");
+        fail("KTXorientation " + in_quotes(value), "\"rd\": columns to the right, rows down");
       at += std::min(data.size() - at, (length + 3) / 4 * 4);
     }
   }

@@ -4,16 +4,14 @@
 #include <set>
 #include <vector>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 
 namespace etak {
 namespace {
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 bool is_word(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  return is_letter(c) || is_digit(c) || c == '_';
 }
 
 // The end of the token that begins at `at`: a comment to its line's end, a word, a number, or one character.

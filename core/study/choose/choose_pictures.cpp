@@ -21,10 +21,6 @@ Vec3 unit(const Vec3& v) {
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
-double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // Light and viewer in the frame of the surface; the lobes are isotropic, so any tangent will do.
 Directions directions_of(double nl, double nv, double lv) {
   const double sl = std::sqrt(std::max(0.0, 1 - nl * nl)), sv = std::sqrt(std::max(0.0, 1 - nv * nv));

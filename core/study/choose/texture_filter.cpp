@@ -80,9 +80,8 @@ TexelChain::TexelChain(const ConstPixelsView8& diffuse_alpha, const ConstPixelsV
     for (const std::size_t first_of : {std::size_t{0}, specular_channel})
       mean_codes_[first_of + c] = srgb_u8(sums[first_of + c] / count);
   mean_codes_[alpha_channel] = static_cast<std::uint8_t>(sums[alpha_channel] / count + 0.5);
-  const double mean_gloss = -std::log2(sums[gloss_channel] / count) / 12;
-  mean_codes_[gloss_channel] = static_cast<std::uint8_t>(
-      255 * std::clamp(converted_gloss(mean_gloss, GlossForm::schueler, gloss), 0.0, 1.0) + 0.5);
+  const double mean_gloss = gloss_of_variance(sums[gloss_channel] / count);
+  mean_codes_[gloss_channel] = plain_u8(converted_gloss(mean_gloss, GlossForm::schueler, gloss));
   // Of what does not vary the code itself, whatever the sums' last digits are.
   for (std::size_t c = 0; c < channel_count; ++c)
     if (range.constant(c)) mean_codes_[c] = range.least[c];

@@ -8,6 +8,7 @@
 
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/brdf/models.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/glsl/gl_runner.h"
@@ -81,10 +82,8 @@ class Gallery {
   const std::vector<const Model*>& models() const { return models_; }
   const SphereMaterial& first() const { return materials_.front(); }
   std::string grid() const {
-    std::string names, glosses;
-    for (const SphereMaterial& material : materials_) names += (names.empty() ? "" : ", ") + material.id;
-    for (const double gloss : glosses_) glosses += (glosses.empty() ? "" : ", ") + number(gloss, 3);
-    return names + "; gloss " + glosses;
+    return joined(materials_, ", ", &SphereMaterial::id) + "; gloss " +
+           joined(glosses_, ", ", [](double gloss) { return number(gloss, 3); });
   }
 
   /// errors[model][material], summed over glosses, of pictures that `draw` makes (called by the threads, or

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/color/srgb.h"
 #include "core/study/error_time.h"
 #include "core/study/measure.h"
 
@@ -18,14 +19,6 @@ namespace formulas {
 #include "core/light/transfer.glsl"
 }  // namespace formulas
 
-// The same curves in double, for the errors.
-double exact_encode(double x) {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-}
-double exact_decode(double y) {
-  return y <= 0.04045 ? y / 12.92 : std::pow((y + 0.055) / 1.055, 2.4);
-}
-
 struct Curve {
   const char* id;
   const char* title;
@@ -34,7 +27,7 @@ struct Curve {
 };
 
 constexpr std::array encoders{
-    Curve{"srgb", "sRGB, exact", exact_encode, formulas::srgb_encode},
+    Curve{"srgb", "sRGB, exact", srgb_encode, formulas::srgb_encode},
     Curve{"power_045", "power 0.45 (Schüler)", [](double x) { return std::pow(x, 0.45); },
           formulas::power045_encode},
     Curve{"power_1_22", "power 1/2.2", [](double x) { return std::pow(x, 1 / 2.2); },
@@ -43,7 +36,7 @@ constexpr std::array encoders{
           formulas::root_encode}};
 
 constexpr std::array decoders{
-    Curve{"srgb", "sRGB, exact", exact_decode, formulas::srgb_decode},
+    Curve{"srgb", "sRGB, exact", srgb_decode, formulas::srgb_decode},
     Curve{"power_22", "power 2.2 (Schüler)", [](double y) { return std::pow(y, 2.2); },
           formulas::power22_decode},
     Curve{"square", "squaring (Schüler, 2.0)", [](double y) { return y * y; }, formulas::square_decode}};
@@ -51,7 +44,7 @@ constexpr std::array decoders{
 constexpr std::array shown_codes{10, 39, 56, 128, 188};
 
 double encode_error(const Curve& curve, double linear) {
-  return 255 * (curve.in_double(linear) - exact_encode(linear));
+  return 255 * (curve.in_double(linear) - srgb_encode(linear));
 }
 
 // Largest over a fine sweep of linear light.
@@ -125,10 +118,10 @@ ErrorTimeTable decode_table(const ReportOptions& options) {
     row.title = curve.title;
     double worst = 0;
     for (int code = 0; code < 256; ++code)
-      worst = std::max(worst, std::abs(curve.in_double(code / 255.0) - exact_decode(code / 255.0)));
+      worst = std::max(worst, std::abs(curve.in_double(code / 255.0) - srgb_decode(code / 255.0)));
     row.errors.push_back(worst);
     for (const int code : shown_codes)
-      row.errors.push_back(100 * (curve.in_double(code / 255.0) / exact_decode(code / 255.0) - 1));
+      row.errors.push_back(100 * (curve.in_double(code / 255.0) / srgb_decode(code / 255.0) - 1));
     table.rows.push_back(row);
   }
   add_times(table, decoders, options);

@@ -2,11 +2,11 @@
 #include "core/validate/files/files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <tuple>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
@@ -341,8 +341,7 @@ std::optional<FileRole> kind_of_content(std::string_view head) {
 }  // namespace
 
 std::optional<FileRole> role_of_file(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = lower_case(std::filesystem::path(path).extension().string());
   for (const char* picture : {".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".webp", ".tga", ".hdr"})
     if (ending == picture) return FileRole::specular_gloss;
   if (ending == ".gltf" || ending == ".glb") return FileRole::scene;

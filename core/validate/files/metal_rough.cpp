@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 
+#include "core/color/srgb.h"
 #include "core/scene/gltf_convert.h"
 #include "core/validate/files/open_pictures.h"
 
@@ -57,9 +58,7 @@ LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pic
   out.a = std::move(pair.diffuse_alpha);
   out.b = std::move(pair.specular_gloss);
   if (material.specular_glossiness) return out;
-  out.metallic =
-      Image8(out.a.width, out.a.height, 1,
-             static_cast<std::uint8_t>(std::lround(255 * std::clamp(material.metallic, 0.0, 1.0))));
+  out.metallic = Image8(out.a.width, out.a.height, 1, plain_u8(material.metallic));
   if (!material.metallic_roughness_texture) return out;
   const Image8& source = pictures.codes(material.metallic_roughness_texture->image);
   const std::size_t channel = source.channels >= 3 ? 2 : 0;

@@ -105,9 +105,7 @@ std::string rules_json(std::span<const Rule* const> rules) {
                                   {"parameters", json_array(parameters)}};
     rows.push_back("\n    " + json_object(members, 4));
   }
-  std::string list;
-  for (const std::string& row : rows) list += (list.empty() ? "" : ",") + row;
-  return "{\n  \"schema\": \"etak-rules/1\",\n  \"rules\": [" + list + "\n  ]\n}\n";
+  return "{\n  \"schema\": \"etak-rules/1\",\n  \"rules\": [" + joined(rows, ",") + "\n  ]\n}\n";
 }
 
 }  // namespace etak

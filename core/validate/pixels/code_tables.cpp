@@ -69,7 +69,7 @@ int CodeTables::first_code_at_least(std::uint32_t y) const {
 
 std::uint8_t CodeTables::encode(double value) const {
   const double clamped = std::isnan(value) ? 0 : std::clamp(value, 0.0, 1.0);
-  return static_cast<std::uint8_t>(std::floor(255 * encode_of(transfer_, clamped) + 0.5));
+  return plain_u8(encode_of(transfer_, clamped));
 }
 
 double CodeTables::decode(double code) const {

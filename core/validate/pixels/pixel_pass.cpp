@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/color/luminance.h"
+#include "core/color/srgb.h"
 #include "core/validate/pixels/crew.h"
 #include "core/validate/pixels/tile_frame.h"
 
@@ -75,7 +76,7 @@ class Strips {
         // Not a number counts as black, infinity as white: found already, and nothing may hang on it.
         const double clamped = v > 0 ? std::min(static_cast<double>(v), 1.0) : 0.0;
         if (c == 3)
-          codes[i + c] = static_cast<std::uint8_t>(std::floor(255 * clamped + 0.5));
+          codes[i + c] = plain_u8(clamped);
         else
           codes[i + c] = tables_.code_of(static_cast<std::uint32_t>(clamped * linear_one));
         if (c < 3 && std::isfinite(v)) largest = std::max(largest, v);

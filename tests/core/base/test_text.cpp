@@ -9,9 +9,20 @@
 #include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
+#include "core/base/number.h"
 #include "tests/growth.h"
 
 using namespace etak;
+
+TEST_CASE("parts are joined as they are, by a function or by a member") {
+  struct Named {
+    std::string_view name;
+  };
+  CHECK(joined(std::vector<std::string>{"a", "b"}) == "a, b");
+  CHECK(joined(std::vector<std::string>{}) == "");
+  CHECK(joined(std::vector{1.5, 2.0}, " ", [](double value) { return number(value, 3); }) == "1.5 2");
+  CHECK(joined(std::vector<Named>{{"x"}, {"y"}}, "|", &Named::name) == "x|y");
+}
 
 TEST_CASE("found 1.11: numbers with fixed decimals stay short, however large they are") {
   CHECK(fixed(0.5, 1) == "0.5");

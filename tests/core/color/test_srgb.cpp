@@ -59,6 +59,13 @@ TEST_CASE("8-bit codes are rounded half up after encoding, and clipped") {
   CHECK(srgb_u8(LinearRgb{1.022, 0.782, 0.344}) == Srgb8{255, 229, 158});
 }
 
+TEST_CASE("what is kept as it is becomes the nearest code, half up, and is clipped") {
+  for (int code = 0; code < 256; ++code) CHECK(plain_u8(code / 255.0) == code);
+  CHECK(plain_u8(0.5) == 128);
+  CHECK(plain_u8(-1) == 0);
+  CHECK(plain_u8(2) == 255);
+}
+
 TEST_CASE("each code covers the linear interval that rounds to it") {
   for (int code = 1; code < 256; ++code) {
     const double edge = srgb_decode((code - 0.5) / 255);
