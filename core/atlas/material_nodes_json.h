@@ -11,7 +11,7 @@
 
 #include "core/base/files/links.h"
 #include "core/base/node_json.h"
-#include "core/material/name_limit.h"
+#include "core/material/limits.h"
 #include "core/scene/gltf.h"
 
 namespace etak {

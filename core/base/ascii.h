@@ -15,11 +15,20 @@ constexpr bool is_digit(char c) {
 constexpr bool is_upper(char c) {
   return c >= 'A' && c <= 'Z';
 }
+constexpr bool is_lower(char c) {
+  return c >= 'a' && c <= 'z';
+}
 constexpr bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || is_upper(c);
+  return is_lower(c) || is_upper(c);
 }
 constexpr bool is_blank(char c) {
   return c == ' ' || c == '\t';
+}
+constexpr bool is_line_end(char c) {
+  return c == '\n' || c == '\r';
+}
+constexpr bool is_space(char c) {
+  return is_blank(c) || is_line_end(c);
 }
 
 constexpr char lower_case(char c) {

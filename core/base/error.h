@@ -34,4 +34,7 @@ std::string printable(std::string_view bytes, std::size_t most = 40);
 /// The same between quotes.
 std::string in_quotes(std::string_view bytes, std::size_t most = 40);
 
+/// The same between double quotes.
+std::string in_quotes(std::string_view bytes, std::size_t most = 40);
+
 }  // namespace etak

@@ -365,25 +365,25 @@ void write_gulbrandsen(const Job& j) {
   j.add("edge_color", g, plain_text);
 }
 
-struct Row {
+struct TargetRow {
   EngineTarget target;
   void (*write)(const Job&);
 };
 constexpr std::array rows{
-    Row{{"hex", "hex, sRGB"}, write_hex},
-    Row{{"srgb8", "8-bit sRGB"}, write_srgb8},
-    Row{{"linear", "linear sRGB, not clipped"}, write_linear},
-    Row{{"glsl", "GLSL"}, write_glsl},
-    Row{{"unreal", "Unreal Engine"}, write_unreal},
-    Row{{"unity-metallic", "Unity, metallic setup"}, write_unity_metallic},
-    Row{{"unity-specular", "Unity, specular setup"}, write_unity_specular},
-    Row{{"blender", "Blender 4 Principled BSDF"}, write_blender},
-    Row{{"filament", "Filament"}, write_filament},
-    Row{{"openpbr", "OpenPBR 1.1"}, write_open_pbr},
-    Row{{"gltf", "glTF 2.0 metal-rough"}, write_gltf},
-    Row{{"gltf-specular-glossiness", "glTF 2.0 specular-glossiness"}, write_gltf_gloss},
-    Row{{"gulbrandsen", "Gulbrandsen (MaterialX artistic_ior)"}, write_gulbrandsen},
-    Row{{"rgb-nk", "RGB n, k (conductor shaders)"}, write_rgb_nk},
+    TargetRow{{"hex", "hex, sRGB"}, write_hex},
+    TargetRow{{"srgb8", "8-bit sRGB"}, write_srgb8},
+    TargetRow{{"linear", "linear sRGB, not clipped"}, write_linear},
+    TargetRow{{"glsl", "GLSL"}, write_glsl},
+    TargetRow{{"unreal", "Unreal Engine"}, write_unreal},
+    TargetRow{{"unity-metallic", "Unity, metallic setup"}, write_unity_metallic},
+    TargetRow{{"unity-specular", "Unity, specular setup"}, write_unity_specular},
+    TargetRow{{"blender", "Blender 4 Principled BSDF"}, write_blender},
+    TargetRow{{"filament", "Filament"}, write_filament},
+    TargetRow{{"openpbr", "OpenPBR 1.1"}, write_open_pbr},
+    TargetRow{{"gltf", "glTF 2.0 metal-rough"}, write_gltf},
+    TargetRow{{"gltf-specular-glossiness", "glTF 2.0 specular-glossiness"}, write_gltf_gloss},
+    TargetRow{{"gulbrandsen", "Gulbrandsen (MaterialX artistic_ior)"}, write_gulbrandsen},
+    TargetRow{{"rgb-nk", "RGB n, k (conductor shaders)"}, write_rgb_nk},
 };
 
 constexpr auto targets = [] {
@@ -411,7 +411,7 @@ EngineValues engine_values(const EngineTarget& target, const ExportSurface& surf
   EngineValues out;
   out.target = target.id;
   const Job job{surface, fit, out};
-  for (const Row& row : rows)
+  for (const TargetRow& row : rows)
     if (row.target.id == target.id) row.write(job);
   return out;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
@@ -31,10 +32,9 @@ std::string color_space(RgbSpace space) {
 std::string node_name(const std::string& id, std::set<std::string>& taken) {
   std::string out;
   for (const char c : id) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'), digit = c >= '0' && c <= '9';
-    out += letter || digit ? c : '_';
+    out += is_letter(c) || is_digit(c) ? c : '_';
   }
-  if (out.empty() || (out[0] >= '0' && out[0] <= '9') || out[0] == '_') out.insert(0, "m");
+  if (out.empty() || is_digit(out[0]) || out[0] == '_') out.insert(0, "m");
   const std::string first = out;
   for (int i = 2; !taken.insert(out).second; ++i) out = first + "_" + std::to_string(i);
   return out;

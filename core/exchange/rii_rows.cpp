@@ -11,18 +11,13 @@
 #include <utility>
 
 #include "core/base/number.h"
+#include "core/material/limits.h"
 
 namespace etak {
 namespace {
 
-constexpr double most_wavelength_um = 1e9;
-constexpr double most_n = 1e4;
-constexpr double most_k = 1e6;
 constexpr double nm_per_um = 1000.0;
-
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
+constexpr double most_wavelength_um = most_wavelength_nm / nm_per_um;
 
 void grow(Rows& rows, std::size_t least) {
   for (auto& column : rows.values) column.resize(std::max<std::size_t>(1024, 2 * least));
@@ -49,9 +44,9 @@ inline std::array<double, columns> read_row(const YamlLines& lines, const char*&
       lines.fail(row, "a row of " + std::to_string(c), std::to_string(columns) + " numbers");
     cell[c] = read_number(lines, at);
     if (at == lines.end || *at == '\n') continue;
-    if (!is_space(*at)) lines.fail_token(at, "a blank behind the number");
+    if (!is_blank_in_line(*at)) lines.fail_token(at, "a blank behind the number");
     do ++at;
-    while (at < lines.end && is_space(*at));
+    while (at < lines.end && is_blank_in_line(*at));
   }
   if (at < lines.end) {
     if (*at != '\n') lines.fail_token(at, "the end of a row of " + std::to_string(columns) + " numbers");
@@ -75,7 +70,7 @@ bool read_all(YamlLines& lines, int indent, Rows& rows, Flags& flags) {
     const char* const line = at;
     while (at < end && *at == ' ') ++at;
     const auto spaces = at - line;
-    while (at < end && is_space(*at)) ++at;
+    while (at < end && is_blank_in_line(*at)) ++at;
     if (at == end) break;
     if (*at == '\n') {
       ++at;

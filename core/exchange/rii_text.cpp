@@ -19,10 +19,6 @@
 namespace etak {
 namespace {
 
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-
 // What is dropped around a text, and around one of a list.
 constexpr std::string_view white = " \t\n\r", white_commas = " \t\n\r,", white_stops = " \t\n\r.,",
                            white_dashes = " \t\n\r-";

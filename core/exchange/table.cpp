@@ -10,14 +10,12 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/exchange/table_columns.h"
+#include "core/material/limits.h"
 #include "core/material/medium.h"
 
 namespace etak {
 namespace {
 
-constexpr double most_n = 1e4;
-constexpr double most_k = 1e6;
-constexpr double most_nm = 1e12;
 constexpr double least_reflectance = -0.02;  // noise of a spectrophotometer; more is a wrong unit
 constexpr double most_reflectance = 1.02;
 // A table with no row in this range has the wrong unit, or is of no use.
@@ -26,7 +24,7 @@ constexpr double seen_last_nm = 900;
 constexpr std::string_view known_columns =
     "wavelength (nm|um|A), energy (eV), n, k, R, R (%), or _ for a column to skip";
 
-struct Row {
+struct TableRow {
   double axis = 0;  // as in the file, for messages
   double nm = 0;
   std::array<double, 3> value{};  // n, k, reflectance; what its block has
@@ -39,7 +37,7 @@ struct Block {
   std::size_t line = 0;  // of the header
   WavelengthUnit unit = WavelengthUnit::nanometre;
   std::array<bool, 3> has{};  // n, k, reflectance
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
 };
 
 std::size_t place_of(Quantity quantity) {
@@ -177,7 +175,7 @@ class TableReader {
     split_fields(line, find_separator(line), fields_);
     if (fields_.size() != block.columns.size())
       fail(line_, std::to_string(fields_.size()) + " columns", std::to_string(block.columns.size()));
-    Row row;
+    TableRow row;
     row.line = line_;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       const Column& column = block.columns[i];
@@ -192,7 +190,7 @@ class TableReader {
     block.rows.push_back(row);
   }
 
-  void take(const Block& block, const Column& column, double value, Row& row) {
+  void take(const Block& block, const Column& column, double value, TableRow& row) {
     const auto shown = [&] { return number(value, 9); };
     switch (column.quantity) {
       case Quantity::wavelength:
@@ -200,7 +198,7 @@ class TableReader {
         if (value <= 0) fail(line_, "wavelength " + shown(), "a positive number");
         row.axis = value;
         row.nm = to_nm(value, block.unit);
-        if (!(row.nm > 0 && row.nm < most_nm))
+        if (!(row.nm > 0 && row.nm < most_wavelength_nm))
           fail(line_, "wavelength " + shown() + " " + std::string(name(block.unit)),
                "less than a kilometre, not 0");
         break;
@@ -230,13 +228,13 @@ class TableReader {
   void finish(Block& block) {
     auto& rows = block.rows;
     if (rows.empty()) fail(block.line, "a header without rows", "rows of numbers below it");
-    const auto ascends = [](const Row& a, const Row& b) { return a.nm < b.nm; };
+    const auto ascends = [](const TableRow& a, const TableRow& b) { return a.nm < b.nm; };
     // A table in ascending energy is in order too.
     if (block.unit == WavelengthUnit::electronvolt && rows.front().nm > rows.back().nm)
       std::reverse(rows.begin(), rows.end());
     if (!std::is_sorted(rows.begin(), rows.end(), ascends)) {
       flags_.set(Flag::unsorted);
-      std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+      std::stable_sort(rows.begin(), rows.end(), [](const TableRow& a, const TableRow& b) {
         return a.nm < b.nm || (a.nm == b.nm && a.line < b.line);
       });
     }
@@ -251,14 +249,14 @@ class TableReader {
     rows.resize(kept);
   }
 
-  Row merge(const Block& block, std::size_t begin, std::size_t end) {
+  TableRow merge(const Block& block, std::size_t begin, std::size_t end) {
     // The reversal for energies has turned equal rows round.
     const auto from = block.rows.begin() + static_cast<std::ptrdiff_t>(begin);
-    std::vector<Row> same(from, from + static_cast<std::ptrdiff_t>(end - begin));
-    std::sort(same.begin(), same.end(), [](const Row& a, const Row& b) { return a.line < b.line; });
-    Row row = same[0];
-    const bool identical =
-        std::all_of(same.begin(), same.end(), [&](const Row& other) { return other.value == row.value; });
+    std::vector<TableRow> same(from, from + static_cast<std::ptrdiff_t>(end - begin));
+    std::sort(same.begin(), same.end(), [](const TableRow& a, const TableRow& b) { return a.line < b.line; });
+    TableRow row = same[0];
+    const bool identical = std::all_of(same.begin(), same.end(),
+                                       [&](const TableRow& other) { return other.value == row.value; });
     if (!identical && options_.duplicates == Duplicates::refuse)
       fail(same[1].line, "wavelength " + number(row.axis, 9) + " " + std::string(name(block.unit)) + " again",
            "one row for it (the other is in line " + std::to_string(row.line) +
@@ -267,7 +265,7 @@ class TableReader {
     if (identical || options_.duplicates == Duplicates::first) return row;
     for (std::size_t c = 0; c < row.value.size(); ++c) {
       double sum = 0;
-      for (const Row& other : same) sum += other.value[c];
+      for (const TableRow& other : same) sum += other.value[c];
       row.value[c] = sum / static_cast<double>(same.size());
     }
     return row;
@@ -276,12 +274,12 @@ class TableReader {
   void check_range(const Block& block) const {
     const auto seen = [](double nm) { return nm >= seen_first_nm && nm <= seen_last_nm; };
     const auto& rows = block.rows;
-    if (std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return seen(row.nm); })) return;
+    if (std::any_of(rows.begin(), rows.end(), [&](const TableRow& row) { return seen(row.nm); })) return;
     std::string hint;
     for (const auto unit : {WavelengthUnit::nanometre, WavelengthUnit::micrometre, WavelengthUnit::angstrom,
                             WavelengthUnit::electronvolt}) {
-      const bool fits =
-          std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return seen(to_nm(row.axis, unit)); });
+      const bool fits = std::any_of(rows.begin(), rows.end(),
+                                    [&](const TableRow& row) { return seen(to_nm(row.axis, unit)); });
       if (fits) hint.append(hint.empty() ? " (they would fit in " : " or ").append(name(unit));
     }
     if (!hint.empty()) hint.append(")");
@@ -293,7 +291,7 @@ class TableReader {
 
   static Spectrum spectrum(const Block& block, std::size_t place) {
     Spectrum out;
-    for (const Row& row : block.rows) {
+    for (const TableRow& row : block.rows) {
       out.wavelength_nm.push_back(row.nm);
       out.value.push_back(row.value[place]);
     }
@@ -322,7 +320,7 @@ class TableReader {
     constants.n = spectrum(*source[0], 0);
     if (source[1] != nullptr) constants.k = spectrum(*source[1], 1);
     if (const auto nm = no_medium_at(constants))
-      for (const Row& row : source[0]->rows)
+      for (const TableRow& row : source[0]->rows)
         if (row.nm == *nm) fail(row.line, "n = 0 with k = 0", "n above 0, or k above 0");
     table.optics = std::move(constants);
     return table;

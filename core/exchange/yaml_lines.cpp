@@ -10,10 +10,6 @@
 namespace etak {
 namespace {
 
-bool is_line_end(char c) {
-  return c == '\n' || c == '\r';
-}
-
 bool is_key_char(char c) {
   return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '.';
 }
@@ -60,7 +56,7 @@ int YamlLines::next_line() {
     const char* first = at;
     while (first < end && *first == ' ') ++first;
     const char* text = first;
-    while (text < end && (is_blank(*text) || *text == '\r')) ++text;
+    while (text < end && is_blank_in_line(*text)) ++text;
     if (text < end && *text != '\n' && *text != '#') {
       if (text != first) fail(at, "a tab before the first word of the line", "spaces");
       return static_cast<int>(first - at);
@@ -136,7 +132,7 @@ void YamlLines::skip_block(int indent) {
     while (first < end && *first == ' ') ++first;
     if (first - line <= indent) {
       const char* text = first;
-      while (text < end && (is_blank(*text) || *text == '\r')) ++text;
+      while (text < end && is_blank_in_line(*text)) ++text;
       if (text < end && *text != '\n') break;
       first = text;
     }

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/ascii.h"
+
 namespace etak {
 
 /// Cursor over the subset of YAML that the refractiveindex.info database is written in: a mapping at column 0
@@ -54,6 +56,12 @@ class YamlLines {
   bool is_list_ = false;
   bool takes_list_ = false;  // the last key has nothing behind its colon
 };
+
+/// What may stand between and behind the numbers of a line: blanks, and the carriage return of a file with
+/// Windows' line ends.
+constexpr bool is_blank_in_line(char c) {
+  return is_blank(c) || c == '\r';
+}
 
 /// True for `-` followed by a blank or the end of the line.
 bool is_dash(const char* at, const char* end);

@@ -8,8 +8,8 @@
 namespace etak {
 namespace {
 
-// One list of fields serves both directions: Archive is Writer or Reader.
-class Writer {
+// One list of fields serves both directions: Archive is BlobWriter or BlobReader.
+class BlobWriter {
  public:
   void number(std::size_t value) { bytes(&value, sizeof value); }
   void real(double value) { bytes(&value, sizeof value); }
@@ -31,9 +31,9 @@ class Writer {
   void bytes(const void* data, std::size_t size) { out.append(static_cast<const char*>(data), size); }
 };
 
-class Reader {
+class BlobReader {
  public:
-  Reader(std::string_view blob, std::size_t offset) : rest_(blob.substr(offset)) {}
+  BlobReader(std::string_view blob, std::size_t offset) : rest_(blob.substr(offset)) {}
   std::size_t number() {
     std::size_t value = 0;
     bytes(&value, sizeof value);
@@ -69,12 +69,12 @@ class Reader {
   std::string_view rest_;
 };
 
-void write(Writer& w, const Spectrum& s) {
+void write(BlobWriter& w, const Spectrum& s) {
   w.reals(s.wavelength_nm);
   w.reals(s.value);
 }
 
-Spectrum read_spectrum(Reader& r) {
+Spectrum read_spectrum(BlobReader& r) {
   Spectrum s;
   s.wavelength_nm = r.reals();
   s.value = r.reals();
@@ -83,7 +83,7 @@ Spectrum read_spectrum(Reader& r) {
 
 enum class Shape : std::size_t { reflectance, table, formula };
 
-void write(Writer& w, const Optics& optics) {
+void write(BlobWriter& w, const Optics& optics) {
   if (const auto* reflectance = std::get_if<Reflectance>(&optics)) {
     w.number(static_cast<std::size_t>(Shape::reflectance));
     return write(w, reflectance->spectrum);
@@ -103,7 +103,7 @@ void write(Writer& w, const Optics& optics) {
   if (constants.k) write(w, *constants.k);
 }
 
-Optics read_optics(Reader& r) {
+Optics read_optics(BlobReader& r) {
   const auto shape = static_cast<Shape>(r.number());
   if (shape == Shape::reflectance) return Reflectance{read_spectrum(r)};
   OpticalConstants constants;
@@ -121,7 +121,7 @@ Optics read_optics(Reader& r) {
   return constants;
 }
 
-void write(Writer& w, const Citation& c) {
+void write(BlobWriter& w, const Citation& c) {
   w.texts(c.authors);
   w.text(c.title);
   w.text(c.published_in);
@@ -129,7 +129,7 @@ void write(Writer& w, const Citation& c) {
   for (const auto* field : {&c.doi, &c.url, &c.licence, &c.via}) w.text(*field);
 }
 
-Citation read_citation(Reader& r) {
+Citation read_citation(BlobReader& r) {
   Citation c;
   c.authors = r.texts();
   c.title = r.text();
@@ -139,7 +139,7 @@ Citation read_citation(Reader& r) {
   return c;
 }
 
-void write(Writer& w, const Dataset& d) {
+void write(BlobWriter& w, const Dataset& d) {
   w.text(d.id);
   write(w, d.optics);
   w.number(static_cast<std::size_t>(d.origin));
@@ -153,7 +153,7 @@ void write(Writer& w, const Dataset& d) {
   w.text(d.doubtful);
 }
 
-Dataset read_dataset(Reader& r) {
+Dataset read_dataset(BlobReader& r) {
   Dataset d;
   d.id = r.text();
   d.optics = read_optics(r);
@@ -177,7 +177,7 @@ Dataset read_dataset(Reader& r) {
 // the index.
 std::string encode_library(const std::vector<Material>& materials,
                            const std::vector<Unmeasured>& unmeasured) {
-  Writer index, body;
+  BlobWriter index, body;
   index.number(materials.size());
   for (const Material& m : materials) {
     index.text(m.id);
@@ -202,15 +202,15 @@ std::string encode_library(const std::vector<Material>& materials,
     index.text(each.why);
     index.texts(each.nearest);
   }
-  Writer whole;
+  BlobWriter whole;
   whole.text(index.out);
   return whole.out + body.out;
 }
 
 BlobIndex decode_index(std::string_view blob) {
-  Reader size(blob, 0);
+  BlobReader size(blob, 0);
   const std::size_t body = sizeof(std::size_t) + size.number();
-  Reader r(blob, sizeof(std::size_t));
+  BlobReader r(blob, sizeof(std::size_t));
   BlobIndex index;
   index.materials.resize(r.number());
   for (BlobEntry& e : index.materials) {
@@ -229,7 +229,7 @@ BlobIndex decode_index(std::string_view blob) {
 }
 
 Material decode_material(std::string_view blob, std::size_t offset) {
-  Reader r(blob, offset);
+  BlobReader r(blob, offset);
   Material m;
   m.alias_notes.resize(r.number());
   for (AliasNote& each : m.alias_notes) {

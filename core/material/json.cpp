@@ -2,15 +2,14 @@
 #include "core/material/json.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/base/error.h"
 #include "core/base/json_text.h"
 #include "core/base/node_json.h"
 #include "core/base/number.h"
 #include "core/material/dispersion.h"
+#include "core/material/limits.h"
 #include "core/material/medium.h"
-#include "core/material/name_limit.h"
 
 namespace etak {
 namespace {
@@ -19,7 +18,6 @@ using Node = JsonNode;
 
 constexpr std::string_view schema_name = "etak-material/1";
 constexpr int most_depth = 16;
-constexpr double most_n = 1e4, most_k = 1e6;
 
 bool is_made_of(std::string_view text, std::string_view characters) {
   return !text.empty() && text.find_first_not_of(characters) == text.npos;
@@ -162,12 +160,6 @@ Dataset read_dataset(const Node& node) {
   return d;
 }
 
-void append(std::string& out, double value) {
-  std::array<char, 32> text;
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
-  out.append(text.data(), result.ptr);
-}
-
 // Micrometres with the digits the source printed, or nothing where no 15 digits read back as the same
 // nanometres.
 std::optional<double> in_micrometres(double nm) {
@@ -183,10 +175,21 @@ bool all_in_micrometres(const std::vector<double>& wavelengths_nm) {
                      [](double nm) { return in_micrometres(nm).has_value(); });
 }
 
-class Writer {
+std::string texts_json(const std::vector<std::string>& texts) {
+  std::vector<std::string> items;
+  for (const std::string& text : texts) items.push_back(json(text));
+  return json_array(items);
+}
+
+// A document that grows line by line.
+class JsonLines {
  public:
   void line(int indent, std::string_view text) {
     out_.append(static_cast<std::size_t>(indent), ' ').append(text).push_back('\n');
+  }
+  //   value   JSON already
+  void member(int indent, std::string_view key, const std::string& value, bool comma = true) {
+    line(indent, json(key) + ": " + value + (comma ? "," : ""));
   }
   std::string take() { return std::move(out_); }
 
@@ -194,17 +197,14 @@ class Writer {
   std::string out_;
 };
 
-void write_rows(Writer& w, std::string_view key, const std::vector<const Spectrum*>& columns,
+void write_rows(JsonLines& w, std::string_view key, const std::vector<const Spectrum*>& columns,
                 bool micrometres, bool last) {
   w.line(6, "\"" + std::string(key) + "\": [");
   const Spectrum& first = *columns.front();
   for (std::size_t i = 0; i < first.size(); ++i) {
     std::string row = "[";
-    append(row, micrometres ? *in_micrometres(first.wavelength_nm[i]) : first.wavelength_nm[i]);
-    for (const Spectrum* column : columns) {
-      row += ", ";
-      append(row, column->value[i]);
-    }
+    row += json(micrometres ? *in_micrometres(first.wavelength_nm[i]) : first.wavelength_nm[i]);
+    for (const Spectrum* column : columns) row.append(", ").append(json(column->value[i]));
     w.line(8, row + (i + 1 < first.size() ? "]," : "]"));
   }
   w.line(6, last ? "]" : "],");
@@ -224,14 +224,11 @@ std::vector<double> wavelengths_of(const Optics& optics) {
   return all;
 }
 
-void write_optics(Writer& w, const Optics& optics) {
+void write_optics(JsonLines& w, const Optics& optics) {
   const bool micrometres = all_in_micrometres(wavelengths_of(optics));
   const auto range = [&](double first, double last) {
-    std::string text = "\"valid_range\": [";
-    append(text, micrometres ? *in_micrometres(first) : first);
-    text += ", ";
-    append(text, micrometres ? *in_micrometres(last) : last);
-    w.line(6, text + "],");
+    const auto shown = [&](double nm) { return json(micrometres ? *in_micrometres(nm) : nm); };
+    w.member(6, "valid_range", "[" + shown(first) + ", " + shown(last) + "]");
   };
   w.line(6, micrometres ? "\"unit\": \"um\"," : "\"unit\": \"nm\",");
   if (const auto* reflectance = std::get_if<Reflectance>(&optics)) {
@@ -244,10 +241,8 @@ void write_optics(Writer& w, const Optics& optics) {
     range(formula->first_nm, formula->last_nm);
     std::string text =
         "\"formula\": {\"number\": " + std::to_string(formula->number) + ", \"coefficients\": [";
-    for (std::size_t i = 0; i < formula->coefficients.size(); ++i) {
-      if (i > 0) text += ", ";
-      append(text, formula->coefficients[i]);
-    }
+    for (std::size_t i = 0; i < formula->coefficients.size(); ++i)
+      text.append(i > 0 ? ", " : "").append(json(formula->coefficients[i]));
     w.line(6, text + (constants.k ? "]}," : "]}"));
   } else {
     const auto& n = std::get<Spectrum>(constants.n);
@@ -262,39 +257,34 @@ void write_optics(Writer& w, const Optics& optics) {
   if (constants.k) write_rows(w, "k_rows", {&*constants.k}, micrometres, true);
 }
 
-void write_dataset(Writer& w, const Dataset& d) {
-  const auto pair = [&](int indent, std::string_view key, const std::string& value, bool comma = true) {
-    w.line(indent, "\"" + std::string(key) + "\": " + value + (comma ? "," : ""));
-  };
+void write_dataset(JsonLines& w, const Dataset& d) {
   const auto* constants = std::get_if<OpticalConstants>(&d.optics);
-  pair(6, "id", json(d.id));
-  pair(6, "quantity", constants ? constants->k ? "\"n,k\"" : "\"n\"" : "\"reflectance\"");
-  pair(6, "origin", json(name(d.origin)));
-  pair(6, "sample", json(d.sample));
+  w.member(6, "id", json(d.id));
+  w.member(6, "quantity", constants ? constants->k ? "\"n,k\"" : "\"n\"" : "\"reflectance\"");
+  w.member(6, "origin", json(name(d.origin)));
+  w.member(6, "sample", json(d.sample));
   if (d.temperature_kelvin) {
-    std::string kelvin;
-    append(kelvin, *d.temperature_kelvin);
-    pair(6, "temperature_kelvin", kelvin);
+    w.member(6, "temperature_kelvin", json(*d.temperature_kelvin));
   }
-  if (!d.axis.empty()) pair(6, "axis", json(d.axis));
+  if (!d.axis.empty()) w.member(6, "axis", json(d.axis));
   const Citation& c = d.citation;
   w.line(6, "\"citation\": {");
-  pair(8, "authors", json_array_of(c.authors));
-  pair(8, "title", json(c.title));
-  pair(8, "published_in", json(c.published_in));
-  if (c.year != 0) pair(8, "year", std::to_string(c.year));
-  if (!c.doi.empty()) pair(8, "doi", json(c.doi));
-  if (!c.url.empty()) pair(8, "url", json(c.url));
-  pair(8, "licence", json(c.licence));
-  pair(8, "via", json(c.via), false);
+  w.member(8, "authors", json_array_of(c.authors));
+  w.member(8, "title", json(c.title));
+  w.member(8, "published_in", json(c.published_in));
+  if (c.year != 0) w.member(8, "year", std::to_string(c.year));
+  if (!c.doi.empty()) w.member(8, "doi", json(c.doi));
+  if (!c.url.empty()) w.member(8, "url", json(c.url));
+  w.member(8, "licence", json(c.licence));
+  w.member(8, "via", json(c.via), false);
   w.line(6, "},");
   if (!d.flags.none()) {
     std::vector<std::string> flags;
     d.flags.for_each([&](Flag flag) { flags.emplace_back(name(flag)); });
-    pair(6, "flags", json_array_of(flags));
+    w.member(6, "flags", json_array_of(flags));
   }
-  if (!d.note.empty()) pair(6, "note", json(d.note));
-  if (!d.doubtful.empty()) pair(6, "doubtful", json(d.doubtful));
+  if (!d.note.empty()) w.member(6, "note", json(d.note));
+  if (!d.doubtful.empty()) w.member(6, "doubtful", json(d.doubtful));
   write_optics(w, d.optics);
 }
 
@@ -356,25 +346,22 @@ Material parse_material(std::string_view text, std::string_view file) {
 }
 
 std::string format_material(const Material& m) {
-  Writer w;
+  JsonLines w;
   w.line(0, "{");
-  const auto pair = [&](std::string_view key, const std::string& value) {
-    w.line(2, "\"" + std::string(key) + "\": " + value + ",");
-  };
-  pair("schema", json(schema_name));
-  pair("id", json(m.id));
-  pair("name", json(m.name));
-  pair("aliases", json_array_of(m.aliases));
+  w.member(2, "schema", json(schema_name));
+  w.member(2, "id", json(m.id));
+  w.member(2, "name", json(m.name));
+  w.member(2, "aliases", json_array_of(m.aliases));
   if (!m.alias_notes.empty()) {
     w.line(2, "\"alias_notes\": {");
     for (const AliasNote& each : m.alias_notes)
       w.line(4, json(each.alias) + ": " + json(each.note) + (&each == &m.alias_notes.back() ? "" : ","));
     w.line(2, "},");
   }
-  pair("class", json(m.material_class));
-  if (!m.group.empty()) pair("group", json(m.group));
-  pair("preferred", json(m.preferred_dataset().id));
-  pair("preferred_reason", json(m.preferred_reason));
+  w.member(2, "class", json(m.material_class));
+  if (!m.group.empty()) w.member(2, "group", json(m.group));
+  w.member(2, "preferred", json(m.preferred_dataset().id));
+  w.member(2, "preferred_reason", json(m.preferred_reason));
   w.line(2, "\"datasets\": [");
   for (std::size_t i = 0; i < m.datasets.size(); ++i) {
     w.line(4, "{");

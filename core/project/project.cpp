@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/material/appearance.h"
-#include "core/material/name_limit.h"
+#include "core/material/limits.h"
 #include "core/material/names.h"
 #include "core/material/quality.h"
 

@@ -156,7 +156,7 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
                           std::vector<std::string>& remarks);
 
 /// A name that no material of the project has: "gold", "gold 2", ... Its end is left out where it would be
-/// longer than a project may hold (name_limit.h).
+/// longer than a project may hold (limits.h).
 std::string free_name(const Project& project, const std::string& wanted);
 /// The same for many names, which are taken as they are given out.
 FreeNames names_of(const Project& project);

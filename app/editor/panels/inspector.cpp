@@ -14,7 +14,7 @@
 #include "app/editor/panels/texture_section.h"
 #include "core/base/number.h"
 #include "core/color/gloss.h"
-#include "core/material/name_limit.h"
+#include "core/material/limits.h"
 
 namespace etak::editor {
 namespace {

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/ascii.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/color/delta_e.h"
@@ -158,9 +159,7 @@ std::optional<Srgb8> F0PageContext::edge_codes(const F0Result& result) const {
 std::string anchor(std::string_view prefix, std::string_view text) {
   std::string out(prefix);
   for (const char c : text) {
-    const bool plain =
-        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-    out += plain ? c : '-';
+    out += is_letter(c) || is_digit(c) || c == '_' ? c : '-';
   }
   return out;
 }
