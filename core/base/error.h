@@ -31,9 +31,6 @@ std::string reason_of(int error_number);
 
 /// For quoting foreign bytes in a message: line_text() of text.h, cut after `most` bytes.
 std::string printable(std::string_view bytes, std::size_t most = 40);
-/// The same between quotes.
-std::string in_quotes(std::string_view bytes, std::size_t most = 40);
-
 /// The same between double quotes.
 std::string in_quotes(std::string_view bytes, std::size_t most = 40);
 

@@ -175,12 +175,6 @@ bool all_in_micrometres(const std::vector<double>& wavelengths_nm) {
                      [](double nm) { return in_micrometres(nm).has_value(); });
 }
 
-std::string texts_json(const std::vector<std::string>& texts) {
-  std::vector<std::string> items;
-  for (const std::string& text : texts) items.push_back(json(text));
-  return json_array(items);
-}
-
 // A document that grows line by line.
 class JsonLines {
  public:

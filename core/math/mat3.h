@@ -14,6 +14,9 @@ using Mat3 = std::array<Vec3, 3>;
 constexpr double dot(const Vec3& a, const Vec3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
+constexpr Vec3 scaled(const Vec3& v, double by) {
+  return {v[0] * by, v[1] * by, v[2] * by};
+}
 
 constexpr Vec3 operator*(const Mat3& m, const Vec3& v) {
   Vec3 out{};

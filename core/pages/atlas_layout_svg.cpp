@@ -12,7 +12,7 @@ namespace {
 constexpr double shown_width = 640;
 constexpr double largest_text = 22, smallest_text = 7;
 // Share of the text size that a letter takes.
-constexpr double letter_width = 0.56;
+constexpr double letter_share = 0.56;
 
 // Hues far apart for neighbours in the list: steps of the golden angle.
 std::string fill_of(std::size_t index) {
@@ -61,7 +61,7 @@ std::string layout_svg(const AtlasLayout& layout, int page) {
     append(out, "<rect ", box(0), " fill=\"", fill, "\" stroke=\"#111\" stroke-width=\"0.7\"/>");
     const double letters = std::max<double>(1, static_cast<double>(display_width(name->second)));
     const double size = std::min(
-        {largest_text, 0.8 * rect.height * scale, 0.94 * rect.width * scale / (letter_width * letters)});
+        {largest_text, 0.8 * rect.height * scale, 0.94 * rect.width * scale / (letter_share * letters)});
     if (size >= smallest_text)
       append(out, "<text x=\"", fixed((rect.x + 0.5 * rect.width) * scale, 2), "\" y=\"",
              fixed((rect.y + 0.5 * rect.height) * scale + 0.35 * size, 2), "\" font-size=\"", fixed(size, 1),

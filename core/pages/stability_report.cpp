@@ -12,7 +12,7 @@ namespace {
 
 constexpr int shown_digits = 10;
 
-std::string shown(double value) {
+std::string exact_text(double value) {
   return std::isnan(value)   ? "NaN"
          : std::isinf(value) ? (value > 0 ? "Inf" : "-Inf")
                              : number(value, shown_digits);
@@ -26,7 +26,7 @@ std::string shown_error(const std::optional<StabilityValue>& value) {
 std::string value_json(const std::optional<StabilityValue>& value) {
   if (!value) return "null";
   const JsonMember members[] = {
-      {"value", std::isfinite(value->value) ? json(value->value) : json(shown(value->value))},
+      {"value", std::isfinite(value->value) ? json(value->value) : json(exact_text(value->value))},
       {"error", json(value->error)},
       {"passed", json(value->passed)}};
   return json_object(members, -1);
@@ -42,11 +42,11 @@ std::string stability_text(const std::vector<StabilityCase>& cases) {
     append(out, one.passed ? "ok    " : "FAIL  ", one.title, " (", one.input, ")\n");
     if (one.f64) {
       append(out, "      expected ", one.expected, ", ", one.source, "\n");
-      append(out, "      usual    ", shown(one.naive_f64->value), " (double), ", shown(one.naive_f32->value),
+      append(out, "      usual    ", exact_text(one.naive_f64->value), " (double), ", exact_text(one.naive_f32->value),
              " (single)\n");
-      append(out, "      etak     ", shown(one.f64->value), " (double), ", shown(one.f32->value),
+      append(out, "      etak     ", exact_text(one.f64->value), " (double), ", exact_text(one.f32->value),
              " (single)");
-      if (one.gl) append(out, ", ", shown(one.gl->value), " (GL)");
+      if (one.gl) append(out, ", ", exact_text(one.gl->value), " (GL)");
       append(out, "; error ", shown_error(one.f64), ", ", shown_error(one.f32));
       if (one.gl) append(out, ", ", shown_error(one.gl));
       out += '\n';
@@ -90,7 +90,7 @@ std::string stability_html(const std::vector<StabilityCase>& cases) {
       "written, "
       "single</th><th>etak, single</th><th>etak, double</th><th>etak, GL</th><th></th></tr></thead><tbody>";
   const auto cell = [](const std::optional<StabilityValue>& value) {
-    return value ? shown(value->value) + " <small>(" + shown_error(value) + ")</small>" : std::string("-");
+    return value ? exact_text(value->value) + " <small>(" + shown_error(value) + ")</small>" : std::string("-");
   };
   for (const StabilityCase& one : cases) {
     append(out, "<tr><th class=\"dataset\">", escape_html(one.title), "<br><small>", escape_html(one.input),

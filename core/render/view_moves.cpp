@@ -13,10 +13,6 @@ namespace {
 
 constexpr double quarter_turn_deg = 90;
 
-Vec3 scaled(const Vec3& v, double by) {
-  return {v[0] * by, v[1] * by, v[2] * by};
-}
-
 // In [-180, 180), so that numbers stay readable after many turns.
 double one_turn(double degrees) {
   return degrees - 360 * std::floor((degrees + 180) / 360);

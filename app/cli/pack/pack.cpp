@@ -50,7 +50,7 @@ std::vector<std::string> formats(const std::string& list) {
   return out;
 }
 
-int whole_number(const char* option, const std::string& text, int least, int most, const char* other) {
+int whole_option(const char* option, const std::string& text, int least, int most, const char* other) {
   double value = 0;
   if (!parse_number(text, value) || value != std::floor(value) || value < least || value > most)
     throw Error::at(option, printable(text),
@@ -166,11 +166,11 @@ PackOptions pack_options(const PackArguments& a) {
   out.rotate = a.rotate;
   out.effort = a.effort;
   out.max_seconds = a.max_seconds;
-  if (a.gutter != "auto") out.gutter = whole_number("--gutter", a.gutter, 0, 4096, "auto");
+  if (a.gutter != "auto") out.gutter = whole_option("--gutter", a.gutter, 0, 4096, "auto");
   if (a.mips == "all")
     out.mips = 0;
   else if (a.mips != "auto")
-    out.mips = whole_number("--mips", a.mips, 1, 15, "auto, all");
+    out.mips = whole_option("--mips", a.mips, 1, 15, "auto, all");
   out.previous = a.previous;
   out.most_extra_area = a.extra_area / 100;
   if (!a.choice.empty()) out.variants = parse_choices(read_file(a.choice), a.choice);

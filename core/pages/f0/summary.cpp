@@ -8,13 +8,13 @@
 namespace etak {
 namespace {
 
-struct Column {
+struct SummaryColumn {
   std::string_view title, hint;
 };
 
 constexpr std::size_t column_count = 13;
 
-std::array<Column, column_count> columns_of(const F0Options& options) {
+std::array<SummaryColumn, column_count> columns_of(const F0Options& options) {
   const bool is_xyz = !options.custom_space && options.space == RgbSpace::xyz;
   return {{{"Material", ""},
            {"sRGB", "F0 in 8-bit sRGB, hexadecimal"},
@@ -36,7 +36,7 @@ void append_swatch(std::string& out, const Srgb8& codes, std::string_view css_cl
   append(out, "<i class=\"", css_class, "\" style=\"background:", hex(codes), "\"></i>");
 }
 
-void append_number(std::string& out, double value) {
+void append_number_cell(std::string& out, double value) {
   append(out, "<td class=\"num\">", fixed(value, 4), "</td>");
 }
 
@@ -58,8 +58,8 @@ void append_row(std::string& out, const MaterialReport& report, const F0PageCont
     return;
   }
   append(out, "<td><code>", hex(r.srgb8), "</code></td><td class=\"num\">", codes_text(r.srgb8), "</td>");
-  for (const double value : vec(r.linear)) append_number(out, value);
-  append_number(out, r.luminance);
+  for (const double value : vec(r.linear)) append_number_cell(out, value);
+  append_number_cell(out, r.luminance);
   const std::string_view zone = r.zone ? name(*r.zone) : "";
   append(out, "<td class=\"", zone, "\">", r.zone ? zone : "–", "</td><td>");
   if (edge) append(out, "<code>", hex(*edge), "</code>");
@@ -67,7 +67,7 @@ void append_row(std::string& out, const MaterialReport& report, const F0PageCont
   const std::size_t count = spread(report).count;
   if (count > 1) append(out, fixed(largest_difference(report), 1), " (", std::to_string(count), ")");
   append(out, count > 1 ? "" : "–", "</td>");
-  append_number(out, r.coverage.least());
+  append_number_cell(out, r.coverage.least());
   append(out, "<td>", name(report.material.preferred_dataset().origin), "</td><td class=\"wide\">");
   append_flags(out, r);
   out += "</td></tr>\n";
@@ -78,7 +78,7 @@ void append_row(std::string& out, const MaterialReport& report, const F0PageCont
 void append_summary_table(std::string& out, std::span<const F0PageGroup> groups,
                           const F0PageContext& context) {
   out += "<div class=\"scroll\" id=\"summary\"><table class=\"data summary\"><thead><tr>";
-  for (const Column& column : columns_of(context.options())) {
+  for (const SummaryColumn& column : columns_of(context.options())) {
     out += "<th scope=\"col\"";
     if (!column.hint.empty()) append(out, " title=\"", column.hint, "\"");
     append(out, ">", column.title, "</th>");

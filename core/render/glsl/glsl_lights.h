@@ -11,10 +11,6 @@ inline bool is_black(const Vec3& color) {
   return color[0] == 0 && color[1] == 0 && color[2] == 0;
 }
 
-inline Vec3 scaled(const Vec3& color, double by) {
-  return {color[0] * by, color[1] * by, color[2] * by};
-}
-
 bool shines(const Light& light);
 
 /// Loops over the scene's discrete lights for the body of shade(), each of which adds to `sum` what lit(l,
