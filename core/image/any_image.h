@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "core/image/image.h"
@@ -24,6 +26,15 @@ struct ImageInfo {
 struct AnyImage {
   ImageInfo info;
   std::variant<Image8, Image16, Image> pixels;
+};
+
+/// How pictures that are no plain PNG are decoded. The program says it: by OpenImageIO (image_io_decoder() of
+/// image_io.h), or by what loads that library (120 MB, a quarter of a second) when it is first needed. Both
+/// throw Error that names the file. Empty functions: such pictures are refused.
+///   label   of the bytes, for messages
+struct PictureDecoder {
+  std::function<AnyImage(const std::string& path)> file;
+  std::function<AnyImage(std::string_view bytes, const std::string& label)> bytes;
 };
 
 }  // namespace etak

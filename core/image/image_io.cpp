@@ -238,6 +238,11 @@ AnyImage read_any_image(std::string_view bytes, const std::string& label) {
   return read_any(open_bytes(bytes, label), label);
 }
 
+PictureDecoder image_io_decoder() {
+  return {[](const std::string& path) { return read_any_image(path); },
+          [](std::string_view bytes, const std::string& label) { return read_any_image(bytes, label); }};
+}
+
 void write_png(const std::string& path, const Image8& image, bool overwrite) {
   OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeUInt8);
   write(path, image, "png", OIIO::TypeUInt8, spec, overwrite);

@@ -38,6 +38,9 @@ AnyImage read_any_image(const std::string& path);
 ///   label   for messages: the path, or what the bytes are a part of
 AnyImage read_any_image(std::string_view bytes, const std::string& label);
 
+/// These two for load_picture().
+PictureDecoder image_io_decoder();
+
 /// The whole file is made in memory and put in place at once (write_file of core/base/files/file.h).
 ///   overwrite   false: an existing file is an Error
 void write_png(const std::string& path, const Image8& image, bool overwrite);

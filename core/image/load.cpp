@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/base/files/steady_file.h"
 #include "core/base/memory.h"
 #include "core/image/any_image.h"
@@ -12,7 +13,7 @@
 namespace etak {
 namespace {
 
-// nullopt: no PNG, or one for OpenImageIO.
+// nullopt: no PNG, or one for the decoder.
 std::optional<LoadedImage> load_png(std::string_view bytes, const std::string& label) {
   std::optional<PngReader> reader = PngReader::open(bytes, label);
   if (!reader) return std::nullopt;
@@ -32,7 +33,11 @@ std::optional<LoadedImage> load_png(std::string_view bytes, const std::string& l
   return out;
 }
 
-LoadedImage from_oiio(AnyImage image) {
+// What `decode` makes of `source`, a path or bytes and their label.
+template <class Decode, class... Source>
+LoadedImage decoded(const Decode& decode, const std::string& label, const Source&... source) {
+  if (!decode) throw Error::at(label, "is of a form that needs a decoder of pictures", "a plain PNG");
+  AnyImage image = decode(source...);
   LoadedImage out;
   out.pixels = std::move(image.pixels);
   out.format = image.info.format;
@@ -73,23 +78,23 @@ int LoadedImage::bits() const {
   return of_pixels(*this, [](const auto& p) { return 8 * sizeof(p.values[0]); });
 }
 
-LoadedImage load_picture(std::string_view bytes, const std::string& label) {
+LoadedImage load_picture(std::string_view bytes, const std::string& label, const PictureDecoder& decoder) {
   return with_memory_for(
       label, [] { return "its pixels"; },
       [&] {
-        if (picture_format(bytes, label) != "png") return from_oiio(decode_picture(bytes, label));
+        if (picture_format(bytes, label) != "png") return decoded(decoder.bytes, label, bytes, label);
         std::optional<LoadedImage> png = load_png(bytes, label);
-        LoadedImage out = png ? std::move(*png) : from_oiio(decode_picture(bytes, label));
+        LoadedImage out = png ? std::move(*png) : decoded(decoder.bytes, label, bytes, label);
         add_png_colour(out, bytes);
         return out;
       });
 }
 
-LoadedImage load_picture(const std::string& path) {
+LoadedImage load_picture(const std::string& path, const PictureDecoder& decoder) {
   if (picture_format(read_head(path, 8), path) != "png")
     return with_memory_for(
-        path, [] { return "its pixels"; }, [&] { return from_oiio(decode_picture(path)); });
-  return load_picture(SteadyFile(path, largest_picture_bytes).all(), path);
+        path, [] { return "its pixels"; }, [&] { return decoded(decoder.file, path, path); });
+  return load_picture(SteadyFile(path, largest_picture_bytes).all(), path, decoder);
 }
 
 }  // namespace etak

@@ -11,8 +11,8 @@
 
 namespace etak {
 
-// Pictures of any kind as they are in the file (target etak::image_io): PNG by core/image/files/png.h, all
-// others and the forms of PNG that it leaves out by OpenImageIO (core/image/image_io.h).
+// Pictures of any kind as they are in the file (target etak::textures): PNG by core/image/files/png.h, all
+// others and the forms of PNG that it leaves out by the decoder of the caller.
 
 struct LoadedImage {
   /// 8-bit codes, 16-bit codes, or float for half and float files and integers of more bits. No curve is
@@ -37,15 +37,10 @@ struct LoadedImage {
 /// Throws Error that names `path` for a file that changes while it is read, and for anything but a whole
 /// picture of 1 to max_image_side pixels on a side and 1 to 4 channels: see image_io.h and, for PNG,
 /// PngReader of png.h.
-LoadedImage load_picture(const std::string& path);
+LoadedImage load_picture(const std::string& path, const PictureDecoder& decoder);
 
 /// The same of a file that is in memory, such as an image in a glTF buffer.
 ///   label   for messages
-LoadedImage load_picture(std::string_view bytes, const std::string& label);
-
-/// How load_picture() reads what is no plain PNG, by OpenImageIO. The body stands in etak::image_io (decode_picture.cpp);
-/// a program that must not load that library (120 MB, a quarter of a second) has one that opens it when first called.
-AnyImage decode_picture(const std::string& path);
-AnyImage decode_picture(std::string_view bytes, const std::string& label);
+LoadedImage load_picture(std::string_view bytes, const std::string& label, const PictureDecoder& decoder);
 
 }  // namespace etak

@@ -71,10 +71,11 @@ Image8 middle(const Image8& image, int side) {
 
 // The materials of scenes, as check() converts them.
 void print_real(const std::vector<std::string>& paths) {
+  const PictureDecoder decoder = image_io_decoder();
   std::vector<TextureSet> sets;
   for (const std::string& path : paths) {
     const GltfScene scene = read_gltf(path, GltfOptions{});
-    ScenePictures pictures(scene.images);
+    ScenePictures pictures(scene.images, decoder);
     for (const GltfMaterial& material : scene.materials) {
       if (!scene.material_used[static_cast<std::size_t>(material.index)]) continue;
       const LoadedPictures loaded = convert_material(material, pictures);
@@ -94,6 +95,7 @@ void print_real(const std::vector<std::string>& paths) {
 }
 
 void print_speed(const char* diffuse, const char* specular) {
+  const PictureDecoder decoder = image_io_decoder();
   CheckTarget target;
   target.files = {{FileRole::diffuse_alpha, diffuse, diffuse, false},
                   {FileRole::specular_gloss, specular, specular, false}};
@@ -110,7 +112,7 @@ void print_speed(const char* diffuse, const char* specular) {
     for (int round = 0; round < 5; ++round) {  // in turn, so that a busy machine is busy for all
       best[0] = std::min(best[0], seconds([&] {
                            parallel_chunks(2, threads, 1, [&](std::size_t i, std::size_t, unsigned) {
-                             const auto source = open_picture(i == 0 ? diffuse : specular);
+                             const auto source = open_picture(i == 0 ? diffuse : specular, decoder);
                              const TextureHeader& h = source->header();
                              const std::size_t stride = 4 * static_cast<std::size_t>(h.width);
                              std::vector<std::uint8_t> rows(16 * stride);
@@ -118,8 +120,8 @@ void print_speed(const char* diffuse, const char* specular) {
                                source->read_rows(rows.data(), stride, std::min(16, h.height - y));
                            });
                          }));
-      best[1] = std::min(best[1], seconds([&] { check(target, bytes, threads); }));
-      best[2] = std::min(best[2], seconds([&] { check(target, all, threads); }));
+      best[1] = std::min(best[1], seconds([&] { check(target, decoder, bytes, threads); }));
+      best[2] = std::min(best[2], seconds([&] { check(target, decoder, all, threads); }));
     }
     std::printf(
         "%u threads: decoding %.3f s, byte rules %.3f s (%.2fx), all rules %.3f s (%.2fx; %.2fx of byte "

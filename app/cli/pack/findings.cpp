@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/cli/options/options.h"
+#include "app/cli/pictures/pictures.h"
 #include "app/cli/validate/cache.h"
 #include "app/cli/validate/plan.h"
 #include "app/cli/validate/targets.h"
@@ -70,7 +71,7 @@ struct PackFindings::Parts {
     const auto open = [&](const TargetFile& file) {
       return rows(file.role == FileRole::diffuse_alpha ? Texture::diffuse_alpha : Texture::specular_gloss);
     };
-    const CheckedFile& file = files[target.label] = check(target, open, settings(), threads);
+    const CheckedFile& file = files[target.label] = check_opened(target, open, settings(), threads);
     return judged({file}).passed || arguments.fail_on == never_fails;
   }
 };
@@ -89,7 +90,8 @@ void PackFindings::attach(PackOptions& options) {
   };
   options.check_written_page = [this](const AtlasLayout& layout, int page,
                                       const std::function<std::string(Texture)>& path) {
-    return parts_->check_page(layout, page, [&](Texture texture) { return open_picture(path(texture)); });
+    return parts_->check_page(
+        layout, page, [&](Texture texture) { return open_picture(path(texture), picture_decoder()); });
   };
 }
 

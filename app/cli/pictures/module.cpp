@@ -35,8 +35,8 @@ CustomSpace open_space(const std::string& config, const std::string& name) {
 
 extern "C" const etak::cli::PicturesModule* etak_pictures_module() {
   using namespace etak;
-  static const cli::PicturesModule module{
-      ETAK_VERSION,     &read_any_image, &read_any_image, &picture_door,         &cli::open_source,
-      &cli::open_space, &cli::draw,      &cli::measure,   &cli::stability_on_gl, &cli::choose_materials};
+  static const cli::PicturesModule module{ETAK_VERSION,      &image_io_decoder,     &picture_door,
+                                          &cli::open_source, &cli::open_space,      &cli::draw,
+                                          &cli::measure,     &cli::stability_on_gl, &cli::choose_materials};
   return &module;
 }

@@ -9,11 +9,8 @@
 #include <climits>
 
 #include "core/base/error.h"
-#include "core/image/load.h"
 
-namespace etak {
-namespace cli {
-
+namespace etak::cli {
 namespace {
 
 constexpr const char* module_file = "libetak-pictures.so";
@@ -66,6 +63,15 @@ const PicturesModule& pictures(const std::string& place) {
   return *opened.module;
 }
 
+PictureDecoder picture_decoder() {
+  PictureDecoder decoder;
+  decoder.file = [](const std::string& path) { return pictures(path).picture_decoder().file(path); };
+  decoder.bytes = [](std::string_view bytes, const std::string& label) {
+    return pictures(label).picture_decoder().bytes(bytes, label);
+  };
+  return decoder;
+}
+
 PictureDoor picture_door() {
   PictureDoor door;
   door.header = [](const std::string& path) { return pictures(path).picture_door().header(path); };
@@ -79,14 +85,4 @@ PictureDoor picture_door() {
   return door;
 }
 
-}  // namespace cli
-
-AnyImage decode_picture(const std::string& path) {
-  return cli::pictures(path).read_file(path);
-}
-
-AnyImage decode_picture(std::string_view bytes, const std::string& label) {
-  return cli::pictures(label).read_bytes(bytes, label);
-}
-
-}  // namespace etak
+}  // namespace etak::cli

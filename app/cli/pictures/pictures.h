@@ -22,8 +22,7 @@ struct ReportArguments;
 struct PicturesModule {
   const char* version;  // of the etak that it was built with; another's is refused
 
-  AnyImage (*read_file)(const std::string& path);
-  AnyImage (*read_bytes)(std::string_view bytes, const std::string& label);
+  PictureDecoder (*picture_decoder)();
   PictureDoor (*picture_door)();
 
   // Spaces of an OpenColorIO config; `config` empty: $OCIO, else etak's own.
@@ -42,6 +41,7 @@ struct PicturesModule {
 const PicturesModule& pictures(const std::string& place);
 
 /// The same for pictures that are no plain PNG and for files of floats, opened with the first of them.
+PictureDecoder picture_decoder();
 PictureDoor picture_door();
 
 /// The spaces that need no config, for messages.

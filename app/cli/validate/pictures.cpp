@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "app/cli/pictures/pictures.h"
 #include "core/base/error.h"
 #include "core/base/files/output_folder.h"
 #include "core/base/free_names.h"
@@ -87,7 +88,7 @@ std::string file_name(const Finding& finding) {
 // The pictures of a checked file, loaded again: the check itself reads in strips and keeps none.
 class PictureSource {
  public:
-  PictureSource(const CheckTarget& target, const Settings& settings) {
+  explicit PictureSource(const CheckTarget& target) {
     if (target.files.empty()) return;
     const FileRole role = target.files.front().role;
     try {
@@ -95,9 +96,9 @@ class PictureSource {
         scene_.emplace(read_gltf(target.files.front().path, {}));
         uses_.emplace(*scene_);
         looks_.emplace(*scene_);
-        textures_.emplace(scene_->images);
+        textures_.emplace(scene_->images, decoder_);
       } else if (role != FileRole::material && role != FileRole::spectrum) {
-        files_ = load_pictures(target, settings);
+        files_ = load_pictures(target, decoder_);
       }
     } catch (const Error&) {
       // The report says so already; there is nothing to show.
@@ -129,6 +130,7 @@ class PictureSource {
   }
 
  private:
+  PictureDecoder decoder_ = picture_decoder();
   std::optional<LoadedPictures> files_;
   std::optional<GltfScene> scene_;
   std::optional<MaterialUses> uses_;
@@ -177,7 +179,7 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const std::vector<
     for (std::size_t w = begin; w < end; ++w) {
       const CheckedFile& file = report.files[wanted[w]];
       const CheckTarget& target = *targets[wanted[w]];
-      PictureSource source(target, settings);
+      PictureSource source(target);
       for (std::size_t i = 0; i < file.findings.size(); ++i) {
         const Finding& finding = file.findings[i];
         const LoadedPictures* pictures = names[w][i].empty() ? nullptr : source.of(finding);
@@ -222,7 +224,7 @@ ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Fi
 
 ValidationPageFile page_file(const CheckedFile& file, const CheckTarget& target, const Settings& settings) {
   ValidationPageFile out;
-  PictureSource source(target, settings);
+  PictureSource source(target);
   // Of a scene every material with findings is shown, of other targets the one pair.
   std::map<std::string, std::vector<const Finding*>> groups;
   for (const Finding& finding : file.findings)

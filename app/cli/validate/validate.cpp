@@ -10,6 +10,7 @@
 #include "app/cli/options/options.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
+#include "app/cli/pictures/pictures.h"
 #include "app/cli/validate/cache.h"
 #include "app/cli/validate/pictures.h"
 #include "app/cli/validate/plan.h"
@@ -75,6 +76,7 @@ std::vector<CheckedFile> checked(const FoundTargets& found, const ValidateArgume
       }
     });
   }
+  const PictureDecoder decoder = picture_decoder();
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < known.size(); ++i)
     if (!known[i]) left.push_back(i);
@@ -87,7 +89,7 @@ std::vector<CheckedFile> checked(const FoundTargets& found, const ValidateArgume
                   [&](std::size_t begin, std::size_t end, unsigned worker) {
                     for (std::size_t l = begin; l < end; ++l) {
                       const std::size_t i = left[l];
-                      out[i] = check(found.targets[i].target, settings, inner);
+                      out[i] = check(found.targets[i].target, decoder, settings, inner);
                       if (cache) cache->keep(keys[i], found.targets[i], out[i]);
                     }
                     progress.advance(end - begin, worker);

@@ -21,13 +21,14 @@ std::variant<Image8, Image> codes_or_floats(const LoadedImage& loaded) {
 
 PictureDoor picture_door() {
   PictureDoor door;
+  const PictureDecoder decoder = image_io_decoder();
   door.header = [](const std::string& path) {
     const ImageInfo info = read_image_info(path);
     return PictureHeader{info.width, info.height, info.channels, info.floating ? 32 : info.bits, false};
   };
-  door.load = [](const std::string& path) { return codes_or_floats(load_picture(path)); };
-  door.load_bytes = [](std::string_view bytes, const std::string& label) {
-    return codes_or_floats(load_picture(bytes, label));
+  door.load = [decoder](const std::string& path) { return codes_or_floats(load_picture(path, decoder)); };
+  door.load_bytes = [decoder](std::string_view bytes, const std::string& label) {
+    return codes_or_floats(load_picture(bytes, label, decoder));
   };
   door.encode = [](const Image& image, std::string_view format, std::string_view fourth) {
     return format == "exr" ? exr_bytes(image, std::string(fourth)) : tiff_bytes(image, std::string(fourth));

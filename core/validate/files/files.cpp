@@ -67,7 +67,7 @@ void check_pair(const CheckTarget& target, const PictureOpener& opener, const Se
         for (const TargetFile& part : target.files)
           if (std::ranges::find(roles, part.role) != roles.end())
             evidence.headers.push_back(picture_evidence(part, source->header()));
-    // What only its header was wanted of is not decoded.
+    // Pictures needed for their header only are not decoded.
     if (!needs.has(Need::bytes_a) && !(rows.a && rows.a->header().floating && needs.has(Need::floats)) &&
         rows.a) {
       evidence.a = evidence.headers.front();
@@ -98,9 +98,9 @@ PictureRows rows_of_pictures(const LoadedPictures& pictures) {
   return rows;
 }
 
-void check_metal_rough(const CheckTarget& target, const Settings& settings, unsigned threads,
-                       Evidence& evidence, CheckedFile& file) {
-  MetalRoughSet set(target);
+void check_metal_rough(const CheckTarget& target, const PictureDecoder& decoder, const Settings& settings,
+                       unsigned threads, Evidence& evidence, CheckedFile& file) {
+  MetalRoughSet set(target, decoder);
   int image = 0;
   for (const TargetFile& part : target.files)
     if (MetalRoughSet::is_part(part.role))
@@ -133,12 +133,12 @@ std::string label_beside(const TargetFile& scene, const std::string& path) {
 
 // Every used material is judged on its own, where triangles read its texels; a texture that two of them use
 // has its header judged once.
-void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, const Settings& settings,
-                 unsigned threads, CheckedFile& file) {
+void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, const PictureDecoder& decoder,
+                 const Settings& settings, unsigned threads, CheckedFile& file) {
   const GltfScene scene = read_gltf(file_of_scene.path, GltfOptions{});
   const MaterialUses uses(scene);
   const MaterialLooks looks(scene);
-  ScenePictures pictures(scene.images);
+  ScenePictures pictures(scene.images, decoder);
   const auto label_of = [&](const std::optional<GltfTexture>& texture) -> std::string {
     if (!texture) return file_of_scene.label;
     const auto image = static_cast<std::size_t>(texture->image);
@@ -253,25 +253,16 @@ std::string relabelled(std::string message, const CheckTarget& target) {
 
 }  // namespace
 
-CheckedFile check(const CheckTarget& target, const Settings& settings, unsigned threads) {
-  return check(
-      target, [](const TargetFile& file) { return open_picture(file.path); }, settings, threads);
-}
+namespace {
 
-CheckedFile check(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
-                  unsigned threads) {
+// Gathers evidence by `look(settings, evidence, file)`, with what goes wrong there as findings, and judges it.
+template <class Look>
+CheckedFile checked(const CheckTarget& target, const Settings& settings, Look look) {
   const Settings own = settings_for(target, settings);
   CheckedFile file = checked_file_of(target);
   Evidence evidence;
   try {
-    if (const TargetFile* scene = with_role(target, {FileRole::scene}))
-      check_scene(*scene, target, own, threads, file);
-    else if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
-      check_material(*material, evidence);
-    else if (is_metal_rough(target))
-      check_metal_rough(target, own, threads, evidence, file);
-    else
-      check_pair(target, open, own, threads, evidence, file);
+    look(own, evidence, file);
   } catch (const Error& error) {
     evidence.unreadable.push_back(relabelled(error.what(), target));
     evidence.tiles.clear();
@@ -296,8 +287,30 @@ CheckedFile check(const CheckTarget& target, const PictureOpener& open, const Se
   return file;
 }
 
-ValidationReport validate(const std::vector<CheckTarget>& targets, const Settings& settings,
-                          unsigned threads) {
+}  // namespace
+
+CheckedFile check(const CheckTarget& target, const PictureDecoder& decoder, const Settings& settings,
+                  unsigned threads) {
+  return checked(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
+    if (const TargetFile* scene = with_role(target, {FileRole::scene}))
+      return check_scene(*scene, target, decoder, own, threads, file);
+    if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
+      return check_material(*material, evidence);
+    if (is_metal_rough(target)) return check_metal_rough(target, decoder, own, threads, evidence, file);
+    const auto open = [&](const TargetFile& part) { return open_picture(part.path, decoder); };
+    check_pair(target, open, own, threads, evidence, file);
+  });
+}
+
+CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
+                         unsigned threads) {
+  return checked(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
+    check_pair(target, open, own, threads, evidence, file);
+  });
+}
+
+ValidationReport validate(const std::vector<CheckTarget>& targets, const PictureDecoder& decoder,
+                          const Settings& settings, unsigned threads) {
   std::vector<CheckedFile> files(targets.size());
   // Many files: one thread each. One or few: threads inside.
   const unsigned inside =
@@ -305,7 +318,7 @@ ValidationReport validate(const std::vector<CheckTarget>& targets, const Setting
           ? 1
           : std::max(1u, threads / static_cast<unsigned>(std::max<std::size_t>(1, targets.size())));
   parallel_chunks(targets.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
-    for (std::size_t i = begin; i < end; ++i) files[i] = check(targets[i], settings, inside);
+    for (std::size_t i = begin; i < end; ++i) files[i] = check(targets[i], decoder, settings, inside);
   });
   return report_of(std::move(files), settings);
 }
@@ -357,16 +370,16 @@ PicturesInMemory LoadedPictures::in_memory() const {
           metallic.width == 0 ? nullptr : &metallic};
 }
 
-LoadedPictures load_pictures(const CheckTarget& target, const Settings&) {
-  if (is_metal_rough(target)) return MetalRoughSet(target).convert();
+LoadedPictures load_pictures(const CheckTarget& target, const PictureDecoder& decoder) {
+  if (is_metal_rough(target)) return MetalRoughSet(target, decoder).convert();
   LoadedPictures out;
-  const auto load = [](const TargetFile* file, Image8& to) {
+  const auto load = [&](const TargetFile* file, Image8& to) {
     if (file == nullptr) return;
-    const auto source = open_picture(file->path);
+    const auto source = open_picture(file->path, decoder);
     const TextureHeader& header = source->header();
     if (header.floating) {
       TextureHeader ignored;
-      const Image8 codes = load_codes(file->path, "", file->label, ignored);
+      const Image8 codes = load_codes(file->path, "", file->label, decoder, ignored);
       to = Image8(header.width, header.height, 4);
       rows_of(codes)->read_rows(to.values.data(), 4 * static_cast<std::size_t>(header.width), header.height);
       return;

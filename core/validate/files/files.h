@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image/any_image.h"
 #include "core/validate/validate.h"
 
 namespace etak {
@@ -16,18 +17,19 @@ namespace etak {
 
 /// Checks one target. Never throws for what is in the files: an unreadable one is finding ETK001, an error of
 /// a rule ETK901, and the file is marked `unreadable`.
-CheckedFile check(const CheckTarget& target, const Settings& settings, unsigned threads = 1);
+CheckedFile check(const CheckTarget& target, const PictureDecoder& decoder, const Settings& settings,
+                  unsigned threads = 1);
 
 /// Where the rows of a target's picture come from; called once per pass over the pixels.
 using PictureOpener = std::function<std::unique_ptr<RowSource>(const TargetFile&)>;
 
 /// The same of a pair whose pictures are at hand already: nothing is read from the files.
-CheckedFile check(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
-                  unsigned threads = 1);
+CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
+                         unsigned threads = 1);
 
 /// Checks all targets, side by side on `threads` threads; the report is the same for any number of them.
-ValidationReport validate(const std::vector<CheckTarget>& targets, const Settings& settings,
-                          unsigned threads);
+ValidationReport validate(const std::vector<CheckTarget>& targets, const PictureDecoder& decoder,
+                          const Settings& settings, unsigned threads);
 
 /// What kind of file a path is by its ending and, for .json and what comes from a pipe, by its first bytes;
 /// nullopt: none that is checked. Throws Error where those bytes cannot be read. Pictures come back as
@@ -49,6 +51,6 @@ struct LoadedPictures {
   Image8 a, b, metallic;
   PicturesInMemory in_memory() const;
 };
-LoadedPictures load_pictures(const CheckTarget& target, const Settings& settings);
+LoadedPictures load_pictures(const CheckTarget& target, const PictureDecoder& decoder);
 
 }  // namespace etak

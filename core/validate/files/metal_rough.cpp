@@ -22,14 +22,14 @@ int under(int x, int width, int source) {
 
 }  // namespace
 
-ScenePictures::ScenePictures(const std::vector<GltfImage>& images)
-    : images_(&images), codes_(images.size()), headers_(images.size()) {}
+ScenePictures::ScenePictures(const std::vector<GltfImage>& images, const PictureDecoder& decoder)
+    : images_(&images), decoder_(&decoder), codes_(images.size()), headers_(images.size()) {}
 
 void ScenePictures::load(int image) {
   const auto i = static_cast<std::size_t>(image);
   if (codes_[i].width != 0) return;
   const GltfImage& image_at = (*images_)[i];
-  codes_[i] = load_codes(image_at.path, image_at.bytes, image_at.label, headers_[i]);
+  codes_[i] = load_codes(image_at.path, image_at.bytes, image_at.label, *decoder_, headers_[i]);
 }
 
 void ScenePictures::set(int image, Image8 codes) {
@@ -45,7 +45,7 @@ const TextureHeader& ScenePictures::header(int image) {
   const auto i = static_cast<std::size_t>(image);
   const GltfImage& image_at = (*images_)[i];
   if (headers_[i].width == 0)
-    headers_[i] = read_texture_header(image_at.path, image_at.bytes, image_at.label);
+    headers_[i] = read_texture_header(image_at.path, image_at.bytes, image_at.label, *decoder_);
   return headers_[i];
 }
 
@@ -77,7 +77,8 @@ bool MetalRoughSet::is_part(FileRole role) {
   return role >= FileRole::base_color && role <= FileRole::roughness;
 }
 
-MetalRoughSet::MetalRoughSet(const CheckTarget& target) : pictures_(images_) {
+MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDecoder& decoder)
+    : decoder_(&decoder), pictures_(images_, decoder) {
   material_.alpha_mode = AlphaMode::blend;  // the file's alpha is kept
   const auto texture = [](int image) {
     GltfTexture out;
@@ -102,7 +103,7 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target) : pictures_(images_) {
   }
   // A base colour without anything on metal is taken for that of a dielectric.
   if (!whole && metallic_ < 0) material_.metallic = 0;
-  pictures_ = ScenePictures(images_);
+  pictures_ = ScenePictures(images_, decoder);
 }
 
 LoadedPictures MetalRoughSet::convert() {
@@ -135,7 +136,7 @@ LoadedPictures MetalRoughSet::convert(ScenePictures& pictures) const {
 class MetalRoughStrips {
  public:
   MetalRoughStrips(const MetalRoughSet& set, std::vector<std::unique_ptr<RowSource>> files)
-      : set_(set), files_(std::move(files)), pictures_(set.images_) {}
+      : set_(set), files_(std::move(files)), pictures_(set.images_, *set.decoder_) {}
 
   void copy_rows(Image8 LoadedPictures::*picture, int first, int count, std::uint8_t* rgba,
                  std::size_t stride) {

@@ -13,7 +13,8 @@ namespace etak {
 /// Pictures of a document, loaded when first asked for; of PNG the head alone where that is enough.
 class ScenePictures {
  public:
-  explicit ScenePictures(const std::vector<GltfImage>& images);
+  /// Both outlive this.
+  ScenePictures(const std::vector<GltfImage>& images, const PictureDecoder& decoder);
   const Image8& codes(int image);
   const TextureHeader& header(int image);
   /// An image that is no file's: in place of what would be loaded.
@@ -21,7 +22,8 @@ class ScenePictures {
 
  private:
   void load(int image);
-  const std::vector<GltfImage>* images_;  // outlive this
+  const std::vector<GltfImage>* images_;
+  const PictureDecoder* decoder_;
   std::vector<Image8> codes_;
   std::vector<TextureHeader> headers_;
 };
@@ -35,8 +37,8 @@ LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pic
 /// of their own become one picture of the larger's size (the texel under the centre is taken).
 class MetalRoughSet {
  public:
-  /// Opens nothing yet.
-  explicit MetalRoughSet(const CheckTarget& target);
+  /// Opens nothing yet. The decoder outlives this.
+  MetalRoughSet(const CheckTarget& target, const PictureDecoder& decoder);
   /// Throws Error for a file that cannot be read.
   LoadedPictures convert();
   /// The same in strips of rows, from the top whenever it is called; the three must be read in step, on any
@@ -51,6 +53,7 @@ class MetalRoughSet {
   friend class MetalRoughStrips;
   LoadedPictures convert(ScenePictures& pictures) const;
 
+  const PictureDecoder* decoder_;
   std::vector<GltfImage> images_;
   GltfMaterial material_;
   int metallic_ = -1, roughness_ = -1, joined_ = -1;  // images

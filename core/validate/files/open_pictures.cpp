@@ -200,8 +200,9 @@ std::unique_ptr<RowSource> rows_of_png(std::unique_ptr<SteadyFile>& file, const 
 }
 
 // A picture that is decoded at once, and its header.
-std::pair<LoadedImage, TextureHeader> load_whole(std::string_view bytes, const std::string& label) {
-  LoadedImage image = load_picture(bytes, label);
+std::pair<LoadedImage, TextureHeader> load_whole(std::string_view bytes, const std::string& label,
+                                                 const PictureDecoder& decoder) {
+  LoadedImage image = load_picture(bytes, label, decoder);
   TextureHeader header = header_of(image);
   BytesInMemory source(bytes);
   read_png_chunks(source, header);
@@ -215,30 +216,31 @@ std::unique_ptr<RowSource> open_rows(const std::string& path) {
   return rows_of_png(file, path);
 }
 
-std::unique_ptr<RowSource> open_picture(const std::string& path) {
+std::unique_ptr<RowSource> open_picture(const std::string& path, const PictureDecoder& decoder) {
   auto file = open_file(path);
   if (auto rows = rows_of_png(file, path)) return rows;
-  auto [image, header] = load_whole(file->all(), path);
+  auto [image, header] = load_whole(file->all(), path, decoder);
   return std::make_unique<LoadedRowSource>(std::move(image), std::move(header));
 }
 
-TextureHeader read_texture_header(const std::string& path, std::string_view bytes, const std::string& label) {
+TextureHeader read_texture_header(const std::string& path, std::string_view bytes, const std::string& label,
+                                  const PictureDecoder& decoder) {
   if (!bytes.empty()) {
     BytesInMemory source(bytes);
     if (const auto reader = PngReader::open(source, label)) return header_of(reader->info(), source);
-    return load_whole(bytes, label).second;
+    return load_whole(bytes, label, decoder).second;
   }
   const auto file = open_file(path);
   return file->read_checked([&] {
     if (const auto reader = PngReader::open(*file, label)) return header_of(reader->info(), *file);
-    return load_whole(file->all(), label).second;
+    return load_whole(file->all(), label, decoder).second;
   });
 }
 
 Image8 load_codes(const std::string& path, std::string_view bytes, const std::string& label,
-                  TextureHeader& header) {
+                  const PictureDecoder& decoder, TextureHeader& header) {
   auto [image, read_header] =
-      bytes.empty() ? load_whole(open_file(path)->all(), label) : load_whole(bytes, label);
+      bytes.empty() ? load_whole(open_file(path)->all(), label, decoder) : load_whole(bytes, label, decoder);
   header = std::move(read_header);
   if (auto* codes = std::get_if<Image8>(&image.pixels)) return std::move(*codes);
   Image8 out(image.width(), image.height(), image.channels());

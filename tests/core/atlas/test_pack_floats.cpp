@@ -29,7 +29,7 @@ PackOptions with_floats(const std::vector<std::string>& formats) {
     return PictureHeader{info.width, info.height, info.channels, info.floating ? 32 : info.bits, false};
   };
   options.door.load = [](const std::string& path) -> std::variant<Image8, Image> {
-    const LoadedImage loaded = load_picture(path);
+    const LoadedImage loaded = load_picture(path, image_io_decoder());
     if (const auto* codes = std::get_if<Image8>(&loaded.pixels)) return *codes;
     if (const auto* floats = std::get_if<Image>(&loaded.pixels)) return *floats;
     return read_image(path);

@@ -8,6 +8,7 @@
 #include "core/atlas/pack/pack.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/image/image_io.h"
 #include "core/image/load.h"
 #include "core/scene/gltf.h"
 #include "core/scene/gltf_convert.h"
@@ -39,7 +40,7 @@ const std::vector<std::string> real_scenes{"flight_helmet/FlightHelmet.gltf",
 
 Image8 picture_of(const GltfImage& image) {
   const std::string bytes = image.path.empty() ? image.bytes : slurp(image.path);
-  return std::get<Image8>(load_picture(bytes, image.label).pixels);
+  return std::get<Image8>(load_picture(bytes, image.label, image_io_decoder()).pixels);
 }
 
 // The pictures of a scene, read when first asked for.
@@ -201,7 +202,7 @@ PackReport pack_scene(const std::string& path, const std::string& out, bool isla
   options.threads = 2;
   options.door.load_bytes = [](std::string_view bytes,
                                const std::string& label) -> std::variant<Image8, Image> {
-    return std::get<Image8>(load_picture(bytes, label).pixels);
+    return std::get<Image8>(load_picture(bytes, label, image_io_decoder()).pixels);
   };
   return pack(path, out, options, library());
 }

@@ -55,7 +55,7 @@ TEST_CASE("found 4.03: a picture that shrinks between two rows is an error that 
   std::vector<std::uint8_t> row(std::size_t{1300} * 4);
   for (const std::size_t left : {std::size_t{0}, std::size_t{8}, std::size_t{300000}, bytes.size() - 1}) {
     spit(path, bytes);
-    const auto rows = open_picture(path);
+    const auto rows = open_picture(path, {});
     rows->read_rows(row.data(), row.size(), 1);
     std::filesystem::resize_file(path, left);
     const std::string message = error_of([&] {
@@ -75,7 +75,7 @@ TEST_CASE("found 4.03: a picture that is written anew while it is read is told f
   const auto read_all = [&](bool change) {
     spit(path, bytes);
     std::filesystem::last_write_time(path, {});
-    const auto rows = open_picture(path);
+    const auto rows = open_picture(path, {});
     if (change) spit(path, other);
     std::vector<std::uint8_t> row(std::size_t{1300} * 4);
     return error_of([&] {

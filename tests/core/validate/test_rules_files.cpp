@@ -12,6 +12,7 @@
 #include "core/material/f0.h"
 #include "core/validate/files/files.h"
 #include "core/validate/rules.h"
+#include "tests/core/validate/checked.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
@@ -67,7 +68,7 @@ TEST_CASE("a pair of files gives what the same pictures in memory give") {
     CheckTarget in_memory = target;
     const CheckedFile memory = check_pictures(in_memory, {&set.a, &set.b, nullptr}, {});
     for (const unsigned threads : {1u, 2u, 5u}) {
-      const CheckedFile file = check(target, {}, threads);
+      const CheckedFile file = checked(target, {}, threads);
       INFO(ids(file));
       CHECK(file.counts == memory.counts);
       std::vector<Finding> without_headers = file.findings;
@@ -95,14 +96,15 @@ TEST_CASE("what cannot be read is an error and never clean") {
   std::filesystem::create_symlink("loop.png", folder.file("loop.png"));
   for (const char* name :
        {"empty.png", "cut.png", "noise.png", "damaged.png", "folder.png", "loop.png", "absent.png"}) {
-    const CheckedFile file = check(pair_of(folder.file("good.png"), folder.file(name)), {});
+    const CheckedFile file = checked(pair_of(folder.file("good.png"), folder.file(name)), {});
     INFO(name << ": " << ids(file));
     CHECK(file.unreadable);
     REQUIRE(find(file, "ETK001") != nullptr);
     CHECK(find(file, "ETK001")->severity == Severity::error);
     CHECK(find(file, "ETK001")->file == "b.png");
     CHECK(!contains(find(file, "ETK001")->message, folder.path()));
-    const ValidationReport report = validate({pair_of(folder.file("good.png"), folder.file(name))}, {}, 1);
+    const ValidationReport report =
+        validate({pair_of(folder.file("good.png"), folder.file(name))}, image_io_decoder(), {}, 1);
     CHECK(!report.passed);
     CHECK(report.incomplete);
   }
@@ -116,23 +118,24 @@ TEST_CASE("headers are judged: companions, sizes, channels, sides, colour space,
   spit(folder.file("small.png"), png_of(other.b));
   Image8 grey(64, 64, 2, 60);
   spit(folder.file("grey.png"), png_of(grey));
-  CHECK(find(check(single(FileRole::diffuse_alpha, folder.file("a.png"), "a.png"), {}), "ETK002") != nullptr);
-  CHECK(find(check(single(FileRole::f0_only, folder.file("b.png"), "b.png"), {}), "ETK002") == nullptr);
-  const CheckedFile sizes = check(pair_of(folder.file("a.png"), folder.file("small.png")), {});
+  CHECK(find(checked(single(FileRole::diffuse_alpha, folder.file("a.png"), "a.png"), {}), "ETK002") !=
+        nullptr);
+  CHECK(find(checked(single(FileRole::f0_only, folder.file("b.png"), "b.png"), {}), "ETK002") == nullptr);
+  const CheckedFile sizes = checked(pair_of(folder.file("a.png"), folder.file("small.png")), {});
   CHECK(find(sizes, "ETK003") != nullptr);
   CHECK(find(sizes, "ETK009") != nullptr);
-  CHECK(find(check(pair_of(folder.file("a.png"), folder.file("grey.png")), {}), "ETK004") != nullptr);
+  CHECK(find(checked(pair_of(folder.file("a.png"), folder.file("grey.png")), {}), "ETK004") != nullptr);
   Settings linear;
   linear.transfer = TextureTransfer::linear;
-  const CheckedFile declared = check(pair_of(folder.file("a.png"), folder.file("b.png")), linear);
+  const CheckedFile declared = checked(pair_of(folder.file("a.png"), folder.file("b.png")), linear);
   CHECK(find(declared, "ETK006") != nullptr);
   CHECK(find(declared, "ETK405") != nullptr);
-  const CheckedFile right = check(pair_of(folder.file("a.png"), folder.file("b.png")), {});
+  const CheckedFile right = checked(pair_of(folder.file("a.png"), folder.file("b.png")), {});
   INFO(ids(right));
   CHECK(find(right, "ETK006") == nullptr);
   CheckTarget guessed = pair_of(folder.file("a.png"), folder.file("b.png"));
   guessed.files[0].guessed = true;
-  CHECK(find(check(guessed, {}), "ETK010") != nullptr);
+  CHECK(find(checked(guessed, {}), "ETK010") != nullptr);
 }
 
 TEST_CASE("float pictures: NaN, infinity, negative values and F0 above 1") {
@@ -145,7 +148,7 @@ TEST_CASE("float pictures: NaN, infinity, negative values and F0 above 1") {
     }
   write_exr(folder.file("a.exr"), a, true, true);
   write_exr(folder.file("b.exr"), b, true, true);
-  const CheckedFile clean = check(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
+  const CheckedFile clean = checked(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
   INFO(ids(clean));
   CHECK(errors(clean) == 0);
   b.at(7, 9)[0] = std::numeric_limits<float>::quiet_NaN();
@@ -153,7 +156,7 @@ TEST_CASE("float pictures: NaN, infinity, negative values and F0 above 1") {
   b.at(3, 5)[2] = -0.5f;
   b.at(20, 20)[0] = 3;
   write_exr(folder.file("b.exr"), b, true, true);
-  const CheckedFile broken = check(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
+  const CheckedFile broken = checked(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
   REQUIRE(find(broken, "ETK007") != nullptr);
   CHECK(find(broken, "ETK007")->area_px == 2);
   CHECK(find(broken, "ETK007")->box == PixelBox{7, 9, 1, 1});
@@ -169,7 +172,7 @@ TEST_CASE("float pictures: NaN, infinity, negative values and F0 above 1") {
     }
   write_exr(folder.file("b.exr"), b, true, true);
   write_exr(folder.file("a.exr"), a, true, true);
-  const CheckedFile gold = check(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
+  const CheckedFile gold = checked(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
   INFO(ids(gold));
   REQUIRE(find(gold, "ETK107") != nullptr);
   CHECK(find(gold, "ETK107")->severity == Severity::info);
@@ -187,7 +190,7 @@ TEST_CASE("16-bit pictures are judged as 8-bit ones") {
   spit(folder.file("a.png"), png_of(set.a));
   spit(folder.file("b.png"),
        png_bytes({{96, 96, 4, 16}, reinterpret_cast<const std::uint8_t*>(wide.values.data()), 96 * 8}, {}));
-  const CheckedFile file = check(pair_of(folder.file("a.png"), folder.file("b.png")), {});
+  const CheckedFile file = checked(pair_of(folder.file("a.png"), folder.file("b.png")), {});
   const CheckedFile memory = check_pictures(pair_of("", ""), {&set.a, &set.b, nullptr}, {});
   CHECK(file.counts == memory.counts);
   REQUIRE(find(file, "ETK101") != nullptr);
@@ -227,7 +230,7 @@ TEST_CASE("the built-in materials are clean, and each fault of a material file i
   const auto check_text = [&](const std::string& text) {
     spit(folder.file("m.json"), text);
     CHECK(role_of_file(folder.file("m.json")) == FileRole::material);
-    return check(single(FileRole::material, folder.file("m.json"), "m.json"), {});
+    return checked(single(FileRole::material, folder.file("m.json"), "m.json"), {});
   };
   const auto replaced = [&](const std::string& from, const std::string& to) {
     std::string text = gold;
@@ -264,7 +267,7 @@ TEST_CASE("found 1.17: short data are an error where F0 is refused, and a remark
         folder.file("m.json"),
         R"({"schema": "etak-material/1", "datasets": [{"id": "x", "unit": "nm", "columns": ["wavelength", "n"], "rows": [)" +
             rows + "]}]}");
-    const CheckedFile file = check(single(FileRole::material, folder.file("m.json"), "m.json"), {});
+    const CheckedFile file = checked(single(FileRole::material, folder.file("m.json"), "m.json"), {});
     const Finding* found = find(file, "ETK601");
     return found == nullptr ? Severity::off : found->severity;
   };
@@ -289,7 +292,7 @@ TEST_CASE("every material of the library passes") {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() + "/materials")) {
     if (entry.path().extension() != ".json") continue;
     const CheckedFile file =
-        check(single(FileRole::material, entry.path().string(), entry.path().filename().string()), {});
+        checked(single(FileRole::material, entry.path().string(), entry.path().filename().string()), {});
     INFO(entry.path().string() << "\n" << ids(file));
     for (const Finding& f : file.findings)
       if (f.severity == Severity::error) {
@@ -304,12 +307,12 @@ TEST_CASE("every material of the library passes") {
 TEST_CASE("tables and pages of others are judged") {
   const TempFolder folder;
   spit(folder.file("glass.csv"), "wavelength_nm,n\n380,1.53\n480,1.525\n589,1.52\n700,1.515\n790,1.51\n");
-  const CheckedFile sparse = check(single(FileRole::spectrum, folder.file("glass.csv"), "glass.csv"), {});
+  const CheckedFile sparse = checked(single(FileRole::spectrum, folder.file("glass.csv"), "glass.csv"), {});
   INFO(ids(sparse));
   CHECK(find(sparse, "ETK602") != nullptr);
   CHECK(find(sparse, "ETK607") == nullptr);
   spit(folder.file("bad.csv"), "wavelength,n\n1,2\n");
-  CHECK(check(single(FileRole::spectrum, folder.file("bad.csv"), "bad.csv"), {}).unreadable);
+  CHECK(checked(single(FileRole::spectrum, folder.file("bad.csv"), "bad.csv"), {}).unreadable);
 }
 
 TEST_CASE("the real scenes show what is known of them, and no other error") {
@@ -323,7 +326,7 @@ TEST_CASE("the real scenes show what is known of them, and no other error") {
   for (const char* scene : {"flight_helmet/FlightHelmet.gltf", "mixer/Mixer.gltf",
                             "tennis_racquet/TennisRacquet.gltf", "wicker_chair/WickerChair.gltf"})
     targets.push_back(single(FileRole::scene, assets + scene, scene));
-  const ValidationReport report = validate(targets, {}, 2);
+  const ValidationReport report = validate(targets, image_io_decoder(), {}, 2);
   std::vector<std::string> found_errors;
   for (const CheckedFile& file : report.files) {
     CHECK(!file.unreadable);
@@ -363,10 +366,10 @@ TEST_CASE("the report is the same for any number of threads") {
     target.files[1].label = b;
     targets.push_back(target);
   }
-  const ValidationReport one = validate(targets, {}, 1);
+  const ValidationReport one = validate(targets, image_io_decoder(), {}, 1);
   for (const unsigned threads : {2u, 8u}) {
     std::reverse(targets.begin(), targets.end());
-    const ValidationReport many = validate(targets, {}, threads);
+    const ValidationReport many = validate(targets, image_io_decoder(), {}, threads);
     REQUIRE(many.files.size() == one.files.size());
     for (std::size_t i = 0; i < one.files.size(); ++i) {
       CHECK(many.files[i].path == one.files[i].path);

@@ -10,6 +10,7 @@
 #include "core/image/files/png.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/metal_rough.h"
+#include "tests/core/validate/checked.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
@@ -83,7 +84,7 @@ std::string half_used_scene(const TempFolder& folder, int x, const char* alpha_m
 CheckedFile check_file(FileRole role, const std::string& path) {
   CheckTarget target;
   target.files = {{role, path, "scene.gltf", false}};
-  return check(target, {});
+  return checked(target, {});
 }
 
 }  // namespace
@@ -110,9 +111,9 @@ TEST_CASE("metallic and roughness in files of their own are judged as one metal-
     for (const auto& [role, name] : files) out.files.push_back({role, folder.file(name), name, false});
     return out;
   };
-  const CheckedFile one = check(target({{FileRole::metal_rough, "both.png"}}), {});
+  const CheckedFile one = checked(target({{FileRole::metal_rough, "both.png"}}), {});
   const CheckedFile split =
-      check(target({{FileRole::metallic, "metallic.png"}, {FileRole::roughness, "roughness.png"}}), {});
+      checked(target({{FileRole::metallic, "metallic.png"}, {FileRole::roughness, "roughness.png"}}), {});
   INFO(said(one) << "---\n" << said(split));
   CHECK(has(one, "ETK101"));
   CHECK(said(split) == said(one));
@@ -123,7 +124,7 @@ TEST_CASE("metallic and roughness in files of their own are judged as one metal-
     for (int x = 0; x < side / 2; ++x) small.at(x, y)[0] = metallic.at(2 * x, 2 * y)[0];
   save(folder.file("metallic.png"), small);
   const CheckedFile mixed =
-      check(target({{FileRole::metallic, "metallic.png"}, {FileRole::roughness, "roughness.png"}}), {});
+      checked(target({{FileRole::metallic, "metallic.png"}, {FileRole::roughness, "roughness.png"}}), {});
   CHECK(said(mixed) == said(one));
 }
 
@@ -147,14 +148,15 @@ TEST_CASE("a metal-rough set read in strips says what the whole says, for any nu
   target.files = {{FileRole::base_color, folder.file("color.png"), "color.png", false},
                   {FileRole::metallic, folder.file("metallic.png"), "metallic.png", false},
                   {FileRole::roughness, folder.file("roughness.png"), "roughness.png", false}};
-  CHECK(MetalRoughSet(target).rows().b != nullptr);
-  const LoadedPictures loaded = load_pictures(target, {});
+  const PictureDecoder decoder = image_io_decoder();
+  CHECK(MetalRoughSet(target, decoder).rows().b != nullptr);
+  const LoadedPictures loaded = load_pictures(target, decoder);
   CheckTarget weighed = target;
   weighed.manifest.specular_weighs_diffuse = true;
   const CheckedFile whole = check_pictures(weighed, loaded.in_memory(), {});
   CHECK(has(whole, "ETK101"));
   for (const unsigned threads : {1u, 3u}) {
-    const CheckedFile strips = check(target, {}, threads);
+    const CheckedFile strips = checked(target, {}, threads);
     CHECK(strips.counts == whole.counts);
     CHECK(strips.plateau_px == whole.plateau_px);
     for (const std::string_view rule : {"ETK101", "ETK102", "ETK302", "ETK406"})
@@ -164,7 +166,7 @@ TEST_CASE("a metal-rough set read in strips says what the whole says, for any nu
   const std::string bytes = slurp(folder.file("metallic.png"));
   spit(folder.file("metallic.png"), bytes.substr(0, bytes.size() / 2));
   for (const unsigned threads : {1u, 3u}) {
-    const CheckedFile broken = check(target, {}, threads);
+    const CheckedFile broken = checked(target, {}, threads);
     CHECK(broken.unreadable);
     CHECK(has(broken, "ETK001"));
   }
@@ -204,7 +206,7 @@ TEST_CASE("numbers that a layout holds in place of texels are judged like texels
     std::vector<CheckedFile> out;
     for (const CheckTarget& target :
          targets_of_layout_text(layout(code), folder.file("layout.json"), "layout.json"))
-      out.push_back(check(target, {}));
+      out.push_back(checked(target, {}));
     return out;
   };
   const std::vector<CheckedFile> bad = judged("150"), good = judged("56");
