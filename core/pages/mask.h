@@ -9,7 +9,7 @@ namespace etak {
 /// with dots (so that the two differ without colour), the rest at 25 % of its codes.
 ///   picture   3 or 4 channels; opacity or gloss is left out
 ///   marks     one channel of the same size: 0 nothing, 1 transition, 2 plateau (region_picture in
-///             validate.h)
+///             core/validate/engine.h)
 ///   returns   RGB
 Image8 mask_picture(const Image8& picture, const Image8& marks);
 

@@ -13,7 +13,7 @@ namespace etak {
 /// as sRGB); RGB. Smaller pictures stay as they are.
 Image8 thumbnail(const Image8& picture, int most);
 
-/// Where marks (region_picture in core/validate/validate.h) lie, for laying over thumbnail(): RGBA with
+/// Where marks (region_picture in core/validate/engine.h) lie, for laying over thumbnail(): RGBA with
 /// straight opacity, red where a pixel covers plateau, else yellow where it covers transition, the stronger
 /// the more.
 Image8 heat_map(const Image8& marks, int width, int height);

@@ -146,7 +146,16 @@ GltfScene read_gltf(const std::string& path, const GltfOptions& options);
 /// Whether `path` is a glTF scene: by its ending, .gltf or .glb; what comes from a pipe by its first bytes.
 bool is_gltf_file(const std::string& path);
 
-/// The same from bytes in memory; `path` names them and its folder holds the files they refer to.
+/// The files that a document names, as paths beside it: pictures, and all of them (buffers too).
+struct GltfFiles {
+  std::vector<std::string> pictures, all;
+};
+
+/// Those of the scene at `path`, without reading any of them. Empty when the document cannot be read, and
+/// without names that read_gltf() refuses: reading then says why.
+GltfFiles files_of_gltf(const std::string& path);
+
+/// A scene from bytes in memory; `path` names them and its folder holds the files they refer to.
 GltfScene parse_gltf(std::string_view bytes, const std::string& path, const GltfOptions& options);
 
 /// A box of a material's texture that was moved by itself.

@@ -2,6 +2,7 @@
 #include "core/validate/config.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "core/base/error.h"
@@ -25,6 +26,22 @@ std::set<const Rule*> chosen_rules(const std::vector<std::string>& ids, std::str
 }
 
 }  // namespace
+
+std::string find_config(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  fs::path folder = fs::absolute(path, failure).lexically_normal();
+  if (!fs::is_directory(folder, failure)) folder = folder.parent_path();
+  for (;; folder = folder.parent_path()) {
+    const fs::path candidate = folder / "etak.toml";
+    if (fs::is_regular_file(candidate, failure)) {
+      // Messages name it as the user would, where that is short.
+      const fs::path near = candidate.lexically_relative(fs::current_path(failure));
+      return near.empty() || *near.begin() == ".." ? candidate.string() : near.string();
+    }
+    if (folder == folder.parent_path()) return {};
+  }
+}
 
 const std::vector<RolePattern>& default_roles() {
   static const std::vector<RolePattern> patterns = [] {

@@ -11,8 +11,8 @@
 
 namespace etak {
 
-// The configuration of `etak validate`: etak.toml and what the command line lays over it. Reading TOML is the
-// business of target etak::validate_config (config_toml.cpp), the one door to toml++.
+// The configuration of a check: etak.toml and what the program lays over it. Reading TOML is the business of
+// target etak::validate_config (config_toml.cpp), the one door to toml++.
 
 /// Files whose path matches `pattern` (glob_matches in suppress.h) have this role.
 struct RolePattern {
@@ -24,6 +24,8 @@ struct RolePattern {
 struct ValidateConfig {
   Settings settings;
   std::vector<RolePattern> roles;  // in the file's order; they come before default_roles()
+  std::string file;                // that it was read from; empty: none
+  std::string root;                // folder that labels are relative to, absolute: the file's
   friend bool operator==(const ValidateConfig&, const ValidateConfig&) = default;
 };
 
@@ -34,6 +36,13 @@ const std::vector<RolePattern>& default_roles();
 /// An etak.toml document, everything checked: unknown keys, ids that no rule has (ETK904), values out of
 /// range, [[allow]] without a reason. Throws Error naming `file` and line.
 ValidateConfig parse_config(std::string_view text, std::string_view file);
+
+/// etak.toml of the folder that `path` is or lies in, else the nearest one above; empty: there is none.
+std::string find_config(const std::string& path);
+
+/// The configuration in `file`, with the file's folder as root; where `file` is empty what holds without one,
+/// with the working folder as root. Throws Error.
+ValidateConfig read_config(const std::string& file);
 
 /// What --select and its like name: whole ids, prefixes of ids, or slugs.
 ///   only            every other rule is off, these are on whatever the configuration says

@@ -2,6 +2,7 @@
 // The one door to toml++.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <sstream>
 
@@ -29,6 +30,7 @@ struct NoToml {};
 #include <toml++/toml.h>
 
 #include "core/base/error.h"
+#include "core/base/files/file.h"
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/validate/config.h"
@@ -320,6 +322,17 @@ ValidateConfig parse_config(std::string_view text, std::string_view file) {
   // "on" in [rules] depends on the profile, and a table's keys come in the order of their names.
   if (const toml::node* profile = table.get("profile")) read_profile({*profile, file, "profile"}, out);
   read_keys(table, file, "", top_keys, out);
+  return out;
+}
+
+ValidateConfig read_config(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  ValidateConfig out = file.empty() ? ValidateConfig{} : parse_config(read_file(file), file);
+  out.file = file;
+  const fs::path root =
+      file.empty() ? fs::current_path(failure) : fs::absolute(file, failure).lexically_normal().parent_path();
+  out.root = root.string();
   return out;
 }
 

@@ -2,13 +2,25 @@
 #pragma once
 
 #include <functional>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "core/validate/baseline.h"
+#include "core/validate/config.h"
+#include "core/validate/finding.h"
 #include "core/validate/pixels/evidence.h"
-#include "core/validate/validate.h"
+#include "core/validate/rule.h"
+#include "core/validate/settings.h"
+#include "core/validate/target.h"
 
 namespace etak {
 
-// The two halves of a check, for those that gather evidence of their own beside it (files.cpp).
+// The parts that validate() (validate.h) and PackCheck (check_pack.h) are made of. Other programs ask those
+// two.
+
+/// What the rules that are not off need together.
+Needs needs_of(const Settings& settings);
 
 /// Needs of the rules that can say something of such a target: of those that are on, those whose data may be
 /// there.
@@ -27,5 +39,40 @@ CheckedFile checked_file_of(const CheckTarget& target);
 
 /// The transfer function that holds for a target: its own statement, else that of the settings.
 Settings settings_for(const CheckTarget& target, const Settings& settings);
+
+/// Checks pictures in memory. Files of the target are not opened; their labels and roles go into the report.
+///   threads   never changes the result
+CheckedFile check_pictures(const CheckTarget& target, const PicturesInMemory& pictures,
+                           const Settings& settings, unsigned threads = 1);
+
+/// Checks pictures that come in strips of rows.
+///   open   called once per pass over the pixels, with what the pass needs; almost always once
+CheckedFile check_rows(const CheckTarget& target, const std::function<PictureRows(Needs)>& open,
+                       const Settings& settings, unsigned threads = 1);
+
+/// Which texels of a picture a region rule means: one channel, 0 none, 1 transition (masked, no plateau), 2
+/// plateau.
+Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const CheckTarget& target,
+                      const Settings& settings);
+
+/// Puts checked files into a report: path order, sums, verdict (suppressed and baseline findings do not
+/// count). Called again after findings have been marked.
+ValidationReport report_of(std::vector<CheckedFile> files, const Settings& settings);
+
+/// What a run knows besides its configuration.
+///   today         "YYYY-MM-DD" for allowances that expire; empty: the system's date
+///   whole_tree    everything below the configuration's folder was looked at
+///   known         findings of a baseline
+///   renew_known   everything that is found counts as known, in the place of `known`
+struct ReportRun {
+  std::string today;
+  bool whole_tree = false;
+  std::span<const KnownDefect> known;
+  bool renew_known = false;
+};
+
+/// The same with what the configuration allows and what is known marked, and the fingerprint of the settings.
+ValidationReport report_of_run(std::vector<CheckedFile> files, const ValidateConfig& config,
+                               const ReportRun& run);
 
 }  // namespace etak

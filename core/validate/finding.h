@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,6 +60,8 @@ struct CheckStats {
   double decode_seconds = 0, byte_seconds = 0, region_seconds = 0;
 };
 
+struct CheckTarget;
+
 /// One checked file, or one pair or set of files that belong together.
 struct CheckedFile {
   std::string path;                     // relative
@@ -72,6 +75,16 @@ struct CheckedFile {
   // Exact texel counts of the byte pass, in a fixed order: "forbidden_any_channel_px", "gloss_min", ...
   std::vector<std::pair<std::string, std::int64_t>> counts;
   CheckStats stats;
+  std::shared_ptr<const CheckTarget> target;  // what was checked; null for what could not be, and for others
+};
+
+/// What a run looked at.
+struct RunCounts {
+  std::size_t files = 0;       // found
+  std::size_t skipped = 0;     // of those, in folders and lists, no rule is about
+  std::size_t failed = 0;      // that cannot be checked at all
+  std::size_t checks = 0;      // of files, pairs and sets
+  std::size_t from_cache = 0;  // of those
 };
 
 struct ValidationReport {
@@ -79,7 +92,10 @@ struct ValidationReport {
   std::vector<CheckedFile> files;                   // in path order
   std::size_t errors = 0, warnings = 0, infos = 0;  // not counting suppressed and baseline ones
   bool passed = true;
-  bool incomplete = false;  // something could not be checked: exit status 2
+  bool incomplete = false;              // something could not be checked: exit status 2
+  bool stopped = false;                 // somebody asked for it: files are missing
+  std::vector<std::string> not_opened;  // pipes, sockets and devices that folders hold
+  RunCounts run;
 };
 
 }  // namespace etak

@@ -1,38 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <functional>
-#include <span>
+#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "core/atlas/sources/plane.h"
+#include "core/image/any_image.h"
+#include "core/project/project.h"
+#include "core/validate/baseline.h"
+#include "core/validate/config.h"
 #include "core/validate/finding.h"
-#include "core/validate/rule.h"
-#include "core/validate/settings.h"
 #include "core/validate/target.h"
 
 namespace etak {
 
-/// What the rules that are not off need together.
-Needs needs_of(const Settings& settings);
+// The one door of the validator (target etak::validate_files). An atlas is checked while it is packed by
+// check_pack.h, masks and thumbnails of findings come from core/pages/finding_pictures.h, and the report is
+// written by core/validate/output/formats.h.
 
-/// Checks pictures in memory: the packer's and the editor's way to the same rules. Files of the target are
-/// not opened; their labels and roles go into the report.
-///   threads   never changes the result
-CheckedFile check_pictures(const CheckTarget& target, const PicturesInMemory& pictures,
-                           const Settings& settings, unsigned threads = 1);
+/// Materials of a project, which are no files: their pictures or colours are checked, and the records that
+/// their F0 was measured in.
+///   library       with the project's own spectra (library_of); not null where there are materials
+///   most_texels   pictures of more are not looked at, which is a finding; 0: any
+struct MaterialsToCheck {
+  std::vector<ProjectMaterial> materials;
+  std::shared_ptr<const MaterialLibrary> library;
+  PictureDoor door;
+  std::size_t most_texels = 0;
+};
 
-/// Checks pictures that come in strips of rows.
-///   open   called once per pass over the pixels, with what the pass needs; almost always once
-CheckedFile check_rows(const CheckTarget& target, const std::function<PictureRows(Needs)>& open,
-                       const Settings& settings, unsigned threads = 1);
+/// What is to be checked, by what, and how.
+struct ValidationRequest {
+  // What. Files that belong together are found by their names: diffuse and specular pictures that differ in
+  // the ending of their role only, the pictures of a layout or of a scene.
+  std::vector<std::string> paths;    // files and folders, as the user named them
+  std::vector<std::string> listed;   // the names in a list of files
+  std::string list;                  // the name of that list, for messages
+  std::vector<CheckTarget> targets;  // put together by the caller, besides those found
+  MaterialsToCheck materials;
 
-/// Which texels of a picture a region rule means: one channel, 0 none, 1 transition (masked, no plateau), 2
-/// plateau.
-Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const CheckTarget& target,
-                      const Settings& settings);
+  // By what.
+  ValidateConfig config;
+  std::optional<FileRole> role;  // of all pictures; none: by their names
+  Manifest manifest;             // what is said of all pictures
+  std::string today;             // "YYYY-MM-DD", for allowances that expire; empty: the system's date
+  std::vector<KnownDefect> known;
+  bool renew_known = false;  // everything found counts as known, in the place of `known`
 
-/// Puts checked files into a report: path order, sums, verdict (suppressed and baseline findings do not
-/// count). Called again after findings have been marked.
-ValidationReport report_of(std::vector<CheckedFile> files, const Settings& settings);
+  // How.
+  PictureDecoder decoder;    // of pictures that are no plain PNG
+  std::string cache_folder;  // results of earlier runs; made where it is missing; empty: none
+  std::string cache_key;     // the bytes of a secret: only entries written with it count; empty: all of them
+  std::string version;       // of the program: results of other versions do not count
+  bool hashes = false;       // the report gives the SHA-256 of every file, which reads all files once more
+  unsigned threads = 1;      // the report is the same for any number of them
+  // Called by the thread that called validate(), with how many of the checks are done.
+  std::function<void(std::size_t done, std::size_t all)> progress;
+  // Asked before each check, from any thread; true: no other check is begun, and the report says so.
+  std::function<bool()> stop;
+};
+
+/// Checks what the request names. What cannot be read is a finding (ETK001), never an exception; an error of
+/// a rule is ETK901. Throws Error where the folder of the cache cannot be made.
+ValidationReport validate(const ValidationRequest& request);
 
 }  // namespace etak

@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/validate/engine.h"
 #include "core/validate/files/files.h"
-#include "core/validate/validate.h"
 
 using namespace etak;
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <set>
 
-#include "app/cli/inputs/folder.h"
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/memory.h"
 #include "core/exchange/content_kind.h"
+#include "core/exchange/data_folder.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"

@@ -14,10 +14,10 @@
 
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
-#include "app/cli/pack/findings.h"
 #include "app/cli/pack/jobs.h"
 #include "app/cli/pack/page.h"
 #include "app/cli/pictures/pictures.h"
+#include "app/cli/validate/request.h"
 #include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
@@ -25,6 +25,8 @@
 #include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/project/project_pack.h"
+#include "core/validate/check_pack.h"
+#include "core/validate/output/formats.h"
 
 namespace etak::cli {
 namespace {
@@ -93,19 +95,37 @@ std::vector<GltfForm> gltf_forms(const std::string& list) {
   return out;
 }
 
-void say(const PackArguments& a, const PackReport& report, const PackFindings& findings) {
+// What `etak validate` of the result would go by. Throws Error.
+PackCheckOptions check_options(PackArguments& a) {
+  ValidateArguments as_validate;
+  as_validate.paths = {a.out + "/layout.json"};
+  as_validate.config = a.config;
+  as_validate.no_config = a.no_config;
+  as_validate.fail_on = a.fail_on;
+  PackCheckOptions out;
+  out.config = validate_config(as_validate, asked_materials(a.library));
+  out.never_fails = a.fail_on == never_fails;
+  out.threads = thread_count(a.threads);
+  out.version = ETAK_VERSION;
+  return out;
+}
+
+//   check   null: the atlas was not looked at
+void say(const PackArguments& a, const PackReport& report, const PackCheck* check) {
+  const ValidationReport* findings = check == nullptr ? nullptr : check->report();
   OutputArguments remarks;
   remarks.quiet = a.quiet;
   if (a.report == "json")
     write_output({}, report_json(report, a.stats));
   else if (a.report == "text" && !a.quiet)
-    write_output({}, report_text(report, a.stats) + findings.text(use_color({})));
+    write_output({}, report_text(report, a.stats) +
+                         (findings == nullptr ? "" : validation_text(*findings, use_color({}))));
   if (a.report != "json")
     for (const std::string& each : report.remarks) remark(remarks, each);
   // Why the exit status is not 0 is told even where nothing else is.
   const bool verdict_shown = a.report == "json" || (a.report == "text" && !a.quiet);
-  if ((findings.failed() || findings.incomplete()) && !verdict_shown)
-    complain(a.out + ": " + findings.verdict());
+  if (findings != nullptr && (check->failed() || check->incomplete()) && !verdict_shown)
+    complain(a.out + ": " + verdict_of(*findings));
 }
 
 // Pictures of regions come and go by the megabyte. The allocator would give each back to the kernel and get
@@ -207,8 +227,8 @@ int pack_once(PackArguments& a) {
   if (a.out.empty()) throw Error::at("etak pack", "no folder to write", "-o DIR");
   PackOptions options = pack_options(a);
   check_page_report(a);
-  PackFindings findings(a);
-  findings.attach(options);
+  std::optional<PackCheck> check;
+  if (!a.no_validate) check.emplace(a.out, check_options(a)).attach(options);
   PackPage page(a);
   page.attach(options);
   OutputArguments shown;
@@ -217,8 +237,7 @@ int pack_once(PackArguments& a) {
   std::optional<Progress> progress(std::in_place, shown, 0, "pack");
   options.progress = [&](std::size_t done, std::size_t all) { progress->set(done, all); };
   options.beside = [&](PackReport& report, OutputFolder* folder) {
-    findings.finish(report);
-    return page.output(report, findings.report(), folder);
+    return page.output(report, check ? &check->finish(report) : nullptr, folder);
   };
   const PackReport report = with_memory_for(
       a.input, [&] { return "its atlas " + a.out; },
@@ -227,9 +246,9 @@ int pack_once(PackArguments& a) {
         return pack(a.input, a.out, options, a.library.get());
       });
   progress.reset();
-  say(a, report, findings);
-  if (findings.incomplete()) return exit_failure;
-  return findings.failed() ? exit_findings : exit_ok;
+  say(a, report, check ? &*check : nullptr);
+  if (check && check->incomplete()) return exit_failure;
+  return check && check->failed() ? exit_findings : exit_ok;
 }
 
 int pack_atlas(PackArguments& a) {

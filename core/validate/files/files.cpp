@@ -10,7 +10,6 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
-#include "core/base/parallel.h"
 #include "core/exchange/content_kind.h"
 #include "core/image/picture_bytes.h"
 #include "core/scene/gltf.h"
@@ -255,7 +254,7 @@ std::string relabelled(std::string message, const CheckTarget& target) {
 
 namespace {
 
-// Gathers evidence by `look(settings, evidence, file)`, with what goes wrong there as findings, and judges it.
+// Gathers evidence by look(settings, evidence, file), where what goes wrong is a finding, and judges it.
 template <class Look>
 CheckedFile checked(const CheckTarget& target, const Settings& settings, Look look) {
   const Settings own = settings_for(target, settings);
@@ -307,20 +306,6 @@ CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, c
   return checked(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
     check_pair(target, open, own, threads, evidence, file);
   });
-}
-
-ValidationReport validate(const std::vector<CheckTarget>& targets, const PictureDecoder& decoder,
-                          const Settings& settings, unsigned threads) {
-  std::vector<CheckedFile> files(targets.size());
-  // Many files: one thread each. One or few: threads inside.
-  const unsigned inside =
-      targets.size() >= threads
-          ? 1
-          : std::max(1u, threads / static_cast<unsigned>(std::max<std::size_t>(1, targets.size())));
-  parallel_chunks(targets.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
-    for (std::size_t i = begin; i < end; ++i) files[i] = check(targets[i], decoder, settings, inside);
-  });
-  return report_of(std::move(files), settings);
 }
 
 namespace {

@@ -9,11 +9,14 @@
 #include <vector>
 
 #include "core/image/any_image.h"
-#include "core/validate/validate.h"
+#include "core/validate/finding.h"
+#include "core/validate/settings.h"
+#include "core/validate/target.h"
 
 namespace etak {
 
-// Checking of files: target etak_validate_files, which links the picture readers.
+// One target at a time: the parts that validate() (core/validate/validate.h) and PackCheck (check_pack.h) are
+// made of.
 
 /// Checks one target. Never throws for what is in the files: an unreadable one is finding ETK001, an error of
 /// a rule ETK901, and the file is marked `unreadable`.
@@ -26,10 +29,6 @@ using PictureOpener = std::function<std::unique_ptr<RowSource>(const TargetFile&
 /// The same of a pair whose pictures are at hand already: nothing is read from the files.
 CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
                          unsigned threads = 1);
-
-/// Checks all targets, side by side on `threads` threads; the report is the same for any number of them.
-ValidationReport validate(const std::vector<CheckTarget>& targets, const PictureDecoder& decoder,
-                          const Settings& settings, unsigned threads);
 
 /// What kind of file a path is by its ending and, for .json and what comes from a pipe, by its first bytes;
 /// nullopt: none that is checked. Throws Error where those bytes cannot be read. Pictures come back as

@@ -11,7 +11,6 @@
 #include "core/validate/engine.h"
 #include "core/validate/files/material_evidence.h"
 #include "core/validate/rules.h"
-#include "core/validate/validate.h"
 
 namespace etak {
 namespace {

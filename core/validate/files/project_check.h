@@ -8,7 +8,7 @@
 
 namespace etak {
 
-// The rules on materials under work (target etak::validate_files), the same as on files.
+// The rules on materials of a project, the same as on files: a part of validate() (core/validate/validate.h).
 
 /// Checks one material: its pictures or colours, and the record its F0 was measured in. Never throws for what
 /// is wrong with it. Findings carry its name as material.

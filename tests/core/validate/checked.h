@@ -2,13 +2,23 @@
 #pragma once
 
 #include "core/image/image_io.h"
-#include "core/validate/files/files.h"
+#include "core/validate/validate.h"
 
 namespace etak::test {
 
-/// What is found in one target whose files lie on the disk.
+/// What is found in targets whose files lie on the disk.
+inline ValidationReport report_on(std::vector<CheckTarget> targets, const Settings& settings = {},
+                                  unsigned threads = 1) {
+  ValidationRequest request;
+  request.targets = std::move(targets);
+  request.config.settings = settings;
+  request.decoder = image_io_decoder();
+  request.threads = threads;
+  return validate(request);
+}
+
 inline CheckedFile checked(const CheckTarget& target, const Settings& settings = {}, unsigned threads = 1) {
-  return check(target, image_io_decoder(), settings, threads);
+  return report_on({target}, settings, threads).files.at(0);
 }
 
 }  // namespace etak::test

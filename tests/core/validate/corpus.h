@@ -14,7 +14,7 @@
 
 #include "core/base/random.h"
 #include "core/image/image.h"
-#include "core/validate/validate.h"
+#include "core/validate/engine.h"
 
 /// Made-up texture sets with known properties, for tests and benchmarks. Everything follows from the seed.
 namespace etak::test {

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "core/validate/engine.h"
 #include "core/validate/rules.h"
-#include "core/validate/validate.h"
 
 namespace etak::test {
 

@@ -22,9 +22,9 @@
 #include "core/scene/uv_use.h"
 #include "core/study/choose/choose.h"
 #include "core/validate/baseline.h"
+#include "core/validate/engine.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/rules.h"
-#include "core/validate/validate.h"
 #include "tests/growth.h"
 
 using namespace etak;

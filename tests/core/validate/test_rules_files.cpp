@@ -103,8 +103,7 @@ TEST_CASE("what cannot be read is an error and never clean") {
     CHECK(find(file, "ETK001")->severity == Severity::error);
     CHECK(find(file, "ETK001")->file == "b.png");
     CHECK(!contains(find(file, "ETK001")->message, folder.path()));
-    const ValidationReport report =
-        validate({pair_of(folder.file("good.png"), folder.file(name))}, image_io_decoder(), {}, 1);
+    const ValidationReport report = report_on({pair_of(folder.file("good.png"), folder.file(name))});
     CHECK(!report.passed);
     CHECK(report.incomplete);
   }
@@ -326,7 +325,7 @@ TEST_CASE("the real scenes show what is known of them, and no other error") {
   for (const char* scene : {"flight_helmet/FlightHelmet.gltf", "mixer/Mixer.gltf",
                             "tennis_racquet/TennisRacquet.gltf", "wicker_chair/WickerChair.gltf"})
     targets.push_back(single(FileRole::scene, assets + scene, scene));
-  const ValidationReport report = validate(targets, image_io_decoder(), {}, 2);
+  const ValidationReport report = report_on(targets, {}, 2);
   std::vector<std::string> found_errors;
   for (const CheckedFile& file : report.files) {
     CHECK(!file.unreadable);
@@ -366,10 +365,10 @@ TEST_CASE("the report is the same for any number of threads") {
     target.files[1].label = b;
     targets.push_back(target);
   }
-  const ValidationReport one = validate(targets, image_io_decoder(), {}, 1);
+  const ValidationReport one = report_on(targets, {}, 1);
   for (const unsigned threads : {2u, 8u}) {
     std::reverse(targets.begin(), targets.end());
-    const ValidationReport many = validate(targets, image_io_decoder(), {}, threads);
+    const ValidationReport many = report_on(targets, {}, threads);
     REQUIRE(many.files.size() == one.files.size());
     for (std::size_t i = 0; i < one.files.size(); ++i) {
       CHECK(many.files[i].path == one.files[i].path);

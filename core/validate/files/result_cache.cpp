@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/validate/cache.h"
+#include "core/validate/files/result_cache.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -19,7 +19,7 @@
 #include "core/base/hash/sha256.h"
 #include "core/base/number.h"
 
-namespace etak::cli {
+namespace etak {
 namespace {
 
 constexpr std::string_view format_name = "etak-result/2 ";
@@ -27,8 +27,8 @@ constexpr std::size_t largest_entry = std::size_t{64} << 20;
 constexpr std::size_t shortest_key = 16, longest_key = 4096;
 
 // A rebuilt etak may judge differently under the same version number.
-std::string program_fingerprint() {
-  return std::string(ETAK_VERSION) + ' ' + sha256_of_file("/proc/self/exe");
+std::string program_fingerprint(const std::string& version) {
+  return version + ' ' + sha256_of_file("/proc/self/exe");
 }
 
 // What the system says of the files: it changes with their content.
@@ -90,8 +90,9 @@ std::string read_cache_key(const std::string& path) {
   return out;
 }
 
-ResultCache::ResultCache(const std::string& folder, const std::string& settings, std::string key)
-    : settings_(settings + '\n' + program_fingerprint()), key_(std::move(key)) {
+ResultCache::ResultCache(const std::string& folder, const std::string& settings, const std::string& version,
+                         std::string key)
+    : settings_(settings + '\n' + program_fingerprint(version)), key_(std::move(key)) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   folder_ = Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -164,4 +165,4 @@ void ResultCache::keep(const CacheKey& key, const FoundTarget& found, const Chec
     (void)out.keep();
 }
 
-}  // namespace etak::cli
+}  // namespace etak

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "app/cli/validate/targets.h"
 #include "core/base/files/descriptor.h"
+#include "core/validate/files/find_targets.h"
 #include "core/validate/finding.h"
 
-namespace etak::cli {
+namespace etak {
 
 /// Which result is asked for.
 ///   digest   SHA-256 of the bytes of the files, their labels and roles, the settings, and this program:
@@ -34,8 +34,10 @@ class ResultCache {
  public:
   /// Makes the folder. Throws Error.
   ///   settings   what the findings depend on besides the files, as text
+  ///   version    of the program: results of other versions, and of other builds, count as none
   ///   key        of read_cache_key(); empty: none
-  ResultCache(const std::string& folder, const std::string& settings, std::string key);
+  ResultCache(const std::string& folder, const std::string& settings, const std::string& version,
+              std::string key);
 
   CacheKey key_of(const FoundTarget& found) const;
 
@@ -57,4 +59,4 @@ class ResultCache {
 std::string cache_text(const CheckedFile& file);
 std::optional<CheckedFile> read_cache_text(const std::string& text);
 
-}  // namespace etak::cli
+}  // namespace etak

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/validate/pictures.h"
+#include "core/pages/finding_pictures.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
 
-#include "app/cli/pictures/pictures.h"
 #include "core/base/error.h"
 #include "core/base/files/output_folder.h"
 #include "core/base/free_names.h"
@@ -17,14 +15,14 @@
 #include "core/pages/mask.h"
 #include "core/pages/validation_pictures.h"
 #include "core/scene/gltf.h"
+#include "core/validate/engine.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/metal_rough.h"
 #include "core/validate/files/scene_use.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/rules.h"
-#include "core/validate/validate.h"
 
-namespace etak::cli {
+namespace etak {
 namespace {
 
 std::string png_of(const Image8& image) {
@@ -88,7 +86,7 @@ std::string file_name(const Finding& finding) {
 // The pictures of a checked file, loaded again: the check itself reads in strips and keeps none.
 class PictureSource {
  public:
-  explicit PictureSource(const CheckTarget& target) {
+  PictureSource(const CheckTarget& target, const PictureDecoder& decoder) {
     if (target.files.empty()) return;
     const FileRole role = target.files.front().role;
     try {
@@ -96,9 +94,9 @@ class PictureSource {
         scene_.emplace(read_gltf(target.files.front().path, {}));
         uses_.emplace(*scene_);
         looks_.emplace(*scene_);
-        textures_.emplace(scene_->images, decoder_);
+        textures_.emplace(scene_->images, decoder);
       } else if (role != FileRole::material && role != FileRole::spectrum) {
-        files_ = load_pictures(target, decoder_);
+        files_ = load_pictures(target, decoder);
       }
     } catch (const Error&) {
       // The report says so already; there is nothing to show.
@@ -130,7 +128,6 @@ class PictureSource {
   }
 
  private:
-  PictureDecoder decoder_ = picture_decoder();
   std::optional<LoadedPictures> files_;
   std::optional<GltfScene> scene_;
   std::optional<MaterialUses> uses_;
@@ -139,33 +136,22 @@ class PictureSource {
   double material_ = -1;  // whose pictures files_ holds
 };
 
-std::vector<std::size_t> with_places(const ValidationReport& report,
-                                     const std::vector<const CheckTarget*>& targets) {
+std::vector<std::size_t> with_places(const ValidationReport& report) {
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < report.files.size(); ++i) {
     const auto& findings = report.files[i].findings;
-    if (targets[i] != nullptr && std::any_of(findings.begin(), findings.end(), has_place)) out.push_back(i);
+    if (report.files[i].target && std::any_of(findings.begin(), findings.end(), has_place)) out.push_back(i);
   }
   return out;
 }
 
 }  // namespace
 
-void check_mask_folder(const std::string& folder) {
-  namespace fs = std::filesystem;
-  std::error_code failure;
-  const fs::path above = (fs::path(folder) / "").parent_path().parent_path();
-  if (!above.empty()) fs::create_directories(above, failure);
-  if (fs::exists(folder, failure) && !fs::is_directory(folder, failure))
-    throw Error::at("--mask", printable(folder, 200) + " is no folder", "a folder");
-  check_folder_target(folder, {}, Replace::files);
-}
-
-std::unique_ptr<Output> masks(const ValidationReport& report, const std::vector<const CheckTarget*>& targets,
-                              const Settings& settings, const std::string& folder, unsigned threads) {
+std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& settings,
+                              const PictureDecoder& decoder, const std::string& folder, unsigned threads) {
   auto out = std::make_unique<OutputFolder>(folder, Replace::files);
   // Names are given out in the report's order, so that they do not depend on the threads.
-  const auto wanted = with_places(report, targets);
+  const auto wanted = with_places(report);
   FreeNames taken;
   std::vector<std::vector<std::string>> names(wanted.size());
   for (std::size_t w = 0; w < wanted.size(); ++w)
@@ -178,8 +164,8 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const std::vector<
   parallel_chunks(wanted.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t w = begin; w < end; ++w) {
       const CheckedFile& file = report.files[wanted[w]];
-      const CheckTarget& target = *targets[wanted[w]];
-      PictureSource source(target);
+      const CheckTarget& target = *file.target;
+      PictureSource source(target, decoder);
       for (std::size_t i = 0; i < file.findings.size(); ++i) {
         const Finding& finding = file.findings[i];
         const LoadedPictures* pictures = names[w][i].empty() ? nullptr : source.of(finding);
@@ -222,9 +208,11 @@ ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Fi
   return out;
 }
 
-ValidationPageFile page_file(const CheckedFile& file, const CheckTarget& target, const Settings& settings) {
+ValidationPageFile page_file(const CheckedFile& file, const Settings& settings,
+                             const PictureDecoder& decoder) {
   ValidationPageFile out;
-  PictureSource source(target);
+  const CheckTarget& target = *file.target;
+  PictureSource source(target, decoder);
   // Of a scene every material with findings is shown, of other targets the one pair.
   std::map<std::string, std::vector<const Finding*>> groups;
   for (const Finding& finding : file.findings)
@@ -257,19 +245,19 @@ ValidationPageFile page_file(const CheckedFile& file, const CheckTarget& target,
 
 }  // namespace
 
-std::vector<ValidationPageFile> page_pictures(const ValidationReport& report,
-                                              const std::vector<const CheckTarget*>& targets,
-                                              const Settings& settings, std::size_t most, unsigned threads) {
+std::vector<ValidationPageFile> page_pictures(const ValidationReport& report, const Settings& settings,
+                                              const PictureDecoder& decoder, std::size_t most,
+                                              unsigned threads) {
   std::vector<ValidationPageFile> out(report.files.size());
   std::vector<std::size_t> wanted;
   for (std::size_t i = 0; i < report.files.size() && wanted.size() < most; ++i)
-    if (targets[i] != nullptr && !report.files[i].findings.empty() && !report.files[i].unreadable)
+    if (report.files[i].target && !report.files[i].findings.empty() && !report.files[i].unreadable)
       wanted.push_back(i);
   parallel_chunks(wanted.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t w = begin; w < end; ++w)
-      out[wanted[w]] = page_file(report.files[wanted[w]], *targets[wanted[w]], settings);
+      out[wanted[w]] = page_file(report.files[wanted[w]], settings, decoder);
   });
   return out;
 }
 
-}  // namespace etak::cli
+}  // namespace etak

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace etak::cli {
+namespace etak {
 
 /// What etak takes a file for, by the ending of its name.
 enum class DataFileKind { unknown, page, table, material };
@@ -14,14 +14,14 @@ DataFileKind data_file_kind(std::string_view path);  // .yml .yaml | .csv .tsv .
 bool has_known_kind(std::string_view path);
 
 /// The recognised files below a folder.
-///   root         folder the shown paths are relative to, with a '/' at its end
+///   root         folder the shown paths are relative to, with a '/' at its end; of a tree of the
+///                refractiveindex.info database its data folder
 ///   files        whole paths, sorted byte by byte
 ///   unreadable   one message per subfolder that could not be read
 ///   skipped      whole paths, sorted, of what `keep` would have listed but is no file: pipes, sockets and
 ///                devices
 struct Folder {
   std::string root;
-  bool is_database = false;  // a tree of the refractiveindex.info database: root is its data folder
   std::vector<std::string> files;
   std::vector<std::string> unreadable;
   std::vector<std::string> skipped;
@@ -34,4 +34,4 @@ struct Folder {
 Folder list_folder(const std::string& path, unsigned threads,
                    bool (*keep)(std::string_view name) = has_known_kind);
 
-}  // namespace etak::cli
+}  // namespace etak

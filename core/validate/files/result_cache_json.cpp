@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include "app/cli/validate/cache.h"
+#include "core/validate/files/result_cache.h"
 
-namespace etak::cli {
+namespace etak {
 namespace {
 
 using Json = nlohmann::json;
@@ -115,4 +115,4 @@ std::optional<CheckedFile> read_cache_text(const std::string& text) {
   }
 }
 
-}  // namespace etak::cli
+}  // namespace etak

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/validate/targets.h"
+#include "core/validate/files/find_targets.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,17 +9,18 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "app/cli/inputs/folder.h"
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/files/links.h"
 #include "core/base/parallel.h"
+#include "core/exchange/data_folder.h"
+#include "core/scene/gltf.h"
 #include "core/validate/files/files.h"
 #include "core/validate/rules.h"
 #include "core/validate/suppress.h"
 
-namespace etak::cli {
+namespace etak {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,13 +110,12 @@ void check_links(const std::string& folder, const std::string& path) {
 
 class Finder {
  public:
-  explicit Finder(TargetRequest request) : request_(std::move(request)) {}
+  explicit Finder(const ValidationRequest& request) : request_(request) {}
 
   FoundTargets find() {
     for (const std::string& path : request_.paths) add_path(path);
     candidates_.reserve(candidates_.size() + request_.listed.size());
-    for (std::string& path : request_.listed) candidates_.push_back({std::move(path), Named::by_list, {}});
-    request_.listed = {};
+    for (const std::string& path : request_.listed) candidates_.push_back({path, Named::by_list, {}});
     drop_doubles();
     classify();
     group_pictures();
@@ -128,7 +128,7 @@ class Finder {
  private:
   std::string label(const std::string& path) const {
     // What has no place in a folder keeps its name.
-    return is_pipe_input(path) ? path : relative_label(path, request_.root);
+    return is_pipe_input(path) ? path : relative_label(path, request_.config.root);
   }
 
   void fail(const std::string& path, const std::string& message, const std::string& fix = {}) {
@@ -280,7 +280,7 @@ class Finder {
                 false,
                 false,
                 Named::as_companion};
-    for (const RolePattern& pattern : request_.patterns)
+    for (const RolePattern& pattern : request_.config.roles)
       if (glob_matches(pattern.pattern, relative)) {
         out.role = pattern.role;
         out.stem += lower_case(stem_of(pattern.pattern.substr(folder_of(pattern.pattern).size()), name));
@@ -413,7 +413,7 @@ class Finder {
     out_.targets.push_back(std::move(found));
   }
 
-  TargetRequest request_;
+  const ValidationRequest& request_;
   std::vector<Candidate> candidates_;
   std::vector<Picture> pictures_;
   std::unordered_set<std::string> claimed_, failed_;  // by a scene or a layout
@@ -425,12 +425,13 @@ class Finder {
 std::string relative_label(const std::string& path, const std::string& root) {
   std::error_code failure;
   const fs::path whole = fs::absolute(path, failure).lexically_normal();
-  const fs::path relative = whole.lexically_relative(root);
+  const fs::path relative =
+      whole.lexically_relative(root.empty() ? fs::current_path(failure) : fs::path(root));
   return relative.empty() ? whole.filename().string() : relative.generic_string();
 }
 
-FoundTargets find_targets(TargetRequest request) {
-  return Finder(std::move(request)).find();
+FoundTargets find_targets(const ValidationRequest& request) {
+  return Finder(request).find();
 }
 
-}  // namespace etak::cli
+}  // namespace etak

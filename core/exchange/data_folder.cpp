@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/inputs/folder.h"
+#include "core/exchange/data_folder.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -15,7 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 
-namespace etak::cli {
+namespace etak {
 namespace {
 
 using Identity = std::pair<dev_t, ino_t>;
@@ -129,9 +129,9 @@ Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::
   Folder out;
   out.root = path.ends_with('/') ? path : path + '/';
   for (const std::string& base : {out.root + "database/", out.root})
-    if (!out.is_database && exists(base + "catalog-nk.yml") && is_folder(base + "data")) {
+    if (exists(base + "catalog-nk.yml") && is_folder(base + "data")) {
       out.root = base + "data/";
-      out.is_database = true;
+      break;
     }
   std::set<Identity> seen;
   std::vector<std::string> linked;
@@ -148,4 +148,4 @@ Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::
   return out;
 }
 
-}  // namespace etak::cli
+}  // namespace etak

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/validate/finding.h"
+#include "core/validate/target.h"
+#include "core/validate/validate.h"
+
+namespace etak {
+
+// The first step of validate().
+
+/// A target and the files its result depends on, for the cache.
+struct FoundTarget {
+  CheckTarget target;
+  std::vector<std::string> depends;
+};
+
+/// What was found, in the order of labels.
+///   failed     one unreadable CheckedFile (ETK001) for everything that was named and cannot be checked
+///   files      how many files were looked at
+///   skipped    how many of those, in folders and lists, no rule is about
+///   no_files   pipes, sockets and devices of folders, which were not opened
+struct FoundTargets {
+  std::vector<FoundTarget> targets;
+  std::vector<CheckedFile> failed;
+  std::vector<std::string> no_files;
+  std::size_t files = 0, skipped = 0;
+};
+
+/// Finds the files that the request names, tells their kinds and puts together what belongs together: pictures
+/// of one folder whose names differ in the role's ending only ("crate_diff.png", "crate_spec.png"). A picture
+/// named alone takes its companion along. Pictures that a scene or a layout of the run names belong to it alone. Of names of the
+/// list that lead to no file a thousand fail one by one; the others fail as a number, under the name of the
+/// list.
+FoundTargets find_targets(const ValidationRequest& request);
+
+/// `path` relative to `root` (empty: the working folder) as text alone (links are not looked at), with '/'.
+std::string relative_label(const std::string& path, const std::string& root);
+
+}  // namespace etak

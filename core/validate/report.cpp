@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <filesystem>
+
+#include "core/validate/engine.h"
+#include "core/validate/rules.h"
+#include "core/validate/suppress.h"
+
+namespace etak {
+namespace {
+
+std::string system_date() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::localtime_r(&now, &parts);
+  std::array<char, 16> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts)};
+}
+
+void mark_allowed(ValidationReport& report, const ValidateConfig& config, const ReportRun& run) {
+  const Settings& settings = config.settings;
+  if (settings.allow.empty()) return;
+  const auto is_active = [&](std::string_view prefix) {
+    const auto meant = rules_with_prefix(prefix);
+    return std::any_of(meant.begin(), meant.end(),
+                       [&](const Rule* rule) { return severity_of(*rule, settings) != Severity::off; });
+  };
+  const std::string today = run.today.empty() ? system_date() : run.today;
+  const std::string label = std::filesystem::path(config.file).filename().string();
+  apply_allowances(report, settings.allow,
+                   {today, label, severity_of(*find_rule("ETK903"), settings), run.whole_tree, is_active});
+}
+
+}  // namespace
+
+ValidationReport report_of(std::vector<CheckedFile> files, const Settings& settings) {
+  ValidationReport report;
+  report.profile = name(settings.profile);
+  report.transfer = name(settings.transfer);
+  report.files = std::move(files);
+  std::stable_sort(report.files.begin(), report.files.end(),
+                   [](const CheckedFile& a, const CheckedFile& b) { return a.path < b.path; });
+  std::size_t failing = 0;
+  for (const CheckedFile& file : report.files) {
+    report.incomplete = report.incomplete || file.unreadable;
+    for (const Finding& finding : file.findings) {
+      if (finding.suppressed || finding.baseline) continue;
+      report.errors += finding.severity == Severity::error;
+      report.warnings += finding.severity == Severity::warning;
+      report.infos += finding.severity == Severity::info;
+      failing += finding.severity != Severity::off && finding.severity >= settings.fail_on;
+    }
+  }
+  report.passed = failing == 0 && !report.incomplete;
+  return report;
+}
+
+ValidationReport report_of_run(std::vector<CheckedFile> files, const ValidateConfig& config,
+                               const ReportRun& run) {
+  ValidationReport out = report_of(std::move(files), config.settings);
+  mark_allowed(out, config, run);
+  if (run.renew_known)
+    mark_known(out, baseline_of(out));
+  else
+    mark_known(out, run.known);
+  out = report_of(std::move(out.files), config.settings);
+  out.settings_hash = settings_hash(config.settings);
+  return out;
+}
+
+}  // namespace etak

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/validate/check_pack.h"
+
+#include <catch2/catch.hpp>
+
+#include "core/image/files/png.h"
+#include "core/validate/validate.h"
+#include "tests/core/validate/corpus.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+const MaterialLibrary& library() {
+  static const MaterialLibrary builtin = MaterialLibrary::builtin();
+  return builtin;
+}
+
+std::string png_of(const Image8& image) {
+  return png_bytes({{image.width, image.height, image.channels, 8},
+                    image.values.data(),
+                    static_cast<std::size_t>(image.width * image.channels)},
+                   {});
+}
+
+// A manifest of textures with F0 in the forbidden zone, and of numbers in it.
+std::string write_manifest(const TempFolder& folder) {
+  TextureSet set = natural_set(64, 1);
+  Random random(1);
+  std::ranges::find(mutations(), "ETK101", &Mutation::rule)->inject(set, random);
+  spit(folder.file("a.png"), png_of(set.a));
+  spit(folder.file("b.png"), png_of(set.b));
+  spit(folder.file("m.json"), R"({"schema": "etak-atlas-manifest/1", "materials": [
+    {"name": "crate", "diffuse": "a.png", "specular": {"image": "b.png", "channels": "rgb"},
+     "gloss": {"image": "b.png", "channels": "a"}},
+    {"name": "impossible", "diffuse": [0.1, 0.1, 0.1], "specular": 0.3, "gloss": 0.5}]})");
+  return folder.file("m.json");
+}
+
+struct Packed {
+  PackReport report;
+  ValidationReport findings;
+  bool failed = false;
+};
+
+Packed pack_checked(const TempFolder& folder, PackCheckOptions asked, PackOptions options = {}) {
+  asked.config.root = folder.path();
+  PackCheck check(folder.file("atlas"), asked);
+  CHECK(check.report() == nullptr);
+  check.attach(options);
+  options.beside = [&](PackReport& report, OutputFolder*) -> std::unique_ptr<Output> {
+    check.finish(report);
+    return nullptr;
+  };
+  Packed out;
+  out.report = pack(write_manifest(folder), folder.file("atlas"), options, library());
+  if (check.report() != nullptr) out.findings = *check.report();
+  out.failed = check.failed();
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("what is found while packing is what validate() finds in the atlas on the disk") {
+  const TempFolder folder;
+  const Packed packed = pack_checked(folder, {});
+  CHECK(packed.failed);
+  CHECK(contains(packed.report.validation, "ETK101"));
+  ValidationRequest request;
+  request.paths = {folder.file("atlas/layout.json")};
+  request.config.root = folder.path();
+  const ValidationReport again = validate(request);
+  REQUIRE(again.files.size() == 2);
+  REQUIRE(packed.findings.files.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(packed.findings.files[i].path == again.files[i].path);
+    CHECK(packed.findings.files[i].findings == again.files[i].findings);
+    CHECK(!again.files[i].findings.empty());
+  }
+  CHECK(packed.findings.settings_hash == again.settings_hash);
+}
+
+TEST_CASE("an atlas that fails is never up to date, and one under a higher limit is") {
+  const TempFolder folder;
+  PackOptions update;
+  update.update = true;
+  CHECK(pack_checked(folder, {}).failed);
+  CHECK(!pack_checked(folder, {}, update).report.up_to_date);
+  PackCheckOptions lenient;
+  lenient.never_fails = true;
+  CHECK(!pack_checked(folder, lenient, update).failed);
+  CHECK(pack_checked(folder, lenient, update).report.up_to_date);
+  // The limit of the configuration is part of what the result depends on.
+  lenient.never_fails = false;
+  lenient.config.settings.fail_on = Severity::warning;
+  CHECK(!pack_checked(folder, lenient, update).report.up_to_date);
+}
