@@ -5,7 +5,7 @@
 
 #include "app/viewport/background.h"
 #include "core/atlas/sources/picture_door.h"
-#include "core/validate/files/project_check.h"
+#include "core/validate/validate.h"
 
 namespace etak::editor {
 namespace {
@@ -72,22 +72,19 @@ void Validator::begin() {
   running_ = true;
   in_background(
       pool_, this,
-      [this, batch = std::move(batch), library = document_.library()] {
-        std::vector<std::pair<std::string, std::vector<Finding>>> out;
-        const PictureDoor door = picture_door();
-        for (const ProjectMaterial& each : batch) {
-          if (stop_) break;  // the destructor waits for this thread
-          out.emplace_back(each.name, check_material(each, *library, door, Settings{}, most_texels).findings);
-        }
-        return out;
+      [this, batch = std::move(batch), library = document_.library()]() mutable {
+        ValidationRequest request;
+        request.materials = {std::move(batch), std::move(library), picture_door(), most_texels};
+        request.stop = [this] { return stop_.load(); };  // the destructor waits for this thread
+        return validate(request).files;
       },
-      [this](std::vector<std::pair<std::string, std::vector<Finding>>> checked) {
+      [this](std::vector<CheckedFile> checked) {
         running_ = false;
-        for (auto& [name, findings] : checked) {
-          if (findings.empty())
-            findings_.erase(name);
+        for (CheckedFile& file : checked) {
+          if (file.findings.empty())
+            findings_.erase(file.path);
           else
-            findings_[name] = std::move(findings);
+            findings_[file.path] = std::move(file.findings);
         }
         emit findings_changed();
         begin();

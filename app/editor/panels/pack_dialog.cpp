@@ -7,12 +7,15 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <filesystem>
 
 #include "app/viewport/background.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/sources/picture_door.h"
 #include "core/base/error.h"
 #include "core/project/project_pack.h"
+#include "core/validate/check_pack.h"
+#include "core/validate/output/formats.h"
 
 namespace etak::editor {
 namespace {
@@ -21,6 +24,19 @@ struct Done {
   bool written = false;
   QString text;
 };
+
+// How etak pack judges an atlas in `folder` that was asked for in the folder around it.
+PackCheckOptions check_options(const std::string& folder, unsigned threads) {
+  PackCheckOptions out;
+  const std::string layout = folder + "/layout.json";
+  out.config = read_config(find_config(layout));
+  if (out.config.file.empty())
+    out.config.root =
+        std::filesystem::absolute(layout).lexically_normal().parent_path().parent_path().string();
+  out.threads = threads;
+  out.version = ETAK_VERSION;
+  return out;
+}
 
 }  // namespace
 
@@ -95,13 +111,20 @@ void PackDialog::start() {
   in_background(
       pool_, this,
       [project = project_, library = library_, label = label_.toStdString(), folder = folder_.toStdString(),
-       options] {
+       options]() mutable {
         Done out;
         try {
+          PackCheck check(folder, check_options(folder, options.threads));
+          check.attach(options);
+          options.beside = [&](PackReport& packed, OutputFolder*) -> std::unique_ptr<Output> {
+            check.finish(packed);
+            return nullptr;
+          };
           const PackReport report =
               pack(packed_manifest(project, *library), label, folder, options, *library);
           out.written = true;
-          out.text = QString::fromStdString(report_text(report, false));
+          out.text =
+              QString::fromStdString(report_text(report, false) + validation_text(*check.report(), false));
           for (const std::string& remark : report.remarks)
             out.text += QString::fromStdString(remark) + QLatin1Char('\n');
         } catch (const PackCancelled&) {

@@ -16,7 +16,7 @@ class QPushButton;
 namespace etak::editor {
 
 /// Packs a project's atlas on a worker's thread, with progress, and can be cancelled: the folder is then as
-/// it was.
+/// it was. The report ends with what the validator finds in the atlas, as that of etak pack does.
 class PackDialog : public QDialog {
   Q_OBJECT
 
