@@ -120,7 +120,7 @@ bool names_whole_tree(const ValidationRequest& request) {
 
 }  // namespace
 
-ValidationReport validate(const ValidationRequest& request) {
+ValidationReport validate(ValidationRequest request) {
   FoundTargets found = find_targets(request);
   for (const CheckTarget& target : request.targets) {
     FoundTarget& added = found.targets.emplace_back(FoundTarget{target, {}});

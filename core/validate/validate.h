@@ -66,6 +66,6 @@ struct ValidationRequest {
 
 /// Checks what the request names. What cannot be read is a finding (ETK001), never an exception; an error of
 /// a rule is ETK901. Throws Error where the folder of the cache cannot be made.
-ValidationReport validate(const ValidationRequest& request);
+ValidationReport validate(ValidationRequest request);
 
 }  // namespace etak

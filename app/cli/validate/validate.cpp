@@ -7,6 +7,7 @@
 
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
+#include "app/cli/pictures/pictures.h"
 #include "app/cli/validate/request.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
@@ -27,8 +28,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t most_pages_with_pictures = 200;
 
 std::string form_of(const ValidationReport& report, const ValidateArguments& arguments,
-                    const ValidationRequest& request) {
-  const Settings& settings = request.config.settings;
+                    const Settings& settings) {
   const OutputOptions options{settings.fail_on, ETAK_VERSION};
   const std::string& format = arguments.output.format;
   if (format == "json") return validation_json(report, options);
@@ -37,8 +37,8 @@ std::string form_of(const ValidationReport& report, const ValidateArguments& arg
   if (format == "github") return validation_github(report);
   if (format == "csv") return validation_csv(report);
   if (format != "html") return validation_text(report, use_color(arguments.output));
-  const auto pictures =
-      page_pictures(report, settings, request.decoder, most_pages_with_pictures, request.threads);
+  const auto pictures = page_pictures(report, settings, picture_decoder(), most_pages_with_pictures,
+                                      thread_count(arguments.threads));
   return validation_page(report, pictures, {ETAK_VERSION, settings});
 }
 
@@ -94,13 +94,14 @@ int check_files(ValidateArguments& arguments) {
   ValidationRequest request = validation_request(arguments);
   std::optional<Progress> progress(std::in_place, arguments.output, 0, "validate");
   request.progress = [&](std::size_t done, std::size_t all) { progress->set(done, all); };
-  ValidationReport report = validate(request);
+  const Settings settings = request.config.settings;
+  ValidationReport report = validate(std::move(request));
   progress.reset();
   if (!report.not_opened.empty()) remark(arguments.output, skipped_remark(report.not_opened));
   if (report.run.checks + report.run.failed == 0)
     remark(arguments.output, "no file of a kind that etak validate checks was found");
   std::unique_ptr<Output> baseline;
-  if (request.renew_known) {
+  if (!arguments.write_baseline.empty()) {
     const std::vector<KnownDefect> known = baseline_of(report);
     baseline = std::make_unique<OutputFile>(arguments.write_baseline, baseline_json(known), true);
     remark(arguments.output,
@@ -109,8 +110,9 @@ int check_files(ValidateArguments& arguments) {
   if (arguments.max_warnings && report.warnings > *arguments.max_warnings) report.passed = false;
   std::unique_ptr<Output> marks;
   if (!arguments.mask_folder.empty())
-    marks = masks(report, request.config.settings, request.decoder, arguments.mask_folder, request.threads);
-  const std::unique_ptr<Output> said = output(arguments.output, form_of(report, arguments, request));
+    marks =
+        masks(report, settings, picture_decoder(), arguments.mask_folder, thread_count(arguments.threads));
+  const std::unique_ptr<Output> said = output(arguments.output, form_of(report, arguments, settings));
   Output* const outputs[] = {marks.get(), baseline.get(), said.get()};
   put_in_place(outputs);
   if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());

@@ -76,7 +76,7 @@ void Validator::begin() {
         ValidationRequest request;
         request.materials = {std::move(batch), std::move(library), picture_door(), most_texels};
         request.stop = [this] { return stop_.load(); };  // the destructor waits for this thread
-        return validate(request).files;
+        return validate(std::move(request)).files;
       },
       [this](std::vector<CheckedFile> checked) {
         running_ = false;

@@ -110,12 +110,13 @@ void check_links(const std::string& folder, const std::string& path) {
 
 class Finder {
  public:
-  explicit Finder(const ValidationRequest& request) : request_(request) {}
+  explicit Finder(ValidationRequest& request) : request_(request) {}
 
   FoundTargets find() {
     for (const std::string& path : request_.paths) add_path(path);
     candidates_.reserve(candidates_.size() + request_.listed.size());
-    for (const std::string& path : request_.listed) candidates_.push_back({path, Named::by_list, {}});
+    for (std::string& path : request_.listed) candidates_.push_back({std::move(path), Named::by_list, {}});
+    request_.listed = {};
     drop_doubles();
     classify();
     group_pictures();
@@ -413,7 +414,7 @@ class Finder {
     out_.targets.push_back(std::move(found));
   }
 
-  const ValidationRequest& request_;
+  ValidationRequest& request_;
   std::vector<Candidate> candidates_;
   std::vector<Picture> pictures_;
   std::unordered_set<std::string> claimed_, failed_;  // by a scene or a layout
@@ -430,7 +431,7 @@ std::string relative_label(const std::string& path, const std::string& root) {
   return relative.empty() ? whole.filename().string() : relative.generic_string();
 }
 
-FoundTargets find_targets(const ValidationRequest& request) {
+FoundTargets find_targets(ValidationRequest& request) {
   return Finder(request).find();
 }
 

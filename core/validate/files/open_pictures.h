@@ -10,8 +10,8 @@
 
 namespace etak {
 
-/// A picture file, opened: PNG is read row by row, all else at once by the decoder. Throws Error that names the
-/// path.
+/// A picture file, opened: PNG is read row by row, all else at once by the decoder. Throws Error that names
+/// the path.
 std::unique_ptr<RowSource> open_picture(const std::string& path, const PictureDecoder& decoder);
 
 /// The same of a file that can be read row by row; null for others.

@@ -14,7 +14,7 @@ inline ValidationReport report_on(std::vector<CheckTarget> targets, const Settin
   request.config.settings = settings;
   request.decoder = image_io_decoder();
   request.threads = threads;
-  return validate(request);
+  return validate(std::move(request));
 }
 
 inline CheckedFile checked(const CheckTarget& target, const Settings& settings = {}, unsigned threads = 1) {
