@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "core/base/parallel.h"
+#include "core/image/image_io.h"
 #include "core/scene/gltf.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/metal_rough.h"
