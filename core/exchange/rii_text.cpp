@@ -12,6 +12,7 @@
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/exchange/axis_pages.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/yaml_lines.h"
 #include "core/material/medium.h"
@@ -313,24 +314,10 @@ std::string id_of(std::string_view text, char separator) {
   return id.empty() ? "material" : id;
 }
 
-std::string axis_named(std::string_view text) {
-  static constexpr std::array<std::array<std::string_view, 3>, 5> axes{{{"o", "o", "ordinary"},
-                                                                        {"e", "e", "extraordinary"},
-                                                                        {"alpha", "α", "alpha"},
-                                                                        {"beta", "β", "beta"},
-                                                                        {"gamma", "γ", "gamma"}}};
-  for (const auto& [latin, greek, axis] : axes)
-    if (text == latin || text == greek) return std::string(axis);
-  return {};
-}
-
 // The name of the page is surer than its comments, where o and e are mixed up at times.
 std::string find_axis(std::string_view page, const PageText& text) {
-  for (std::size_t dash; (dash = page.find('-')) != page.npos;) {
-    page.remove_prefix(dash + 1);
-    if (auto axis = axis_named(page.substr(0, page.find('-'))); !axis.empty()) return axis;
-  }
-  if (auto axis = axis_named(text.direction); !axis.empty()) return axis;
+  if (const CrystalAxis* axis = axis_of_page(page)) return std::string(axis->name);
+  if (const CrystalAxis* axis = axis_named(text.direction)) return std::string(axis->name);
   const std::string_view comments = text.comments;
   if (comments.find("xtraordinary ray") != comments.npos) return "extraordinary";
   if (comments.find("rdinary ray") != comments.npos) return "ordinary";
@@ -374,7 +361,7 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   dataset.flags = page.flags;
   dataset.flags.clear(Flag::computed);  // the origin says it
   dataset.temperature_kelvin = words.temperature_kelvin;
-  dataset.axis = find_axis(stem(place), words);
+  dataset.axis = find_axis(place, words);
   dataset.note = plain(words.comments);
   dataset.citation = parse_citation(words.references);
   dataset.citation.licence = "CC0-1.0";

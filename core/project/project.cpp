@@ -6,8 +6,8 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/material/appearance.h"
+#include "core/material/find.h"
 #include "core/material/limits.h"
-#include "core/material/names.h"
 #include "core/material/quality.h"
 
 namespace etak {
@@ -27,28 +27,6 @@ TextureSource source_of(const ProjectMaterial& m, Channel channel, const LinearR
                       " linear) is outside of what a texture holds; brought back to 0..1");
   return ConstantSource{inside, {}};
 }
-
-OutsideMedium medium_of(const std::string& text, const MaterialLibrary& library) {
-  OutsideMedium out;
-  if (text.empty()) return out;
-  out.label = text;
-  if (double index = 0; parse_number(text, index)) {
-    if (!(index > 0)) throw Error::at("outside", text, "an index of refraction above 0, or a material");
-    out.index = index;
-    return out;
-  }
-  const auto material = library.find(text);
-  const auto* constants =
-      material ? std::get_if<OpticalConstants>(&material->preferred_dataset().optics) : nullptr;
-  if (constants == nullptr)
-    throw Error::at("outside", printable(text), "a transparent material of the library, or a number");
-  out.index = *constants;
-  return out;
-}
-
-}  // namespace
-
-namespace {
 
 bool is_total(const FoundF0& found) {
   return !gives_f0(found.material.material_class);
@@ -73,8 +51,9 @@ Project single(const Project& project, const ProjectMaterial& material) {
   out.view = project.view;
   out.view.compare = {};
   if (!material.measured) return out;
+  const std::string& outside = material.measured->outside;
   for (const Material& each : project.spectra)
-    if (each.id == material.measured->material || each.id == material.measured->outside)
+    if (each.id == material.measured->material || each.id == outside.substr(0, outside.find('/')))
       out.spectra.push_back(each);
   return out;
 }
@@ -88,26 +67,21 @@ MaterialLibrary library_of(const Project& project, const MaterialLibrary& librar
 F0Options f0_options(const MeasuredF0& measured, const MaterialLibrary& library) {
   F0Options options;
   options.viewing = measured.viewing;
-  options.outside = medium_of(measured.outside, library);
+  NameWords words;
+  words.place = "outside";
+  words.instead = "an index of refraction";
+  options.outside = outside_medium(library, measured.outside, "outside", words);
   return options;
 }
 
 FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library) {
-  auto material = library.find(measured.material);
-  if (!material) {
-    const MaterialLibrary::Missing missing = library.missing(measured.material);
-    throw Error::at(printable(measured.material),
-                    missing.found.empty() ? "is no material of the library or the project" : missing.found,
-                    missing.expected);
-  }
-  FoundF0 out;
-  const Dataset& dataset = dataset_named(*material, measured.dataset, material->id);
-  out.dataset = static_cast<std::size_t>(&dataset - material->datasets.data());
-  out.result = solve(F0Solver(f0_options(measured, library)), *material, dataset);
+  NameWords words;
+  words.found = "is no material of the library or the project";
+  FoundF0 out{find_dataset(library, measured.material, measured.dataset, words), {}};
+  out.result = solve(F0Solver(f0_options(measured, library)), out.material, out.chosen());
   if (out.result.refused())
-    throw Error::at(material->id + "/" + dataset.id, "has no F0: " + out.result.refusal,
+    throw Error::at(out.material.id + "/" + out.chosen().id, "has no F0: " + out.result.refusal,
                     "data over the visible range");
-  out.material = std::move(*material);
   return out;
 }
 

@@ -13,8 +13,7 @@
 #include "core/base/free_names.h"
 #include "core/exchange/export_surface.h"
 #include "core/light/lights.h"
-#include "core/material/f0.h"
-#include "core/material/library.h"
+#include "core/material/find.h"
 #include "core/render/scene.h"
 
 namespace etak {
@@ -25,7 +24,7 @@ namespace etak {
 /// Where an F0 was measured.
 ///   material   id of the library or of the project's own spectra
 ///   dataset    empty: the preferred one
-///   outside    the medium in front: an index ("1.33") or a transparent material ("water"); empty: vacuum
+///   outside    the medium in front, as outside_medium() takes it: "1.33", "water", "water/hale"; empty: vacuum
 struct MeasuredF0 {
   std::string material, dataset, outside;
   Viewing viewing;
@@ -124,12 +123,8 @@ F0Options f0_options(const MeasuredF0& measured, const MaterialLibrary& library)
 
 /// A measured F0 with the record it comes from. Throws Error naming what is missing, and for a refused
 /// result.
-struct FoundF0 {
-  Material material;
-  std::size_t dataset = 0;  // index in material.datasets
+struct FoundF0 : FoundDataset {
   F0Result result;
-
-  const Dataset& chosen() const { return material.datasets[dataset]; }
 };
 FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library);
 

@@ -14,6 +14,7 @@
 #include "core/exchange/data_folder.h"
 #include "core/exchange/rii_page.h"
 #include "core/exchange/table.h"
+#include "core/material/find.h"
 #include "core/material/json.h"
 #include "core/material/names.h"
 
@@ -77,19 +78,14 @@ void add_datasets(Material read, std::string dataset, const InputArguments& argu
 // "id" or "id/dataset" of the library; false when the library does not know the id.
 bool add_material(const std::string& name, const InputArguments& arguments, Library& library,
                   bool path_exists, std::vector<Input>& out) {
-  const auto add = [&](Material material, const std::string& dataset, std::string_view asked) {
-    const std::string id = material.id;
-    add_datasets(std::move(material), dataset, arguments, id, asked, out);
-    return true;
-  };
-  if (auto material = library.get().find(name)) return add(std::move(*material), arguments.dataset, name);
-  const std::size_t slash = name.find('/');
-  if (slash == std::string::npos) return false;
-  const std::string_view asked = std::string_view(name).substr(0, slash);
-  auto material = library.get().find(asked);
-  const std::string dataset = name.substr(slash + 1);
-  if (!material || (path_exists && material->dataset(dataset) == nullptr)) return false;
-  return add(std::move(*material), dataset, asked);
+  auto found = find_material(library.get(), name);
+  if (!found) return false;
+  const bool whole = found->name == name;
+  if (!whole && path_exists && found->material.dataset(found->dataset) == nullptr) return false;
+  const std::string id = found->material.id;
+  add_datasets(std::move(found->material), whole ? arguments.dataset : found->dataset, arguments, id,
+               found->name, out);
+  return true;
 }
 
 // Material files among the inputs from `first` on, in place of which come their datasets. One that cannot be

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/number.h"
-#include "core/material/names.h"
+#include "core/material/find.h"
 
 namespace etak::cli {
 namespace {
@@ -34,25 +34,11 @@ Value chosen(const char* option, const std::string& text, Value standard, Parse 
   throw Error::at(option, printable(text), expected);
 }
 
-OutsideMedium outside_medium(const std::string& text, Library& library) {
-  OutsideMedium medium;
-  if (text.empty()) return medium;
-  medium.label = text;
-  if (double index = 0; parse_number(text, index)) {
-    if (!(index > 0)) throw Error::at("--outside", text, "an index of refraction above 0, or a material");
-    medium.index = index;
-    return medium;
-  }
-  const std::size_t slash = text.find('/');
-  const auto material = library.get().find(std::string_view(text).substr(0, slash));
-  if (!material) unknown_material(text, library.get());
-  const std::string asked = slash == std::string::npos ? std::string() : text.substr(slash + 1);
-  const Dataset& dataset = dataset_named(*material, asked, "--outside " + text);
-  const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
-  if (constants == nullptr)
-    throw Error::at("--outside", text + " has reflectance data only", "n of a transparent medium");
-  medium.index = *constants;
-  return medium;
+// The name itself stands in front of the message, wherever on the line it was.
+NameWords words_of_line(std::string_view found) {
+  NameWords out;
+  out.found = found;
+  return out;
 }
 
 }  // namespace
@@ -136,7 +122,10 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library) {
     out.space = *built_in;
   else if (!arguments.space.empty())
     out.custom_space = pictures("--space").open_space(arguments.ocio, arguments.space);
-  out.outside = outside_medium(arguments.outside, library);
+  // Most runs name no medium, and need no library for it.
+  if (!arguments.outside.empty())
+    out.outside = outside_medium(library.get(), arguments.outside, "--outside",
+                                 words_of_line("no material has this name"));
   return out;
 }
 
@@ -184,10 +173,8 @@ unsigned thread_count(unsigned asked) {
 
 void unknown_material(std::string_view name, const MaterialLibrary& library) {
   // Of "milk/jensen-2001" the material is what is not known.
-  const MaterialLibrary::Missing missing = library.missing(name.substr(0, name.find('/')));
-  if (!missing.found.empty()) throw Error::at(printable(name), missing.found, missing.expected);
-  throw Error::at(printable(name), "no material, file or folder has this name",
-                  missing.expected.empty() ? "a name that etak list shows" : missing.expected);
+  fail_unknown_name(library, name.substr(0, name.find('/')),
+                    words_of_line("no material, file or folder has this name"));
 }
 
 }  // namespace etak::cli

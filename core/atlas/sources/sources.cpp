@@ -12,7 +12,7 @@
 #include "core/color/gloss.h"
 #include "core/color/srgb.h"
 #include "core/material/f0.h"
-#include "core/material/names.h"
+#include "core/material/find.h"
 
 namespace etak {
 namespace {
@@ -166,61 +166,39 @@ class Resolver {
 
   F0Result library_color(const ManifestMaterial& m, const LibrarySource& source, const char* role) {
     const std::string place = m.place + '/' + role;
-    const auto material = library_.find(source.material);
-    if (!material) {
-      const MaterialLibrary::Missing missing = library_.missing(source.material);
-      if (!missing.found.empty())
-        throw Error::at(place, printable(source.material) + ": " + missing.found, missing.expected);
-      throw Error::at(place, "no material of the library is called " + printable(source.material),
-                      "a file name with its ending" +
-                          (missing.expected.empty() ? std::string() : ", or " + missing.expected));
-    }
+    NameWords words;
+    words.place = place;
+    words.instead = "a file name with its ending";
+    const FoundDataset found = find_dataset(library_, source.material, source.dataset, words);
+    const Material& material = found.material;
+    const Dataset& dataset = found.chosen();
     const bool diffuse = std::string_view(role) == "diffuse";
-    const Dataset& dataset = dataset_named(*material, source.dataset, place + ": " + material->id);
     if (diffuse && !std::holds_alternative<Reflectance>(dataset.optics))
-      throw Error::at(place, material->id + " has n and k, which say nothing of a diffuse colour",
+      throw Error::at(place, material.id + " has n and k, which say nothing of a diffuse colour",
                       "a material with measured reflectance");
     F0Options options;
-    options.outside = outside(place, source.outside);
+    const std::string outside_place = place + "/outside";
+    words.place = outside_place;
+    words.instead = "an index of refraction";
+    options.outside = outside_medium(library_, source.outside, outside_place, words);
     if (!source.method.empty()) {
       const auto method = method_named(source.method);
       if (!method) throw Error::at(place, printable(source.method), "a method of integration");
       options.method = *method;
     }
     F0Result result = F0Solver(std::move(options)).solve(dataset.optics, dataset.flags);
-    if (result.refused()) throw Error::at(place, material->id + ": " + result.refusal);
-    if (diffuse && optical_kind(material->material_class) == "surface")
-      out_.remarks.push_back(m.name + ": diffuse is the total reflectance of " + material->id +
+    if (result.refused()) throw Error::at(place, material.id + ": " + result.refusal);
+    if (diffuse && optical_kind(material.material_class) == "surface")
+      out_.remarks.push_back(m.name + ": diffuse is the total reflectance of " + material.id +
                              ", which holds what its surface reflects: specular comes on top of it");
     const LinearRgb& c = result.srgb_linear;
     for (const double v : {c.r, c.g, c.b})
       if (v < 0 || v > 1) {
-        out_.remarks.push_back(m.name + ": " + material->id + " is outside of sRGB (" + number(c.r, 4) +
-                               ", " + number(c.g, 4) + ", " + number(c.b, 4) +
-                               " linear); brought back to 0..1");
+        out_.remarks.push_back(m.name + ": " + material.id + " is outside of sRGB (" + number(c.r, 4) + ", " +
+                               number(c.g, 4) + ", " + number(c.b, 4) + " linear); brought back to 0..1");
         break;
       }
     return result;
-  }
-
-  OutsideMedium outside(const std::string& place, const std::string& text) {
-    OutsideMedium medium;
-    if (text.empty()) return medium;
-    medium.label = text;
-    if (double index = 0; parse_number(text, index)) {
-      if (!(index > 0))
-        throw Error::at(place + "/outside", text, "an index of refraction above 0, or a material");
-      medium.index = index;
-      return medium;
-    }
-    const auto material = library_.find(text);
-    const auto* constants =
-        material ? std::get_if<OpticalConstants>(&material->preferred_dataset().optics) : nullptr;
-    if (constants == nullptr)
-      throw Error::at(place + "/outside", printable(text),
-                      "a transparent material of the library, or a number");
-    medium.index = *constants;
-    return medium;
   }
 
   // Base colour and metalness: diffuse = c (1 - m), F0 = 0.04 (1 - m) + c m, in linear light.

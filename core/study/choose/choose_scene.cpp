@@ -9,6 +9,7 @@
 #include "core/atlas/pack/gltf_pack.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/material/find.h"
 #include "core/scene/gltf.h"
 
 namespace etak {
@@ -36,13 +37,10 @@ PixelBox window(PixelBox box) {
 void add_spectrum(const ManifestMaterial& m, const MaterialLibrary& library, ChooseSubject& out) {
   const auto* source = m.specular ? std::get_if<LibrarySource>(&*m.specular) : nullptr;
   if (source == nullptr || !source->outside.empty()) return;
-  const auto material = library.find(source->material);
-  if (!material) return;
-  const Dataset* dataset =
-      source->dataset.empty() ? &material->preferred_dataset() : material->dataset(source->dataset);
-  if (dataset == nullptr || !std::holds_alternative<OpticalConstants>(dataset->optics)) return;
-  out.library = material->id + "/" + dataset->id;
-  out.dataset = *dataset;
+  const FoundDataset found = find_dataset(library, source->material, source->dataset, {});
+  if (!std::holds_alternative<OpticalConstants>(found.chosen().optics)) return;
+  out.library = found.material.id + "/" + found.chosen().id;
+  out.dataset = found.chosen();
 }
 
 }  // namespace
