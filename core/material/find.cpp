@@ -9,9 +9,10 @@
 
 namespace etak {
 
-void fail_unknown_name(const MaterialLibrary& library, std::string_view name, const NameWords& words) {
-  const MaterialLibrary::Missing missing = library.missing(name);
-  const std::string shown = printable(name);
+void fail_unknown_name(const MaterialLibrary& library, std::string_view text, const NameWords& words) {
+  // Of "milk/jensen-2001" the material is what is not known.
+  const MaterialLibrary::Missing missing = library.missing(text.substr(0, text.find('/')));
+  const std::string shown = printable(text);
   std::string expected(words.instead);
   if (!expected.empty() && !missing.expected.empty()) expected += ", or ";
   expected += missing.expected;
@@ -57,8 +58,7 @@ OutsideMedium outside_medium(const MaterialLibrary& library, std::string_view te
     return out;
   }
   const auto found = find_material(library, text);
-  // Of "milk/jensen-2001" the material is what is not known.
-  if (!found) fail_unknown_name(library, text.substr(0, text.find('/')), words);
+  if (!found) fail_unknown_name(library, text, words);
   const Dataset& dataset = dataset_named(found->material, found->dataset, place + ": " + found->material.id);
   const auto* constants = std::get_if<OpticalConstants>(&dataset.optics);
   if (constants == nullptr)

@@ -25,9 +25,9 @@ struct NameWords {
   std::string_view instead;
 };
 
-/// Throws the Error of a name that no material of the library has: with the nearest names, or why nothing of
-/// that name is measured.
-[[noreturn]] void fail_unknown_name(const MaterialLibrary& library, std::string_view name,
+/// Throws the Error of a text whose part before the first '/' is no name of a material of the library: with the
+/// nearest names, or why nothing of that name is measured.
+[[noreturn]] void fail_unknown_name(const MaterialLibrary& library, std::string_view text,
                                     const NameWords& words);
 
 /// A material by the text that asks for it.

@@ -172,9 +172,7 @@ unsigned thread_count(unsigned asked) {
 }
 
 void unknown_material(std::string_view name, const MaterialLibrary& library) {
-  // Of "milk/jensen-2001" the material is what is not known.
-  fail_unknown_name(library, name.substr(0, name.find('/')),
-                    words_of_line("no material, file or folder has this name"));
+  fail_unknown_name(library, name, words_of_line("no material, file or folder has this name"));
 }
 
 }  // namespace etak::cli

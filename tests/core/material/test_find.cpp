@@ -70,7 +70,8 @@ TEST_CASE("the outside medium is vacuum, an index above 0, a material or one of 
   }
   for (const char* bad : {"0", "-1.5"})
     CHECK(contains(error_of([&] { (void)medium(bad); }), "an index of refraction above 0, or a material"));
-  CHECK(contains(error_of([] { (void)medium("watr/hale"); }), "is called watr;"));
+  CHECK(contains(error_of([] { (void)medium("watr/hale"); }),
+                 "is called watr/hale; expected one of the nearest names: water"));
   CHECK(contains(error_of([] { (void)medium("water/nobody"); }), "place: water: has no dataset nobody"));
   CHECK(contains(error_of([] { (void)medium("spectralon"); }), "spectralon has reflectance data only"));
 }
