@@ -96,7 +96,7 @@ void Window::open(const QString& path) {
 void Window::choose_and_import() {
   const QStringList files = QFileDialog::getOpenFileNames(
       this, tr("Import spectra"), {},
-      tr("Pages, tables, materials (*.yml *.yaml *.csv *.tsv *.txt *.dat *.json);;All files (*)"));
+      tr("Pages, tables, materials (%1);;All files (*)").arg(spectrum_patterns()));
   if (!files.isEmpty()) import(files);
 }
 

@@ -14,6 +14,7 @@
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/exchange/material_file.h"
 
 namespace etak {
 namespace {
@@ -104,25 +105,8 @@ void descend(std::vector<std::string> level, unsigned threads, bool (*keep)(std:
 
 }  // namespace
 
-DataFileKind data_file_kind(std::string_view path) {
-  struct Ending {
-    std::string_view text;
-    DataFileKind kind;
-  };
-  constexpr std::array endings{Ending{"yml", DataFileKind::page},     Ending{"yaml", DataFileKind::page},
-                               Ending{"csv", DataFileKind::table},    Ending{"tsv", DataFileKind::table},
-                               Ending{"txt", DataFileKind::table},    Ending{"dat", DataFileKind::table},
-                               Ending{"json", DataFileKind::material}};
-  const std::size_t dot = path.rfind('.');
-  if (dot == std::string_view::npos) return DataFileKind::unknown;
-  const std::string ending = lower_case(path.substr(dot + 1));
-  for (const Ending& known : endings)
-    if (ending == known.text) return known.kind;
-  return DataFileKind::unknown;
-}
-
-bool has_known_kind(std::string_view path) {
-  return data_file_kind(path) != DataFileKind::unknown;
+bool is_material_file_name(std::string_view path) {
+  return material_file_kind(path) != MaterialFileKind::none;
 }
 
 Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::string_view)) {

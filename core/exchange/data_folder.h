@@ -8,11 +8,6 @@
 
 namespace etak {
 
-/// What etak takes a file for, by the ending of its name.
-enum class DataFileKind { unknown, page, table, material };
-DataFileKind data_file_kind(std::string_view path);  // .yml .yaml | .csv .tsv .txt .dat | .json
-bool has_known_kind(std::string_view path);
-
 /// The recognised files below a folder.
 ///   root         folder the shown paths are relative to, with a '/' at its end; of a tree of the
 ///                refractiveindex.info database its data folder
@@ -27,11 +22,14 @@ struct Folder {
   std::vector<std::string> skipped;
 };
 
-/// Lists `path` on `threads` threads; `keep` says by the name which files are listed (those of a known kind).
+/// Whether a file's name is that of a page, a table or a material file.
+bool is_material_file_name(std::string_view path);
+
+/// Lists `path` on `threads` threads; `keep` says by the name which files are listed.
 /// Hidden entries are left out; links to files are followed; a linked folder is entered only when nothing
 /// else led there, so that no file comes twice and no loop arises. Throws Error when `path` itself cannot be
 /// read.
 Folder list_folder(const std::string& path, unsigned threads,
-                   bool (*keep)(std::string_view name) = has_known_kind);
+                   bool (*keep)(std::string_view name) = is_material_file_name);
 
 }  // namespace etak

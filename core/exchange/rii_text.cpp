@@ -16,6 +16,7 @@
 #include "core/exchange/rii_page.h"
 #include "core/exchange/yaml_lines.h"
 #include "core/material/medium.h"
+#include "core/material/names.h"
 
 namespace etak {
 namespace {
@@ -295,23 +296,13 @@ std::string page_name(std::string_view place) {
   return readable(place.substr(0, place.rfind(".yml")));
 }
 
-std::string_view stem(std::string_view path) {
-  path.remove_prefix(path.rfind('/') + 1);  // npos + 1 is 0
-  return path.substr(0, path.rfind('.'));
-}
-
 // The folder of the material ("Ag" of main/Ag/nk/Johnson.yml); makers' pages have none and are named by the
 // file.
 std::string_view book(std::string_view path) {
   const std::size_t nk = path.rfind("/nk/");
-  if (nk == path.npos) return stem(path);
+  if (nk == path.npos) return file_stem(path);
   path = path.substr(0, nk);
   return path.substr(path.rfind('/') + 1);
-}
-
-std::string id_of(std::string_view text, char separator) {
-  const std::string id = identifier(text, separator);
-  return id.empty() ? "material" : id;
 }
 
 // The name of the page is surer than its comments, where o and e are mixed up at times.
@@ -367,13 +358,13 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   dataset.citation.licence = "CC0-1.0";
   dataset.citation.via = "refractiveindex.info " + page_name(place);
   if (dataset.citation.title.empty()) dataset.citation.title = dataset.citation.via;
-  dataset.id = id_of(stem(place), '-');
+  dataset.id = identifier(file_stem(place), '-', "material");
   const std::string year = std::to_string(dataset.citation.year);
   if (dataset.citation.year != 0 && dataset.id.find(year) == dataset.id.npos) dataset.id += "-" + year;
 
   Material material;
   std::string_view name = book(place);
-  material.id = id.empty() ? id_of(name, '_') : std::string(id);
+  material.id = id.empty() ? identifier(name, '_', "material") : std::string(id);
   if (const std::size_t dash = name.find(" - "); dash != name.npos) name.remove_prefix(dash + 3);
   material.name = readable(name);
   material.material_class = "crystal";

@@ -78,6 +78,22 @@ std::string folded_name(std::string_view name) {
   return out;
 }
 
+std::string identifier(std::string_view text, char separator, std::string_view otherwise) {
+  std::string id;
+  for (const char c : text)
+    if (is_letter(c) || is_digit(c))
+      id.push_back(lower_case(c));
+    else if (!id.empty() && id.back() != separator)
+      id.push_back(separator);
+  while (!id.empty() && id.back() == separator) id.pop_back();
+  return id.empty() ? std::string(otherwise) : id;
+}
+
+std::string_view file_stem(std::string_view path) {
+  path.remove_prefix(path.rfind('/') + 1);  // npos + 1 is 0
+  return path.substr(0, path.rfind('.'));
+}
+
 bool is_formula(std::string_view name) {
   constexpr std::size_t most_digits = 3;
   std::size_t atoms = 0;

@@ -15,6 +15,13 @@ namespace etak {
 /// A name without what does not matter in a look-up: case, blanks, '-' and '_'.
 std::string folded_name(std::string_view name);
 
+/// An id made of a text: ASCII letters in lower case and digits, one `separator` for whatever stands between
+/// them. `otherwise` where the text has neither.
+std::string identifier(std::string_view text, char separator, std::string_view otherwise);
+
+/// A file's name without folders and ending.
+std::string_view file_stem(std::string_view path);
+
 /// Whether a name reads as a chemical formula: symbols of elements, each with or without a count of at most
 /// three digits ("TiN", "SiO2", "Au80Ag20", "Si0.47Ge0.53", "In2O3-SnO2"). A formula is found in its own case
 /// only, so that "tin" is not TiN and "co" not Co. An abbreviation that reads as a formula, such as PC, is

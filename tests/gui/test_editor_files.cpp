@@ -258,6 +258,39 @@ class EditorFiles : public QObject {
     QCOMPARE(window->document().project().materials.size(), std::size_t{1});
   }
 
+  void an_imported_record_never_takes_the_place_of_another() {
+    const TestWindow window(true);
+    const MaterialLibrary library = MaterialLibrary::builtin();
+    QStringList files;
+    for (const char* folder : {"a", "b"}) {
+      QVERIFY(QDir(window.file(QString())).mkpath(QLatin1String(folder)));
+      files << window.file(QLatin1String(folder) + QStringLiteral("/Gold.csv"));
+      write(files.back(), QByteArray("nm,n,k\n380,2,3\n780,2.5,") + (*folder == 'a' ? "3\n" : "4\n"));
+    }
+    const Opened both = import_files(files, library);
+    QVERIFY2(both.error.isEmpty() && both.problems.isEmpty(),
+             qPrintable(both.problems.join(QLatin1Char('\n'))));
+    QCOMPARE(both.project.spectra.size(), std::size_t{2});
+    QCOMPARE(both.project.spectra[0].id, std::string("gold_2"));
+    QCOMPARE(both.project.spectra[1].id, std::string("gold_3"));
+    QVERIFY(both.project.materials[0].specular != both.project.materials[1].specular);
+    // The same file again is the same record.
+    write(window.file(QStringLiteral("glass.yml")), page);
+    const Opened first = import_files({window.file(QStringLiteral("glass.yml"))}, library);
+    const Opened again =
+        import_files({window.file(QStringLiteral("glass.yml"))}, library_of(first.project, library));
+    QVERIFY(again.project.spectra == first.project.spectra);
+  }
+
+  void a_table_that_contradicts_itself_is_refused_as_by_the_command_line() {
+    const TestWindow window(true);
+    const QString file = window.file(QStringLiteral("twice.csv"));
+    write(file, "nm,n,k\n380,2,3\n500,2.2,3\n500,2.3,3\n780,2.5,3\n");
+    QVERIFY(import_files({file}, MaterialLibrary::builtin()).error.contains(QLatin1String("500 nm again")));
+    write(file, "nm,n,k\n380,2,3\n500,2.2,3\n500,2.2,3\n780,2.5,3\n");
+    QVERIFY(import_files({file}, MaterialLibrary::builtin()).error.isEmpty());
+  }
+
   void a_dropped_environment_lights_the_scene() {
     TestWindow window(true);
     window->show();

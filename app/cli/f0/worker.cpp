@@ -64,7 +64,7 @@ Outcome F0Worker::answer(const Input& input, const F0Job& job) {
 
 Outcome F0Worker::answer_in_memory(const Input& input, const F0Job& job) {
   if (input.kind == Input::Kind::failed) throw Error(input.path);
-  if (input.kind == Input::Kind::page) return answer_page(input, job);
+  if (input.file == MaterialFileKind::page) return answer_page(input, job);
   Outcome out;
   out.row.path = input.label();
   if (input.kind == Input::Kind::material) {
@@ -79,7 +79,7 @@ Outcome F0Worker::answer_in_memory(const Input& input, const F0Job& job) {
     out.kind = Outcome::Kind::prose;
     return out;
   }
-  if (input.kind == Input::Kind::table) {
+  if (input.file == MaterialFileKind::table) {
     const Table table = parse_table(text_, input.path, job.tables);
     lap(times.parse, job);
     out.row.result = job.solver.solve(table.optics, table.flags, job.timed ? &times.f0 : nullptr);

@@ -6,16 +6,10 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/memory.h"
-#include "core/exchange/content_kind.h"
 #include "core/exchange/data_folder.h"
-#include "core/exchange/rii_page.h"
-#include "core/exchange/table.h"
 #include "core/material/find.h"
-#include "core/material/json.h"
 #include "core/material/names.h"
 
 namespace etak::cli {
@@ -27,10 +21,13 @@ Input failed(std::string message) {
   return out;
 }
 
-Input::Kind input_kind(DataFileKind kind) {
-  if (kind == DataFileKind::page) return Input::Kind::page;
-  if (kind == DataFileKind::table) return Input::Kind::table;
-  return Input::Kind::material_file;
+Input file_input(std::string path, MaterialFileKind kind, const InputArguments& arguments) {
+  Input out;
+  out.kind = Input::Kind::file;
+  out.file = kind;
+  out.path = std::move(path);
+  out.dataset = arguments.dataset;
+  return out;
 }
 
 void add_folder(const std::string& path, const InputArguments& arguments, unsigned threads,
@@ -43,12 +40,10 @@ void add_folder(const std::string& path, const InputArguments& arguments, unsign
   for (std::string& message : folder.unreadable) out.push_back(failed(std::move(message)));
   out.reserve(out.size() + folder.files.size());
   for (std::string& file : folder.files) {
-    Input& input = out.emplace_back();
-    input.kind = input_kind(data_file_kind(file));
-    input.path = std::move(file);
+    const MaterialFileKind kind = material_file_kind(file);
+    Input& input = out.emplace_back(file_input(std::move(file), kind, arguments));
     input.label_at = folder.root.size();
     input.from_folder = true;
-    input.dataset = arguments.dataset;
   }
 }
 
@@ -96,12 +91,12 @@ void open_datasets(const InputArguments& arguments, std::size_t first, std::vect
   out.resize(first);
   for (Input& input : closed) {
     const std::size_t begin = out.size();
-    if (input.kind != Input::Kind::material_file || !input.dataset.empty()) {
+    if (input.file != MaterialFileKind::material || !input.dataset.empty()) {
       out.push_back(std::move(input));
       continue;
     }
     try {
-      add_datasets(parse_material(read_file(input.path), input.path), {}, arguments, input.path, {}, out);
+      add_datasets(read_material_file(input.path, input.file), {}, arguments, input.path, {}, out);
       for (std::size_t i = begin; i < out.size(); ++i) {
         out[i].label_at = input.label_at;
         out[i].from_folder = input.from_folder;
@@ -113,79 +108,37 @@ void open_datasets(const InputArguments& arguments, std::size_t first, std::vect
 }
 
 // What comes from a pipe: as --stdin-format says, else by its first bytes.
-Input::Kind kind_of_pipe(const std::string& path, const std::string& format) {
-  if (format == "page") return Input::Kind::page;
-  if (format == "json") return Input::Kind::material_file;
-  if (format == "table") return Input::Kind::table;
-  constexpr const char* expected = "a page, a table or a material file";
-  switch (content_kind(read_head(path, content_head))) {
-    case ContentKind::gltf:
-      throw Error::at(path, "holds a glTF scene", expected);
-    case ContentKind::binary:
-      throw Error::at(path, "holds no text", expected);
-    case ContentKind::page:
-      return Input::Kind::page;
-    case ContentKind::json:
-      return Input::Kind::material_file;
-    case ContentKind::table:
-    case ContentKind::prose:
-      break;
-  }
-  return Input::Kind::table;  // whose reader says what is missing
+MaterialFileKind kind_of_pipe(const std::string& path, const std::string& format) {
+  if (format == "page") return MaterialFileKind::page;
+  if (format == "json") return MaterialFileKind::material;
+  if (format == "table") return MaterialFileKind::table;
+  return material_content_kind(read_head(path, content_head), path);
 }
 
 // A known name wins over a file or folder of that name ("./gold" is the folder); what ends like a data file
 // or begins like a path is one.
 void add_name(const std::string& name, const InputArguments& arguments, Library& library, unsigned threads,
               std::vector<std::string>* remarks, std::vector<Input>& out) {
-  Input input;
-  input.path = name;
-  input.dataset = arguments.dataset;
   struct stat info {};
   const bool exists = ::stat(name.c_str(), &info) == 0;
-  const DataFileKind kind = data_file_kind(name);
+  const MaterialFileKind kind = material_file_kind(name);
   const bool pipe = is_pipe_input(name);
   const bool path_like = name.starts_with('/') || name.starts_with('.') || name.ends_with('/') ||
                          (pipe && typed_input(name) != name);
-  if (!path_like && kind == DataFileKind::unknown && add_material(name, arguments, library, exists, out))
+  if (!path_like && kind == MaterialFileKind::none && add_material(name, arguments, library, exists, out))
     return;
   if (exists && S_ISDIR(info.st_mode)) return add_folder(name, arguments, threads, remarks, out);
-  if (pipe && kind == DataFileKind::unknown) {
-    input.kind = kind_of_pipe(name, arguments.stdin_format);
-    out.push_back(std::move(input));
+  if (pipe && kind == MaterialFileKind::none) {
+    out.push_back(file_input(name, kind_of_pipe(name, arguments.stdin_format), arguments));
     return;
   }
-  if (kind == DataFileKind::unknown && exists && S_ISREG(info.st_mode))
+  if (kind == MaterialFileKind::none && exists && S_ISREG(info.st_mode))
     throw Error::at(name, "has no ending that etak knows",
                     ".yml, .csv, .tsv, .txt, .dat or .json, or - for standard input");
-  if (!exists && !path_like && kind == DataFileKind::unknown) unknown_material(name, library.get());
+  if (!exists && !path_like && kind == MaterialFileKind::none) unknown_material(name, library.get());
   // A missing file or a device goes on to the reader, whose message tells why.
-  input.kind = kind == DataFileKind::unknown ? Input::Kind::material_file : input_kind(kind);
-  out.push_back(std::move(input));
-}
-
-// "path/to/My sample.csv" gives "my_sample".
-std::string id_from_file(std::string_view path, char blank) {
-  path = path.substr(path.rfind('/') + 1);
-  path = path.substr(0, path.rfind('.'));
-  const std::string out = identifier(path, blank);
-  return out.empty() ? "table" : out;
-}
-
-Material material_from_table(std::string_view text, const std::string& path, const TableOptions& options,
-                             std::string_view id) {
-  Table table = parse_table(text, path, options);
-  Material out;
-  out.id = id.empty() ? id_from_file(path, '_') : std::string(id);
-  out.name = out.id;
-  out.material_class = "solid";
-  out.preferred_reason = "the only dataset";
-  Dataset& dataset = out.datasets.emplace_back();
-  dataset.id = id_from_file(path, '-');
-  dataset.optics = std::move(table.optics);
-  dataset.flags = table.flags;
-  dataset.citation.title = path.substr(path.rfind('/') + 1);
-  return out;
+  out.push_back(
+      file_input(name, kind == MaterialFileKind::none ? MaterialFileKind::material : kind, arguments));
 }
 
 }  // namespace
@@ -258,10 +211,7 @@ std::vector<std::string> alias_remarks(const std::vector<Input>& inputs) {
 }
 
 bool is_prose(const Input& input, std::string_view head) {
-  if (!input.from_folder || input.kind != Input::Kind::table) return false;
-  const std::string_view ending = std::string_view(input.path).substr(input.path.size() - 4);
-  const bool any_text = ending == ".txt" || ending == ".TXT" || ending == ".dat" || ending == ".DAT";
-  return any_text && content_kind(head) == ContentKind::prose;
+  return input.from_folder && input.file == MaterialFileKind::table && is_prose_file(input.path, head);
 }
 
 std::vector<Input> find_tables(const InputArguments& arguments, Library& library, unsigned threads,
@@ -269,7 +219,7 @@ std::vector<Input> find_tables(const InputArguments& arguments, Library& library
   std::vector<std::string> remarks;
   std::vector<Input> inputs = find_inputs(arguments, library, threads, &remarks);
   const auto prose = [](const Input& input) {
-    if (!input.from_folder || input.kind != Input::Kind::table) return false;
+    if (!input.from_folder || input.file != MaterialFileKind::table) return false;
     try {
       return is_prose(input, read_head(input.path, content_head));
     } catch (const Error&) {
@@ -285,15 +235,7 @@ std::vector<Input> find_tables(const InputArguments& arguments, Library& library
 Material read_material(const Input& input, const TableOptions& tables, std::string_view id) {
   if (input.kind == Input::Kind::failed) throw Error(input.path);
   if (input.kind == Input::Kind::material) return *input.material;
-  const std::string& name = input.path;
-  const std::string text = read_file(name);
-  return with_memory_for(
-      name, [&] { return mebibytes(text.size()) + " of text"; },
-      [&] {
-        if (input.kind == Input::Kind::page) return material_from_rii_page(text, name, id);
-        if (input.kind == Input::Kind::table) return material_from_table(text, name, tables, id);
-        return parse_material(text, name);
-      });
+  return read_material_file(input.path, input.file, tables, id);
 }
 
 }  // namespace etak::cli

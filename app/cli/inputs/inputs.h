@@ -10,6 +10,7 @@
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "core/base/files/input.h"
+#include "core/exchange/material_file.h"
 #include "core/material/material.h"
 
 namespace etak::cli {
@@ -18,12 +19,11 @@ namespace etak::cli {
 struct Input {
   enum class Kind {
     material,  // of the library, in `material`
-    page,      // a refractiveindex.info page
-    table,
-    material_file,
+    file,
     failed  // not found; `path` holds the message
   };
   Kind kind = Kind::failed;
+  MaterialFileKind file = MaterialFileKind::none;
   std::string path;          // of accept_input(): "<stdin>" is standard input
   std::size_t label_at = 0;  // the label is `path` from here on
   bool from_folder = false;  // or from --all: refusals are then ordinary

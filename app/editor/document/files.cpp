@@ -6,13 +6,11 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-#include "core/base/ascii.h"
+#include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/files/input.h"
-#include "core/exchange/content_kind.h"
-#include "core/exchange/rii_page.h"
-#include "core/exchange/table.h"
+#include "core/base/free_names.h"
+#include "core/exchange/material_file.h"
 #include "core/material/appearance.h"
 #include "core/material/json.h"
 
@@ -25,66 +23,42 @@ const QStringList& picture_endings() {
   return endings;
 }
 
-const QStringList& spectrum_endings() {
-  static const QStringList endings = QStringLiteral("yml yaml csv tsv txt dat json").split(QLatin1Char(' '));
-  return endings;
+QString patterns(const QStringList& endings) {
+  return QStringLiteral("*.") + endings.join(QStringLiteral(" *."));
 }
 
-// "My sample.csv" gives "my_sample".
-std::string id_of(const QString& path) {
-  const std::string out = identifier(QFileInfo(path).completeBaseName().toStdString(), '_');
-  return out.empty() ? "spectrum" : out;
+QString listed_endings(const QStringList& endings) {
+  return QStringLiteral(".") + endings.join(QStringLiteral(", ."));
 }
 
-Material record_of(const QString& path) {
-  const std::string file = path.toStdString();
-  const std::string text = read_file(file);
-  const QString ending = QFileInfo(path).suffix().toLower();
-  if (ending == QLatin1String("yml") || ending == QLatin1String("yaml"))
-    return material_from_rii_page(text, file, id_of(path));
-  if (ending == QLatin1String("json")) return parse_material(text, file);
-  TableOptions options;
-  options.duplicates = Duplicates::mean;
-  const Table table = parse_table(text, file, options);
-  Material out;
-  out.id = id_of(path);
-  out.name = QFileInfo(path).completeBaseName().toStdString();
-  out.material_class = "solid";
-  out.preferred_reason = "the only dataset";
-  Dataset& dataset = out.datasets.emplace_back();
-  dataset.id = "table";
-  dataset.optics = table.optics;
-  dataset.flags = table.flags;
-  dataset.citation.title = QFileInfo(path).fileName().toStdString();
+QStringList spectrum_endings() {
+  QStringList out;
+  for (const std::string_view each : material_file_endings()) out << qt_text(each);
   return out;
 }
 
-// What is no project and no material, by its first bytes; null for what may be one.
-const char* told_by_content(std::string_view text) {
-  switch (content_kind(text)) {
-    case ContentKind::gltf:
-      return "holds a glTF scene";
-    case ContentKind::page:
-    case ContentKind::table:
-      return "holds a page or a table, which is imported and not opened";
-    case ContentKind::binary:
-      return "holds no text";
-    case ContentKind::json:
-    case ContentKind::prose:
-      break;
-  }
-  return nullptr;
+MaterialFileKind kind_of_spectra(const QString& path) {
+  return material_file_kind(path.toStdString());
 }
 
-Material material_in(const std::string& text, const std::string& file) {
-  try {
-    return parse_material(text, file);
-  } catch (const Error&) {
-    const char* other = told_by_content(text);
-    if (other != nullptr) throw Error::at(file, other, "a project or a material (.json)");
-    throw;
+// The ids that a page or table gets are made up, so that two files may come by the same one. Every record keeps
+// one of its own: no other material is measured by the newcomer's numbers, but for a file imported again.
+class MadeIds {
+ public:
+  explicit MadeIds(const MaterialLibrary& library) : library_(library) {
+    for (const std::string& id : library.ids()) ids_.take(id);
   }
-}
+
+  void give(Material& record) {
+    const std::string wanted = record.id;
+    if (library_.find(wanted) == record) return;
+    record.id = ids_.free(wanted, [&](int i) { return wanted + '_' + std::to_string(i); });
+  }
+
+ private:
+  const MaterialLibrary& library_;
+  FreeNames ids_;
+};
 
 void note(Opened& out, const std::vector<std::string>& problems) {
   for (const std::string& each : problems) out.problems << QString::fromStdString(each);
@@ -94,19 +68,23 @@ void note(Opened& out, const std::vector<std::string>& problems) {
 
 FileKind kind_of_file(const QString& path) {
   const QString ending = QFileInfo(path).suffix().toLower();
-  if (spectrum_endings().contains(ending)) return FileKind::spectra;
+  if (kind_of_spectra(path) != MaterialFileKind::none) return FileKind::spectra;
   if (picture_endings().contains(ending)) return FileKind::picture;
   return ending == QLatin1String("hdr") ? FileKind::environment : FileKind::other;
 }
 
+QString spectrum_patterns() {
+  return patterns(spectrum_endings());
+}
+
 QString picture_patterns() {
-  return QStringLiteral("*.") + picture_endings().join(QStringLiteral(" *."));
+  return patterns(picture_endings());
 }
 
 QString expected_files() {
   return QObject::tr(
-             "expected spectra, materials or projects (.%1), pictures (.%2) or an environment (.hdr, .exr)")
-      .arg(spectrum_endings().join(QStringLiteral(", .")), picture_endings().join(QStringLiteral(", .")));
+             "expected spectra, materials or projects (%1), pictures (%2) or an environment (.hdr, .exr)")
+      .arg(listed_endings(spectrum_endings()), listed_endings(picture_endings()));
 }
 
 ProjectMaterial material_of(const Material& record) {
@@ -155,9 +133,15 @@ Opened open_project(const QString& path, const MaterialLibrary& library) {
 
 Opened import_files(const QStringList& paths, const MaterialLibrary& library) {
   Opened out;
+  MadeIds ids(library);
   for (const QString& path : paths) {
     try {
-      if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) {
+      const MaterialFileKind kind = kind_of_spectra(path);
+      if (kind == MaterialFileKind::none) {
+        out.problems << path + QStringLiteral(": ") + expected_files();
+        continue;
+      }
+      if (kind == MaterialFileKind::material) {
         Opened one = open_project(path, library);
         if (!one.error.isEmpty()) {
           out.problems << one.error;
@@ -169,9 +153,8 @@ Opened import_files(const QStringList& paths, const MaterialLibrary& library) {
         continue;
       }
       Project one;
-      one.spectra.push_back(record_of(path));
-      // What is written must be read again: an id or class of a file's name may be neither.
-      (void)parse_material(format_material(one.spectra.front()), path.toStdString());
+      one.spectra.push_back(read_material_file(path.toStdString(), kind));
+      ids.give(one.spectra.front());
       one.materials.push_back(material_of(one.spectra.front()));
       note(out, resolve(one, library));
       if (!one.materials.front().measured) continue;

@@ -18,7 +18,8 @@ namespace etak::editor {
 ///   environment  .hdr; an .exr may be one too, and counts as a picture
 enum class FileKind { spectra, picture, environment, other };
 FileKind kind_of_file(const QString& path);
-/// "*.png *.tif ..." for dialogs.
+/// "*.yml *.yaml ..." and "*.png *.tif ..." for dialogs.
+QString spectrum_patterns();
 QString picture_patterns();
 /// Why files were refused.
 QString expected_files();
@@ -42,7 +43,8 @@ bool is_pipe(const QString& path);
 Opened open_project(const QString& path, const MaterialLibrary& library);
 
 /// Anything that holds spectra: pages (.yml) and tables (.csv, .txt) of n, k or reflectance, material files
-/// (.json); projects (.json) give their materials. Each becomes a material with measured F0.
+/// (.json); projects (.json) give their materials. Each becomes a material with measured F0. A table that
+/// contradicts itself is refused; a page or table whose id would be that of another record gets a free one.
 Opened import_files(const QStringList& paths, const MaterialLibrary& library);
 
 /// Writes the project; the message of what went wrong, empty for none. The file is replaced at once or not at
