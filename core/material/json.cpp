@@ -9,6 +9,7 @@
 #include "core/base/number.h"
 #include "core/material/dispersion.h"
 #include "core/material/limits.h"
+#include "core/material/material_node_json.h"
 #include "core/material/medium.h"
 
 namespace etak {
@@ -300,7 +301,10 @@ std::vector<AliasNote> read_alias_notes(const Node& node, const Material& m) {
 
 Material parse_material(std::string_view text, std::string_view file) {
   const JsonDocument document = parse_json_strictly(text, file, most_depth, "a material file");
-  const Node node{document, file, ""};
+  return read_material(Node{document, file, ""});
+}
+
+Material read_material(const Node& node) {
   node.expect_object({"schema", "id", "name", "aliases", "alias_notes", "class", "group", "preferred",
                       "preferred_reason", "datasets"});
   if (node.at("schema").text() != schema_name)

@@ -7,6 +7,7 @@
 #include "core/base/json_text.h"
 #include "core/image/image.h"
 #include "core/material/json.h"
+#include "core/material/material_node_json.h"
 #include "core/project/project.h"
 
 namespace etak {
@@ -36,7 +37,7 @@ class Reader {
       list.expect_array();
       std::set<std::string> ids;
       for (std::size_t i = 0; i < list.size(); ++i) {
-        out.spectra.push_back(spectrum(list.at(i)));
+        out.spectra.push_back(read_material(list.at(i)));
         if (!ids.insert(out.spectra.back().id).second)
           list.at(i).fail("a second \"" + out.spectra.back().id + "\"", "each id once");
       }
@@ -49,12 +50,6 @@ class Reader {
   }
 
  private:
-  // The file of a spectrum is checked by its own reader, which gets the part of the document as text again.
-  Material spectrum(const JsonNode& node) const {
-    node.expect_object();
-    return parse_material(node.value.dump(), std::string(node.file) + '#' + node.pointer);
-  }
-
   ProjectView view(const JsonNode& node) const {
     node.expect_object({"shape", "lights", "environment_turn_deg", "exposure", "ocio", "compare", "wedge"});
     ProjectView out;
