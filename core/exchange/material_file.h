@@ -31,22 +31,22 @@ std::span<const std::string_view> material_file_endings();
 ///   place   name for messages
 MaterialFileKind material_content_kind(std::string_view head, std::string_view place);
 
-/// Whether a file holds prose (a licence, a list of changes) although its ending, .txt or .dat, may be that of
-/// a table.
+/// Whether a file holds prose (a licence, a list of changes) although its ending, .txt or .dat, may be that
+/// of a table.
 ///   head   its first content_head bytes, or more
 bool is_prose_file(std::string_view path, std::string_view head);
 
 /// The text of a file as a material. Throws Error where the text is broken.
 ///   kind      not none
 ///   options   how tables are read
-///   id        of the material, for pages and tables; empty: a page's is made of its folder in the database, a
-///             table's of the file's name
-///   returns   of a page or table a material with one dataset, which parse_material() takes when it is written.
-///             The dataset's id is made of the file's name
+///   id        of the material, for pages and tables; empty: a page's is made of its folder in the database,
+///             a table's of the file's name
+///   returns   of a page or table a material with one dataset, which parse_material() takes when it is
+///             written. The dataset's id is made of the file's name
 ///
-/// Rows of equal wavelength that are alike count once. Where they contradict each other, a material file and a
-/// table are refused, a table unless options say which row counts; only the pages of the database, which their
-/// reader cannot mend, are averaged, with Flag::duplicate_wavelength.
+/// A material file has each wavelength once. Of a table, rows of equal wavelength that are alike count once;
+/// those that contradict each other are refused, unless options say which counts. Only the pages of the
+/// database, which their reader cannot mend, are averaged then, with Flag::duplicate_wavelength.
 Material material_of_text(std::string_view text, const std::string& path, MaterialFileKind kind,
                           const TableOptions& options = {}, std::string_view id = {});
 

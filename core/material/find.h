@@ -25,8 +25,8 @@ struct NameWords {
   std::string_view instead;
 };
 
-/// Throws the Error of a text whose part before the first '/' is no name of a material of the library: with the
-/// nearest names, or why nothing of that name is measured.
+/// Throws the Error of a text whose part before the first '/' is no name of a material of the library: with
+/// the nearest names, or why nothing of that name is measured.
 [[noreturn]] void fail_unknown_name(const MaterialLibrary& library, std::string_view text,
                                     const NameWords& words);
 

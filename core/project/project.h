@@ -24,7 +24,8 @@ namespace etak {
 /// Where an F0 was measured.
 ///   material   id of the library or of the project's own spectra
 ///   dataset    empty: the preferred one
-///   outside    the medium in front, as outside_medium() takes it: "1.33", "water", "water/hale"; empty: vacuum
+///   outside    the medium in front, as outside_medium() takes it: "1.33", "water", "water/hale"; empty:
+///              vacuum
 struct MeasuredF0 {
   std::string material, dataset, outside;
   Viewing viewing;

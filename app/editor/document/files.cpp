@@ -41,8 +41,9 @@ MaterialFileKind kind_of_spectra(const QString& path) {
   return material_file_kind(path.toStdString());
 }
 
-// The ids that a page or table gets are made up, so that two files may come by the same one. Every record keeps
-// one of its own: no other material is measured by the newcomer's numbers, but for a file imported again.
+// The ids that a page or table gets are made up, so that two files may come by the same one. Every record
+// keeps one of its own: no other material is measured by the newcomer's numbers. A file that is imported
+// again unchanged keeps its id.
 class MadeIds {
  public:
   explicit MadeIds(const MaterialLibrary& library) : library_(library) {

@@ -88,7 +88,8 @@ TEST_CASE("what is wrong in a project is refused with its place") {
   CHECK(contains(refused(head + R"({"name": "a", "diffuse": [1, 2]}]})"), "[r, g, b]"));
   CHECK(contains(refused(head + R"({"name": "a", "measured": {"material": "gold", "illuminant": "F"}}]})"),
                  "illuminant"));
-  CHECK(contains(refused(head + R"(], "spectra": [{"schema": "etak-material/1"}]})"), "p.json#/spectra/0: no \"id\""));
+  CHECK(contains(refused(head + R"(], "spectra": [{"schema": "etak-material/1"}]})"),
+                 "p.json#/spectra/0: no \"id\""));
   CHECK(contains(refused(head + R"(], "view": {"lights": {"schema": "etak-lights/1", "lights": [{}]}}})"),
                  "p.json#/view/lights"));
   const auto view = [&](const std::string& members) {
