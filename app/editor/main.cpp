@@ -13,6 +13,7 @@
 #include "app/editor/theme.h"
 #include "app/editor/window.h"
 #include "core/base/error.h"
+#include "core/base/files/input.h"
 #include "core/base/files/links.h"
 #include "core/base/signals.h"
 #include "core/base/text.h"
@@ -56,6 +57,7 @@ int main(int argc, char** argv) {
   if (options.help) return std::fputs(qPrintable(help_text()), stdout) < 0 ? 2 : 0;
   if (options.version) return std::puts("etak-editor " ETAK_VERSION) < 0 ? 2 : 0;
 
+  if (options.input_timeout) etak::set_input_timeout(*options.input_timeout);
   try {
     for (QString& subject : options.subjects) subject = accept_named(subject);
   } catch (const etak::Error& error) {

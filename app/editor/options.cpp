@@ -38,6 +38,8 @@ QString help_text() {
              "  --cpu               draw without OpenGL\n"
              "  --time-start        print how long the first picture took from the start of the process, and "
              "exit\n"
+             "  --input-timeout SECONDS\n"
+             "                      how long a named pipe may be silent at first (default 60)\n"
              "  --help, --version\n"
              "\n"
              "example:\n"
@@ -86,6 +88,11 @@ Options parse_options(const QStringList& arguments) {
       if (out.size.width() < 320 || out.size.height() < 240 || out.size.width() > 8192 ||
           out.size.height() > 8192)
         out.error = QObject::tr("--size: %1; expected WxH of 320x240 to 8192x8192").arg(value);
+    } else if (name == QLatin1String("--input-timeout")) {
+      bool well = false;
+      out.input_timeout = take().toDouble(&well);
+      if (!well || !(*out.input_timeout >= 0 && *out.input_timeout <= 1e6))
+        out.error = QObject::tr("--input-timeout: %1; expected seconds, 0 to 1e6").arg(value);
     } else if (name.startsWith(QLatin1Char('-')) && name.size() > 1) {
       out.error = QObject::tr("%1 is no option; see --help").arg(name);
     } else {

@@ -18,6 +18,7 @@ struct Options {
   QSize size{1280, 800};
   std::optional<Theme> theme;
   bool cpu = false, time_start = false;
+  std::optional<double> input_timeout;  // seconds
   bool help = false, version = false;
   QString error;  // not empty: what is wrong with the command line
 };

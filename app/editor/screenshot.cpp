@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QFileInfo>
 #include <QImage>
+#include <QMessageBox>
 #include <QPainter>
 #include <QPixmap>
 #include <QPlainTextEdit>
@@ -186,7 +187,11 @@ QString bring_into_state(Window& window, const QString& material, const QString&
       QObject::connect(&window, &Window::opened, &scope, [&well](bool ok) { well = ok; });
       window.open(material);
       settle(window);
-      if (!well) return QObject::tr("%1 could not be opened").arg(material);
+      if (!well) {
+        const auto* told = window.findChild<QMessageBox*>();
+        return told != nullptr ? told->informativeText()
+                               : QObject::tr("%1 could not be opened").arg(material);
+      }
     } else if (!window.use_library_material(material)) {
       return QObject::tr("%1 is no file, and no material of the library").arg(material);
     }

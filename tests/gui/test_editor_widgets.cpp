@@ -331,7 +331,10 @@ class EditorWidgets : public QObject {
     QVERIFY(parsed({QStringLiteral("--screenshot"), QStringLiteral("a.png"), QStringLiteral("gold")})
                 .error.isEmpty());
     QCOMPARE(parsed({QStringLiteral("--size=640x480")}).size, QSize(640, 480));
-    for (const char* wrong : {"--size=0x0", "--theme=blue", "--state=none", "--model=lambert", "--what"})
+    QCOMPARE(parsed({QStringLiteral("--input-timeout=0.5")}).input_timeout.value_or(-1), 0.5);
+    QCOMPARE(parsed({QStringLiteral("-")}).subjects, QStringList{QStringLiteral("-")});
+    for (const char* wrong : {"--size=0x0", "--theme=blue", "--state=none", "--model=lambert", "--what",
+                              "--input-timeout=soon", "--input-timeout=-1"})
       QVERIFY2(!parsed({QLatin1String(wrong)}).error.isEmpty(), wrong);
     QVERIFY(help_text().contains(QLatin1String("--screenshot")));
   }

@@ -258,9 +258,11 @@ Vec3 total_of(const std::string& target, const EngineValues& v) {
 
 }  // namespace
 
-TEST_CASE("found 1.07: every measured total comes out of every target again at normal incidence") {
+TEST_CASE(
+    "found 1.07: every measured total comes out of every target again at normal incidence, and where a "
+    "channel has less than the assumed F0 that") {
   const MaterialLibrary library = MaterialLibrary::builtin();
-  std::size_t surfaces = 0;
+  std::size_t surfaces = 0, saturated = 0;
   for (std::size_t i = 0; i < library.ids().size(); ++i) {
     const Material material = library.at(i);
     if (material.material_class != "surface") continue;
@@ -273,12 +275,16 @@ TEST_CASE("found 1.07: every measured total comes out of every target again at n
     REQUIRE(s.total);
     validate(s);
     CHECK(contains(all_notes(s), "total reflectance"));
+    const bool less = std::min({s.total->r, s.total->g, s.total->b}) < s.f0.g - 1e-12;
+    CHECK(contains(all_notes(s), "keeps F0") == less);
+    CHECK(contains(all_notes(s), "F0 0.04, which is assumed") == (s.f0.g == 0.04));
+    saturated += less && s.f0.g == 0.04 ? 1 : 0;
     for (const char* target :
          {"glsl", "unreal", "filament", "blender", "openpbr", "gltf", "gltf-specular-glossiness"}) {
       INFO(material.id << " " << target);
       const Vec3 out = total_of(target, values(target, s));
       for (std::size_t c = 0; c < 3; ++c)
-        CHECK(out[c] == Approx(std::clamp(vec(result.linear)[c], 0.0, 1.0)).margin(1e-9));
+        CHECK(out[c] == Approx(std::clamp(vec(result.linear)[c], vec(s.f0)[c], 1.0)).margin(1e-9));
     }
     // Unity's metallic setup has an F0 of its own: what is darker than that is told.
     const EngineValues unity = values("unity-metallic", s);
@@ -286,6 +292,7 @@ TEST_CASE("found 1.07: every measured total comes out of every target again at n
     CHECK(unity.changes.empty() == !dark);
   }
   CHECK(surfaces >= 18);
+  CHECK(saturated >= 18);
 }
 
 TEST_CASE(
