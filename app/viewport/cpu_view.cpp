@@ -10,12 +10,6 @@
 #include "core/base/error.h"
 
 namespace etak {
-namespace {
-
-constexpr double fluid_ms = 33;
-
-}  // namespace
-
 CpuView::CpuView(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   pool_.setMaxThreadCount(1);

@@ -11,6 +11,9 @@
 
 namespace etak {
 
+/// While a view moves, it is drawn at half its size where a whole picture takes longer than this, in ms.
+inline constexpr double fluid_ms = 33;
+
 /// How a state's pictures come to the screen: by OpenColorIO for both devices, or (both null) plain sRGB.
 struct ViewDisplay {
   std::string config, display, view;  // as the state names them

@@ -13,8 +13,6 @@
 namespace etak {
 namespace {
 
-constexpr double fluid_ms = 33;
-
 QSurfaceFormat wanted_format() {
   QSurfaceFormat format;
   format.setRenderableType(QSurfaceFormat::OpenGL);

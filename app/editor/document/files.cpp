@@ -9,6 +9,7 @@
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/input.h"
 #include "core/base/free_names.h"
 #include "core/exchange/material_file.h"
 #include "core/material/appearance.h"
@@ -60,6 +61,33 @@ class MadeIds {
   const MaterialLibrary& library_;
   FreeNames ids_;
 };
+
+// What is no project and no material, by its first bytes; null for what may be one.
+const char* told_by_content(std::string_view text) {
+  switch (content_kind(text)) {
+    case ContentKind::gltf:
+      return "holds a glTF scene";
+    case ContentKind::page:
+    case ContentKind::table:
+      return "holds a page or a table, which is imported and not opened";
+    case ContentKind::binary:
+      return "holds no text";
+    case ContentKind::json:
+    case ContentKind::prose:
+      break;
+  }
+  return nullptr;
+}
+
+Material material_in(const std::string& text, const std::string& file) {
+  try {
+    return parse_material(text, file);
+  } catch (const Error&) {
+    const char* other = told_by_content(text);
+    if (other != nullptr) throw Error::at(file, other, "a project or a material (.json)");
+    throw;
+  }
+}
 
 void note(Opened& out, const std::vector<std::string>& problems) {
   for (const std::string& each : problems) out.problems << QString::fromStdString(each);

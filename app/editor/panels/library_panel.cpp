@@ -14,7 +14,7 @@
 namespace etak::editor {
 namespace {
 
-constexpr int side = 72;
+constexpr int sphere_side = 72;
 
 }  // namespace
 
@@ -39,12 +39,12 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
   chips_->setAccessibleName(tr("Classes"));
   column->addWidget(chips_);
 
-  model_.set_side(side, devicePixelRatioF());
+  model_.set_side(sphere_side, devicePixelRatioF());
   filter_.setSourceModel(&model_);
   list_->setModel(&filter_);
   list_->setViewMode(QListView::IconMode);
-  list_->setIconSize({side, side});
-  list_->setGridSize({side + 14, side + 6 + 2 * fontMetrics().height()});
+  list_->setIconSize({sphere_side, sphere_side});
+  list_->setGridSize({sphere_side + 14, sphere_side + 6 + 2 * fontMetrics().height()});
   list_->setResizeMode(QListView::Adjust);
   list_->setMovement(QListView::Static);
   list_->setWordWrap(true);

@@ -16,7 +16,7 @@
 namespace etak::editor {
 namespace {
 
-constexpr int side = 32;
+constexpr int row_side = 32;
 
 // Names one look of a material; the picture on disk is known by it.
 std::string look_text(const ProjectMaterial& m) {
@@ -69,7 +69,7 @@ QPixmap ProjectModel::picture(int row) const {
     mix(std::hash<std::string>()(m.measured->dataset + '|' + m.measured->outside));
   }
   const QString key = QStringLiteral("project|%1").arg(seed, 0, 16);
-  return thumbnails_.get(key, Shape::sphere, side, 2, [&] {
+  return thumbnails_.get(key, Shape::sphere, row_side, 2, [&] {
     return Thumbnails::Subject{[m] { return look_text(m); },
                                [m, library = document_.library()] { return surface_of(m, *library); }};
   });
@@ -94,7 +94,7 @@ QVariant ProjectModel::data(const QModelIndex& index, int role) const {
         icon.addPixmap(pixmap, QIcon::Selected);
         return icon;
       }
-      QPixmap empty(side, side);
+      QPixmap empty(row_side, row_side);
       const Srgb8 codes = srgb_u8(m.specular);
       empty.fill(QColor(codes.r, codes.g, codes.b));
       return empty;
@@ -125,7 +125,7 @@ ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* 
   column->setContentsMargins(4, 4, 4, 4);
   column->setSpacing(4);
   list_->setModel(&model_);
-  list_->setIconSize({side, side});
+  list_->setIconSize({row_side, row_side});
   list_->setUniformItemSizes(true);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
   list_->setAccessibleName(tr("Materials of the project"));

@@ -104,7 +104,7 @@ Vec3 direction_deg(double theta_deg, double phi_deg) {
   return {s * sin_deg(90 - phi_deg), s * sin_deg(phi_deg), sin_deg(90 - theta_deg)};
 }
 
-double directional_albedo(const Reflectance& f, double theta_v_deg, const AlbedoOptions& options) {
+double directional_albedo(const BrdfFunction& f, double theta_v_deg, const AlbedoOptions& options) {
   const Vec3 v = direction_deg(theta_v_deg, 0);
   if (!(v[2] > 0)) return 0;
   const bool half_ring = options.isotropic && !options.half_space;

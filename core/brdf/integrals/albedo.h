@@ -13,7 +13,7 @@ namespace etak {
 Vec3 direction_deg(double theta_deg, double phi_deg);
 
 /// f_r of one channel, in 1/sr.
-using Reflectance = std::function<double(const Directions&)>;
+using BrdfFunction = std::function<double(const Directions&)>;
 
 struct AlbedoOptions {
   double lobe_width = 0.1;  // of the half vector's angle, radians: where the integrand is looked at closest
@@ -25,7 +25,7 @@ struct AlbedoOptions {
 /// Directional albedo: integral of f nl over the hemisphere of light, for a viewer at theta_v and azimuth 0.
 /// Integrated over half vectors, with the horizon and the edges of V-groove shadowing as ends of the pieces,
 /// so that lobes of exponent 4096 and views of 89.9 degrees come out as surely as the rest.
-double directional_albedo(const Reflectance& f, double theta_v_deg, const AlbedoOptions& options);
+double directional_albedo(const BrdfFunction& f, double theta_v_deg, const AlbedoOptions& options);
 
 /// Integral of D nm over the hemisphere.
 ///   D       of nm and s2 = 1 - nm^2

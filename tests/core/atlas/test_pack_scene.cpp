@@ -13,17 +13,13 @@
 #include "core/scene/gltf.h"
 #include "core/scene/gltf_convert.h"
 #include "tests/core/atlas/pack_support.h"
+#include "tests/core/material/library_support.h"
 #include "tests/support.h"
 
 using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-const MaterialLibrary& library() {
-  static const MaterialLibrary built_in = MaterialLibrary::builtin();
-  return built_in;
-}
 
 std::optional<std::string> asset(const std::string& name) {
   const auto shared = shared_folder();
@@ -34,7 +30,7 @@ std::optional<std::string> asset(const std::string& name) {
   return *shared + "/data/assets/" + name;
 }
 
-const std::vector<std::string> real_scenes{"flight_helmet/FlightHelmet.gltf",
+const std::vector<std::string> real_models{"flight_helmet/FlightHelmet.gltf",
                                            "tennis_racquet/TennisRacquet.gltf",
                                            "wicker_chair/WickerChair.gltf", "mixer/Mixer.gltf"};
 
@@ -89,7 +85,7 @@ std::array<double, 4> lookup(const Image8& image, const GltfTexture& texture, co
   return sum;
 }
 
-std::array<double, 3> code_of(const std::array<double, 3>& linear) {
+std::array<double, 3> codes_of_linear(const std::array<double, 3>& linear) {
   std::array<double, 3> out;
   for (std::size_t c = 0; c < 3; ++c) out[c] = 255 * srgb_encode(linear[c]);
   return out;
@@ -115,8 +111,8 @@ Look look_of(const GltfMaterial& m, const MaterialPair& pair, const std::array<f
 // The same from the packed scene, whose material reads several page pictures with factors.
 Look packed_look(const GltfMaterial& m, Pictures& pictures, const std::array<float, 2>& uv, Filter filter) {
   Look out;
-  const auto base = code_of({m.base_color[0], m.base_color[1], m.base_color[2]});
-  const auto f0 = code_of({m.specular_color[0], m.specular_color[1], m.specular_color[2]});
+  const auto base = codes_of_linear({m.base_color[0], m.base_color[1], m.base_color[2]});
+  const auto f0 = codes_of_linear({m.specular_color[0], m.specular_color[1], m.specular_color[2]});
   for (std::size_t c = 0; c < 3; ++c) out.codes[c] = base[c], out.codes[4 + c] = f0[c];
   out.codes[3] = m.alpha_mode == AlphaMode::opaque ? 255 : 255 * m.base_color[3];
   out.codes[7] = 255 * m.roughness;
@@ -204,7 +200,7 @@ PackReport pack_scene(const std::string& path, const std::string& out, bool isla
                                const std::string& label) -> std::variant<Image8, Image> {
     return std::get<Image8>(load_picture(bytes, label, image_io_decoder()).pixels);
   };
-  return pack(path, out, options, library());
+  return pack(path, out, options, test::library());
 }
 
 }  // namespace
@@ -213,7 +209,7 @@ TEST_CASE("real scenes keep at most 60 % of two full-size textures, 45 % with is
   if (!asset("")) return;
   for (const bool islands : {false, true}) {
     TexelAccount before, after;
-    for (const std::string& name : real_scenes) {
+    for (const std::string& name : real_models) {
       const TempFolder folder;
       const PackReport report = pack_scene(*asset(name), folder.file("out"), islands);
       before.channel_texels += report.left_out.before.channel_texels;
@@ -360,7 +356,8 @@ TEST_CASE("a scene packed with everything kept keeps everything") {
   const TempFolder folder;
   PackOptions options;
   options.keep = parse_keep({"all"});
-  const PackReport report = pack(*asset("synthetic_a/scene.gltf"), folder.file("out"), options, library());
+  const PackReport report =
+      pack(*asset("synthetic_a/scene.gltf"), folder.file("out"), options, test::library());
   CHECK(report.left_out.lines.empty());
   CHECK(report.left_out.before == report.left_out.after);
 }

@@ -11,7 +11,7 @@ using namespace etak::test;
 
 namespace {
 
-std::vector<std::string> names(std::size_t count) {
+std::vector<std::string> region_names(std::size_t count) {
   std::vector<std::string> out;
   for (std::size_t i = 0; i < count; ++i) out.push_back("m" + std::to_string(i));
   return out;
@@ -21,7 +21,7 @@ Region region(std::size_t material, int width, int height) {
   return {material, {0, 0, width, height}, {true, true}, false};
 }
 
-PlanOptions options(int side) {
+PlanOptions plan_options(int side) {
   PlanOptions out;
   out.rects.form = PageForm::mixed;
   out.rects.side = out.rects.largest_side = side;
@@ -61,7 +61,7 @@ std::string fault_of(const PackingPlan& plan, const std::vector<Region>& regions
 TEST_CASE("64 power-of-two regions fill one page by default, without gutters but with insets") {
   std::vector<Region> regions;
   for (std::size_t i = 0; i < 64; ++i) regions.push_back(region(i, 64, 64));
-  const PackingPlan plan = plan_pages(regions, names(64), options(512));
+  const PackingPlan plan = plan_pages(regions, region_names(64), plan_options(512));
   REQUIRE(plan.pages.size() == 1);
   CHECK(plan.pages[0].width * plan.pages[0].height == 512 * 512);
   CHECK(plan.inset);
@@ -69,7 +69,7 @@ TEST_CASE("64 power-of-two regions fill one page by default, without gutters but
 }
 
 TEST_CASE("regions of the largest page's size need no gutter to fit") {
-  const PackingPlan plan = plan_pages({region(0, 256, 256)}, names(1), options(256));
+  const PackingPlan plan = plan_pages({region(0, 256, 256)}, region_names(1), plan_options(256));
   CHECK(plan.pages.size() == 1);
   CHECK(plan.places[0].gutter == 0);
 }
@@ -84,11 +84,11 @@ TEST_CASE("cells never overlap or leave the page, and mips never share a texel")
           region(i, 1 + static_cast<int>(random() % 150), 1 + static_cast<int>(random() % 150)));
       regions.back().in = {random() % 4 != 0, true};
     }
-    PlanOptions o = options(512);
+    PlanOptions o = plan_options(512);
     o.rects.rotate = round % 2 == 0;
     o.levels = static_cast<int>(random() % 5);
     if (round % 3 == 0) o.gutter = static_cast<int>(random() % 5);
-    const PackingPlan plan = plan_pages(regions, names(count), o);
+    const PackingPlan plan = plan_pages(regions, region_names(count), o);
     CHECK(fault_of(plan, regions) == "");
     int clean = 1;
     for (const PlannedPlace& at : plan.places) clean = std::max(clean, at.clean_levels);
@@ -107,10 +107,10 @@ TEST_CASE("regions that lack a texture share pages that lack it, where that is s
     regions.push_back(region(i, 128, 128));
     regions.back().in = {true, i < 4};
   }
-  PlanOptions o = options(512);
-  const PackingPlan apart = plan_pages(regions, names(8), o);
+  PlanOptions o = plan_options(512);
+  const PackingPlan apart = plan_pages(regions, region_names(8), o);
   o.split_textures = false;
-  const PackingPlan common = plan_pages(regions, names(8), o);
+  const PackingPlan common = plan_pages(regions, region_names(8), o);
   CHECK(apart.page_texels() < common.page_texels());
   CHECK(apart.page_texels() == 12 * 128 * 128);
 }
@@ -118,19 +118,20 @@ TEST_CASE("regions that lack a texture share pages that lack it, where that is s
 TEST_CASE("a tiling region has a page of just its size to itself") {
   std::vector<Region> regions{region(0, 30, 40), region(1, 50, 20)};
   regions[0].own_page = true;
-  const PackingPlan plan = plan_pages(regions, names(2), options(512));
+  const PackingPlan plan = plan_pages(regions, region_names(2), plan_options(512));
   CHECK(plan.pages.at(1) == PlannedPage{30, 40, {true, true}});
   CHECK(plan.places[0].page == 1);
 }
 
 TEST_CASE("a region larger than any page is refused") {
-  CHECK_FALSE(error_of([] { (void)plan_pages({region(0, 300, 10)}, names(1), options(256)); }).empty());
+  CHECK_FALSE(
+      error_of([] { (void)plan_pages({region(0, 300, 10)}, region_names(1), plan_options(256)); }).empty());
 }
 
 namespace {
 
 // The layout that a plan was written as.
-AtlasLayout written(const PackingPlan& plan, const std::vector<Region>& regions) {
+AtlasLayout written_layout(const PackingPlan& plan, const std::vector<Region>& regions) {
   AtlasLayout out;
   for (const PlannedPage& page : plan.pages) {
     AtlasPage row{page.width, page.height, {}};
@@ -138,7 +139,7 @@ AtlasLayout written(const PackingPlan& plan, const std::vector<Region>& regions)
       if (page.has[t]) row.files[t] = {"file"};
     out.pages.push_back(row);
   }
-  const auto all = names(regions.size());
+  const auto all = region_names(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i) {
     AtlasRect rect;
     const PlannedPlace& at = plan.places[i];
@@ -160,19 +161,19 @@ TEST_CASE("staying costs no more than the stated share of area") {
   // Half of what was there goes: a page of half the size would do for the rest.
   std::vector<Region> regions;
   for (std::size_t i = 0; i < 16; ++i) regions.push_back(region(i, 60, 60));
-  PlanOptions choice = options(1024);
+  PlanOptions choice = plan_options(1024);
   choice.rects.form = PageForm::free;
-  const PackingPlan before = plan_pages(regions, names(16), choice);
-  const AtlasLayout old = written(before, regions);
+  const PackingPlan before = plan_pages(regions, region_names(16), choice);
+  const AtlasLayout old = written_layout(before, regions);
   std::vector<Region> rest;
   for (std::size_t i = 0; i < 16; i += 2) rest.push_back(regions[i]);
-  const PackingPlan fresh = plan_pages(rest, names(16), choice);
+  const PackingPlan fresh = plan_pages(rest, region_names(16), choice);
   REQUIRE(fresh.page_texels() < before.page_texels());
   choice.most_extra_area = 0;
-  const PackingPlan tight = plan_pages(rest, names(16), choice, &old);
+  const PackingPlan tight = plan_pages(rest, region_names(16), choice, &old);
   CHECK(tight.page_texels() <= fresh.page_texels());
   choice.most_extra_area = 10;
-  const PackingPlan loose = plan_pages(rest, names(16), choice, &old);
+  const PackingPlan loose = plan_pages(rest, region_names(16), choice, &old);
   CHECK(loose.moved == 0);
   CHECK(loose.kept_previous);
   CHECK(fault_of(loose, rest) == "");
@@ -180,7 +181,7 @@ TEST_CASE("staying costs no more than the stated share of area") {
   // In between: never above the share, whatever moves.
   for (const double share : {0.02, 0.1, 0.3, 0.6, 1.0}) {
     choice.most_extra_area = share;
-    const PackingPlan plan = plan_pages(rest, names(16), choice, &old);
+    const PackingPlan plan = plan_pages(rest, region_names(16), choice, &old);
     CHECK(static_cast<double>(plan.page_texels()) <= static_cast<double>(fresh.page_texels()) * (1 + share));
     CHECK(fault_of(plan, rest) == "");
   }
@@ -190,14 +191,14 @@ TEST_CASE("a new region with more clean mips than the others moves none of them"
   std::vector<Region> regions;
   for (std::size_t i = 0; i < 12; ++i)
     regions.push_back(region(i, 70 + static_cast<int>(i), 90 - static_cast<int>(i)));
-  PlanOptions choice = options(2048);
+  PlanOptions choice = plan_options(2048);
   choice.levels = 0;
-  const PackingPlan before = plan_pages(regions, names(13), choice);
-  const AtlasLayout old = written(before, regions);
+  const PackingPlan before = plan_pages(regions, region_names(13), choice);
+  const AtlasLayout old = written_layout(before, regions);
   std::vector<Region> more = regions;
   more.push_back(region(12, 300, 300));
   choice.most_extra_area = 0.5;
-  const PackingPlan after = plan_pages(more, names(13), choice, &old);
+  const PackingPlan after = plan_pages(more, region_names(13), choice, &old);
   CHECK(after.moved == 0);
   CHECK(after.clean_limit == before.places[0].clean_levels);
   CHECK(fault_of(after, more) == "");

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Runs `act` in a process of its own, which handles signals; its status as waitpid() gives it.
-int in_child(const std::function<void()>& act) {
+int status_of_child(const std::function<void()>& act) {
   const pid_t child = ::fork();
   if (child == 0) {
     end_by_signals();
@@ -49,7 +49,7 @@ bool died_of(int status, int number) {
 TEST_CASE("found 4.09: a signal that ends the program takes what is half-made with it") {
   const test::TempFolder folder;
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-    const int status = in_child([&] {
+    const int status = status_of_child([&] {
       const Descriptor open(::open(folder.path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
       const Temporary file(open.get(), "a", Temporary::Kind::file);
       OutputFolder set(folder.file("set"), Replace::nothing);
@@ -64,7 +64,7 @@ TEST_CASE("found 4.09: a signal that ends the program takes what is half-made wi
 
 TEST_CASE("a signal waits for what holds it, in any thread, and nothing new begins then") {
   const test::TempFolder folder;
-  const int status = in_child([&] {
+  const int status = status_of_child([&] {
     std::thread other;
     {
       const SignalsHeld held;
@@ -85,7 +85,7 @@ TEST_CASE("a signal waits for what holds it, in any thread, and nothing new begi
 
 TEST_CASE("threads that go on writing into a folder do not keep a signal from removing it") {
   const test::TempFolder folder;
-  const int status = in_child([&] {
+  const int status = status_of_child([&] {
     OutputFolder set(folder.file("set"), Replace::nothing);
     std::vector<std::thread> writers;
     for (int t = 0; t < 3; ++t)
@@ -102,7 +102,7 @@ TEST_CASE("threads that go on writing into a folder do not keep a signal from re
 
 TEST_CASE("a signal that was ignored from the start stays so") {
   const auto before = std::signal(SIGHUP, SIG_IGN);
-  const int status = in_child([] { ::raise(SIGHUP); });
+  const int status = status_of_child([] { ::raise(SIGHUP); });
   std::signal(SIGHUP, before);
   CHECK(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 0);
@@ -110,7 +110,7 @@ TEST_CASE("a signal that was ignored from the start stays so") {
 
 TEST_CASE("found 4.09: a file beyond the limit of its size is an error") {
   const test::TempFolder folder;
-  const int status = in_child([&] {
+  const int status = status_of_child([&] {
     const rlimit small{1000, 1000};
     ::setrlimit(RLIMIT_FSIZE, &small);
     write_file(folder.file("a"), std::string(100000, 'x'), false);

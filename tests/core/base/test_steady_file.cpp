@@ -16,7 +16,7 @@ using namespace etak::test;
 
 namespace {
 
-constexpr std::size_t much = std::size_t{64} << 20;
+constexpr std::size_t much_of_a_file = std::size_t{64} << 20;
 
 std::string some_bytes(std::size_t count) {
   std::string out(count, '\0');
@@ -36,7 +36,7 @@ TEST_CASE("a file looked at piece by piece, in any order, has the bytes of the w
   const TempFolder folder;
   const std::string path = folder.file("a.bin"), bytes = some_bytes(1000003);
   spit(path, bytes);
-  SteadyFile file(path, much);
+  SteadyFile file(path, much_of_a_file);
   REQUIRE(file.size() == bytes.size());
   for (const std::size_t at : {0, 999000, 12, 262143, 262144, 262145, 524000, 1, 1000002, 700000})
     for (const std::size_t count : {0, 1, 8, 65536, 300000})
@@ -50,7 +50,7 @@ TEST_CASE("found 4.03: a file that shrinks between two reads is an error that na
   const TempFolder folder;
   const std::string path = folder.file("a.bin");
   spit(path, some_bytes(6000000));
-  SteadyFile file(path, much);
+  SteadyFile file(path, much_of_a_file);
   CHECK(file.view(0, 8).size() == 8);
   std::filesystem::resize_file(path, 700000);
   // What lies in the window was read before.
@@ -70,7 +70,7 @@ TEST_CASE("found 4.03: a file that is written or replaced while it is read is to
   const std::string path = folder.file("a.bin");
   spit(path, "0123456789");
   set_time(path, 1000000000);
-  const SteadyFile file(path, much);
+  const SteadyFile file(path, much_of_a_file);
   CHECK(error_of([&] { file.read_checked([] { throw Error("damaged"); }); }) == "damaged");
   SECTION("other bytes of the same number") {
     spit(path, "0123456780");

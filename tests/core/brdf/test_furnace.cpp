@@ -2,6 +2,7 @@
 // White furnace: directional albedo against printed numbers, against closed forms, and against what each
 // model claims.
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "core/math/quadrature.h"
 #include "tests/core/brdf/random_models.h"
@@ -11,8 +12,7 @@ using namespace etak::test;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double views[] = {0, 45, 60, 75, 85, 89, 89.9};
+constexpr double furnace_views[] = {0, 45, 60, 75, 85, 89, 89.9};
 
 double width_of(double e) {
   return std::sqrt(2 / (e + 2));
@@ -35,10 +35,10 @@ double albedo_over_light(const Model& model, const std::vector<double>& values, 
                   model.f64({s * std::cos(phi), s * std::sin(phi), c, v[0], v[1], v[2]}, values.data(), rgb);
                   return rgb[0] * c * s;
                 },
-                pi * j / panels, pi * (j + 1) / panels);
+                std::numbers::pi * j / panels, std::numbers::pi * (j + 1) / panels);
           return 2 * ring;
         },
-        pi / 2 * i / panels, pi / 2 * (i + 1) / panels);
+        std::numbers::pi / 2 * i / panels, std::numbers::pi / 2 * (i + 1) / panels);
   return sum;
 }
 
@@ -57,11 +57,11 @@ double albedo_of_light(const Model& model, const std::vector<double>& values, do
       theta_l, options);
 }
 
-struct Printed {
+struct PrintedAlbedo {
   const char* id;
   std::vector<double> values;
   double width;
-  double albedo[7];  // at `views`, three decimals; one above 10
+  double albedo[7];  // at `furnace_views`, three decimals; one above 10
 };
 
 }  // namespace
@@ -69,7 +69,7 @@ struct Printed {
 // Two places at 89.9 degrees are printed otherwise: .667 is the limit at 90 degrees, and 25.7 is coarse: over
 // half vectors, with more points where l h ends, the integral is 25.793.
 TEST_CASE("directional albedo comes out as printed") {
-  const std::vector<Printed> table = {
+  const std::vector<PrintedAlbedo> table = {
       {"microfacet:schueler,schlick,cook-torrance",
        {1, 1, 1, 1},
        width_of(1),
@@ -112,11 +112,11 @@ TEST_CASE("directional albedo comes out as printed") {
        {.992, .961, .935, .865, .682, .539, .504}},
       {"oren-nayar", {1, 1, 1, .3}, .5, {.893, .938, .960, .984, .999, 1.004, 1.005}},
   };
-  for (const Printed& row : table)
-    for (std::size_t i = 0; i < std::size(views); ++i) {
-      INFO(row.id << " at " << views[i]);
+  for (const PrintedAlbedo& row : table)
+    for (std::size_t i = 0; i < std::size(furnace_views); ++i) {
+      INFO(row.id << " at " << furnace_views[i]);
       const double digits = row.albedo[i] > 10 ? 0.06 : 6e-4;
-      CHECK(albedo(*find_model(row.id), row.values, views[i], row.width) ==
+      CHECK(albedo(*find_model(row.id), row.values, furnace_views[i], row.width) ==
             Approx(row.albedo[i]).epsilon(0).margin(digits));
     }
 }
@@ -142,7 +142,7 @@ TEST_CASE("closed forms at normal incidence") {
     CHECK(albedo(*find_model("blinn-phong"), values, 0, width_of(m), 1e-9) ==
           Approx((m + 8) * (std::exp2(-m / 2) + m) / ((m + 2) * (m + 4))).epsilon(1e-8));
   }
-  for (const double theta : views)
+  for (const double theta : furnace_views)
     CHECK(albedo(*find_model("lambert"), {0.6, 0, 0}, theta, 0.5, 1e-9) == Approx(0.6).epsilon(1e-8));
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("energy is conserved where it is claimed, and a counter-example exists
         std::vector<double> one = values;
         if (parts) set_role(model, part == 0 ? Role::diffuse : Role::f0, 0, one);
         if (model.kind == ModelKind::diffuse) set_role(model, Role::f0, 0.04, one);
-        for (const double theta : views) {
+        for (const double theta : furnace_views) {
           most = std::max(most, albedo(model, one, theta, width_of(e), 1e-5));
           if (!model.claims.reciprocal)
             most = std::max(most, albedo_of_light(model, one, theta, width_of(e)));
@@ -198,11 +198,11 @@ TEST_CASE("printed claims of single models") {
   CHECK(albedo_of_light(*find_model("phong"), {0, 0, 0, 1, 1, 1, 1}, 89.9, 0.8) == Approx(122).epsilon(0.01));
   CHECK(albedo_of_light(*find_model("phong"), {0, 0, 0, 1, 1, 1, 8}, 0, 0.4) == Approx(0.2).epsilon(1e-4));
   CHECK(albedo(*find_model("cook-torrance-printed"), {1.5, 1.5, 1.5, 1e4, 1e4, 1e4, 0.05}, 0, 0.05) ==
-        Approx(pi / 4).epsilon(1e-3));
+        Approx(std::numbers::pi / 4).epsilon(1e-3));
   double worst = 0;
   for (const double K : {.04, .5, .9, 1.0})
     for (double g = 0; g <= 1; g += 0.125)
-      for (const double theta : views)
+      for (const double theta : furnace_views)
         worst = std::max(worst, albedo(*find_model("schueler-optimized-bounded"), {K, K, K, g}, theta,
                                        width_of(std::exp2(12 * g)), 1e-5));
   CHECK(worst <= 0.9994);

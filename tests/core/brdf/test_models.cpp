@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every row of the registry is held to.
 #include <catch2/catch.hpp>
+#include <numbers>
 #include <set>
 
 #include "tests/core/brdf/random_models.h"
@@ -9,8 +10,6 @@ using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 using Rgb = std::array<double, 3>;
 
@@ -230,60 +229,64 @@ TEST_CASE("isotropic models do not change with a turn about the normal, Ashikhmi
 TEST_CASE("parameters come back in the printed formulas: values at one pair of directions by hand") {
   // l 30 degrees, v 40 degrees, opposite sides: h at 5 degrees towards v, l.h = cos 35.
   const Directions d = directions_deg(30, 40, 180);
-  const auto c = [](double deg) { return std::cos(deg * pi / 180); };
+  const auto c = [](double deg) { return std::cos(deg * std::numbers::pi / 180); };
   const double nl = c(30), nv = c(40), nh = c(5), lh = c(35), g = 0.5, e = 64, K = 0.2;
   const double F = K + (1 - K) * std::pow(1 - lh, 4);
   const double G = std::min({1.0, 2 * nh * nv / lh, 2 * nh * nl / lh});
   const double D = (1 + e) / 2 * std::pow(nh, e);
   const std::vector<double> Kg{K, K, K, g};
-  CHECK(pi * nl * f64(*find_model("schueler-simplified"), d, Kg)[0] ==
+  CHECK(std::numbers::pi * nl * f64(*find_model("schueler-simplified"), d, Kg)[0] ==
         Approx(D * F * G / (4 * nv)).epsilon(1e-12));
-  CHECK(pi * nl * f64(*find_model("schueler-ksk"), d, Kg)[0] ==
+  CHECK(std::numbers::pi * nl * f64(*find_model("schueler-ksk"), d, Kg)[0] ==
         Approx(D * F / (4 * lh * lh) * nl).epsilon(1e-12));
-  CHECK(pi * nl * f64(*find_model("schueler-optimized"), d, Kg)[0] ==
+  CHECK(std::numbers::pi * nl * f64(*find_model("schueler-optimized"), d, Kg)[0] ==
         Approx(K * (1 + e) / (8 * lh * lh * lh) * std::pow(nh, e) * nl).epsilon(1e-12));
   CHECK(f64(*find_model("schueler-optimized-bounded"), d, Kg)[0] ==
-        Approx(std::min(K / lh, 1.0) / (lh * lh) * (1 + e) / 8 * std::pow(nh, e) / pi).epsilon(1e-12));
+        Approx(std::min(K / lh, 1.0) / (lh * lh) * (1 + e) / 8 * std::pow(nh, e) / std::numbers::pi)
+            .epsilon(1e-12));
 
-  const double m = 0.3, tan2 = std::pow(std::tan(5 * pi / 180), 2);
-  const double beckmann = std::exp(-tan2 / (m * m)) / (pi * m * m * std::pow(nh, 4));
+  const double m = 0.3, tan2 = std::pow(std::tan(5 * std::numbers::pi / 180), 2);
+  const double beckmann = std::exp(-tan2 / (m * m)) / (std::numbers::pi * m * m * std::pow(nh, 4));
   const std::vector<double> glass{1.5, 1.5, 1.5, 0, 0, 0, m};
   // Dielectric pair at 35 degrees, sin_t = sin 35 / 1.5.
-  const double st = std::sin(35 * pi / 180) / 1.5, ct = std::sqrt(1 - st * st);
+  const double st = std::sin(35 * std::numbers::pi / 180) / 1.5, ct = std::sqrt(1 - st * st);
   const double rs = (lh - 1.5 * ct) / (lh + 1.5 * ct), rp = (ct - 1.5 * lh) / (ct + 1.5 * lh),
                R = (rs * rs + rp * rp) / 2;
   CHECK(f64(*find_model("cook-torrance"), d, glass)[0] ==
         Approx(beckmann * R * G / (4 * nl * nv)).epsilon(1e-12));
   CHECK(f64(*find_model("cook-torrance-printed"), d, glass)[0] ==
-        Approx(beckmann * R * G / (4 * nl * nv) * pi / 4).epsilon(1e-12));
+        Approx(beckmann * R * G / (4 * nl * nv) * std::numbers::pi / 4).epsilon(1e-12));
 
   const std::vector<double> phong{0.3, 0.3, 0.3, 0.2, 0.2, 0.2, 8};
-  CHECK(pi * nl * f64(*find_model("phong"), d, phong)[0] ==
+  CHECK(std::numbers::pi * nl * f64(*find_model("phong"), d, phong)[0] ==
         Approx(0.3 * nl + 0.2 * std::pow(c(10), 8)).epsilon(1e-12));
   CHECK(f64(*find_model("blinn-phong"), d, phong)[0] ==
-        Approx(0.3 / pi + 16 / (8 * pi) * 0.2 * std::pow(nh, 8)).epsilon(1e-12));
+        Approx(0.3 / std::numbers::pi + 16 / (8 * std::numbers::pi) * 0.2 * std::pow(nh, 8)).epsilon(1e-12));
 
   const double a2 = 0.09, t = nh * nh * (a2 - 1) + 1;
   const double V = 0.5 / (nl * std::sqrt(nv * nv * (1 - a2) + a2) + nv * std::sqrt(nl * nl * (1 - a2) + a2));
   const double S = 0.04 + 0.96 * std::pow(1 - lh, 5);
   CHECK(f64(*find_model("ggx-schlick"), d, {0.04, 0.04, 0.04, 0.3})[0] ==
-        Approx(a2 / (pi * t * t) * V * S).epsilon(1e-12));
+        Approx(a2 / (std::numbers::pi * t * t) * V * S).epsilon(1e-12));
 
   const double s2 = 0.09, A = 1 - 0.5 * s2 / (s2 + 0.33);  // opposite azimuths: no B part
-  CHECK(f64(*find_model("oren-nayar"), d, {0.8, 0.8, 0.8, 0.3})[0] == Approx(0.8 / pi * A).epsilon(1e-12));
+  CHECK(f64(*find_model("oren-nayar"), d, {0.8, 0.8, 0.8, 0.3})[0] ==
+        Approx(0.8 / std::numbers::pi * A).epsilon(1e-12));
   const double B =
       0.45 * s2 /
       (s2 + 0.09);  // equal azimuths: sin(30) tan(40) or sin(40) tan(30): the larger angle's sine,
-  const double near = std::sin(40 * pi / 180) * std::tan(30 * pi / 180);  // the smaller angle's tangent
+  const double near = std::sin(40 * std::numbers::pi / 180) *
+                      std::tan(30 * std::numbers::pi / 180);  // the smaller angle's tangent
   CHECK(f64(*find_model("oren-nayar"), directions_deg(30, 40, 0), {0.8, 0.8, 0.8, 0.3})[0] ==
-        Approx(0.8 / pi * (A + B * near)).epsilon(1e-12));
+        Approx(0.8 / std::numbers::pi * (A + B * near)).epsilon(1e-12));
 
   // Ashikhmin-Shirley with h in the plane of the tangent: only nu counts.
-  const double as = std::sqrt(101.0 * 11) / (8 * pi) * std::pow(nh, 100) * S / (lh * std::max(nl, nv));
+  const double as =
+      std::sqrt(101.0 * 11) / (8 * std::numbers::pi) * std::pow(nh, 100) * S / (lh * std::max(nl, nv));
   CHECK(f64(*find_model("ashikhmin-shirley-specular"), d, {0.04, 0.04, 0.04, 100, 10})[0] ==
         Approx(as).epsilon(1e-12));
-  const double ad =
-      28 * 0.5 / (23 * pi) * (1 - 0.04) * (1 - std::pow(1 - nl / 2, 5)) * (1 - std::pow(1 - nv / 2, 5));
+  const double ad = 28 * 0.5 / (23 * std::numbers::pi) * (1 - 0.04) * (1 - std::pow(1 - nl / 2, 5)) *
+                    (1 - std::pow(1 - nv / 2, 5));
   CHECK(f64(*find_model("ashikhmin-shirley-diffuse"), d, {0.04, 0.04, 0.04, 0.5, 0.5, 0.5})[0] ==
         Approx(ad).epsilon(1e-12));
 }
@@ -291,8 +294,8 @@ TEST_CASE("parameters come back in the printed formulas: values at one pair of d
 TEST_CASE("Ashikhmin-Shirley at the mirror direction takes the exponent 0") {
   const double value =
       f64(*find_model("ashikhmin-shirley-specular"), directions_deg(20, 20, 180), {1, 1, 1, 100, 10})[0];
-  const double c = std::cos(20 * pi / 180);
-  CHECK(value == Approx(std::sqrt(101.0 * 11) / (8 * pi) / (c * c)).epsilon(1e-12));
+  const double c = std::cos(20 * std::numbers::pi / 180);
+  CHECK(value == Approx(std::sqrt(101.0 * 11) / (8 * std::numbers::pi) / (c * c)).epsilon(1e-12));
 }
 
 TEST_CASE("a lobe of exponent 4096 keeps its digits beside the peak in float") {
@@ -304,6 +307,7 @@ TEST_CASE("a lobe of exponent 4096 keeps its digits beside the peak in float") {
     model.f32(d, values.data(), one);
     CHECK(one[0] == Approx(f64(model, d, values)[0]).epsilon(2e-5));
     CHECK(f64(model, d, values)[0] ==
-          Approx(4104 / (8 * pi) * std::pow(std::cos(degrees * pi / 180), 4096)).epsilon(1e-10));
+          Approx(4104 / (8 * std::numbers::pi) * std::pow(std::cos(degrees * std::numbers::pi / 180), 4096))
+              .epsilon(1e-10));
   }
 }

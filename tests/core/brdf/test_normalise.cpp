@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "core/brdf/integrals/albedo.h"
 #include "core/math/quadrature.h"
@@ -11,16 +12,14 @@ using namespace etak;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-// The definition, integrated: 2 pi times that of (1 + a t)^-b (1 - t) over [0, 1], in s = log(1 + a t).
+// The definition, integrated: 2 std::numbers::pi times that of (1 + a t)^-b (1 - t) over [0, 1], in s = log(1 + a t).
 double abc_by_quadrature(double a, double b) {
   const double u = std::log1p(a);
   double sum = 0;
   for (int i = 0; i < 400; ++i)
     sum += gauss_legendre<16>([&](double s) { return std::exp((1 - b) * s) * (a - std::expm1(s)) / (a * a); },
                               u * i / 400, u * (i + 1) / 400);
-  return 1 / (2 * pi * sum);
+  return 1 / (2 * std::numbers::pi * sum);
 }
 
 }  // namespace
@@ -41,20 +40,22 @@ TEST_CASE("ABC's constant is right everywhere, its removable poles included") {
       INFO("a1 " << a << ", a2 " << b);
       CHECK(abc_norm(a, b) == Approx(abc_by_quadrature(a, b)).epsilon(2e-11));
     }
-  CHECK(abc_norm(0, 3) == Approx(1 / pi).epsilon(1e-15));
+  CHECK(abc_norm(0, 3) == Approx(1 / std::numbers::pi).epsilon(1e-15));
   const double a = 7;  // the closed forms at the poles
-  CHECK(1 / abc_norm(a, 1) == Approx(2 * pi * ((1 + a) * std::log(1 + a) - a) / (a * a)).epsilon(1e-13));
-  CHECK(1 / abc_norm(a, 2) == Approx(2 * pi * (a - std::log(1 + a)) / (a * a)).epsilon(1e-13));
+  CHECK(1 / abc_norm(a, 1) ==
+        Approx(2 * std::numbers::pi * ((1 + a) * std::log(1 + a) - a) / (a * a)).epsilon(1e-13));
+  CHECK(1 / abc_norm(a, 2) == Approx(2 * std::numbers::pi * (a - std::log(1 + a)) / (a * a)).epsilon(1e-13));
 }
 
 TEST_CASE("the shifted gamma constant is one over an incomplete gamma function") {
-  // Gamma(0, x) is E1(x), Gamma(1, x) = e^-x, Gamma(1/2, x) = sqrt(pi) erfc(sqrt x), Gamma(-1, x) = e^-x / x
+  // Gamma(0, x) is E1(x), Gamma(1, x) = e^-x, Gamma(1/2, x) = sqrt(std::numbers::pi) erfc(sqrt x), Gamma(-1, x) = e^-x / x
   // - E1(x).
   CHECK(std::exp(-log_sgd_norm(1, 1)) == Approx(0.21938393439552027368).epsilon(1e-12));
   CHECK(std::exp(-log_sgd_norm(0.1, 1)) == Approx(1.8229239584193906661).epsilon(1e-12));
   for (const double x : {1e-6, 0.01, 0.5, 3.0, 50.0}) {
     CHECK(std::exp(-log_sgd_norm(x, 1e-15)) == Approx(std::exp(-x)).epsilon(1e-12));
-    CHECK(std::exp(-log_sgd_norm(x, 0.5)) == Approx(std::sqrt(pi) * std::erfc(std::sqrt(x))).epsilon(1e-12));
+    CHECK(std::exp(-log_sgd_norm(x, 0.5)) ==
+          Approx(std::sqrt(std::numbers::pi) * std::erfc(std::sqrt(x))).epsilon(1e-12));
   }
   CHECK(std::exp(-log_sgd_norm(1, 2)) == Approx(std::exp(-1.0) - 0.21938393439552027368).epsilon(1e-12));
 }
@@ -80,7 +81,7 @@ TEST_CASE("every distribution integrates to what it claims") {
           },
           width);
       INFO(term.id << " of width " << width);
-      const double expected = term.id == "beckmann-printed" ? pi / 4
+      const double expected = term.id == "beckmann-printed" ? std::numbers::pi / 4
                               : term.id == "schueler"       ? (1 + e) / (2 + e)
                               : term.id == "abc-printed"    ? 1 / abc_norm(values[0], values[1])
                                                             : 1;

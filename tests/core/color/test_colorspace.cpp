@@ -4,16 +4,11 @@
 
 #include "core/color/colorspace.h"
 #include "core/spectrum/integration.h"
+#include "tests/core/color/whites.h"
 
 using namespace etak;
 
 namespace {
-
-Xyz white_of(double x, double y) {
-  return {x / y, 1, (1 - x - y) / y};
-}
-const Xyz d65 = white_of(0.3127, 0.3290);
-const Xyz aces_white = white_of(0.32168, 0.33767);
 
 Xyz discrete_white(Method method, Viewing viewing) {
   return to_xyz(make_quadrature(method, viewing).white());
@@ -38,7 +33,7 @@ TEST_CASE("a matrix times its inverse is the identity") {
 
 TEST_CASE("matrices from primaries are those that the standards print") {
   SECTION("sRGB, IEC 61966-2-1") {
-    near(inverse(rgb_to_xyz(primaries(RgbSpace::srgb), d65)),
+    near(inverse(rgb_to_xyz(primaries(RgbSpace::srgb), test::d65)),
          {{{3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}}}, 6e-4);
   }
   SECTION("the same with etak's discrete white") {
@@ -47,15 +42,15 @@ TEST_CASE("matrices from primaries are those that the standards print") {
          {{{3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}}}, 1e-3);
   }
   SECTION("Rec.2020, ITU-R BT.2020") {
-    near(rgb_to_xyz(primaries(RgbSpace::rec2020), d65),
+    near(rgb_to_xyz(primaries(RgbSpace::rec2020), test::d65),
          {{{0.636958, 0.144617, 0.168881}, {0.262700, 0.677998, 0.059302}, {0, 0.028073, 1.060985}}}, 1e-6);
   }
   SECTION("Display P3") {
-    near(rgb_to_xyz(primaries(RgbSpace::display_p3), d65),
+    near(rgb_to_xyz(primaries(RgbSpace::display_p3), test::d65),
          {{{0.486571, 0.265668, 0.198217}, {0.228975, 0.691739, 0.079287}, {0, 0.045113, 1.043944}}}, 1e-6);
   }
   SECTION("ACEScg, S-2014-004") {
-    near(rgb_to_xyz(primaries(RgbSpace::acescg), aces_white),
+    near(rgb_to_xyz(primaries(RgbSpace::acescg), test::aces_white),
          {{{0.6624541811, 0.1340042065, 0.1561876870},
            {0.2722287168, 0.6740817658, 0.0536895174},
            {-0.0055746495, 0.0040607335, 1.0103391003}}},
@@ -66,7 +61,7 @@ TEST_CASE("matrices from primaries are those that the standards print") {
 TEST_CASE("a primary alone has its chromaticity") {
   for (const RgbSpace space : all_rgb_spaces) {
     if (space == RgbSpace::xyz) continue;
-    const Mat3 m = rgb_to_xyz(primaries(space), d65);
+    const Mat3 m = rgb_to_xyz(primaries(space), test::d65);
     for (std::size_t c = 0; c < 3; ++c) {
       const double sum = m[0][c] + m[1][c] + m[2][c];
       CHECK(m[0][c] / sum == Approx(primaries(space)[c][0]).epsilon(1e-13));
@@ -85,11 +80,11 @@ TEST_CASE("Bradford from D65 to D50 is the published matrix") {
 }
 
 TEST_CASE("Bradford maps white onto white, there and back") {
-  const Mat3 there = bradford(d65, aces_white), back = bradford(aces_white, d65);
-  const Vec3 white = there * vec(d65);
-  for (std::size_t c = 0; c < 3; ++c) CHECK(white[c] == Approx(vec(aces_white)[c]).epsilon(1e-14));
+  const Mat3 there = bradford(test::d65, test::aces_white), back = bradford(test::aces_white, test::d65);
+  const Vec3 white = there * vec(test::d65);
+  for (std::size_t c = 0; c < 3; ++c) CHECK(white[c] == Approx(vec(test::aces_white)[c]).epsilon(1e-14));
   near(back * there, identity3, 1e-14);
-  near(bradford(d65, d65), identity3, 1e-14);
+  near(bradford(test::d65, test::d65), identity3, 1e-14);
 }
 
 TEST_CASE("a flat reflectance has R = G = B to 1e-12 in every space, illuminant, observer and method") {
@@ -121,7 +116,8 @@ TEST_CASE("under an illuminant that is not the space's, Bradford comes first") {
   near(xyz_to_rgb(RgbSpace::rec2020, a, white),
        inverse(rgb_to_xyz(primaries(RgbSpace::rec2020), white)) * bradford(a, white), 1e-13);
   near(xyz_to_rgb(RgbSpace::acescg, white, white),
-       inverse(rgb_to_xyz(primaries(RgbSpace::acescg), aces_white)) * bradford(white, aces_white), 1e-13);
+       inverse(rgb_to_xyz(primaries(RgbSpace::acescg), test::aces_white)) * bradford(white, test::aces_white),
+       1e-13);
   near(xyz_to_rgb(RgbSpace::xyz, a, white), identity3, 0);
 }
 

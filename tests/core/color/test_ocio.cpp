@@ -10,18 +10,13 @@
 #include "core/color/ocio.h"
 #include "core/color/srgb.h"
 #include "core/spectrum/integration.h"
+#include "tests/core/color/whites.h"
 #include "tests/support.h"
 
 using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-Xyz white_of(double x, double y) {
-  return {x / y, 1, (1 - x - y) / y};
-}
-const Xyz d65 = white_of(0.3127, 0.3290);
-const Xyz aces_white = white_of(0.32168, 0.33767);
 
 const std::string own_config = source_folder() + "/resources/ocio/config.ocio";
 
@@ -45,7 +40,7 @@ Vec3 through(const OcioSpace& space, const Vec3& xyz, const Xyz& white) {
   return vec(space.from_xyz(to_xyz(xyz), white));
 }
 
-void near(const Vec3& got, const Vec3& want, double margin) {
+void near_vector(const Vec3& got, const Vec3& want, double margin) {
   for (std::size_t c = 0; c < 3; ++c) {
     INFO("channel " << c);
     CHECK(got[c] == Approx(want[c]).margin(margin));
@@ -53,11 +48,11 @@ void near(const Vec3& got, const Vec3& want, double margin) {
 }
 
 const std::vector<std::pair<std::string, Mat3>> linear_spaces{
-    {"ACES2065-1", rgb_to_xyz({{{0.7347, 0.2653}, {0, 1}, {0.0001, -0.077}}}, aces_white)},
-    {"ACEScg", rgb_to_xyz(primaries(RgbSpace::acescg), aces_white)},
-    {"Linear Rec.709 (sRGB)", rgb_to_xyz(primaries(RgbSpace::srgb), d65)},
-    {"Linear Rec.2020", rgb_to_xyz(primaries(RgbSpace::rec2020), d65)},
-    {"Linear Display P3", rgb_to_xyz(primaries(RgbSpace::display_p3), d65)}};
+    {"ACES2065-1", rgb_to_xyz({{{0.7347, 0.2653}, {0, 1}, {0.0001, -0.077}}}, test::aces_white)},
+    {"ACEScg", rgb_to_xyz(primaries(RgbSpace::acescg), test::aces_white)},
+    {"Linear Rec.709 (sRGB)", rgb_to_xyz(primaries(RgbSpace::srgb), test::d65)},
+    {"Linear Rec.2020", rgb_to_xyz(primaries(RgbSpace::rec2020), test::d65)},
+    {"Linear Display P3", rgb_to_xyz(primaries(RgbSpace::display_p3), test::d65)}};
 
 const std::vector<Vec3> colours{
     {0.5, 0.4, 0.3}, {0.2, 0.3, 0.9}, {0.95, 1, 1.08}, {0.01, 0.02, 0.03}, {0.7, 0.72, 0.3}};
@@ -87,7 +82,7 @@ TEST_CASE("a flat spectrum is grey within 1e-6 in every linear RGB space of the 
           const Xyz white = to_xyz(q.white());
           for (const double r : {1.0, 0.5, 0.04}) {
             const Vec3 xyz = q.integrate(std::vector<double>(q.wavelength_nm.size(), r));
-            near(through(space, xyz, white), {r, r, r}, 1e-6);
+            near_vector(through(space, xyz, white), {r, r, r}, 1e-6);
           }
         }
   }
@@ -104,7 +99,7 @@ TEST_CASE(
                                             std::tuple{RgbSpace::rec2020, "Linear Rec.2020", 1e-4}}) {
     const OcioSpace door = OcioSpace::open(own_config, name);
     for (const Vec3& xyz : colours)
-      near(through(door, xyz, white), xyz_to_rgb(space, white, white) * xyz, margin);
+      near_vector(through(door, xyz, white), xyz_to_rgb(space, white, white) * xyz, margin);
   }
 }
 
@@ -113,16 +108,17 @@ TEST_CASE("the default config's matrices are the ones that follow from primaries
     INFO(name);
     const OcioSpace space = OcioSpace::open(own_config, name);
     const bool aces = name.starts_with("ACES");
-    const Mat3 want = inverse(matrix) * (aces ? bradford(d65, aces_white) : identity3);
-    for (const Vec3& xyz : colours) near(through(space, xyz, d65), want * xyz, 1e-6);
+    const Mat3 want = inverse(matrix) * (aces ? bradford(test::d65, test::aces_white) : identity3);
+    for (const Vec3& xyz : colours) near_vector(through(space, xyz, test::d65), want * xyz, 1e-6);
   }
   for (const auto* name : {"CIE XYZ D65", "CIE XYZ D65 - Display"})
-    for (const Vec3& xyz : colours) near(through(OcioSpace::open(own_config, name), xyz, d65), xyz, 1e-6);
+    for (const Vec3& xyz : colours)
+      near_vector(through(OcioSpace::open(own_config, name), xyz, test::d65), xyz, 1e-6);
 }
 
 TEST_CASE("encoded spaces and displays of the default config carry their curves") {
-  const Mat3 srgb = inverse(rgb_to_xyz(primaries(RgbSpace::srgb), d65));
-  const Mat3 p3 = inverse(rgb_to_xyz(primaries(RgbSpace::display_p3), d65));
+  const Mat3 srgb = inverse(rgb_to_xyz(primaries(RgbSpace::srgb), test::d65));
+  const Mat3 p3 = inverse(rgb_to_xyz(primaries(RgbSpace::display_p3), test::d65));
   const Vec3 xyz{0.4, 0.42, 0.3};
   const auto encoded = [](Vec3 v) {
     for (double& x : v) x = srgb_encode(x);
@@ -130,18 +126,22 @@ TEST_CASE("encoded spaces and displays of the default config carry their curves"
   };
   // OpenColorIO derives the toe from gamma and offset; it ends 2e-5 away from the standard's rounded
   // constants.
-  near(through(OcioSpace::open(own_config, "sRGB - Texture"), xyz, d65), encoded(srgb * xyz), 2e-5);
-  near(through(OcioSpace::open(own_config, "sRGB - Display"), xyz, d65), encoded(srgb * xyz), 2e-5);
-  near(through(OcioSpace::open(own_config, "Display P3 - Display"), xyz, d65), encoded(p3 * xyz), 2e-5);
+  near_vector(through(OcioSpace::open(own_config, "sRGB - Texture"), xyz, test::d65), encoded(srgb * xyz),
+              2e-5);
+  near_vector(through(OcioSpace::open(own_config, "sRGB - Display"), xyz, test::d65), encoded(srgb * xyz),
+              2e-5);
+  near_vector(through(OcioSpace::open(own_config, "Display P3 - Display"), xyz, test::d65), encoded(p3 * xyz),
+              2e-5);
   Vec3 power = srgb * xyz;
   for (double& x : power) x = std::pow(x, 1 / 2.4);
-  near(through(OcioSpace::open(own_config, "Rec.1886 Rec.709 - Display"), xyz, d65), power, 2e-6);
+  near_vector(through(OcioSpace::open(own_config, "Rec.1886 Rec.709 - Display"), xyz, test::d65), power,
+              2e-6);
 }
 
 TEST_CASE("colours outside the gamut pass unclipped through linear spaces") {
-  const Mat3 srgb = rgb_to_xyz(primaries(RgbSpace::srgb), d65);
+  const Mat3 srgb = rgb_to_xyz(primaries(RgbSpace::srgb), test::d65);
   const Vec3 gold{1.022, 0.782, -0.344};
-  near(through(OcioSpace::open(own_config, "lin_srgb"), srgb * gold, d65), gold, 2e-6);
+  near_vector(through(OcioSpace::open(own_config, "lin_srgb"), srgb * gold, test::d65), gold, 2e-6);
 }
 
 TEST_CASE("spaces are found by name, alias and role") {
@@ -178,12 +178,12 @@ TEST_CASE("either interchange role is a way in") {
   spit(folder.file("aces.ocio"), small_config("  aces_interchange: Own\n"));
   const OcioSpace aces = OcioSpace::open(folder.file("aces.ocio"), "Half");
   CHECK(aces.role() == "aces_interchange");
-  near(through(aces, vec(d65), d65), {0.5, 0.5, 0.5}, 1e-6);
+  near_vector(through(aces, vec(test::d65), test::d65), {0.5, 0.5, 0.5}, 1e-6);
   spit(folder.file("cie.ocio"), small_config("  cie_xyz_d65_interchange: Own\n"));
   const OcioSpace cie = OcioSpace::open(folder.file("cie.ocio"), "Half");
   CHECK(cie.role() == "cie_xyz_d65_interchange");
-  near(through(cie, vec(d65), d65), {0.5 * d65.x, 0.5, 0.5 * d65.z}, 1e-6);
-  near(through(cie, {1, 1, 1}, {1, 1, 1}), {0.5 * d65.x, 0.5, 0.5 * d65.z}, 1e-6);
+  near_vector(through(cie, vec(test::d65), test::d65), {0.5 * test::d65.x, 0.5, 0.5 * test::d65.z}, 1e-6);
+  near_vector(through(cie, {1, 1, 1}, {1, 1, 1}), {0.5 * test::d65.x, 0.5, 0.5 * test::d65.z}, 1e-6);
 }
 
 TEST_CASE("errors of a config name it, the space and what is missing") {

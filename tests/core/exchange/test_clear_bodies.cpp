@@ -11,6 +11,7 @@
 #include "core/exchange/material_x.h"
 #include "core/material/appearance.h"
 #include "core/material/library.h"
+#include "tests/core/exchange/field.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -18,8 +19,8 @@ using namespace etak::test;
 
 namespace {
 
-ExportSurface of_library(const char* id, const LinearRgb& diffuse = {},
-                         std::optional<Gloss> gloss = std::nullopt) {
+ExportSurface clear_of_library(const char* id, const LinearRgb& diffuse = {},
+                               std::optional<Gloss> gloss = std::nullopt) {
   const Material material = *MaterialLibrary::builtin().find(id);
   const Dataset& dataset = material.preferred_dataset();
   const F0Options options;
@@ -37,13 +38,6 @@ ExportSurface glass() {
 
 EngineValues values(const char* target, const ExportSurface& s) {
   return engine_values(*engine_target(target), s);
-}
-
-const EngineField& field(const EngineValues& v, std::string_view name) {
-  for (const EngineField& f : v.fields)
-    if (f.name == name) return f;
-  FAIL("no field " << name << " for " << v.target);
-  return v.fields.front();
 }
 
 bool has_field(const EngineValues& v, std::string_view name) {
@@ -70,31 +64,32 @@ TEST_CASE(
     "found 1.05: each target that knows of transmission gets it with the index, and the others a remark") {
   const ExportSurface s = glass();
   const EngineValues gltf = values("gltf", s);
-  CHECK(field(gltf, "KHR_materials_transmission.transmissionFactor").values == std::vector<double>{1});
-  CHECK(field(gltf, "KHR_materials_ior.ior").values[0] == Approx(1.5).epsilon(1e-12));
-  CHECK(field(gltf, "baseColorFactor").values == std::vector<double>{1, 1, 1});
-  CHECK(field(gltf, "KHR_materials_volume.attenuationColor").values == std::vector<double>{0.5, 0.8, 0.25});
-  CHECK(field(gltf, "KHR_materials_volume.attenuationDistance").values == std::vector<double>{0.1});
+  CHECK(test::field(gltf, "KHR_materials_transmission.transmissionFactor").values == std::vector<double>{1});
+  CHECK(test::field(gltf, "KHR_materials_ior.ior").values[0] == Approx(1.5).epsilon(1e-12));
+  CHECK(test::field(gltf, "baseColorFactor").values == std::vector<double>{1, 1, 1});
+  CHECK(test::field(gltf, "KHR_materials_volume.attenuationColor").values ==
+        std::vector<double>{0.5, 0.8, 0.25});
+  CHECK(test::field(gltf, "KHR_materials_volume.attenuationDistance").values == std::vector<double>{0.1});
   const EngineValues openpbr = values("openpbr", s);
-  CHECK(field(openpbr, "transmission_weight").values == std::vector<double>{1});
-  CHECK(field(openpbr, "transmission_color").values == std::vector<double>{0.5, 0.8, 0.25});
-  CHECK(field(openpbr, "transmission_depth").values == std::vector<double>{0.1});
-  CHECK(field(openpbr, "specular_ior").values[0] == Approx(1.5).epsilon(1e-12));
+  CHECK(test::field(openpbr, "transmission_weight").values == std::vector<double>{1});
+  CHECK(test::field(openpbr, "transmission_color").values == std::vector<double>{0.5, 0.8, 0.25});
+  CHECK(test::field(openpbr, "transmission_depth").values == std::vector<double>{0.1});
+  CHECK(test::field(openpbr, "specular_ior").values[0] == Approx(1.5).epsilon(1e-12));
   const EngineValues blender = values("blender", s);
-  CHECK(field(blender, "Transmission Weight").values == std::vector<double>{1});
-  CHECK(field(blender, "Base Color").values == std::vector<double>{1, 1, 1});
-  CHECK(field(blender, "IOR").values[0] == Approx(1.5).epsilon(1e-12));
+  CHECK(test::field(blender, "Transmission Weight").values == std::vector<double>{1});
+  CHECK(test::field(blender, "Base Color").values == std::vector<double>{1, 1, 1});
+  CHECK(test::field(blender, "IOR").values[0] == Approx(1.5).epsilon(1e-12));
   CHECK(contains(notes(blender), "0.1 m"));
   const EngineValues filament = values("filament", s);
-  CHECK(field(filament, "transmission").values == std::vector<double>{1});
-  CHECK(field(filament, "baseColor").values == std::vector<double>{1, 1, 1});
-  CHECK(field(filament, "ior").values[0] == Approx(1.5).epsilon(1e-12));
-  CHECK(field(filament, "absorption").values[0] == Approx(std::log(2) / 0.1).epsilon(1e-12));
-  CHECK(field(filament, "absorption").values[2] == Approx(std::log(4) / 0.1).epsilon(1e-12));
-  CHECK(field(values("unreal", s), "Refraction (Index of Refraction)").values[0] ==
+  CHECK(test::field(filament, "transmission").values == std::vector<double>{1});
+  CHECK(test::field(filament, "baseColor").values == std::vector<double>{1, 1, 1});
+  CHECK(test::field(filament, "ior").values[0] == Approx(1.5).epsilon(1e-12));
+  CHECK(test::field(filament, "absorption").values[0] == Approx(std::log(2) / 0.1).epsilon(1e-12));
+  CHECK(test::field(filament, "absorption").values[2] == Approx(std::log(4) / 0.1).epsilon(1e-12));
+  CHECK(test::field(values("unreal", s), "Refraction (Index of Refraction)").values[0] ==
         Approx(1.5).epsilon(1e-12));
   for (const char* target : {"unity-metallic", "unity-specular"})
-    CHECK(field(values(target, s), "Alpha").values == std::vector<double>{0});
+    CHECK(test::field(values(target, s), "Alpha").values == std::vector<double>{0});
   for (const char* target : {"hex", "srgb8", "linear", "glsl", "unreal", "unity-metallic", "unity-specular",
                              "gltf-specular-glossiness", "gulbrandsen", "rgb-nk"}) {
     INFO(target << ": " << notes(values(target, s)));
@@ -107,7 +102,7 @@ TEST_CASE("found 1.05: without absorption nothing is written of it, and opaque b
   s.clear = ClearBody{};
   CHECK(!has_field(values("gltf", s), "KHR_materials_volume.attenuationDistance"));
   CHECK(!has_field(values("filament", s), "absorption"));
-  CHECK(field(values("openpbr", s), "transmission_depth").values == std::vector<double>{0});
+  CHECK(test::field(values("openpbr", s), "transmission_depth").values == std::vector<double>{0});
   s.clear.reset();
   s.diffuse = {0.5, 0.4, 0.3};
   for (const EngineTarget& target : engine_targets()) {
@@ -121,8 +116,9 @@ TEST_CASE("found 1.05: without absorption nothing is written of it, and opaque b
 }
 
 TEST_CASE("found 1.05: files of clear materials hold transmission, volume and index") {
-  const std::vector<ExportSurface> surfaces{of_library("water"), of_library("diamond"), of_library("gold"),
-                                            of_library("pmma", {0.5, 0.04, 0.03})};
+  const std::vector<ExportSurface> surfaces{clear_of_library("water"), clear_of_library("diamond"),
+                                            clear_of_library("gold"),
+                                            clear_of_library("pmma", {0.5, 0.04, 0.03})};
   std::vector<Changes> changes;
   const std::string gltf =
       gltf_document(surfaces, GltfMaterialForm::metal_rough, GltfContainer::gltf, Fit::clamp, changes);
@@ -148,24 +144,24 @@ TEST_CASE("found 1.05: files of clear materials hold transmission, volume and in
 TEST_CASE("found 1.05: the index of water, diamond and glass goes to the targets as that of their F0") {
   // n at 550 nm: Daimon 1.3342 (20 C), Peter 2.4237, Malitson 1.4599.
   for (const auto& [id, n] : {std::pair{"water", 1.3342}, {"diamond", 2.4237}, {"fused_silica", 1.4599}}) {
-    const ExportSurface s = of_library(id);
+    const ExportSurface s = clear_of_library(id);
     REQUIRE(s.clear);
-    CHECK(field(values("openpbr", s), "specular_ior").values[0] == Approx(n).margin(0.004));
-    CHECK(field(values("unreal", s), "Refraction (Index of Refraction)").values[0] ==
+    CHECK(test::field(values("openpbr", s), "specular_ior").values[0] == Approx(n).margin(0.004));
+    CHECK(test::field(values("unreal", s), "Refraction (Index of Refraction)").values[0] ==
           Approx(n).margin(0.004));
-    CHECK(field(values("filament", s), "ior").values[0] == Approx(n).margin(0.004));
+    CHECK(test::field(values("filament", s), "ior").values[0] == Approx(n).margin(0.004));
     // That of the largest channel, with the colour that gives F0 of all three.
-    const double ior = field(values("gltf", s), "KHR_materials_ior.ior").values[0];
+    const double ior = test::field(values("gltf", s), "KHR_materials_ior.ior").values[0];
     CHECK(std::pow((ior - 1) / (ior + 1), 2) == Approx(std::max({s.f0.r, s.f0.g, s.f0.b})).epsilon(1e-12));
   }
 }
 
 TEST_CASE("found 1.05: a body that is not clear says why it is black") {
-  CHECK(contains(all_notes(of_library("soot")), "the body is taken as black"));
-  CHECK(contains(all_notes(of_library("blood")), "cells scatter"));
-  CHECK(contains(all_notes(of_library("air")), "a gas has no surface"));
-  CHECK(!of_library("water", {0.1, 0.1, 0.1}).clear);
-  CHECK(!of_library("gold").clear);
+  CHECK(contains(all_notes(clear_of_library("soot")), "the body is taken as black"));
+  CHECK(contains(all_notes(clear_of_library("blood")), "cells scatter"));
+  CHECK(contains(all_notes(clear_of_library("air")), "a gas has no surface"));
+  CHECK(!clear_of_library("water", {0.1, 0.1, 0.1}).clear);
+  CHECK(!clear_of_library("gold").clear);
 }
 
 TEST_CASE("found 1.06: targets of roughness get exactly what was given, from mirror to paper") {
@@ -178,14 +174,14 @@ TEST_CASE("found 1.06: targets of roughness get exactly what was given, from mir
                                        {"filament", "roughness"},
                                        {"openpbr", "specular_roughness"},
                                        {"gltf", "roughnessFactor"}}) {
-      CHECK(field(values(target, s), name).values[0] == r);
+      CHECK(test::field(values(target, s), name).values[0] == r);
       CHECK(values(target, s).changes.empty());
     }
     for (const auto& [target, name] : {std::pair{"unity-metallic", "Smoothness"},
                                        {"unity-specular", "Smoothness"},
                                        {"gltf-specular-glossiness", "glossinessFactor"}})
-      CHECK(field(values(target, s), name).values[0] == 1 - r);
-    CHECK(field(values("glsl", s), "alpha").values[0] == r * r);
+      CHECK(test::field(values(target, s), name).values[0] == 1 - r);
+    CHECK(test::field(values("glsl", s), "alpha").values[0] == r * r);
   }
 }
 
@@ -195,7 +191,7 @@ TEST_CASE("found 1.06: where Schueler's gloss cannot hold the roughness, the cha
        {std::tuple{0.0, 1.0, roughness_of_gloss(1)}, {1.0, 0.0, roughness_of_gloss(0)}}) {
     s.gloss = Gloss::of_roughness(r);
     const EngineValues v = values("glsl", s);
-    CHECK(field(v, "gloss").values[0] == g);
+    CHECK(test::field(v, "gloss").values[0] == g);
     REQUIRE(v.changes.size() == 1);
     CHECK(v.changes[0].field == "roughness");
     CHECK(v.changes[0].wanted[0] == r);
@@ -209,13 +205,13 @@ TEST_CASE("found 1.06: where Schueler's gloss cannot hold the roughness, the cha
 }
 
 TEST_CASE("found 1.06: without a word the class decides, and says that it is a convention") {
-  CHECK(of_library("gold").gloss == Gloss(0.75));
-  CHECK(of_library("cardboard").gloss.roughness() == 0.9);
-  CHECK(of_library("water").gloss.roughness() == 0);
-  CHECK(of_library("pmma", {0.5, 0.04, 0.03}).gloss.roughness() == 0.3);
-  CHECK(contains(all_notes(of_library("cardboard")),
+  CHECK(clear_of_library("gold").gloss == Gloss(0.75));
+  CHECK(clear_of_library("cardboard").gloss.roughness() == 0.9);
+  CHECK(clear_of_library("water").gloss.roughness() == 0);
+  CHECK(clear_of_library("pmma", {0.5, 0.04, 0.03}).gloss.roughness() == 0.3);
+  CHECK(contains(all_notes(clear_of_library("cardboard")),
                  "the default of class surface, a convention, no measurement"));
-  const ExportSurface given = of_library("cardboard", {}, Gloss(0.5));
+  const ExportSurface given = clear_of_library("cardboard", {}, Gloss(0.5));
   CHECK(given.gloss == 0.5);
   CHECK(!contains(all_notes(given), "convention"));
 }
@@ -224,7 +220,7 @@ TEST_CASE("found 1.06: without a word the class decides, and says that it is a c
 namespace {
 
 LinearRgb color(const EngineValues& v, std::string_view name) {
-  const std::vector<double>& c = field(v, name).values;
+  const std::vector<double>& c = test::field(v, name).values;
   return {c[0], c[1], c[2]};
 }
 
@@ -240,16 +236,16 @@ Vec3 total_of(const std::string& target, const EngineValues& v) {
     if (target == "glsl")
       out[c] = vec(color(v, "f0"))[c] + (has_field(v, "diffuse") ? vec(color(v, "diffuse"))[c] : 0);
     else if (target == "unreal")
-      out[c] = vec(color(v, "Base Color"))[c] + 0.08 * field(v, "Specular").values[0];
+      out[c] = vec(color(v, "Base Color"))[c] + 0.08 * test::field(v, "Specular").values[0];
     else if (target == "filament")
-      out[c] = vec(color(v, "baseColor"))[c] + 0.16 * std::pow(field(v, "reflectance").values[0], 2);
+      out[c] = vec(color(v, "baseColor"))[c] + 0.16 * std::pow(test::field(v, "reflectance").values[0], 2);
     else if (target == "blender")
-      out[c] = layered(vec(color(v, "Base Color"))[c], f0_of_ior(field(v, "IOR").values[0]));
+      out[c] = layered(vec(color(v, "Base Color"))[c], f0_of_ior(test::field(v, "IOR").values[0]));
     else if (target == "openpbr")
-      out[c] = layered(vec(color(v, "base_color"))[c], f0_of_ior(field(v, "specular_ior").values[0]));
+      out[c] = layered(vec(color(v, "base_color"))[c], f0_of_ior(test::field(v, "specular_ior").values[0]));
     else if (target == "gltf")
       out[c] = layered(vec(color(v, "baseColorFactor"))[c],
-                       f0_of_ior(field(v, "KHR_materials_ior.ior").values[0]));
+                       f0_of_ior(test::field(v, "KHR_materials_ior.ior").values[0]));
     else
       out[c] = layered(vec(color(v, "diffuseFactor"))[c], vec(color(v, "specularFactor"))[c]);
   }
@@ -297,7 +293,7 @@ TEST_CASE(
 
 TEST_CASE(
     "found 1.07: the lobe and Lambert's body reflect the measured total, as integrated over the hemisphere") {
-  const ExportSurface s = of_library("brick", {}, Gloss(0.75));
+  const ExportSurface s = clear_of_library("brick", {}, Gloss(0.75));
   const Model& lobe = *find_model("ggx-schlick");
   for (std::size_t c = 0; c < 3; ++c) {
     const double f0 = vec(s.f0)[c], alpha = s.gloss.alpha();

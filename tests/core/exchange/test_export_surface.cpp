@@ -12,7 +12,7 @@ using namespace etak::test;
 
 namespace {
 
-ExportSurface of_library(const char* id, F0Options options = {}, LinearRgb diffuse = {}) {
+ExportSurface surface_of_library(const char* id, F0Options options = {}, LinearRgb diffuse = {}) {
   const Material material = *MaterialLibrary::builtin().find(id);
   const Dataset& dataset = material.preferred_dataset();
   return export_surface(material, dataset, options, F0Solver(options).solve(dataset.optics), diffuse, 0.75);
@@ -91,7 +91,7 @@ TEST_CASE("the luminance of sRGB is Rec. 709's") {
 }
 
 TEST_CASE("the tint of F82 is R82 over Schlick at cos 1/7") {
-  const ExportSurface chromium = of_library("chromium");
+  const ExportSurface chromium = surface_of_library("chromium");
   REQUIRE(chromium.f82);
   const LinearRgb tint = tint82(chromium, chromium.f0);
   const double schlick = chromium.f0.r + (1 - chromium.f0.r) * std::pow(6.0 / 7, 5);
@@ -101,16 +101,16 @@ TEST_CASE("the tint of F82 is R82 over Schlick at cos 1/7") {
 }
 
 TEST_CASE("conductors are metals, semiconductors too, surfaces are bodies over an F0 of at most 0.04") {
-  CHECK(of_library("gold").kind == SurfaceKind::metal);
-  CHECK(of_library("silicon").kind == SurfaceKind::metal);
-  const ExportSurface glass = of_library("fused_silica", {}, {0.1, 0.2, 0.3});
+  CHECK(surface_of_library("gold").kind == SurfaceKind::metal);
+  CHECK(surface_of_library("silicon").kind == SurfaceKind::metal);
+  const ExportSurface glass = surface_of_library("fused_silica", {}, {0.1, 0.2, 0.3});
   CHECK(glass.kind == SurfaceKind::dielectric);
   CHECK(glass.diffuse == LinearRgb{0.1, 0.2, 0.3});
-  CHECK(of_library("gold", {}, {0.1, 0.2, 0.3}).diffuse == LinearRgb{});
+  CHECK(surface_of_library("gold", {}, {0.1, 0.2, 0.3}).diffuse == LinearRgb{});
   const MaterialLibrary library = MaterialLibrary::builtin();
   for (std::size_t i = 0; i < library.ids().size(); ++i) {
     if (library.at(i).material_class != "surface") continue;
-    const ExportSurface body = of_library(library.ids()[i].c_str());
+    const ExportSurface body = surface_of_library(library.ids()[i].c_str());
     CHECK(body.kind == SurfaceKind::dielectric);
     REQUIRE(body.total);
     const double f0 = std::min(0.04, (body.total->r + body.total->g + body.total->b) / 3);
@@ -121,9 +121,9 @@ TEST_CASE("conductors are metals, semiconductors too, surfaces are bodies over a
 
 TEST_CASE("gold fits into ACEScg where it does not into sRGB") {
   F0Options options;
-  CHECK(of_library("gold", options).f0.r > 1);
+  CHECK(surface_of_library("gold", options).f0.r > 1);
   options.space = RgbSpace::acescg;
-  CHECK(of_library("gold", options).f0.r < 1);
+  CHECK(surface_of_library("gold", options).f0.r < 1);
 }
 
 TEST_CASE("a bad gloss, opacity or colour is refused") {

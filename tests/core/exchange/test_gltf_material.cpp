@@ -33,8 +33,8 @@ std::vector<ExportSurface> samples() {
   return {gold, red, thin, diamond};
 }
 
-std::string written(const std::vector<ExportSurface>& surfaces, GltfMaterialForm form,
-                    GltfContainer container) {
+std::string written_gltf(const std::vector<ExportSurface>& surfaces, GltfMaterialForm form,
+                         GltfContainer container) {
   std::vector<Changes> changes;
   std::string out = gltf_document(surfaces, form, container, Fit::clamp, changes);
   REQUIRE(changes.size() == surfaces.size());
@@ -70,7 +70,7 @@ TEST_CASE("the Khronos validator finds neither error nor warning in either form 
     for (const auto container : {GltfContainer::gltf, GltfContainer::glb}) {
       const std::string ending = container == GltfContainer::gltf ? ".gltf" : ".glb";
       files.push_back(temp.file(std::to_string(files.size()) + ending));
-      spit(files.back(), written(samples(), form, container));
+      spit(files.back(), written_gltf(samples(), form, container));
     }
   CHECK(validator_messages(files).empty());
 }
@@ -90,8 +90,8 @@ TEST_CASE("the whole library in one document passes the validator, in both forms
   REQUIRE(surfaces.size() >= 170);
   const TempFolder temp;
   const std::vector<std::string> files{temp.file("a.gltf"), temp.file("b.glb")};
-  spit(files[0], written(surfaces, GltfMaterialForm::metal_rough, GltfContainer::gltf));
-  spit(files[1], written(surfaces, GltfMaterialForm::specular_glossiness, GltfContainer::glb));
+  spit(files[0], written_gltf(surfaces, GltfMaterialForm::metal_rough, GltfContainer::gltf));
+  spit(files[1], written_gltf(surfaces, GltfMaterialForm::specular_glossiness, GltfContainer::glb));
   CHECK(validator_messages(files).empty());
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("etak's own reader finds the materials again") {
   for (const auto container : {GltfContainer::gltf, GltfContainer::glb}) {
     const std::string file = temp.file(container == GltfContainer::gltf ? "a.gltf" : "a.glb");
     const std::vector<ExportSurface> surfaces = samples();
-    spit(file, written(surfaces, GltfMaterialForm::metal_rough, container));
+    spit(file, written_gltf(surfaces, GltfMaterialForm::metal_rough, container));
     const GltfScene scene = read_gltf(file, {});
     REQUIRE(scene.materials.size() == surfaces.size());
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -126,13 +126,14 @@ TEST_CASE("etak's own reader finds the materials again") {
 }
 
 TEST_CASE("specular-glossiness alone stands in its documents") {
-  const std::string text = written(samples(), GltfMaterialForm::specular_glossiness, GltfContainer::gltf);
+  const std::string text =
+      written_gltf(samples(), GltfMaterialForm::specular_glossiness, GltfContainer::gltf);
   CHECK(contains(text, "\"extensionsUsed\": [\"KHR_materials_pbrSpecularGlossiness\"]"));
   CHECK(!contains(text, "pbrMetallicRoughness"));
 }
 
 TEST_CASE("a metal alone needs no extension") {
-  const std::string text = written({samples()[0]}, GltfMaterialForm::metal_rough, GltfContainer::gltf);
+  const std::string text = written_gltf({samples()[0]}, GltfMaterialForm::metal_rough, GltfContainer::gltf);
   CHECK(!contains(text, "extensions"));
   CHECK(contains(text, "\"baseColorFactor\": [1, 0.7738, 0.3347, 1]"));
   CHECK(contains(text, "(clamp, 0.0428)"));

@@ -11,8 +11,8 @@ using namespace etak::test;
 
 namespace {
 
-constexpr const char* table = "nm,n,k\n400,1.5,3\n700,1.6,4\n";
-constexpr const char* page =
+constexpr const char* table_text = "nm,n,k\n400,1.5,3\n700,1.6,4\n";
+constexpr const char* page_text =
     "REFERENCES: |\n    A. Tester. Test data. J. Tests 1, 2 (2001)\nDATA:\n  - type: tabulated nk\n"
     "    data: |\n        0.4 1.6 0\n        0.7 1.5 0\n";
 
@@ -31,8 +31,8 @@ TEST_CASE("the kind of a file is told by its ending, in any case, and by nothing
 }
 
 TEST_CASE("without an ending the first bytes tell the kind; scenes and pictures are refused") {
-  CHECK(material_content_kind(page, "pipe") == MaterialFileKind::page);
-  CHECK(material_content_kind(table, "pipe") == MaterialFileKind::table);
+  CHECK(material_content_kind(page_text, "pipe") == MaterialFileKind::page);
+  CHECK(material_content_kind(table_text, "pipe") == MaterialFileKind::table);
   CHECK(material_content_kind("{\"schema\": \"etak-material/1\"}", "pipe") == MaterialFileKind::material);
   CHECK(contains(error_of([] { (void)material_content_kind("glTF", "pipe"); }), "pipe: holds a glTF scene"));
   CHECK(contains(error_of([] { (void)material_content_kind({"\0", 1}, "pipe"); }), "pipe: holds no text"));
@@ -41,13 +41,13 @@ TEST_CASE("without an ending the first bytes tell the kind; scenes and pictures 
 TEST_CASE("prose is looked for in .txt and .dat files alone") {
   const char* const licence = "You may use this for any purpose.\n";
   CHECK(is_prose_file("LICENCE.Txt", licence));
-  CHECK_FALSE(is_prose_file("table.txt", table));
+  CHECK_FALSE(is_prose_file("table.txt", table_text));
   CHECK_FALSE(is_prose_file("broken.csv", licence));
 }
 
 TEST_CASE("a table's material is named and identified by its file, and reads back as written") {
   const auto of = [](const std::string& path, std::string_view id = {}) {
-    return material_of_text(table, path, MaterialFileKind::table, {}, id);
+    return material_of_text(table_text, path, MaterialFileKind::table, {}, id);
   };
   const Material plain = of("spectra/My Steel 2.csv");
   CHECK(plain.id == "my_steel_2");
@@ -74,7 +74,7 @@ TEST_CASE("rows that contradict each other are refused in a table, and averaged 
   CHECK(material_of_text(twice, "t.csv", MaterialFileKind::table, first)
             .datasets[0]
             .flags.has(Flag::duplicate_wavelength));
-  const std::string text = std::string(page) + "        0.7 1.7 0\n";
+  const std::string text = std::string(page_text) + "        0.7 1.7 0\n";
   const Material averaged = material_of_text(text, "p.yml", MaterialFileKind::page);
   CHECK(averaged.datasets[0].flags.has(Flag::duplicate_wavelength));
   const auto& n = std::get<Spectrum>(std::get<OpticalConstants>(averaged.datasets[0].optics).n);

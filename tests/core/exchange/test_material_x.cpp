@@ -9,14 +9,14 @@ using namespace etak::test;
 
 namespace {
 
-ExportSurface named(const char* id) {
+ExportSurface surface_named(const char* id) {
   ExportSurface s;
   s.id = id;
   s.name = id;
   return s;
 }
 
-std::string written(const std::vector<ExportSurface>& surfaces) {
+std::string written_material_x(const std::vector<ExportSurface>& surfaces) {
   std::vector<Changes> changes;
   return material_x(surfaces, Fit::clamp, changes);
 }
@@ -24,7 +24,7 @@ std::string written(const std::vector<ExportSurface>& surfaces) {
 }  // namespace
 
 TEST_CASE("a metal is F0 and the tint of F82 in an OpenPBR surface") {
-  ExportSurface gold = named("gold");
+  ExportSurface gold = surface_named("gold");
   gold.kind = SurfaceKind::metal;
   gold.f0 = {1.0428, 0.7738, 0.3347};
   gold.f82 = LinearRgb{0.9921, 0.8862, 0.6311};
@@ -50,10 +50,10 @@ TEST_CASE("a metal is F0 and the tint of F82 in an OpenPBR surface") {
 }
 
 TEST_CASE("surfaces of different spaces each state their own; one of a space without a name is refused") {
-  ExportSurface wide = named("wide"), other = named("other");
+  ExportSurface wide = surface_named("wide"), other = surface_named("other");
   wide.space = RgbSpace::acescg;
   other.space = RgbSpace::rec2020;
-  const std::string text = written({named("plain"), wide});
+  const std::string text = written_material_x({surface_named("plain"), wide});
   CHECK(contains(text, "<materialx version=\"1.39\" colorspace=\"lin_rec709\">"));
   const auto second = text.find("name=\"wide_surface\"");
   REQUIRE(second != text.npos);
@@ -62,28 +62,29 @@ TEST_CASE("surfaces of different spaces each state their own; one of a space wit
   CHECK(!contains(of_plain, "acescg"));
   CHECK(contains(of_wide, "colorspace=\"acescg\""));
   CHECK(!contains(of_wide, "lin_rec709"));
-  CHECK(contains(error_of([&] { (void)written({named("plain"), other}); }), "rec2020"));
+  CHECK(contains(error_of([&] { (void)written_material_x({surface_named("plain"), other}); }), "rec2020"));
 }
 
 TEST_CASE("a dielectric has an index and no F82") {
-  const std::string text = written({named("plastic")});
+  const std::string text = written_material_x({surface_named("plastic")});
   CHECK(contains(text, R"(<input name="specular_ior" type="float" value="1.5" />)"));
   CHECK(contains(text, R"(<input name="base_metalness" type="float" value="0" />)"));
   CHECK(!contains(text, "geometry_opacity"));
 }
 
 TEST_CASE("names are valid, unique and never collide with a shader's") {
-  const std::string text = written(
-      {named("2nd glass"), named("2nd-glass"), named("a"), named("a_surface"), named("a"), named("")});
+  const std::string text =
+      written_material_x({surface_named("2nd glass"), surface_named("2nd-glass"), surface_named("a"),
+                          surface_named("a_surface"), surface_named("a"), surface_named("")});
   for (const char* name : {"m2nd_glass", "m2nd_glass_2", "a", "a_surface_2", "a_2", "m"})
     CHECK(contains(text, "<surfacematerial name=\"" + std::string(name) + "\""));
 }
 
 TEST_CASE("foreign text cannot break the document") {
-  ExportSurface s = named("x");
+  ExportSurface s = surface_named("x");
   s.name = "<a> --> & \"b\" ---";
   s.source = "\xff -- end-";
-  const std::string text = written({s});
+  const std::string text = written_material_x({s});
   const auto begin = text.find("<!-- "), end = text.find(" -->", begin);
   REQUIRE(end != text.npos);
   const std::string inside = text.substr(begin + 4, end - begin - 4);
@@ -92,11 +93,11 @@ TEST_CASE("foreign text cannot break the document") {
 }
 
 TEST_CASE("ACEScg and Display P3 are named, other spaces refused") {
-  ExportSurface s = named("x");
+  ExportSurface s = surface_named("x");
   s.space = RgbSpace::acescg;
-  CHECK(contains(written({s}), "colorspace=\"acescg\""));
+  CHECK(contains(written_material_x({s}), "colorspace=\"acescg\""));
   s.space = RgbSpace::display_p3;
-  CHECK(contains(written({s}), "colorspace=\"lin_displayp3\""));
+  CHECK(contains(written_material_x({s}), "colorspace=\"lin_displayp3\""));
   s.space = RgbSpace::rec2020;
-  CHECK(contains(error_of([&] { (void)written({s}); }), "rec2020"));
+  CHECK(contains(error_of([&] { (void)written_material_x({s}); }), "rec2020"));
 }

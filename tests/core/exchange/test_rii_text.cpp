@@ -14,16 +14,17 @@ namespace {
 const std::string rows =
     "DATA:\n  - type: tabulated n\n    data: |\n        0.2 -1\n        0.3 1.5\n        0.9 1.4\n";
 
-std::string page(const std::string& references, const std::string& rest = {}) {
+std::string page_of_references(const std::string& references, const std::string& rest = {}) {
   return "REFERENCES: |\n" + references + rest + rows;
 }
 
 Citation citation(const std::string& references) {
-  return material_from_rii_page(page(references), "main/X/nk/Y.yml", "").datasets[0].citation;
+  return material_from_rii_page(page_of_references(references), "main/X/nk/Y.yml", "").datasets[0].citation;
 }
 
-Dataset dataset(const std::string& path, const std::string& rest = {}) {
-  return material_from_rii_page(page("    A. Author.\n    A title.\n", rest), path, "").datasets[0];
+Dataset dataset_of_page(const std::string& path, const std::string& rest = {}) {
+  return material_from_rii_page(page_of_references("    A. Author.\n    A title.\n", rest), path, "")
+      .datasets[0];
 }
 
 using Names = std::vector<std::string>;
@@ -34,8 +35,8 @@ TEST_CASE("references, comments and temperature are read, blank and indented lin
   const auto read = [](const std::string& text) {
     return material_from_rii_page(text, "p.yml", "").datasets[0];
   };
-  const auto data = read(page("    A. One.\n      <i>Two</i>\n\n    Three.\n\n",
-                              "COMMENTS: |\n    Film\nCONDITIONS:\n    temperature: 293\n"));
+  const auto data = read(page_of_references("    A. One.\n      <i>Two</i>\n\n    Three.\n\n",
+                                            "COMMENTS: |\n    Film\nCONDITIONS:\n    temperature: 293\n"));
   CHECK(data.citation.authors == Names{"A. One"});
   CHECK(data.citation.title == "Two");
   CHECK(data.citation.published_in == "Three.");
@@ -95,18 +96,20 @@ TEST_CASE("a maker's catalogue is title and author in one") {
 }
 
 TEST_CASE("the axis comes from the page's name, then from its conditions, then from its comments") {
-  CHECK(dataset("main/X/nk/One-o.yml").axis == "ordinary");
-  CHECK(dataset("main/X/nk/One-500K-e.yml").axis == "extraordinary");
-  CHECK(dataset("main/X/nk/One-γ.yml").axis == "gamma");
-  CHECK(dataset("main/X/nk/One-alpha.yml", "COMMENTS: |\n    Ordinary ray\n").axis == "alpha");
-  CHECK(dataset("main/X/nk/One.yml", "CONDITIONS:\n    direction: beta\n").axis == "beta");
-  CHECK(dataset("main/X/nk/One.yml", "COMMENTS: |\n    Extraordinary ray (e).\n").axis == "extraordinary");
-  CHECK(dataset("main/X/nk/o.yml").axis.empty());
+  CHECK(dataset_of_page("main/X/nk/One-o.yml").axis == "ordinary");
+  CHECK(dataset_of_page("main/X/nk/One-500K-e.yml").axis == "extraordinary");
+  CHECK(dataset_of_page("main/X/nk/One-γ.yml").axis == "gamma");
+  CHECK(dataset_of_page("main/X/nk/One-alpha.yml", "COMMENTS: |\n    Ordinary ray\n").axis == "alpha");
+  CHECK(dataset_of_page("main/X/nk/One.yml", "CONDITIONS:\n    direction: beta\n").axis == "beta");
+  CHECK(dataset_of_page("main/X/nk/One.yml", "COMMENTS: |\n    Extraordinary ray (e).\n").axis ==
+        "extraordinary");
+  CHECK(dataset_of_page("main/X/nk/o.yml").axis.empty());
 }
 
 TEST_CASE("ids and names come from the path, whatever characters it has") {
-  const auto material = material_from_rii_page(
-      page("    A.\n    T (1999)\n"), "/x/database/data/organic/(C2H4)n - poly, odd/nk/Li-o.yml", "");
+  const auto material =
+      material_from_rii_page(page_of_references("    A.\n    T (1999)\n"),
+                             "/x/database/data/organic/(C2H4)n - poly, odd/nk/Li-o.yml", "");
   CHECK(material.id == "c2h4_n_poly_odd");
   CHECK(material.name == "poly, odd");
   CHECK(material.datasets[0].id == "li-o-1999");
@@ -117,14 +120,14 @@ TEST_CASE("ids and names come from the path, whatever characters it has") {
 }
 
 TEST_CASE("rows with n at or below zero outside the visible are left out of the material, flagged") {
-  const auto data = dataset("main/X/nk/Y.yml");
+  const auto data = dataset_of_page("main/X/nk/Y.yml");
   CHECK(std::get<Spectrum>(std::get<OpticalConstants>(data.optics).n).value == std::vector<double>{1.5, 1.4});
   CHECK(data.flags.has(Flag::n_not_positive));
 }
 
 TEST_CASE("an imported page survives being written as JSON, foreign bytes in its text included") {
-  const auto material = material_from_rii_page(page("    A. \xFFuthor.\n    T\x01tle \xE0\x90\x91.\n"),
-                                               "main/X/nk/\xFE.yml", "");
+  const auto material = material_from_rii_page(
+      page_of_references("    A. \xFFuthor.\n    T\x01tle \xE0\x90\x91.\n"), "main/X/nk/\xFE.yml", "");
   CHECK(parse_material(format_material(material), "x.json") == material);
 }
 

@@ -11,12 +11,12 @@ using namespace etak::test;
 
 namespace {
 
-Table parse(std::string_view text, const TableOptions& options = {}) {
+Table parse_rows(std::string_view text, const TableOptions& options = {}) {
   return parse_table(text, "t.csv", options);
 }
 
-std::string refusal(std::string_view text, const TableOptions& options = {}) {
-  return error_of([&] { parse(text, options); });
+std::string table_refusal(std::string_view text, const TableOptions& options = {}) {
+  return error_of([&] { parse_rows(text, options); });
 }
 
 const Spectrum& n_of(const Table& table) {
@@ -34,23 +34,23 @@ TableOptions in(WavelengthUnit unit) {
   options.unit = unit;
   return options;
 }
-TableOptions with(Duplicates duplicates) {
+TableOptions with_duplicates(Duplicates duplicates) {
   TableOptions options;
   options.duplicates = duplicates;
   return options;
 }
-TableOptions named(std::vector<std::string> columns) {
+TableOptions named_columns(std::vector<std::string> columns) {
   TableOptions options;
   options.columns = std::move(columns);
   return options;
 }
 
-using Values = std::vector<double>;
+using Doubles = std::vector<double>;
 
 }  // namespace
 
 TEST_CASE("the same table reads the same between commas, semicolons, tabs and blanks, quoted or not") {
-  const Table expected = parse("wavelength_nm,n,k\n400,1.5,0.1\n700,1.4,0.2\n");
+  const Table expected = parse_rows("wavelength_nm,n,k\n400,1.5,0.1\n700,1.4,0.2\n");
   CHECK(n_of(expected) == Spectrum{{400, 700}, {1.5, 1.4}});
   CHECK(k_of(expected) == Spectrum{{400, 700}, {0.1, 0.2}});
   CHECK(expected.flags.none());
@@ -63,7 +63,7 @@ TEST_CASE("the same table reads the same between commas, semicolons, tabs and bl
         "wavelength_nm,n,k\n400 1.5 0.1\n700 1.4 0.2\n",
         "lambda [nm],n,_,k\n400,1.5,x,0.1\n700,1.4,,0.2\n"}) {
     INFO(text);
-    const Table table = parse(text);
+    const Table table = parse_rows(text);
     CHECK(table.optics == expected.optics);
     CHECK(table.flags.none());
   }
@@ -73,18 +73,18 @@ TEST_CASE("units are read from the header in their usual spellings") {
   for (const char* header : {"wavelength (um)", "wl_um", "lambda [µm]", "λ (μm)", "Wavelength / micron", "um",
                              "wavelength_microns", "wavelength (micrometres)"}) {
     INFO(header);
-    CHECK(n_of(parse(std::string(header) + ";n\n0.5;1.5\n")).wavelength_nm == Values{500});
+    CHECK(n_of(parse_rows(std::string(header) + ";n\n0.5;1.5\n")).wavelength_nm == Doubles{500});
   }
   for (const char* header :
        {"wavelength (A)", "wl_Å", "lambda [Angstrom]", "wavelength [Ångströms]", "wavelength (Å)"}) {
     INFO(header);
-    CHECK(n_of(parse(std::string(header) + ";n\n5000;1.5\n")).wavelength_nm == Values{500});
+    CHECK(n_of(parse_rows(std::string(header) + ";n\n5000;1.5\n")).wavelength_nm == Doubles{500});
   }
   for (const char* header : {"energy_eV", "photon energy (eV)", "eV", "Photon_Energy [eV]"}) {
     INFO(header);
-    CHECK(n_of(parse(std::string(header) + ";n\n2;1.5\n")).first_nm() == Approx(619.92099216600));
+    CHECK(n_of(parse_rows(std::string(header) + ";n\n2;1.5\n")).first_nm() == Approx(619.92099216600));
   }
-  CHECK(n_of(parse("photon energy (eV)  n\n2 1.5\n")).size() == 1);
+  CHECK(n_of(parse_rows("photon energy (eV)  n\n2 1.5\n")).size() == 1);
 }
 
 TEST_CASE("every name of a unit is found again") {
@@ -97,10 +97,10 @@ TEST_CASE("every name of a unit is found again") {
 }
 
 TEST_CASE("one table in four units gives one spectrum") {
-  const Table nm = parse("wavelength_nm,n\n400,1.5\n500,1.6\n");
-  CHECK(n_of(parse("wavelength_um,n\n0.4,1.5\n0.5,1.6\n")) == n_of(nm));
-  CHECK(n_of(parse("wavelength_A,n\n4000,1.5\n5000,1.6\n")) == n_of(nm));
-  const Table ev = parse("energy_eV,n\n2.4796839686640052,1.6\n3.0996049608300065,1.5\n");
+  const Table nm = parse_rows("wavelength_nm,n\n400,1.5\n500,1.6\n");
+  CHECK(n_of(parse_rows("wavelength_um,n\n0.4,1.5\n0.5,1.6\n")) == n_of(nm));
+  CHECK(n_of(parse_rows("wavelength_A,n\n4000,1.5\n5000,1.6\n")) == n_of(nm));
+  const Table ev = parse_rows("energy_eV,n\n2.4796839686640052,1.6\n3.0996049608300065,1.5\n");
   CHECK(ev.flags.none());  // ascending energy is in order
   CHECK(n_of(ev).value == n_of(nm).value);
   CHECK(n_of(ev).wavelength_nm[0] == Approx(400).epsilon(1e-15));
@@ -108,77 +108,84 @@ TEST_CASE("one table in four units gives one spectrum") {
 }
 
 TEST_CASE("a unit is never guessed: without one the table is refused, and the option wins over the header") {
-  CHECK(contains(refusal("wavelength,n\n500,1.5\n"), "t.csv:1: no unit of wavelength"));
-  CHECK(contains(refusal("energy,n\n2,1.5\n"), "t.csv:1: no unit of wavelength"));
-  CHECK(contains(refusal("wavelength (mm),n\n2,1.5\n"), "t.csv:1: the unit \"mm\""));
-  CHECK(contains(refusal("wavelength (eV),n\n2,1.5\n"), "t.csv:1: the unit \"eV\""));
-  CHECK(n_of(parse("wavelength,n\n0.5,1.5\n", in(WavelengthUnit::micrometre))).wavelength_nm == Values{500});
-  CHECK(n_of(parse("wavelength_um,n\n500,1.5\n", in(WavelengthUnit::nanometre))).wavelength_nm ==
-        Values{500});
+  CHECK(contains(table_refusal("wavelength,n\n500,1.5\n"), "t.csv:1: no unit of wavelength"));
+  CHECK(contains(table_refusal("energy,n\n2,1.5\n"), "t.csv:1: no unit of wavelength"));
+  CHECK(contains(table_refusal("wavelength (mm),n\n2,1.5\n"), "t.csv:1: the unit \"mm\""));
+  CHECK(contains(table_refusal("wavelength (eV),n\n2,1.5\n"), "t.csv:1: the unit \"eV\""));
+  CHECK(n_of(parse_rows("wavelength,n\n0.5,1.5\n", in(WavelengthUnit::micrometre))).wavelength_nm ==
+        Doubles{500});
+  CHECK(n_of(parse_rows("wavelength_um,n\n500,1.5\n", in(WavelengthUnit::nanometre))).wavelength_nm ==
+        Doubles{500});
 }
 
 TEST_CASE("a unit that puts every row outside 300 to 900 nm is refused with the one that would fit") {
-  CHECK(contains(refusal("wavelength_nm,n\n0.4,1\n0.7,1\n"), "they would fit in um"));
-  CHECK(contains(refusal("wavelength_um,n\n400,1\n700,1\n"), "they would fit in nm"));
-  CHECK(contains(refusal("wavelength_nm,n\n4000,1\n7000,1\n"), "they would fit in A"));
-  CHECK(contains(refusal("wavelength_nm,n\n20000,1\n"), "no wavelength inside 300..900 nm: 20000..20000 nm"));
+  CHECK(contains(table_refusal("wavelength_nm,n\n0.4,1\n0.7,1\n"), "they would fit in um"));
+  CHECK(contains(table_refusal("wavelength_um,n\n400,1\n700,1\n"), "they would fit in nm"));
+  CHECK(contains(table_refusal("wavelength_nm,n\n4000,1\n7000,1\n"), "they would fit in A"));
+  CHECK(contains(table_refusal("wavelength_nm,n\n20000,1\n"),
+                 "no wavelength inside 300..900 nm: 20000..20000 nm"));
 }
 
 TEST_CASE("reflectance is a share or percent, and noise just outside it is clamped and flagged") {
-  CHECK(r_of(parse("wavelength_nm,R\n400,0.5\n")).value == Values{0.5});
-  CHECK(r_of(parse("wavelength_nm,R (%)\n400,50\n")).value == Values{0.5});
-  CHECK(r_of(parse("wavelength_nm;reflectance_percent\n400;50\n")).value == Values{0.5});
-  const Table noisy = parse("wavelength_nm,R\n400,-0.01\n500,1.01\n");
-  CHECK(r_of(noisy).value == Values{0, 1});
+  CHECK(r_of(parse_rows("wavelength_nm,R\n400,0.5\n")).value == Doubles{0.5});
+  CHECK(r_of(parse_rows("wavelength_nm,R (%)\n400,50\n")).value == Doubles{0.5});
+  CHECK(r_of(parse_rows("wavelength_nm;reflectance_percent\n400;50\n")).value == Doubles{0.5});
+  const Table noisy = parse_rows("wavelength_nm,R\n400,-0.01\n500,1.01\n");
+  CHECK(r_of(noisy).value == Doubles{0, 1});
   CHECK(noisy.flags.has(Flag::reflectance_clamped));
-  CHECK(contains(refusal("wavelength_nm,R\n400,50\n"), "t.csv:2: R = 50; expected 0 to 1 (in percent: name"));
-  CHECK(contains(refusal("wavelength_nm,R\n400,-0.03\n"), "t.csv:2: R = -0.03"));
+  CHECK(contains(table_refusal("wavelength_nm,R\n400,50\n"),
+                 "t.csv:2: R = 50; expected 0 to 1 (in percent: name"));
+  CHECK(contains(table_refusal("wavelength_nm,R\n400,-0.03\n"), "t.csv:2: R = -0.03"));
 }
 
 TEST_CASE("without a header the columns are named by the option") {
-  CHECK(n_of(parse("400 1.5 9\n700 1.4 9\n", named({"wavelength_nm", "n", "_"}))) ==
+  CHECK(n_of(parse_rows("400 1.5 9\n700 1.4 9\n", named_columns({"wavelength_nm", "n", "_"}))) ==
         Spectrum{{400, 700}, {1.5, 1.4}});
-  CHECK(contains(refusal("400 1.5\n"), "t.csv:1: numbers without a header"));
-  CHECK(contains(refusal("400 1.5\n", named({"wavelength_nm", "n", "k"})), "t.csv:1: 2 columns; expected 3"));
-  CHECK(contains(refusal("400 1.5\n", named({"wavelength_nm", "x"})), "--columns: the column \"x\""));
-  CHECK(contains(refusal("a b\n400 1.5\n", named({"wavelength_nm", "n"})),
+  CHECK(contains(table_refusal("400 1.5\n"), "t.csv:1: numbers without a header"));
+  CHECK(contains(table_refusal("400 1.5\n", named_columns({"wavelength_nm", "n", "k"})),
+                 "t.csv:1: 2 columns; expected 3"));
+  CHECK(contains(table_refusal("400 1.5\n", named_columns({"wavelength_nm", "x"})),
+                 "--columns: the column \"x\""));
+  CHECK(contains(table_refusal("a b\n400 1.5\n", named_columns({"wavelength_nm", "n"})),
                  "t.csv:1: \"a\"; expected a finite number"));
 }
 
 TEST_CASE("a block of n and a block of k, each with its header, make one table") {
   const Table table =
-      parse("wl\tn\n0.4\t1.5\n0.8\t1.4\n\nwl\tk\n0.5\t0.1\n0.6\t0.2\n", in(WavelengthUnit::micrometre));
+      parse_rows("wl\tn\n0.4\t1.5\n0.8\t1.4\n\nwl\tk\n0.5\t0.1\n0.6\t0.2\n", in(WavelengthUnit::micrometre));
   CHECK(n_of(table) == Spectrum{{400, 800}, {1.5, 1.4}});
   CHECK(k_of(table) == Spectrum{{500, 600}, {0.1, 0.2}});
-  CHECK(contains(refusal("wl_nm,n\n400,1\nwl_nm,n\n500,1\n"), "t.csv:3: the same column in both blocks"));
-  CHECK(contains(refusal("wl_nm,n\n400,1\nwl_nm,k\n500,1\nwl_nm,k\n500,1\n"), "t.csv:5: a third header"));
-  CHECK(contains(refusal("wl_nm,n\n400,1\nwl_nm,k\n"), "t.csv:3: a header without rows"));
+  CHECK(
+      contains(table_refusal("wl_nm,n\n400,1\nwl_nm,n\n500,1\n"), "t.csv:3: the same column in both blocks"));
+  CHECK(
+      contains(table_refusal("wl_nm,n\n400,1\nwl_nm,k\n500,1\nwl_nm,k\n500,1\n"), "t.csv:5: a third header"));
+  CHECK(contains(table_refusal("wl_nm,n\n400,1\nwl_nm,k\n"), "t.csv:3: a header without rows"));
 }
 
 TEST_CASE("rows out of order are sorted and flagged") {
-  const Table table = parse("wavelength_nm,n\n700,3\n400,1\n500,2\n");
+  const Table table = parse_rows("wavelength_nm,n\n700,3\n400,1\n500,2\n");
   CHECK(n_of(table) == Spectrum{{400, 500, 700}, {1, 2, 3}});
   CHECK(table.flags.has(Flag::unsorted));
 }
 
 TEST_CASE("equal wavelengths are refused with both rows unless the first or the mean is asked for") {
   const std::string text = "wavelength_nm,n\n400,1\n500,2\n400,3\n";
-  CHECK(contains(refusal(text),
+  CHECK(contains(table_refusal(text),
                  "t.csv:4: wavelength 400 nm again; expected one row for it (the other is in line 2)"));
-  CHECK(contains(refusal("energy_eV,n\n2,1\n2,2\n3,1\n"), "t.csv:3: wavelength 2 eV again"));
-  const Table first = parse(text, with(Duplicates::first));
-  CHECK(n_of(first).value == Values{1, 2});
+  CHECK(contains(table_refusal("energy_eV,n\n2,1\n2,2\n3,1\n"), "t.csv:3: wavelength 2 eV again"));
+  const Table first = parse_rows(text, with_duplicates(Duplicates::first));
+  CHECK(n_of(first).value == Doubles{1, 2});
   CHECK(first.flags.has(Flag::duplicate_wavelength));
-  CHECK(n_of(parse(text, with(Duplicates::mean))).value == Values{2, 2});
+  CHECK(n_of(parse_rows(text, with_duplicates(Duplicates::mean))).value == Doubles{2, 2});
   // A row that says the same twice is no question.
-  const Table same = parse("wavelength_nm,n\n400,1\n400,1\n");
+  const Table same = parse_rows("wavelength_nm,n\n400,1\n400,1\n");
   CHECK(same.flags.has(Flag::duplicate_dropped));
   CHECK(!same.flags.has(Flag::duplicate_wavelength));
 }
 
 TEST_CASE("a bad number is refused with its line") {
   const auto row = [](const std::string& text) {
-    return refusal("wavelength_nm,n,k\n400,1.5,0\n" + text + "\n");
+    return table_refusal("wavelength_nm,n,k\n400,1.5,0\n" + text + "\n");
   };
   CHECK(contains(row("500,nan,0"), "t.csv:3: \"nan\"; expected a finite number"));
   CHECK(contains(row("nan,1,0"), "t.csv:3: \"nan\"; expected a finite number"));
@@ -192,23 +199,25 @@ TEST_CASE("a bad number is refused with its line") {
   CHECK(contains(row("-500,1,0"), "t.csv:3: wavelength -500"));
   CHECK(contains(row("0,1,0"), "t.csv:3: wavelength 0"));
   CHECK(contains(row("\"500\"x,1,0"), "t.csv:3: 4 columns"));
-  CHECK(contains(refusal("wavelength_nm;n\n400;1,5\n"),
+  CHECK(contains(table_refusal("wavelength_nm;n\n400;1,5\n"),
                  "t.csv:2: \"1,5\"; expected a number with a decimal point"));
 }
 
 TEST_CASE("a header that cannot be meant is refused") {
-  CHECK(contains(refusal("wavelength_nm,n,T\n400,1,1\n"), "t.csv:1: the column \"T\""));
-  CHECK(contains(refusal("n,k\n400,1\n"), "t.csv:1: no column of wavelength"));
-  CHECK(contains(refusal("wl_nm,energy_eV,n\n400,3,1\n"), "t.csv:1: more than one column of wavelength"));
-  CHECK(contains(refusal("wl_nm,n,n\n400,3,1\n"), "t.csv:1: the column \"n\" twice"));
-  CHECK(contains(refusal("wl_nm\n400\n"), "t.csv:1: no column of n, k or R"));
-  CHECK(contains(refusal("wl_nm,k\n400,1\n"), "t.csv:1: k without n"));
-  CHECK(contains(refusal("wl_nm,n,R\n400,1,1\n"), "t.csv:1: both R and n"));
+  CHECK(contains(table_refusal("wavelength_nm,n,T\n400,1,1\n"), "t.csv:1: the column \"T\""));
+  CHECK(contains(table_refusal("n,k\n400,1\n"), "t.csv:1: no column of wavelength"));
+  CHECK(
+      contains(table_refusal("wl_nm,energy_eV,n\n400,3,1\n"), "t.csv:1: more than one column of wavelength"));
+  CHECK(contains(table_refusal("wl_nm,n,n\n400,3,1\n"), "t.csv:1: the column \"n\" twice"));
+  CHECK(contains(table_refusal("wl_nm\n400\n"), "t.csv:1: no column of n, k or R"));
+  CHECK(contains(table_refusal("wl_nm,k\n400,1\n"), "t.csv:1: k without n"));
+  CHECK(contains(table_refusal("wl_nm,n,R\n400,1,1\n"), "t.csv:1: both R and n"));
 }
 
 TEST_CASE("empty, comment-only and binary files are refused") {
-  CHECK(refusal("") == "t.csv: the file is empty");
-  CHECK(contains(refusal("# nothing\n\n"), "t.csv: no rows"));
-  CHECK(contains(refusal(std::string_view("\x89PNG\r\n\x1A\n\0\0", 10)), "t.csv:1: the column \"\\x89PNG\""));
-  CHECK(contains(refusal("wl_nm,n\n"), "t.csv:1: a header without rows"));
+  CHECK(table_refusal("") == "t.csv: the file is empty");
+  CHECK(contains(table_refusal("# nothing\n\n"), "t.csv: no rows"));
+  CHECK(contains(table_refusal(std::string_view("\x89PNG\r\n\x1A\n\0\0", 10)),
+                 "t.csv:1: the column \"\\x89PNG\""));
+  CHECK(contains(table_refusal("wl_nm,n\n"), "t.csv:1: a header without rows"));
 }

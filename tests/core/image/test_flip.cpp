@@ -5,6 +5,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "core/image/image.h"
@@ -15,7 +16,6 @@ using namespace etak;
 namespace {
 
 using Colour = std::array<double, 3>;
-constexpr double pi = 3.14159265358979323846;
 
 Image plain(int width, int height, const Colour& colour) {
   Image out(width, height, 3);
@@ -25,7 +25,7 @@ Image plain(int width, int height, const Colour& colour) {
   return out;
 }
 
-Image noise(int width, int height, unsigned seed) {
+Image noise_floats(int width, int height, unsigned seed) {
   std::mt19937 random(seed);
   Image out(width, height, 3);
   for (float& value : out.values) value = static_cast<float>(random() % 1024) / 1023.0f;
@@ -86,15 +86,18 @@ Colour pixel(const Image& image, int x, int y) {
 
 Colour blurred(const Image& image, int x, int y, double ppd) {
   constexpr double a1[]{1, 1, 34.1}, b1[]{0.0047, 0.0053, 0.04}, a2[]{0, 0, 13.5}, b2[]{1e-5, 1e-5, 0.025};
-  const int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * pi * pi)) * ppd));
+  const int radius =
+      static_cast<int>(std::ceil(3 * std::sqrt(0.04 / (2 * std::numbers::pi * std::numbers::pi)) * ppd));
   Colour sum{}, weights{};
   for (int j = -radius; j <= radius; ++j)
     for (int i = -radius; i <= radius; ++i) {
       const double d2 = (i * i + j * j) / (ppd * ppd);
       const Colour value = ycxcz(pixel(image, x + i, y + j));
       for (std::size_t c = 0; c < 3; ++c) {
-        const double weight = a1[c] * std::sqrt(pi / b1[c]) * std::exp(-pi * pi * d2 / b1[c]) +
-                              a2[c] * std::sqrt(pi / b2[c]) * std::exp(-pi * pi * d2 / b2[c]);
+        const double weight = a1[c] * std::sqrt(std::numbers::pi / b1[c]) *
+                                  std::exp(-std::numbers::pi * std::numbers::pi * d2 / b1[c]) +
+                              a2[c] * std::sqrt(std::numbers::pi / b2[c]) *
+                                  std::exp(-std::numbers::pi * std::numbers::pi * d2 / b2[c]);
         sum[c] += weight * value[c];
         weights[c] += weight;
       }
@@ -138,7 +141,7 @@ double flip(const Image& a, const Image& b, int x, int y, double ppd) {
 }  // namespace
 
 TEST_CASE("equal pictures differ nowhere") {
-  const Image picture = noise(37, 23, 1);
+  const Image picture = noise_floats(37, 23, 1);
   const FlipError error = flip(flip_view(picture), flip_view(picture));
   CHECK(error.mean == 0);
   CHECK(error.map.size() == 37 * 23);
@@ -156,7 +159,7 @@ TEST_CASE("plain pictures differ by their colours alone, and green against blue 
 }
 
 TEST_CASE("the order of the pictures does not matter") {
-  const FlipView a = flip_view(noise(31, 33, 2)), b = flip_view(noise(31, 33, 3));
+  const FlipView a = flip_view(noise_floats(31, 33, 2)), b = flip_view(noise_floats(31, 33, 3));
   CHECK(flip(a, b).map == flip(b, a).map);
   CHECK(flip(a, b).mean == flip(b, a).mean);
 }
@@ -178,7 +181,7 @@ TEST_CASE("a single bright pixel is seen as the formulas of the article give it,
 
 TEST_CASE("coloured noise agrees with plain loops over filters of two dimensions, at the borders too") {
   for (const double ppd : {flip_pixels_per_degree, 23.5}) {
-    const Image a = noise(26, 19, 4), b = noise(26, 19, 5);
+    const Image a = noise_floats(26, 19, 4), b = noise_floats(26, 19, 5);
     const FlipError error = flip(flip_view(a, ppd), flip_view(b, ppd));
     double sum = 0;
     for (int y = 0; y < 19; ++y)
@@ -193,7 +196,7 @@ TEST_CASE("coloured noise agrees with plain loops over filters of two dimensions
 }
 
 TEST_CASE("a picture turned on its side has its error turned with it") {
-  const Image a = noise(20, 14, 6), b = noise(20, 14, 7);
+  const Image a = noise_floats(20, 14, 6), b = noise_floats(20, 14, 7);
   const auto turned = [](const Image& image) {
     Image out(image.height, image.width, 3);
     for (int y = 0; y < image.height; ++y)
@@ -208,7 +211,7 @@ TEST_CASE("a picture turned on its side has its error turned with it") {
 }
 
 TEST_CASE("from further away, at more pixels per degree, fine noise is seen less") {
-  const Image a = noise(64, 64, 8), b = noise(64, 64, 9);
+  const Image a = noise_floats(64, 64, 8), b = noise_floats(64, 64, 9);
   double before = 2;
   for (const double ppd : {15.0, 30.0, 60.0, 120.0}) {
     const double mean = flip(flip_view(a, ppd), flip_view(b, ppd)).mean;

@@ -39,7 +39,7 @@ int off_from_reference(const Image8& a, const Image8& b, const MipOptions& optio
   return most;
 }
 
-Image8 constant(int width, int height, std::uint8_t code) {
+Image8 constant_picture(int width, int height, std::uint8_t code) {
   return Image8(width, height, 4, code);
 }
 
@@ -175,7 +175,7 @@ TEST_CASE("mips of a 1-px checker and of an impulse are within one code of the c
       return static_cast<std::uint8_t>((x + y) % 2 == 0 ? 255 : 20 * c);
     });
     CHECK(off_from_reference(checker, checker, {}) <= 1);
-    Image8 impulse = constant(width, height, 0);
+    Image8 impulse = constant_picture(width, height, 0);
     for (auto& code : impulse.at(width / 2, height / 3)) code = 255;
     CHECK(off_from_reference(impulse, impulse, {}) <= 1);
   }
@@ -234,7 +234,7 @@ TEST_CASE("diffuse under alpha 0 does not count, and counts alike where all is h
   a.at(0, 0)[0] = 200;
   a.at(0, 0)[3] = 255;
   for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}, {1, 1}}) a.at(x, y)[1] = 250;
-  const Image8 b = constant(2, 2, 100);
+  const Image8 b = constant_picture(2, 2, 100);
   const MipPair weighted = mip_pair(a, b, {});
   CHECK(int{weighted.diffuse_alpha[1].at(0, 0)[0]} == 200);
   CHECK(int{weighted.diffuse_alpha[1].at(0, 0)[1]} == 0);
@@ -242,11 +242,11 @@ TEST_CASE("diffuse under alpha 0 does not count, and counts alike where all is h
   a.at(0, 0)[3] = 0;
   CHECK(int{mip_pair(a, b, {}).diffuse_alpha[1].at(0, 0)[1]} > 200);
   // The specular colour knows nothing of alpha.
-  CHECK(weighted.specular_gloss[1] == constant(1, 1, 100));
+  CHECK(weighted.specular_gloss[1] == constant_picture(1, 1, 100));
 }
 
 TEST_CASE("gloss is the mean of 1/e, weighted by the luminance of F0") {
-  Image8 a = constant(2, 1, 255), b = constant(2, 1, 128);
+  Image8 a = constant_picture(2, 1, 255), b = constant_picture(2, 1, 128);
   b.at(0, 0)[3] = 255;  // e = 4096
   b.at(1, 0)[3] = 0;    // e = 1
   // 1/e' = (1 + 1/4096) / 2, so g' = 0.0833 and the code 21.2.
@@ -283,7 +283,7 @@ TEST_CASE("a bumpy normal map widens the lobe as the mean of the lobes turned do
     return moment / weight;
   };
   const double widened = second_moment(s, s) - second_moment(0, 0);
-  const Image8 a = constant(16, 16, 255), b = constant(16, 16, gloss);
+  const Image8 a = constant_picture(16, 16, 255), b = constant_picture(16, 16, gloss);
   for (const NormalVariance kind : {NormalVariance::toksvig, NormalVariance::slopes}) {
     MipOptions options;
     options.normals = &normals;
@@ -300,7 +300,7 @@ TEST_CASE("a bumpy normal map widens the lobe as the mean of the lobes turned do
 }
 
 TEST_CASE("a flat normal map leaves gloss alone; a lobe wider than gloss 0 is counted") {
-  const Image8 a = constant(8, 8, 255), b = constant(8, 8, 90);
+  const Image8 a = constant_picture(8, 8, 255), b = constant_picture(8, 8, 90);
   Image8 normals(8, 8, 3, 128);
   for (std::size_t i = 2; i < normals.values.size(); i += 3) normals.values[i] = 255;
   MipOptions options;

@@ -32,7 +32,7 @@ Pixels<Value> picture(int width, int height, int channels, unsigned seed = 5) {
 }
 
 template <class Value>
-PngRows rows_of(const Pixels<Value>& image) {
+PngRows png_rows_of(const Pixels<Value>& image) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): values as bytes
   return {{image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Value))},
           reinterpret_cast<const std::uint8_t*>(image.values.data()),
@@ -50,7 +50,7 @@ Image16 read_16(const std::string& bytes) {
 
 template <class Value>
 void comes_back(const Pixels<Value>& image, PngLevel level = PngLevel::fast) {
-  const std::string bytes = png_bytes(rows_of(image), {level, 1, false});
+  const std::string bytes = png_bytes(png_rows_of(image), {level, 1, false});
   CAPTURE(image.width, image.height, image.channels, sizeof(Value));
   if constexpr (sizeof(Value) == 1) {
     REQUIRE(read_png8(bytes, "t.png") == image);
@@ -60,11 +60,11 @@ void comes_back(const Pixels<Value>& image, PngLevel level = PngLevel::fast) {
   }
 }
 
-std::string refusal(const std::string& bytes) {
+std::string png_refusal(const std::string& bytes) {
   return test::error_of([&] { (void)read_png8(bytes, "t.png"); });
 }
 
-std::string with(const test::PngSpec& spec, std::string before, std::string behind = {}) {
+std::string with_chunk(const test::PngSpec& spec, std::string before, std::string behind = {}) {
   test::PngSpec changed = spec;
   changed.before = std::move(before);
   changed.behind = std::move(behind);
@@ -99,13 +99,13 @@ TEST_CASE("colour under 0 in the fourth channel stays as it is") {
 
 TEST_CASE("the bytes are the same for any number of threads, and come in order") {
   const Image8 image = picture<std::uint8_t>(700, 1500, 4);
-  const std::string one = png_bytes(rows_of(image), {PngLevel::fast, 1});
+  const std::string one = png_bytes(png_rows_of(image), {PngLevel::fast, 1});
   CHECK(read_png8(one, "t.png") == image);
   for (unsigned threads = 2; threads <= 9; ++threads)
-    REQUIRE(png_bytes(rows_of(image), {PngLevel::fast, threads}) == one);
-  const std::string small = png_bytes(rows_of(image), {PngLevel::small, 1});
+    REQUIRE(png_bytes(png_rows_of(image), {PngLevel::fast, threads}) == one);
+  const std::string small = png_bytes(png_rows_of(image), {PngLevel::small, 1});
   CHECK(read_png8(small, "t.png") == image);
-  CHECK(png_bytes(rows_of(image), {PngLevel::small, 3}) == small);
+  CHECK(png_bytes(png_rows_of(image), {PngLevel::small, 3}) == small);
   CHECK(small.size() <= one.size());
 }
 
@@ -131,7 +131,7 @@ TEST_CASE("a deflater's address is not in its bytes") {
 TEST_CASE("rows in bands of any heights become the bytes of the whole picture") {
   const auto image = picture<std::uint8_t>(333, 700, 4);
   const auto wide = picture<std::uint16_t>(1025, 203, 3);
-  for (const PngRows& rows : {rows_of(image), rows_of(wide)})
+  for (const PngRows& rows : {png_rows_of(image), png_rows_of(wide)})
     for (const std::vector<int>& heights : {std::vector<int>{1, 7, 300, 2}, {393}, {64, 64, 64}, {0, 2, 0}}) {
       const PngOptions options;
       std::string out;
@@ -163,7 +163,7 @@ TEST_CASE("what the sink throws comes out for any number of threads") {
   for (unsigned threads = 1; threads <= 4; ++threads)
     for (int pieces = 0; pieces < 8; pieces += 3) {
       int left = pieces;
-      CHECK_THROWS_AS(write_png(rows_of(image), {PngLevel::fast, threads},
+      CHECK_THROWS_AS(write_png(png_rows_of(image), {PngLevel::fast, threads},
                                 [&](std::string_view) {
                                   if (left-- == 0) throw std::runtime_error("full");
                                 }),
@@ -193,7 +193,7 @@ class ForgetfulBytes : public ByteSource {
 
 TEST_CASE("found 4.03: a file is read as rows are asked for, whatever the size of its chunks") {
   const Image8 image = picture<std::uint8_t>(301, 267, 4);
-  const std::string bytes = png_bytes(rows_of(image), {});
+  const std::string bytes = png_bytes(png_rows_of(image), {});
   std::string data;
   for (std::size_t at = 33; at + 12 < bytes.size();) {
     std::size_t size = 0;
@@ -217,7 +217,7 @@ TEST_CASE("found 4.03: a file is read as rows are asked for, whatever the size o
 
 TEST_CASE("rows can be read a few at a time, and nothing beside them is written") {
   const Image8 image = picture<std::uint8_t>(101, 67, 3);
-  const std::string bytes = png_bytes(rows_of(image), {});
+  const std::string bytes = png_bytes(png_rows_of(image), {});
   for (const int step : {1, 2, 5, 66, 67}) {
     auto reader = PngReader::open(bytes, "t.png");
     REQUIRE(reader);
@@ -332,12 +332,12 @@ TEST_CASE("what a file says of its colours is found in any form") {
   const test::PngSpec spec{3, 2};
   CHECK(png_colour(test::make_png(spec)) == PngColour{});
   const std::string gamma = test::png_chunk("gAMA", test::big_endian(45455));
-  const PngColour colour = png_colour(with(spec, gamma + test::png_chunk("iCCP", "x\0\0y")));
+  const PngColour colour = png_colour(with_chunk(spec, gamma + test::png_chunk("iCCP", "x\0\0y")));
   CHECK((!colour.srgb && colour.icc_profile && colour.gamma == Approx(0.45455)));
-  CHECK(png_colour(with({3, 2, 3, 4}, test::png_chunk("sRGB", "x"))).srgb);
+  CHECK(png_colour(with_chunk({3, 2, 3, 4}, test::png_chunk("sRGB", "x"))).srgb);
   CHECK(png_colour("no picture") == PngColour{});
   const Image8 image(2, 2, 3, 9);
-  const std::string bytes = png_bytes(rows_of(image), {PngLevel::fast, 1, true});
+  const std::string bytes = png_bytes(png_rows_of(image), {PngLevel::fast, 1, true});
   CHECK(png_colour(bytes).srgb);
   CHECK(read_png8(bytes, "t.png") == image);
 }
@@ -346,7 +346,7 @@ TEST_CASE("forms that are not read here are left to others") {
   for (const std::string& bytes :
        {std::string(), std::string("\xFF\xD8\xFF\xE0 a JPEG"), test::make_png({5, 4, 3, 8}),
         test::make_png({5, 4, 3, 1}), test::make_png({5, 4, 0, 4}), test::make_png({5, 4, 6, 8, 1}),
-        with({5, 4, 2, 8}, test::png_chunk("tRNS", std::string(6, '\0')))}) {
+        with_chunk({5, 4, 2, 8}, test::png_chunk("tRNS", std::string(6, '\0')))}) {
     CHECK(!PngReader::open(bytes, "t.png"));
     CHECK(!read_png8(bytes, "t.png"));
   }
@@ -355,10 +355,10 @@ TEST_CASE("forms that are not read here are left to others") {
 TEST_CASE("broken files are refused with the place and the reason") {
   const test::PngSpec spec{7, 5};
   const std::string stream = test::zlib_stream(test::png_filtered_rows(spec)), whole = test::make_png(spec);
-  CHECK(refusal(whole).empty());
+  CHECK(png_refusal(whole).empty());
   const auto says = [](const std::string& bytes, const std::string& part) {
-    CHECK_THAT(refusal(bytes), Catch::StartsWith("t.png: "));
-    CHECK_THAT(refusal(bytes), Catch::Contains(part));
+    CHECK_THAT(png_refusal(bytes), Catch::StartsWith("t.png: "));
+    CHECK_THAT(png_refusal(bytes), Catch::Contains(part));
   };
   says(test::png_signature + whole.substr(8 + 25), "IDAT at byte 8 comes first, where IHDR belongs");
   says(test::make_png({0, 5}), "is 0 x 5 pixels; expected 1 to 16384 on a side");
@@ -366,12 +366,13 @@ TEST_CASE("broken files are refused with the place and the reason") {
   says(test::make_png({7, 5, 5, 8}), "colour type 5");
   says(test::make_png({7, 5, 6, 4}), "bit depth 4, colour type 6");
   says(test::png_around({16384, 16384, 6, 16}, stream), "too few for its 16384 x 16384 pixels");
-  says(with(spec, test::png_chunk("CRIT", "")), "CRIT at byte 33");
-  says(with(spec, test::png_chunk("IHDR", std::string(13, '\1'))), "IHDR at byte 33");
-  says(with(spec, test::png_chunk("a1cd", "")), "has no valid type");
-  says(with(spec, {}, test::png_chunk("tEXt", "a") + test::png_chunk("IDAT", "")), "has no place behind");
-  says(with({7, 5, 0, 8}, test::png_chunk("PLTE", "abc")), "is no palette that belongs here");
-  says(with({7, 5, 2, 8}, test::png_chunk("PLTE", "abcd")), "is no palette that belongs here");
+  says(with_chunk(spec, test::png_chunk("CRIT", "")), "CRIT at byte 33");
+  says(with_chunk(spec, test::png_chunk("IHDR", std::string(13, '\1'))), "IHDR at byte 33");
+  says(with_chunk(spec, test::png_chunk("a1cd", "")), "has no valid type");
+  says(with_chunk(spec, {}, test::png_chunk("tEXt", "a") + test::png_chunk("IDAT", "")),
+       "has no place behind");
+  says(with_chunk({7, 5, 0, 8}, test::png_chunk("PLTE", "abc")), "is no palette that belongs here");
+  says(with_chunk({7, 5, 2, 8}, test::png_chunk("PLTE", "abcd")), "is no palette that belongs here");
   says(test::png_around({7, 6}, stream), "image data ends before the last of its 6 rows");
   says(test::png_around({7, 4}, stream), "image data goes on behind the last of its 4 rows");
   says(test::png_around(spec, stream + "x"), "image data goes on behind its end");
@@ -387,10 +388,10 @@ TEST_CASE("broken files are refused with the place and the reason") {
   says(test::png_signature + test::png_header(spec) + test::png_chunk("IEND", ""), "IEND at byte 33");
   const std::string closed = whole.substr(0, whole.size() - 12) + test::png_chunk("IEND", "x");
   says(closed, "is not empty");
-  std::string text = with(spec, test::png_chunk("tEXt", "Comment"));
+  std::string text = with_chunk(spec, test::png_chunk("tEXt", "Comment"));
   text[33 + 10] = 'X';
   says(text, "tEXt at byte 33 has a wrong checksum");
-  CHECK(refusal(whole + "trailing bytes").empty());
+  CHECK(png_refusal(whole + "trailing bytes").empty());
 }
 
 TEST_CASE("a window said to be smaller than the stream needs does no harm") {
@@ -407,7 +408,7 @@ TEST_CASE("a window said to be smaller than the stream needs does no harm") {
   const int header = 8 << 12 | 0x800;
   stream[0] = static_cast<char>(header >> 8);
   stream[1] = static_cast<char>(31 - header % 31);
-  CHECK_THAT(refusal(test::png_around(spec, stream)), Catch::Contains("image data is damaged"));
+  CHECK_THAT(png_refusal(test::png_around(spec, stream)), Catch::Contains("image data is damaged"));
 }
 
 TEST_CASE("a file cut anywhere and a file with any bit flipped is refused") {

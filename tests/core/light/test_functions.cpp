@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "core/base/error.h"
@@ -13,12 +14,11 @@ using namespace etak;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 double c(double degrees) {
-  return std::cos(degrees * pi / 180);
+  return std::cos(degrees * std::numbers::pi / 180);
 }
 double s(double degrees) {
-  return std::sin(degrees * pi / 180);
+  return std::sin(degrees * std::numbers::pi / 180);
 }
 
 // "n=1.5;k=0" as `etak eval` would be told.
@@ -179,25 +179,28 @@ TEST_CASE("errors of approximations are those of a plain loop") {
 
 TEST_CASE("distributions, their integrals, and geometry") {
   const double nm = 0.8, t2 = (1 - nm * nm) / (nm * nm);
-  CHECK(eval("D_ggx", "alpha=0.3;nm=0.8") == near_to(0.09 / (pi * std::pow(nm * nm * (0.09 - 1) + 1, 2))));
-  CHECK(eval("D_ggx", "alpha=1e-6;nm=1") == near_to(1 / (pi * 1e-12)));
-  CHECK(eval("D_beckmann", "m=0.3;nm=0.8") == near_to(std::exp(-t2 / 0.09) / (pi * 0.09 * std::pow(nm, 4))));
-  CHECK(eval("D_phong", "e=100;nm=0.9") == near_to(102 / (2 * pi) * std::pow(0.9, 100), 1e-10));
-  CHECK(eval("D_phong", "e=1;nm=1e-7") == near_to(3 / (2 * pi) * 1e-7, 1e-10));
+  CHECK(eval("D_ggx", "alpha=0.3;nm=0.8") ==
+        near_to(0.09 / (std::numbers::pi * std::pow(nm * nm * (0.09 - 1) + 1, 2))));
+  CHECK(eval("D_ggx", "alpha=1e-6;nm=1") == near_to(1 / (std::numbers::pi * 1e-12)));
+  CHECK(eval("D_beckmann", "m=0.3;nm=0.8") ==
+        near_to(std::exp(-t2 / 0.09) / (std::numbers::pi * 0.09 * std::pow(nm, 4))));
+  CHECK(eval("D_phong", "e=100;nm=0.9") == near_to(102 / (2 * std::numbers::pi) * std::pow(0.9, 100), 1e-10));
+  CHECK(eval("D_phong", "e=1;nm=1e-7") == near_to(3 / (2 * std::numbers::pi) * 1e-7, 1e-10));
   CHECK(eval("D_phong", "e=4096;nm=0.9999") ==
-        near_to(4098 / (2 * pi) * std::exp(4096 * std::log1p(-1e-4)), 1e-10));
+        near_to(4098 / (2 * std::numbers::pi) * std::exp(4096 * std::log1p(-1e-4)), 1e-10));
   CHECK(eval("D_schueler", "e=16;nm=0.9") == near_to(8.5 * std::pow(0.9, 16)));
   // p = 1/2: Gamma(1/2, alpha) in closed form.
   const double x = t2 + 0.04;
   CHECK(eval("D_sgd", "alpha=0.2;p=0.5;nm=0.8") ==
         near_to(std::pow(0.2, -0.5) * std::exp(-x / 0.2) /
-                (std::sqrt(pi) * std::erfc(std::sqrt(0.2)) * std::sqrt(x)) / (pi * std::pow(nm, 4))));
-  CHECK(eval("uabc_norm", "a1=7;a2=1") == near_to(49 / (2 * pi * (8 * std::log(8.0) - 7))));
-  CHECK(eval("uabc_norm", "a1=0;a2=3") == near_to(1 / pi));
+                (std::sqrt(std::numbers::pi) * std::erfc(std::sqrt(0.2)) * std::sqrt(x)) /
+                (std::numbers::pi * std::pow(nm, 4))));
+  CHECK(eval("uabc_norm", "a1=7;a2=1") == near_to(49 / (2 * std::numbers::pi * (8 * std::log(8.0) - 7))));
+  CHECK(eval("uabc_norm", "a1=0;a2=3") == near_to(1 / std::numbers::pi));
   for (const auto* param : {"param=0.01", "param=0.3", "param=1"}) {
     CHECK(eval("integral_D_ggx", param) == near_to(1, 1e-9));
     CHECK(eval("integral_D_beckmann", param) == near_to(1, 1e-9));
-    CHECK(eval("integral_D_beckmann_printed", param) == near_to(pi / 4, 1e-9));
+    CHECK(eval("integral_D_beckmann_printed", param) == near_to(std::numbers::pi / 4, 1e-9));
   }
   for (const double e : {1.0, 8.0, 64.0, 4096.0}) {
     const std::string param = "param=" + number(e, 17);
@@ -214,12 +217,12 @@ TEST_CASE("distributions, their integrals, and geometry") {
   CHECK(eval("G2_ggx_height", "nl=0.5;nv=0.5;alpha=0.3") == near_to(1 / (1 + 2 * lambda)));
   const double b = 1 / (0.6 * std::sqrt(tan2));
   CHECK(eval("G1_beckmann_exact", "cos=0.5;m=0.6") ==
-        near_to(1 / (1 + (std::erf(b) - 1) / 2 + std::exp(-b * b) / (2 * b * std::sqrt(pi)))));
+        near_to(1 / (1 + (std::erf(b) - 1) / 2 + std::exp(-b * b) / (2 * b * std::sqrt(std::numbers::pi)))));
   CHECK(eval("G1_beckmann_exact", "cos=1;m=0.3") == 1);
   CHECK(eval("G1_beckmann_exact", "cos=0;m=0.3") == 0);
 }
 
-TEST_CASE("reflectance functions: pi f nl for Schueler and Phong, f for the others") {
+TEST_CASE("reflectance functions: std::numbers::pi f nl for Schueler and Phong, f for the others") {
   const double F = 0.2 + 0.8 * std::pow(1 - c(35), 4), D = 65 / 2.0 * std::pow(c(5), 64);
   CHECK(eval("schueler_ksk", "theta_l=30;theta_v=40;phi_v=180;K=0.2;g=0.5") ==
         near_to(D * F / (4 * c(35) * c(35)) * c(30)));
@@ -228,21 +231,23 @@ TEST_CASE("reflectance functions: pi f nl for Schueler and Phong, f for the othe
   CHECK(eval("schueler_optimized", "theta_l=30;theta_v=40;phi_v=180;K=0.2;g=0.5") ==
         near_to(0.2 * 65 / (8 * std::pow(c(35), 3)) * std::pow(c(5), 64) * c(30)));
   CHECK(eval("schueler_full", "theta_l=30;theta_v=40;phi_v=180;n=1.5;k=0;m=0.3") ==
-        near_to(pi * c(30) * eval("cook_torrance", "theta_l=30;theta_v=40;phi_v=180;n=1.5;k=0;m=0.3")));
+        near_to(std::numbers::pi * c(30) *
+                eval("cook_torrance", "theta_l=30;theta_v=40;phi_v=180;n=1.5;k=0;m=0.3")));
   CHECK(eval("cook_torrance_printed", "theta_l=30;theta_v=40;phi_v=90;n=0.2;k=3;m=0.3") ==
-        near_to(pi / 4 * eval("cook_torrance", "theta_l=30;theta_v=40;phi_v=90;n=0.2;k=3;m=0.3")));
+        near_to(std::numbers::pi / 4 *
+                eval("cook_torrance", "theta_l=30;theta_v=40;phi_v=90;n=0.2;k=3;m=0.3")));
   CHECK(eval("phong", "theta_l=30;theta_v=40;phi_v=180;cd=0.3;cs=0.2;m=8") ==
         near_to(0.3 * c(30) + 0.2 * std::pow(c(10), 8)));
   CHECK(eval("blinn_phong", "theta_l=30;theta_v=40;phi_v=180;cd=0.3;cs=0.2;m=8") ==
-        near_to(0.3 / pi + 0.2 * 16 / (8 * pi) * std::pow(c(5), 8)));
+        near_to(0.3 / std::numbers::pi + 0.2 * 16 / (8 * std::numbers::pi) * std::pow(c(5), 8)));
   CHECK(eval("ashikhmin_shirley_spec", "theta_l=30;theta_v=30;phi_v=180;rs=1;nu=100;nv=10") ==
-        near_to(std::sqrt(101.0 * 11) / (8 * pi) / (c(30) * c(30))));
+        near_to(std::sqrt(101.0 * 11) / (8 * std::numbers::pi) / (c(30) * c(30))));
   CHECK(eval("oren_nayar", "theta_l=30;theta_v=40;phi_v=0;rho=1;sigma=0.3") ==
-        near_to((1 - 0.5 * 0.09 / 0.42 + 0.45 * 0.09 / 0.18 * s(40) * s(30) / c(30)) / pi));
+        near_to((1 - 0.5 * 0.09 / 0.42 + 0.45 * 0.09 / 0.18 * s(40) * s(30) / c(30)) / std::numbers::pi));
   // Viewer at azimuth 90: a frame in which nothing is in one plane.
   const double lh = std::sqrt((1 + c(30) * c(40)) / 2), nh = (c(30) + c(40)) / (2 * lh);
   CHECK(eval("blinn_phong", "theta_l=30;theta_v=40;phi_v=90;cd=0;cs=1;m=20") ==
-        near_to(28 / (8 * pi) * std::pow(nh, 20)));
+        near_to(28 / (8 * std::numbers::pi) * std::pow(nh, 20)));
 
   for (const Function& function : functions()) {
     if (!function.directions) continue;
@@ -274,7 +279,7 @@ TEST_CASE("furnaces have the numbers of the independent integration over light d
   CHECK(eval("furnace_blinn", "param=8;theta_v=0") == near_to(16 * (1.0 / 16 + 8) / (10 * 12), 1e-8));
   CHECK(eval("furnace_ggx_smith_corr", "param=1;theta_v=0") == near_to(1 - std::log(2.0), 1e-8));
   CHECK(eval("furnace_beckmann_ct_printed", "param=0.3;theta_v=60") ==
-        near_to(pi / 4 * eval("furnace_beckmann_ct", "param=0.3;theta_v=60"), 1e-7));
+        near_to(std::numbers::pi / 4 * eval("furnace_beckmann_ct", "param=0.3;theta_v=60"), 1e-7));
 }
 
 TEST_CASE("hemispheres: the corrected form, the wide one and the print") {

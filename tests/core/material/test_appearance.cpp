@@ -12,12 +12,12 @@ using namespace etak::test;
 
 namespace {
 
-Material of_library(const char* id) {
+Material record_of_library(const char* id) {
   return *MaterialLibrary::builtin().find(id);
 }
 
 Clarity preferred(const char* id) {
-  const Material material = of_library(id);
+  const Material material = record_of_library(id);
   return clarity(material, material.preferred_dataset());
 }
 

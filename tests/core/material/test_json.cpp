@@ -53,14 +53,14 @@ const std::string good = R"({
 }
 )";
 
-std::string with(const std::string& from, const std::string& to) {
+std::string with_change(const std::string& from, const std::string& to) {
   std::string text = good;
   const auto place = text.find(from);
   REQUIRE(place != std::string::npos);
   return text.replace(place, from.size(), to);
 }
 
-std::string complaint(const std::string& text) {
+std::string json_complaint(const std::string& text) {
   const std::string message = error_of([&] { parse_material(text, "testium.json"); });
   INFO(message);
   CHECK(message.starts_with("testium.json"));
@@ -170,15 +170,17 @@ TEST_CASE(
     "found 1.10: notes on aliases and the group are read, written, and refused where they stand for "
     "nothing") {
   const std::string notes = R"("alias_notes": {"Tt": "its symbol", "testium": "its id"}, "group": "stone", )";
-  const Material m = parse_material(with("\"class\"", notes + "\"class\""), "testium.json");
+  const Material m = parse_material(with_change("\"class\"", notes + "\"class\""), "testium.json");
   CHECK(m.group == "stone");
   CHECK(m.alias_notes == std::vector<AliasNote>{{"Tt", "its symbol"}, {"testium", "its id"}});
   round_trip(m);
-  CHECK(contains(complaint(with("\"class\"", R"("alias_notes": {"Xx": "a"}, "class")")),
+  CHECK(contains(json_complaint(with_change("\"class\"", R"("alias_notes": {"Xx": "a"}, "class")")),
                  "#/alias_notes: a note on \"Xx\""));
-  CHECK(contains(complaint(with("\"class\"", R"("alias_notes": {"Tt": ""}, "class")")), "#/alias_notes/Tt"));
-  CHECK(contains(complaint(with("\"class\"", R"("alias_notes": ["Tt"], "class")")), "#/alias_notes"));
-  CHECK(contains(complaint(with("\"class\"", R"("group": "Wood", "class")")), "#/group"));
+  CHECK(contains(json_complaint(with_change("\"class\"", R"("alias_notes": {"Tt": ""}, "class")")),
+                 "#/alias_notes/Tt"));
+  CHECK(contains(json_complaint(with_change("\"class\"", R"("alias_notes": ["Tt"], "class")")),
+                 "#/alias_notes"));
+  CHECK(contains(json_complaint(with_change("\"class\"", R"("group": "Wood", "class")")), "#/group"));
 }
 
 TEST_CASE(
@@ -196,117 +198,128 @@ TEST_CASE(
 }
 
 TEST_CASE("text that is no JSON is refused with line and column") {
-  CHECK(contains(complaint("{\n  \"schema\": \"etak-material/1\",\n  oops\n}"), "line 3"));
+  CHECK(contains(json_complaint("{\n  \"schema\": \"etak-material/1\",\n  oops\n}"), "line 3"));
   for (const std::string text :
        {"", " ", "{", "[", "null x", "{\"a\": 1,}",
         "\x7f"
         "ELF",
         "{\"schema\": NaN}", "{\"a\": 01}", "// comment\n{}", "'single'", "{\"a\": \"\xff\"}"}) {
     INFO(text);
-    CHECK(!complaint(text).empty());
+    CHECK(!json_complaint(text).empty());
   }
-  CHECK(!complaint(std::string("{\"a\0\": 1}", 9)).empty());
-  CHECK(!complaint(good.substr(0, good.size() / 2)).empty());
-  CHECK(!complaint(good + "x").empty());
+  CHECK(!json_complaint(std::string("{\"a\0\": 1}", 9)).empty());
+  CHECK(!json_complaint(good.substr(0, good.size() / 2)).empty());
+  CHECK(!json_complaint(good + "x").empty());
 }
 
 TEST_CASE("a JSON value that is no object is refused") {
-  for (const auto* text : {"null", "1", "\"x\"", "[]", "true"}) CHECK(!complaint(text).empty());
+  for (const auto* text : {"null", "1", "\"x\"", "[]", "true"}) CHECK(!json_complaint(text).empty());
 }
 
 TEST_CASE("keys twice in one object are refused wherever they stand") {
-  CHECK(contains(complaint(with("\"name\": \"Testium\",", "\"name\": \"Testium\", \"name\": \"Other\",")),
-                 "name"));
-  CHECK(contains(complaint(with("\"year\": 2000,", "\"year\": 2000, \"year\": 2000,")), "year"));
-  CHECK(contains(complaint(with("\"unit\": \"um\",", "\"unit\": \"um\", \"unit\": \"nm\",")), "unit"));
+  CHECK(contains(
+      json_complaint(with_change("\"name\": \"Testium\",", "\"name\": \"Testium\", \"name\": \"Other\",")),
+      "name"));
+  CHECK(contains(json_complaint(with_change("\"year\": 2000,", "\"year\": 2000, \"year\": 2000,")), "year"));
+  CHECK(contains(json_complaint(with_change("\"unit\": \"um\",", "\"unit\": \"um\", \"unit\": \"nm\",")),
+                 "unit"));
 }
 
 TEST_CASE("deep nesting is refused, a million brackets included") {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
-  CHECK(
-      contains(complaint(with("\"aliases\": [\"Tt\", \"test metal\"]", "\"aliases\": " + nested(20))), "16"));
-  CHECK(!complaint(nested(1000000)).empty());
-  CHECK(!complaint(std::string(1000000, '[')).empty());
+  CHECK(contains(
+      json_complaint(with_change("\"aliases\": [\"Tt\", \"test metal\"]", "\"aliases\": " + nested(20))),
+      "16"));
+  CHECK(!json_complaint(nested(1000000)).empty());
+  CHECK(!json_complaint(std::string(1000000, '[')).empty());
   std::string objects;
   for (int i = 0; i < 100000; ++i) objects += "{\"a\":";
-  CHECK(!complaint(objects).empty());
+  CHECK(!json_complaint(objects).empty());
 }
 
 TEST_CASE("unknown and missing keys are named with their place") {
-  CHECK(contains(complaint(with("\"aliases\"", "\"alias\"")), "alias"));
-  CHECK(contains(complaint(with("\"year\": 2000,", "\"yaer\": 2000,")), "/datasets/0/citation"));
-  CHECK(contains(complaint(with("\"year\": 2000,", "\"yaer\": 2000,")), "yaer"));
-  CHECK(contains(complaint(with("\"note\": \"Made up.\",", "\"remark\": \"\",")), "/datasets/0"));
+  CHECK(contains(json_complaint(with_change("\"aliases\"", "\"alias\"")), "alias"));
+  CHECK(contains(json_complaint(with_change("\"year\": 2000,", "\"yaer\": 2000,")), "/datasets/0/citation"));
+  CHECK(contains(json_complaint(with_change("\"year\": 2000,", "\"yaer\": 2000,")), "yaer"));
+  CHECK(contains(json_complaint(with_change("\"note\": \"Made up.\",", "\"remark\": \"\",")), "/datasets/0"));
   for (const auto* line :
        {"  \"name\": \"Testium\",\n", "  \"class\": \"metal\",\n", "  \"preferred\": \"author-2000\",\n",
         "      \"unit\": \"um\",\n", "      \"quantity\": \"n,k\",\n", "      \"origin\": \"measured\",\n",
         "        \"licence\": \"CC0-1.0\",\n", "      \"valid_range\": [0.3, 0.9],\n",
         "      \"columns\": [\"wavelength\", \"n\", \"k\"],\n"}) {
     INFO(line);
-    const std::string message = complaint(with(line, ""));
+    const std::string message = json_complaint(with_change(line, ""));
     const std::string key = std::string(line).substr(std::string(line).find('"') + 1);
     CHECK(contains(message, key.substr(0, key.find('"'))));
   }
 }
 
 TEST_CASE("values of the wrong type are refused with their JSON pointer") {
-  CHECK(contains(complaint(with("\"name\": \"Testium\"", "\"name\": 7")), "#/name"));
-  CHECK(contains(complaint(with("[\"Tt\", \"test metal\"]", "[\"Tt\", 7]")), "#/aliases/1"));
-  CHECK(contains(complaint(with("[\"Tt\", \"test metal\"]", "\"Tt\"")), "#/aliases"));
-  CHECK(contains(complaint(with("\"year\": 2000", "\"year\": \"2000\"")), "#/datasets/0/citation/year"));
-  CHECK(contains(complaint(with("\"year\": 2000", "\"year\": 2000.5")), "#/datasets/0/citation/year"));
-  CHECK(contains(complaint(with("293.15", "\"293\"")), "#/datasets/0/temperature_kelvin"));
-  CHECK(contains(complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, \"0.2\", 3.6]")), "#/datasets/0/rows/1"));
-  CHECK(contains(complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, 0.2]")), "#/datasets/0/rows/1"));
-  CHECK(contains(complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, 0.2, 3.6, 1]")), "#/datasets/0/rows/1"));
-  CHECK(contains(complaint(with("[0.5876, 0.2, 3.6]", "null")), "#/datasets/0/rows/1"));
-  CHECK(contains(complaint(with("[0.3, 0.9]", "[0.3]")), "#/datasets/0/valid_range"));
+  CHECK(contains(json_complaint(with_change("\"name\": \"Testium\"", "\"name\": 7")), "#/name"));
+  CHECK(contains(json_complaint(with_change("[\"Tt\", \"test metal\"]", "[\"Tt\", 7]")), "#/aliases/1"));
+  CHECK(contains(json_complaint(with_change("[\"Tt\", \"test metal\"]", "\"Tt\"")), "#/aliases"));
+  CHECK(contains(json_complaint(with_change("\"year\": 2000", "\"year\": \"2000\"")),
+                 "#/datasets/0/citation/year"));
+  CHECK(contains(json_complaint(with_change("\"year\": 2000", "\"year\": 2000.5")),
+                 "#/datasets/0/citation/year"));
+  CHECK(contains(json_complaint(with_change("293.15", "\"293\"")), "#/datasets/0/temperature_kelvin"));
+  CHECK(contains(json_complaint(with_change("[0.5876, 0.2, 3.6]", "[0.5876, \"0.2\", 3.6]")),
+                 "#/datasets/0/rows/1"));
+  CHECK(contains(json_complaint(with_change("[0.5876, 0.2, 3.6]", "[0.5876, 0.2]")), "#/datasets/0/rows/1"));
+  CHECK(contains(json_complaint(with_change("[0.5876, 0.2, 3.6]", "[0.5876, 0.2, 3.6, 1]")),
+                 "#/datasets/0/rows/1"));
+  CHECK(contains(json_complaint(with_change("[0.5876, 0.2, 3.6]", "null")), "#/datasets/0/rows/1"));
+  CHECK(contains(json_complaint(with_change("[0.3, 0.9]", "[0.3]")), "#/datasets/0/valid_range"));
 }
 
 TEST_CASE("values outside their domain are refused with their JSON pointer") {
-  CHECK(contains(complaint(with("etak-material/1", "etak-material/2")), "#/schema"));
-  CHECK(contains(complaint(with("\"id\": \"testium\"", "\"id\": \"Testium\"")), "#/id"));
-  CHECK(contains(complaint(with("\"id\": \"testium\"", "\"id\": \"../testium\"")), "#/id"));
-  CHECK(contains(complaint(with("\"class\": \"metal\"", "\"class\": \"metals\"")), "#/class"));
-  CHECK(contains(complaint(with("\"preferred\": \"author-2000\"", "\"preferred\": \"author-2001\"")),
-                 "#/preferred"));
-  CHECK(contains(complaint(with("\"origin\": \"measured\"", "\"origin\": \"guessed\"")),
+  CHECK(contains(json_complaint(with_change("etak-material/1", "etak-material/2")), "#/schema"));
+  CHECK(contains(json_complaint(with_change("\"id\": \"testium\"", "\"id\": \"Testium\"")), "#/id"));
+  CHECK(contains(json_complaint(with_change("\"id\": \"testium\"", "\"id\": \"../testium\"")), "#/id"));
+  CHECK(contains(json_complaint(with_change("\"class\": \"metal\"", "\"class\": \"metals\"")), "#/class"));
+  CHECK(contains(
+      json_complaint(with_change("\"preferred\": \"author-2000\"", "\"preferred\": \"author-2001\"")),
+      "#/preferred"));
+  CHECK(contains(json_complaint(with_change("\"origin\": \"measured\"", "\"origin\": \"guessed\"")),
                  "#/datasets/0/origin"));
-  CHECK(contains(complaint(with("\"unit\": \"um\"", "\"unit\": \"mm\"")), "#/datasets/0/unit"));
-  CHECK(contains(complaint(with("duplicate-wavelength", "duplicated")), "#/datasets/0/flags"));
-  CHECK(contains(complaint(with("\"quantity\": \"n,k\"", "\"quantity\": \"n\"")), "#/datasets/0"));
-  CHECK(contains(complaint(with("[0.3, 0.9]", "[0.3, 0.8]")), "#/datasets/0/valid_range"));
+  CHECK(contains(json_complaint(with_change("\"unit\": \"um\"", "\"unit\": \"mm\"")), "#/datasets/0/unit"));
+  CHECK(contains(json_complaint(with_change("duplicate-wavelength", "duplicated")), "#/datasets/0/flags"));
+  CHECK(
+      contains(json_complaint(with_change("\"quantity\": \"n,k\"", "\"quantity\": \"n\"")), "#/datasets/0"));
+  CHECK(contains(json_complaint(with_change("[0.3, 0.9]", "[0.3, 0.8]")), "#/datasets/0/valid_range"));
   SECTION("n below zero, or at zero without k, k below zero, numbers beyond a double") {
     for (const auto* row :
          {"[0.5876, -0.2, 3.6]", "[0.5876, 0.2, -1e-9]", "[0.5876, 1e5, 3.6]", "[0.5876, 0.2, 1e7]"}) {
       INFO(row);
-      CHECK(contains(complaint(with("[0.5876, 0.2, 3.6]", row)), "#/datasets/0/rows/1"));
+      CHECK(contains(json_complaint(with_change("[0.5876, 0.2, 3.6]", row)), "#/datasets/0/rows/1"));
     }
-    CHECK(contains(complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, 0, 0]")), "n = 0 with k = 0 at 587.6 nm"));
-    CHECK(!complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, 0.2, 1e999]")).empty());
-    CHECK(!complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, NaN, 3.6]")).empty());
-    CHECK(!complaint(with("[0.5876, 0.2, 3.6]", "[0.5876, Infinity, 3.6]")).empty());
+    CHECK(contains(json_complaint(with_change("[0.5876, 0.2, 3.6]", "[0.5876, 0, 0]")),
+                   "n = 0 with k = 0 at 587.6 nm"));
+    CHECK(!json_complaint(with_change("[0.5876, 0.2, 3.6]", "[0.5876, 0.2, 1e999]")).empty());
+    CHECK(!json_complaint(with_change("[0.5876, 0.2, 3.6]", "[0.5876, NaN, 3.6]")).empty());
+    CHECK(!json_complaint(with_change("[0.5876, 0.2, 3.6]", "[0.5876, Infinity, 3.6]")).empty());
   }
   SECTION("rows not ascending, equal wavelengths, wavelength zero") {
-    CHECK(contains(complaint(with("[0.5876, 0.2", "[0.95, 0.2")), "#/datasets/0/rows/2"));
-    CHECK(contains(complaint(with("[0.5876, 0.2", "[0.3, 0.2")), "#/datasets/0/rows/1"));
-    CHECK(contains(complaint(with("[0.3, 0.1879", "[0, 0.1879")), "#/datasets/0/rows/0"));
+    CHECK(contains(json_complaint(with_change("[0.5876, 0.2", "[0.95, 0.2")), "#/datasets/0/rows/2"));
+    CHECK(contains(json_complaint(with_change("[0.5876, 0.2", "[0.3, 0.2")), "#/datasets/0/rows/1"));
+    CHECK(contains(json_complaint(with_change("[0.3, 0.1879", "[0, 0.1879")), "#/datasets/0/rows/0"));
   }
   SECTION("no datasets, no rows, a dataset twice") {
-    CHECK(contains(complaint(good.substr(0, good.find("\"datasets\"")) + "\"datasets\": []}"), "#/datasets"));
+    CHECK(contains(json_complaint(good.substr(0, good.find("\"datasets\"")) + "\"datasets\": []}"),
+                   "#/datasets"));
     std::string empty = good;
     const auto first = empty.find("\"rows\": ["), last = empty.find("]\n    }\n");
-    CHECK(contains(complaint(empty.replace(first, last - first, "\"rows\": [")), "#/datasets/0/rows"));
+    CHECK(contains(json_complaint(empty.replace(first, last - first, "\"rows\": [")), "#/datasets/0/rows"));
     std::string twice = good;
     const auto begin = twice.find("    {\n      \"id\": \"author-2000\""), end = twice.find("\n  ]\n}");
     const std::string dataset = twice.substr(begin, end - begin);
-    CHECK(contains(complaint(twice.insert(end, ",\n" + dataset)), "#/datasets/1"));
+    CHECK(contains(json_complaint(twice.insert(end, ",\n" + dataset)), "#/datasets/1"));
   }
   SECTION("reflectance outside [0, 1]") {
     std::string text = format_material(holding(Reflectance{{{400, 410, 420}, {0, 0.5, 1}}}));
     const auto place = text.find("[0.41, 0.5]");
     REQUIRE(place != std::string::npos);
-    CHECK(contains(complaint(text.replace(place, 11, "[0.41, 1.5]")), "#/datasets/0/rows/1"));
+    CHECK(contains(json_complaint(text.replace(place, 11, "[0.41, 1.5]")), "#/datasets/0/rows/1"));
   }
   SECTION("formulas that are none") {
     const std::string text =
@@ -315,7 +328,7 @@ TEST_CASE("values outside their domain are refused with their JSON pointer") {
       std::string other = text;
       const auto place = other.find(from);
       REQUIRE(place != std::string::npos);
-      return complaint(other.replace(place, from.size(), to));
+      return json_complaint(other.replace(place, from.size(), to));
     };
     CHECK(contains(changed("\"number\": 5", "\"number\": 10"), "/datasets/0/formula"));
     CHECK(contains(changed("\"number\": 5", "\"number\": 0"), "/datasets/0/formula"));

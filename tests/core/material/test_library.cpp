@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Material small(const std::string& id, const std::string& name, std::vector<std::string> aliases) {
+Material small_material(const std::string& id, const std::string& name, std::vector<std::string> aliases) {
   Material m;
   m.id = id;
   m.name = name;
@@ -28,7 +28,7 @@ Material small(const std::string& id, const std::string& name, std::vector<std::
   return m;
 }
 
-void put(const TempFolder& folder, const std::string& file, const Material& m) {
+void put_material(const TempFolder& folder, const std::string& file, const Material& m) {
   fs::create_directories(fs::path(folder.file(file)).parent_path());
   spit(folder.file(file), format_material(m));
 }
@@ -88,8 +88,8 @@ TEST_CASE("every dataset of the library says who measured it, and what its licen
 
 TEST_CASE("a folder adds materials and replaces those whose id is known") {
   const TempFolder folder;
-  put(folder, "metal/gold.json", small("gold", "My gold", {"my-au"}));
-  put(folder, "deep/er/testium.json", small("testium", "Testium", {"Tt"}));
+  put_material(folder, "metal/gold.json", small_material("gold", "My gold", {"my-au"}));
+  put_material(folder, "deep/er/testium.json", small_material("testium", "Testium", {"Tt"}));
   spit(folder.file("readme.txt"), "not a material");
   auto library = MaterialLibrary::builtin();
   const auto count = library.ids().size();
@@ -106,8 +106,8 @@ TEST_CASE("a folder adds materials and replaces those whose id is known") {
 
 TEST_CASE("an id wins over another material's alias") {
   const TempFolder folder;
-  put(folder, "a.json", small("aaa", "First", {"zzz"}));
-  put(folder, "z.json", small("zzz", "Second", {}));
+  put_material(folder, "a.json", small_material("aaa", "First", {"zzz"}));
+  put_material(folder, "z.json", small_material("zzz", "Second", {}));
   auto library = MaterialLibrary::builtin();
   library.add_folder(folder.path());
   CHECK(library.find("zzz")->name == "Second");
@@ -119,8 +119,8 @@ TEST_CASE("a folder that cannot be used is an error that names the file") {
   const auto adding = [&](const std::string& path) { return error_of([&] { library.add_folder(path); }); };
   CHECK(contains(adding(folder.file("absent")), folder.file("absent")));
   CHECK(contains(adding(folder.path()), folder.path()));  // no *.json in it
-  put(folder, "a.json", small("same", "A", {}));
-  put(folder, "b.json", small("same", "B", {}));
+  put_material(folder, "a.json", small_material("same", "A", {}));
+  put_material(folder, "b.json", small_material("same", "B", {}));
   const std::string twice = adding(folder.path());
   CHECK(contains(twice, folder.file("b.json")));
   CHECK(contains(twice, "same"));

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/material/library.h"
 #include "core/material/unmeasured.h"
+#include "tests/core/material/library_support.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -19,19 +20,14 @@ namespace {
 
 using Kind = NameDistance::Kind;
 
-const MaterialLibrary& library() {
-  static const MaterialLibrary all = MaterialLibrary::builtin();
-  return all;
-}
-
 std::string found(std::string_view name) {
-  const auto material = library().find(name);
+  const auto material = test::library().find(name);
   return material ? material->id : "";
 }
 
 std::vector<std::string> suggested(std::string_view name) {
   std::vector<std::string> out;
-  for (const Suggestion& each : library().suggest(name)) out.push_back(each.id);
+  for (const Suggestion& each : test::library().suggest(name)) out.push_back(each.id);
   return out;
 }
 
@@ -78,8 +74,8 @@ TEST_CASE("found 1.02: what reads as a chemical formula") {
 TEST_CASE(
     "found 1.02: over the whole library no word stands for two materials, and none for another's formula") {
   std::map<std::string, std::string> words, formulas, folded_formulas;
-  for (std::size_t i = 0; i < library().ids().size(); ++i) {
-    const Material m = library().at(i);
+  for (std::size_t i = 0; i < test::library().ids().size(); ++i) {
+    const Material m = test::library().at(i);
     std::set<std::string> own;
     const auto claim = [&](std::map<std::string, std::string>& owners, const std::string& key) {
       const auto [place, fresh] = owners.try_emplace(key, m.id);
@@ -108,10 +104,10 @@ TEST_CASE(
 }
 
 TEST_CASE("found 1.02: every name of every material finds it, and id wins over name, alias and formula") {
-  for (std::size_t i = 0; i < library().ids().size(); ++i) {
-    const Material m = library().at(i);
+  for (std::size_t i = 0; i < test::library().ids().size(); ++i) {
+    const Material m = test::library().at(i);
     INFO(m.id);
-    CHECK(library().look_up(m.id)->kind == NameKind::id);
+    CHECK(test::library().look_up(m.id)->kind == NameKind::id);
     CHECK(found(m.id) == m.id);
     CHECK(found(m.name) == m.id);
     for (const std::string& alias : m.aliases) {
@@ -143,7 +139,7 @@ TEST_CASE("found 1.09: what is not near is not suggested") {
   CHECK(!name_distance("gold", ""));
   CHECK(suggested("qwertzuiop").empty());
   CHECK(suggested("").empty());
-  CHECK(library().suggest("bronz", 0).empty());
+  CHECK(test::library().suggest("bronz", 0).empty());
 }
 
 TEST_CASE("found 1.09: the nearest names of common mistakes") {
@@ -156,9 +152,9 @@ TEST_CASE("found 1.09: the nearest names of common mistakes") {
   CHECK(suggested("irn").at(0) == "iron");
   CHECK(suggested("chromuim").at(0) == "chromium");
   CHECK(suggested("sio2").at(0) == "fused_silica");
-  CHECK(library().suggest("polycarbonat").at(0).text == "polycarbonate");
+  CHECK(test::library().suggest("polycarbonat").at(0).text == "polycarbonate");
   // The alias that comes near is told, and each material once.
-  CHECK(library().suggest("plexiglasss").at(0).text == "pmma (plexiglass)");
+  CHECK(test::library().suggest("plexiglasss").at(0).text == "pmma (plexiglass)");
   const auto many = suggested("glass");
   CHECK(std::set<std::string>(many.begin(), many.end()).size() == many.size());
 }
@@ -177,23 +173,23 @@ TEST_CASE(
     ++words;
     measured += answer != "unmeasured";
     CHECK(found(word) == (answer == "unmeasured" ? "" : answer));
-    CHECK((library().unmeasured(word) != nullptr) == (answer == "unmeasured"));
+    CHECK((test::library().unmeasured(word) != nullptr) == (answer == "unmeasured"));
   }
   CHECK(words > 180);
   CHECK(measured > 130);
 }
 
 TEST_CASE("found 1.10: a word without a measurement says why, and names what is measured and near") {
-  const auto milk = library().missing("Milk");
+  const auto milk = test::library().missing("Milk");
   CHECK(contains(milk.found, "no open measurement known: "));
   CHECK(contains(milk.expected, "what is measured and near: water"));
-  CHECK(contains(library().missing("tin").found, "730 nm"));
-  const auto other = library().missing("glod");
+  CHECK(contains(test::library().missing("tin").found, "730 nm"));
+  const auto other = test::library().missing("glod");
   CHECK(other.found.empty());
   CHECK(contains(other.expected, "one of the nearest names: gold"));
-  CHECK(library().missing("qwertzuiop").expected.empty());
+  CHECK(test::library().missing("qwertzuiop").expected.empty());
   // A misspelt one is told apart from the materials.
-  const auto near = library().suggest("mlik");
+  const auto near = test::library().suggest("mlik");
   REQUIRE(!near.empty());
   CHECK(near.at(0).text == "milk (not measured)");
   CHECK(near.at(0).id.empty());
@@ -205,8 +201,8 @@ TEST_CASE("found 1.10: no word without a measurement names a material, and what 
     for (const std::string& word : each.words) {
       INFO(word);
       CHECK(found(word).empty());
-      CHECK(library().unmeasured(word) != nullptr);
-      CHECK(*library().unmeasured(word) == each);
+      CHECK(test::library().unmeasured(word) != nullptr);
+      CHECK(*test::library().unmeasured(word) == each);
     }
     for (const std::string& id : each.nearest) CHECK(found(id) == id);
   }
@@ -228,13 +224,13 @@ TEST_CASE("a broken list of words without a measurement is refused") {
 }
 
 TEST_CASE("found 1.02: a dataset is named by its id, its unique beginning, or with others by a star") {
-  const Material gold = *library().find("gold");
+  const Material gold = *test::library().find("gold");
   CHECK(&dataset_named(gold, "", "gold") == &gold.preferred_dataset());
   CHECK(dataset_named(gold, "johnson-1972", "gold").id == "johnson-1972");
   CHECK(dataset_named(gold, "john", "gold").id == "johnson-1972");
   CHECK(datasets_named(gold, "*", "gold").size() == gold.datasets.size());
   CHECK(datasets_named(gold, "john*", "gold").size() == 1);
-  const Material aluminum = *library().find("aluminum");
+  const Material aluminum = *test::library().find("aluminum");
   CHECK(contains(error_of([&] { (void)dataset_named(gold, "nobody", "gold"); }),
                  "gold: has no dataset nobody; expected"));
   CHECK(contains(error_of([&] { (void)dataset_named(gold, "*", "gold"); }),
@@ -251,11 +247,11 @@ TEST_CASE("found 1.02: a dataset is named by its id, its unique beginning, or wi
 }
 
 TEST_CASE("found 1.10: a note says which steel steel is, and stands under a name of its material") {
-  const Material steel = *library().find("steel");
+  const Material steel = *test::library().find("steel");
   CHECK(contains(std::string(alias_note(steel, "Steel")), "stainless"));
   CHECK(alias_note(steel, "stainless_316").empty());
-  for (std::size_t i = 0; i < library().ids().size(); ++i) {
-    const Material m = library().at(i);
+  for (std::size_t i = 0; i < test::library().ids().size(); ++i) {
+    const Material m = test::library().at(i);
     for (const AliasNote& each : m.alias_notes) {
       INFO(m.id << ": " << each.alias);
       CHECK(found(each.alias) == m.id);

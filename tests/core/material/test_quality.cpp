@@ -16,7 +16,7 @@ using namespace etak::test;
 namespace {
 
 // A reflectance of `level` at every wavelength, on `rows` samples in 400..700 nm and one far on either side.
-Dataset flat(const std::string& id, double level, std::size_t rows = 31) {
+Dataset flat_dataset(const std::string& id, double level, std::size_t rows = 31) {
   Dataset d;
   d.id = id;
   d.citation = {{"A. Author"}, "Title", "J. 1, 2", 2000, "", "", "CC0-1.0", "nowhere"};
@@ -50,19 +50,20 @@ F0Result f0_of(const Material& m, const Dataset& d) {
 }  // namespace
 
 TEST_CASE("found 1.04: a table of fewer than ten samples in 400-700 nm is sparse, a formula never") {
-  CHECK(quality_flags(metal({flat("a", 0.5, 9)}), flat("a", 0.5, 9)).has(Flag::sparse));
-  CHECK_FALSE(quality_flags(metal({flat("a", 0.5, 10)}), flat("a", 0.5, 10)).has(Flag::sparse));
-  Dataset formula = flat("f", 0.5);
+  CHECK(quality_flags(metal({flat_dataset("a", 0.5, 9)}), flat_dataset("a", 0.5, 9)).has(Flag::sparse));
+  CHECK_FALSE(
+      quality_flags(metal({flat_dataset("a", 0.5, 10)}), flat_dataset("a", 0.5, 10)).has(Flag::sparse));
+  Dataset formula = flat_dataset("f", 0.5);
   formula.optics = OpticalConstants{DispersionFormula{1, {0, 1.2, 0.1}, 300, 900}, {}};
   CHECK(quality_flags(metal({formula}), formula).none());
   // Bare optics as of a table of one's own are told the same.
-  CHECK(F0Solver({}).solve(flat("a", 0.5, 9).optics).flags.has(Flag::sparse));
-  CHECK_FALSE(F0Solver({}).solve(flat("a", 0.5, 10).optics).flags.has(Flag::sparse));
+  CHECK(F0Solver({}).solve(flat_dataset("a", 0.5, 9).optics).flags.has(Flag::sparse));
+  CHECK_FALSE(F0Solver({}).solve(flat_dataset("a", 0.5, 10).optics).flags.has(Flag::sparse));
   CHECK_FALSE(F0Solver({}).solve(formula.optics).flags.has(Flag::sparse));
 }
 
 TEST_CASE("found 1.04: what theory gave is computed") {
-  Dataset theory = flat("t", 0.5);
+  Dataset theory = flat_dataset("t", 0.5);
   theory.origin = Origin::computed;
   const Material m = metal({theory});
   CHECK(f0_of(m, m.datasets[0]).flags.has(Flag::computed));
@@ -73,18 +74,18 @@ TEST_CASE("found 1.04: what theory gave is computed") {
 }
 
 TEST_CASE("found 1.03: a dataset more than 0.1 off the median of two others is doubtful") {
-  const Material m = metal({flat("a", 0.50), flat("b", 0.52), flat("c", 0.65)});
+  const Material m = metal({flat_dataset("a", 0.50), flat_dataset("b", 0.52), flat_dataset("c", 0.65)});
   CHECK_FALSE(is_doubtful(m, 0));  // the median of the others is 0.585
   CHECK_FALSE(is_doubtful(m, 1));
   CHECK(is_doubtful(m, 2));
   CHECK(median_of_others(m, m.datasets[2]).value() == Approx(0.51));
-  const Material near = metal({flat("a", 0.50), flat("b", 0.52), flat("c", 0.60)});
+  const Material near = metal({flat_dataset("a", 0.50), flat_dataset("b", 0.52), flat_dataset("c", 0.60)});
   for (std::size_t i = 0; i < 3; ++i) CHECK_FALSE(is_doubtful(near, i));
 }
 
 TEST_CASE("found 1.03: the median needs two others that are accepted") {
-  CHECK_FALSE(is_doubtful(metal({flat("a", 0.5), flat("b", 0.9)}), 0));
-  Material m = metal({flat("a", 0.5), flat("b", 0.9), flat("c", 0.9)});
+  CHECK_FALSE(is_doubtful(metal({flat_dataset("a", 0.5), flat_dataset("b", 0.9)}), 0));
+  Material m = metal({flat_dataset("a", 0.5), flat_dataset("b", 0.9), flat_dataset("c", 0.9)});
   CHECK(is_doubtful(m, 0));
   CHECK(doubt(m, m.datasets[0]) == "F0 luminance 0.5 is 0.4 below the median of the other datasets, 0.9");
 
@@ -126,7 +127,7 @@ TEST_CASE("found 1.03: whether a dataset is doubtful does not depend on how F0 i
 }
 
 TEST_CASE("found 1.03: the reason is read, written and kept in the built-in library") {
-  Material m = metal({flat("a", 0.5)});
+  Material m = metal({flat_dataset("a", 0.5)});
   m.datasets[0].doubtful = "read from a \"small\" figure";
   m.preferred_reason = "the only one";
   const std::string text = format_material(m);

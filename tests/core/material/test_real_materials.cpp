@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "core/color/delta_e.h"
-#include "core/material/f0.h"
 #include "core/material/library.h"
+#include "tests/core/material/f0_support.h"
 #include "tests/core/material/library_support.h"
 #include "tests/support.h"
 
@@ -16,11 +16,8 @@ using namespace etak::test;
 
 namespace {
 
-F0Result solve(const Optics& optics, const F0Options& options = {}) {
-  return F0Solver(options).solve(optics);
-}
 F0Result solve(const std::string& id, const F0Options& options = {}) {
-  return solve(material(id).preferred_dataset().optics, options);
+  return test::solve(material(id).preferred_dataset().optics, options);
 }
 
 // The dataset that was taken from a page ("main/Au/nk/Johnson.yml"); none when the material has no such.

@@ -13,7 +13,7 @@ using namespace etak::test;
 
 namespace {
 
-std::vector<std::string> split(std::string_view text, char separator) {
+std::vector<std::string> split_at(std::string_view text, char separator) {
   std::vector<std::string> parts;
   while (true) {
     const auto at = text.find(separator);
@@ -39,9 +39,9 @@ std::string nine_digits(double value) {
 
 TEST_CASE("the CSV has the columns that are its interface, as many in every row") {
   CHECK(f0_csv_header() == "path,coverage,r,g,b,u8_r,u8_g,u8_b,Y,F82_r,F82_g,F82_b,zone,flags,kind\n");
-  CHECK(split(csv_row(gold_result()), ',').size() == 15);
-  CHECK(split(csv_row(result_of({0.1, 0.2, 0.3})), ',').size() == 15);
-  CHECK(split(csv_row(refused_result("no n given")), ',').size() == 15);
+  CHECK(split_at(csv_row(gold_result()), ',').size() == 15);
+  CHECK(split_at(csv_row(result_of({0.1, 0.2, 0.3})), ',').size() == 15);
+  CHECK(split_at(csv_row(refused_result("no n given")), ',').size() == 15);
 }
 
 TEST_CASE("a CSV row holds coverage, linear, 8 bit, Y, absolute F82, zone and flags") {
@@ -68,7 +68,7 @@ TEST_CASE("found 1.04: CSV and table tell the kind of a dataset where it is know
   auto rows = sample_rows();
   CHECK_FALSE(contains(f0_table(rows, {}, false), "kind"));
   rows[1].kind = "fit";
-  const auto lines = split(f0_table(rows, {}, false), '\n');
+  const auto lines = split_at(f0_table(rows, {}, false), '\n');
   CHECK(lines[0].ends_with("  coverage  kind  flags"));
   CHECK(contains(lines[1], "  -     out-of-gamut"));
   CHECK(lines[2].ends_with("  fit"));
@@ -77,7 +77,7 @@ TEST_CASE("found 1.04: CSV and table tell the kind of a dataset where it is know
 TEST_CASE("found 1.18: a surface has an empty zone in CSV and a dash in the table") {
   F0Row row{"paper", "Paper", "surface", "sheet", "", surface_result({0.5, 0.5, 0.5})};
   CHECK(contains(csv_row(row.result), ",0.5,,,,,,\n"));
-  const std::string line = split(f0_table({&row, 1}, {}, false), '\n')[1];
+  const std::string line = split_at(f0_table({&row, 1}, {}, false), '\n')[1];
   CHECK(contains(line, "  0.5000  -    -       0.9962"));  // Y, F82, zone, coverage
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("CSV numbers are those of printf's %.9g in every magnitude, ties inclu
   for (const double value : values) {
     F0Result r = result_of({0.5, 0.5, 0.5});
     r.linear.r = value;
-    const auto fields = split(csv_row(r), ',');
+    const auto fields = split_at(csv_row(r), ',');
     if (fields[2] != nine_digits(value)) FAIL_CHECK(fields[2] << " instead of " << nine_digits(value));
   }
 }
@@ -160,7 +160,7 @@ TEST_CASE("table columns start in the same place in every row, whatever letters 
   auto rows = sample_rows();
   rows.push_back({"石英", "", "", "", "", result_of({0.04, 0.04, 0.04})});
   rows.push_back({"e\u0301tain", "", "", "", "", result_of({0.6, 0.6, 0.6})});  // with a combining accent
-  const auto lines = split(f0_table(rows, {}, false), '\n');
+  const auto lines = split_at(f0_table(rows, {}, false), '\n');
   const std::size_t place = display_width(lines[0].substr(0, lines[0].find("hex")));
   for (std::size_t i = 1; i <= rows.size(); ++i) {
     INFO(lines[i]);
@@ -194,7 +194,7 @@ TEST_CASE("found 1.21: a table and its legend keep to the width of the terminal"
         if (narrow[i] == '\x1b') i = narrow.find('m', i) + 1;
         plain += narrow[i];
       }
-      for (const auto& line : split(plain, '\n')) {
+      for (const auto& line : split_at(plain, '\n')) {
         INFO(line);
         // A word that is longer than a line stands alone, behind the indent.
         CHECK((display_width(line) <= width || line.find(' ', line.find_first_not_of(' ')) == line.npos));
@@ -207,7 +207,7 @@ TEST_CASE("found 1.21: a table and its legend keep to the width of the terminal"
 TEST_CASE("swatches are in the table only when colour is wanted, and none for a refused row") {
   CHECK_FALSE(contains(f0_table(sample_rows(), {}, false), "\x1b"));
   const std::string table = f0_table(sample_rows(), {}, true);
-  const auto lines = split(table, '\n');
+  const auto lines = split_at(table, '\n');
   CHECK(lines[1].starts_with("\x1b[48;2;255;170;149m    \x1b[0m  gold"));
   CHECK(lines[3].starts_with("      a,b"));
 }
@@ -221,7 +221,8 @@ TEST_CASE("a file name cannot break a table row or colour the terminal") {
 }
 
 TEST_CASE("no table line ends in blanks") {
-  for (const auto& line : split(f0_table(sample_rows(), {}, false), '\n')) CHECK_FALSE(line.ends_with(' '));
+  for (const auto& line : split_at(f0_table(sample_rows(), {}, false), '\n'))
+    CHECK_FALSE(line.ends_with(' '));
 }
 
 TEST_CASE("spread is the least and largest value per channel over the datasets that were not refused") {

@@ -7,17 +7,13 @@
 #include "core/color/gamut.h"
 #include "core/color/srgb.h"
 #include "core/project/project.h"
+#include "tests/core/material/library_support.h"
 #include "tests/support.h"
 
 using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-const MaterialLibrary& library() {
-  static const MaterialLibrary all = MaterialLibrary::builtin();
-  return all;
-}
 
 // Every field away from its default.
 Project full() {
@@ -115,10 +111,10 @@ TEST_CASE("a pinned side is brought up to date with the library as the materials
   project.view.compare.pinned = ProjectMaterial{};
   project.view.compare.pinned->name = "gold";
   project.view.compare.pinned->measured = MeasuredF0{"gold", "", "", {}};
-  CHECK(resolve(project, library()).empty());
+  CHECK(resolve(project, test::library()).empty());
   CHECK(hex(srgb_u8(project.view.compare.pinned->specular)) == "#ffe49c");
   project.view.compare.pinned->measured = MeasuredF0{"unobtainium", "", "", {}};
-  REQUIRE(resolve(project, library()).size() == 1);
+  REQUIRE(resolve(project, test::library()).size() == 1);
   CHECK_FALSE(project.view.compare.pinned->measured);
 }
 
@@ -132,7 +128,7 @@ TEST_CASE("measured colours are those of the library, and what is gone keeps its
   project.materials[1].specular = {0.5, 0.4, 0.3};
   project.materials[2].name = "wet gold";
   project.materials[2].measured = MeasuredF0{"gold", "", "water", {}};
-  const auto problems = resolve(project, library());
+  const auto problems = resolve(project, test::library());
   REQUIRE(problems.size() == 1);
   CHECK(contains(problems[0], "gone: unobtainium"));
   CHECK_FALSE(project.materials[1].measured);
@@ -147,16 +143,16 @@ TEST_CASE("the surface of a measured material is the library's, that of a typed 
   ProjectMaterial m;
   m.measured = MeasuredF0{"gold", "", "", {}};
   m.gloss = 0.6;
-  const auto gold = library().find("gold");
+  const auto gold = test::library().find("gold");
   SurfaceValues expected = surface_of(*gold, gold->preferred_dataset(), {0, 0, 0}, 0.6);
-  const SurfaceValues found = surface_of(m, library());
+  const SurfaceValues found = surface_of(m, test::library());
   CHECK(found.f0 == expected.f0);
   CHECK(found.f82 == expected.f82);
   CHECK(found.n == expected.n);
   m.measured.reset();
   m.specular = {0.04, 0.04, 0.04};
   m.diffuse = {0.5, 0.25, 0.125};
-  const SurfaceValues typed = surface_of(m, library());
+  const SurfaceValues typed = surface_of(m, test::library());
   CHECK(typed.n[0] == Approx(1.5).epsilon(1e-6));
   CHECK(typed.k[0] == Approx(0).margin(1e-6));
   CHECK(typed.diffuse == Vec3{0.5, 0.25, 0.125});
@@ -166,7 +162,7 @@ TEST_CASE("what is packed of a project is a manifest of its colours and pictures
   Project project = full();
   project.materials[0].measured = MeasuredF0{"gold", "", "", {}};
   std::vector<std::string> remarks;
-  const AtlasManifest manifest = manifest_of(project, library(), remarks);
+  const AtlasManifest manifest = manifest_of(project, test::library(), remarks);
   REQUIRE(manifest.materials.size() == 2);
   // By name: the quote comes before the letters? 'W' does.
   const ManifestMaterial& gold = manifest.materials[0];
@@ -184,7 +180,7 @@ TEST_CASE("a single material takes the spectra along that it uses") {
   CHECK(single(project, project.materials[0]).spectra.empty());
   const Project one = single(project, project.materials[1]);
   REQUIRE(one.spectra.size() == 1);
-  const MaterialLibrary all = library_of(one, library());
+  const MaterialLibrary all = library_of(one, test::library());
   CHECK(find_f0(*one.materials[0].measured, all).result.luminance == Approx(0.0672).epsilon(1e-3));
   CHECK(free_name(project, "plain") == "plain 2");
 }

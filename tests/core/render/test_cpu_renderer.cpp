@@ -39,8 +39,8 @@ Light directional(const Vec3& to_light, double intensity = 1) {
   return light;
 }
 
-Image drawn(const Scene& scene, Precision precision = Precision::f64, unsigned threads = 1,
-            const Environment* environment = nullptr) {
+Image drawn_by_cpu(const Scene& scene, Precision precision = Precision::f64, unsigned threads = 1,
+                   const Environment* environment = nullptr) {
   Image out;
   render_cpu(scene, environment, threads, precision, out);
   return out;
@@ -52,8 +52,8 @@ TEST_CASE("the picture is the same for any number of threads") {
   Scene scene = scene_with("ggx-schlick", "lambert");
   scene.lights.lights.push_back(directional({0.2, -0.5, 1}));
   for (const Precision precision : {Precision::f32, Precision::f64}) {
-    const Image one = drawn(scene, precision, 1);
-    for (const unsigned threads : {2u, 3u, 16u}) CHECK(drawn(scene, precision, threads) == one);
+    const Image one = drawn_by_cpu(scene, precision, 1);
+    for (const unsigned threads : {2u, 3u, 16u}) CHECK(drawn_by_cpu(scene, precision, threads) == one);
   }
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("codes drawn at once are those of the drawn picture") {
       scene.transfer = transfer;
       scene.exposure = 1.7;
       scene.width = 301;  // more than a chunk, no whole number of blocks
-      const Image8 expected = to_codes(drawn(scene, Precision::f32), scene.exposure, scene.transfer);
+      const Image8 expected = to_codes(drawn_by_cpu(scene, Precision::f32), scene.exposure, scene.transfer);
       for (const unsigned threads : {1u, 3u}) {
         Image8 codes;
         render_cpu_codes(scene, nullptr, threads, codes);
@@ -81,10 +81,10 @@ TEST_CASE("orthographic and nearly orthographic views of directional lights agre
     const std::string id(model.id);
     Scene scene = scene_with(is_diffuse ? nullptr : id.c_str(), is_diffuse ? id.c_str() : nullptr, 64);
     scene.shape = Shape::quad;
-    const Image far = drawn(scene, Precision::f32);
+    const Image far = drawn_by_cpu(scene, Precision::f32);
     scene.perspective = true;
     scene.field_of_view_deg = 1;
-    const Image near = drawn(scene, Precision::f32);
+    const Image near = drawn_by_cpu(scene, Precision::f32);
     for (std::size_t c = 0; c < 3; ++c)
       CHECK(far.at(32, 32)[c] == Approx(near.at(32, 32)[c]).epsilon(0.01).margin(1e-6));
   }
@@ -99,11 +99,11 @@ TEST_CASE("a white Lambert surface lit head-on with pi-scaled E = 1 shows 1") {
   scene.lights.pi_scaled = true;
   for (const Shape shape : {Shape::sphere, Shape::quad}) {
     scene.shape = shape;
-    CHECK(drawn(scene).at(16, 16)[0] == Approx(1).epsilon(1e-6));
-    CHECK(drawn(scene, Precision::f32).at(16, 16)[0] == Approx(1).epsilon(1e-6));
+    CHECK(drawn_by_cpu(scene).at(16, 16)[0] == Approx(1).epsilon(1e-6));
+    CHECK(drawn_by_cpu(scene, Precision::f32).at(16, 16)[0] == Approx(1).epsilon(1e-6));
   }
   scene.lights.pi_scaled = false;
-  CHECK(drawn(scene).at(16, 16)[0] == Approx(1 / std::numbers::pi).epsilon(1e-6));
+  CHECK(drawn_by_cpu(scene).at(16, 16)[0] == Approx(1 / std::numbers::pi).epsilon(1e-6));
 }
 
 TEST_CASE("a white body in white hemispheres or a white environment shows 1 everywhere") {
@@ -113,11 +113,11 @@ TEST_CASE("a white body in white hemispheres or a white environment shows 1 ever
   scene.background = {1, 1, 1};
   scene.lights = {};
   scene.lights.hemispheres = Hemispheres{{1, 1, 1}, {1, 1, 1}, {0, 1, 0}, HemisphereForm::corrected};
-  for (const float value : drawn(scene).values)
+  for (const float value : drawn_by_cpu(scene).values)
     CHECK((value == Approx(1).epsilon(1e-6) || (value >= 0 && value < 1)));
   scene.lights = {};
   const Environment white(Image(64, 32, 3, 1.0f), 1, "white", 1);
-  const Image picture = drawn(scene, Precision::f64, 1, &white);
+  const Image picture = drawn_by_cpu(scene, Precision::f64, 1, &white);
   for (std::size_t i = 0; i < picture.values.size(); i += 4)
     REQUIRE(picture.values[i] == Approx(1).epsilon(2e-3));
 }
@@ -127,7 +127,7 @@ TEST_CASE("float and double agree to 1e-4 for every model") {
     const bool is_diffuse = model.kind == ModelKind::diffuse;
     const std::string id(model.id);
     Scene scene = scene_with(is_diffuse ? nullptr : id.c_str(), is_diffuse ? id.c_str() : nullptr, 64);
-    const Image exact = drawn(scene), quick = drawn(scene, Precision::f32);
+    const Image exact = drawn_by_cpu(scene), quick = drawn_by_cpu(scene, Precision::f32);
     float peak = 0, worst = 0;
     for (std::size_t i = 0; i < exact.values.size(); ++i) {
       peak = std::max(peak, exact.values[i]);
@@ -143,9 +143,9 @@ TEST_CASE("mirrored lights make the mirrored picture") {
   Scene scene = scene_with("cook-torrance", "oren-nayar", 65);
   scene.lights = {};
   scene.lights.lights = {directional({0.5, 0.3, 0.8})};
-  const Image right = drawn(scene);
+  const Image right = drawn_by_cpu(scene);
   scene.lights.lights = {directional({-0.5, 0.3, 0.8})};
-  const Image left = drawn(scene);
+  const Image left = drawn_by_cpu(scene);
   for (int y = 0; y < 65; ++y)
     for (int x = 0; x < 65; ++x)
       REQUIRE(right.at(x, y)[1] == Approx(left.at(64 - x, y)[1]).epsilon(1e-5).margin(1e-7));
@@ -157,7 +157,7 @@ TEST_CASE("the sphere covers pi over 4.84 of a square picture, the quad 1 over 1
     scene.perspective = perspective;
     const auto covered = [&] {
       double sum = 0;
-      const Image picture = drawn(scene, Precision::f32);
+      const Image picture = drawn_by_cpu(scene, Precision::f32);
       for (std::size_t i = 3; i < picture.values.size(); i += 4) sum += double{picture.values[i]};
       return sum / (200.0 * 200);
     };
@@ -172,11 +172,11 @@ TEST_CASE("the sphere covers pi over 4.84 of a square picture, the quad 1 over 1
 
 TEST_CASE("a wide picture shows the same sphere, a narrow one cuts it") {
   Scene scene = scene_with("ggx-schlick", "lambert", 64);
-  const Image square = drawn(scene);
+  const Image square = drawn_by_cpu(scene);
   scene.width = 128;
-  const Image wide = drawn(scene);
+  const Image wide = drawn_by_cpu(scene);
   scene.width = 20;
-  const Image narrow = drawn(scene);
+  const Image narrow = drawn_by_cpu(scene);
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) {
       REQUIRE(wide.at(x + 32, y)[0] == Approx(square.at(x, y)[0]));
@@ -193,7 +193,7 @@ TEST_CASE("metals are lit by the hemispheres alone, and brighten at the rim") {
   scene.diffuse_values = model_values(*scene.diffuse, scene.surface, {});
   scene.lights = {};
   scene.lights.hemispheres = Hemispheres{{1, 1, 1}, {1, 1, 1}, {0, 1, 0}, HemisphereForm::corrected};
-  const Image picture = drawn(scene);
+  const Image picture = drawn_by_cpu(scene);
   CHECK(picture.at(50, 50)[2] == Approx(scene.surface.f0[2]).epsilon(1e-3));
   CHECK(picture.at(5, 50)[2] > 1.5 * picture.at(50, 50)[2]);
   CHECK(picture.at(50, 50)[0] > picture.at(50, 50)[2]);
@@ -206,7 +206,7 @@ TEST_CASE("the highlight of a sharper lobe is higher in the ratio of the normali
     scene.specular_values = model_values(*scene.specular, scene.surface, {});
     scene.lights = {};
     scene.lights.lights = {directional({0, 0, 1})};
-    return double{drawn(scene).at(127, 127)[0]};
+    return double{drawn_by_cpu(scene).at(127, 127)[0]};
   };
   CHECK(peak(0.75) / peak(0.5) == Approx((512.0 + 2) / (64 + 2)).epsilon(2e-3));
 }
@@ -217,10 +217,10 @@ TEST_CASE("a clear body shows the background times what Fresnel leaves, its spec
   scene.specular_values = model_values(*scene.specular, scene.surface, {});
   scene.lights = {};
   scene.lights.lights = {directional({0.3, 0.3, 1})};
-  const Image opaque = drawn(scene);
+  const Image opaque = drawn_by_cpu(scene);
   scene.surface.opacity = 0;
   scene.background = {0.5, 0.5, 0.5};
-  const Image clear = drawn(scene);
+  const Image clear = drawn_by_cpu(scene);
   CHECK(clear.at(31, 31)[0] - opaque.at(31, 31)[0] == Approx(0.5 * (1 - 0.04)).epsilon(1e-4));
   CHECK(clear.at(31, 31)[3] == 1);
 }
@@ -232,14 +232,14 @@ TEST_CASE("a point light falls off with the square of the distance, a spot is da
   light.kind = LightKind::point;
   light.position = {0, 0, 3};
   scene.lights.lights = {light};
-  const double near = double{drawn(scene).at(32, 32)[0]};
+  const double near = double{drawn_by_cpu(scene).at(32, 32)[0]};
   scene.lights.lights[0].position = {0, 0, 5};
-  CHECK(near / double{drawn(scene).at(32, 32)[0]} == Approx(4).epsilon(1e-5));
+  CHECK(near / double{drawn_by_cpu(scene).at(32, 32)[0]} == Approx(4).epsilon(1e-5));
   scene.lights.lights[0].kind = LightKind::spot;
   scene.lights.lights[0].direction = {0, 0, -1};
   scene.lights.lights[0].inner_deg = 2;
   scene.lights.lights[0].outer_deg = 4;
-  const Image spot = drawn(scene);
+  const Image spot = drawn_by_cpu(scene);
   CHECK(spot.at(32, 32)[0] == Approx(near / 4).epsilon(1e-5));
   CHECK(spot.at(48, 32)[0] == 0);
 }

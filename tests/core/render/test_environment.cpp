@@ -12,8 +12,6 @@
 namespace etak {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 Vec3 unit(double x, double y, double z) {
   const double length = std::sqrt(x * x + y * y + z * z);
   return {x / length, y / length, z / length};
@@ -21,11 +19,11 @@ Vec3 unit(double x, double y, double z) {
 
 }  // namespace
 
-TEST_CASE("a white environment gives radiance 1, irradiance pi, and 1 through every lobe") {
+TEST_CASE("a white environment gives radiance 1, irradiance std::numbers::pi, and 1 through every lobe") {
   const Environment white(Image(64, 32, 3, 1.0f), 1, "white", 1);
   for (const Vec3& d : {unit(0, 0, 1), unit(1, 0, 0), unit(0, 1, 0), unit(-0.3, -0.9, 0.2)}) {
     CHECK(white.radiance(d)[0] == Approx(1));
-    CHECK(white.irradiance(d)[1] == Approx(pi).epsilon(2e-3));
+    CHECK(white.irradiance(d)[1] == Approx(std::numbers::pi).epsilon(2e-3));
     for (const double gloss : {0.0, 0.31, 0.5, 1.0})
       CHECK(white.specular(d, gloss)[2] == Approx(1).epsilon(1e-5));
   }
@@ -37,7 +35,8 @@ TEST_CASE("the middle of the map is -z, a quarter right of it +x, the top +y") {
   map.at(6, 1)[1] = 1;
   map.at(2, 0)[2] = 1;
   const Environment environment(map, 2, "map", 1);
-  CHECK(environment.radiance(unit(std::sin(pi / 8), std::tan(pi / 8), -std::cos(pi / 8)))[0] > 1.5);
+  CHECK(environment.radiance(unit(std::sin(std::numbers::pi / 8), std::tan(std::numbers::pi / 8),
+                                  -std::cos(std::numbers::pi / 8)))[0] > 1.5);
   CHECK(environment.radiance(unit(1, 0.4, 0.4))[1] > 1);
   CHECK(environment.radiance(unit(-0.05, 1, -0.05))[2] >= 0);
 }
@@ -48,10 +47,10 @@ TEST_CASE("the irradiance under a sky of one hemisphere is the closed form") {
     for (int x = 0; x < 256; ++x)
       for (std::size_t c = 0; c < 3; ++c) map.at(x, y)[c] = 1;
   const Environment sky(map, 1, "sky", 2);
-  // pi (1 + n.y) / 2
+  // std::numbers::pi (1 + n.y) / 2
   for (const double y : {-0.9, -0.5, 0.0, 0.4, 0.95}) {
     const Vec3 n{std::sqrt(1 - y * y), y, 0};
-    CHECK(sky.irradiance(n)[0] == Approx(pi * (1 + y) / 2).epsilon(0.01).margin(0.01));
+    CHECK(sky.irradiance(n)[0] == Approx(std::numbers::pi * (1 + y) / 2).epsilon(0.01).margin(0.01));
   }
 }
 
@@ -61,9 +60,10 @@ TEST_CASE("sampling by luminance: the density integrates to 1 and its samples es
   const int rows = 256, columns = 512;
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
-      const double theta = pi * (y + 0.5) / rows, phi = 2 * pi * (x + 0.5) / columns;
+      const double theta = std::numbers::pi * (y + 0.5) / rows,
+                   phi = 2 * std::numbers::pi * (x + 0.5) / columns;
       const Vec3 d{std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
-      const double omega = std::sin(theta) * (pi / rows) * (2 * pi / columns);
+      const double omega = std::sin(theta) * (std::numbers::pi / rows) * (2 * std::numbers::pi / columns);
       mass += studio.pdf(d) * omega;
       flux += studio.radiance(d)[1] * omega;
     }
@@ -90,7 +90,7 @@ TEST_CASE("maps are the same for any number of threads") {
 
 TEST_CASE("sides that are no powers of two are taken") {
   const Environment odd(Image(701, 333, 3, 0.5f), 2, "odd", 2);
-  CHECK(odd.irradiance(unit(0.3, 0.5, -0.2))[0] == Approx(pi).epsilon(2e-3));
+  CHECK(odd.irradiance(unit(0.3, 0.5, -0.2))[0] == Approx(std::numbers::pi).epsilon(2e-3));
   CHECK(odd.specular(unit(0, 0, 1), 0.9)[0] == Approx(1).epsilon(1e-5));
 }
 

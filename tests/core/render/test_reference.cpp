@@ -11,7 +11,7 @@
 namespace etak {
 namespace {
 
-Scene scene_of(const char* material, const char* model, int size) {
+Scene scene_of_material(const char* material, const char* model, int size) {
   const auto found = MaterialLibrary::builtin().find(material);
   REQUIRE(found);
   Scene scene;
@@ -46,7 +46,7 @@ TEST_CASE("the spectral table is F0 and F82 of the F0 solver, and within 3e-5 of
 }
 
 TEST_CASE("with no optics and directional lights the reference is the real-time picture inside the object") {
-  Scene scene = scene_of("iron", "ggx-schlick", 48);
+  Scene scene = scene_of_material("iron", "ggx-schlick", 48);
   scene.surface.optics.reset();
   scene.lights.hemispheres.reset();
   const Reference reference = render_reference(scene, nullptr, {1, 0, 2});
@@ -62,7 +62,7 @@ TEST_CASE("with no optics and directional lights the reference is the real-time 
 
 TEST_CASE("an RGB model lies within its Fresnel error of the spectral reference") {
   // F82 of gold is within 0.03 of the spectral truth, Schlick within 0.1, at any angle.
-  Scene scene = scene_of("gold", "ggx-f82", 48);
+  Scene scene = scene_of_material("gold", "ggx-f82", 48);
   scene.lights.hemispheres.reset();
   const Reference reference = render_reference(scene, nullptr, {1, 0, 2});
   Image quick;
@@ -91,7 +91,7 @@ TEST_CASE("the reference's lobe is the model with F = 1") {
 
 TEST_CASE(
     "sampled light: same for any number of threads, and the error shrinks with the root of the samples") {
-  Scene scene = scene_of("copper", "ggx-schlick", 24);
+  Scene scene = scene_of_material("copper", "ggx-schlick", 24);
   scene.lights.lights.clear();
   const Reference one = render_reference(scene, nullptr, {2, 16, 1});
   CHECK(render_reference(scene, nullptr, {2, 16, 3}).picture == one.picture);
@@ -101,7 +101,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the stated standard error is the spread that is seen against a finer reference") {
-  Scene scene = scene_of("copper", "ggx-schlick", 24);
+  Scene scene = scene_of_material("copper", "ggx-schlick", 24);
   scene.lights.lights.clear();
   const Reference coarse = render_reference(scene, nullptr, {2, 16, 2});
   const Reference fine = render_reference(scene, nullptr, {2, 2048, 2});

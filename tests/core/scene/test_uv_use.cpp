@@ -17,7 +17,7 @@ namespace {
 
 using Corners = std::array<std::array<float, 2>, 3>;
 
-GltfScene scene_of(const std::vector<Corners>& triangles) {
+GltfScene scene_of_triangles(const std::vector<Corners>& triangles) {
   GltfScene scene;
   scene.path = "s.gltf";
   scene.materials.resize(1);
@@ -38,7 +38,7 @@ GltfTexture texture(Wrap wrap, const UvTransform& transform = {}) {
   return out;
 }
 TexelUse use_of(const std::vector<Corners>& triangles, Wrap wrap, int size = 64) {
-  return texel_use(scene_of(triangles), 0, texture(wrap), size, size);
+  return texel_use(scene_of_triangles(triangles), 0, texture(wrap), size, size);
 }
 bool marked(const TexelUse& use, int x, int y) {
   return use.mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(use.width) +
@@ -75,7 +75,7 @@ TEST_CASE("no texel that a bilinear lookup reads is missed, for any triangles an
       const float u = std::abs(uv(random)) / 2, v = std::abs(uv(random)) / 2;
       triangles.push_back({{{around(u), around(v)}, {around(u), around(v)}, {around(u), around(v)}}});
     }
-    const TexelUse use = texel_use(scene_of(triangles), 0, t, width, height);
+    const TexelUse use = texel_use(scene_of_triangles(triangles), 0, t, width, height);
     for (const Corners& c : triangles) {
       std::array<Uv, 3> corners;
       for (std::size_t k = 0; k < 3; ++k)
@@ -158,7 +158,7 @@ TEST_CASE("a range inside one period is shifted, a mirrored one turned over, a w
 }
 
 TEST_CASE("the texture's own transform is applied first") {
-  const auto scene = scene_of(rectangle(0, 0, 1, 1));
+  const auto scene = scene_of_triangles(rectangle(0, 0, 1, 1));
   const TexelUse use = texel_use(scene, 0, texture(Wrap::clamp, {{0.25, 0}, {0.5, 0.5}, 0}), 256, 256);
   CHECK(use.box == std::array<int, 4>{63, 0, 130, 129});
 }
@@ -176,7 +176,7 @@ TEST_CASE("UVs that are no numbers are refused; wild ones do not hang") {
 }
 
 TEST_CASE("a material without UVs counts as touching everything, one without triangles as nothing") {
-  auto scene = scene_of(rectangle(0, 0, 0.1f, 0.1f));
+  auto scene = scene_of_triangles(rectangle(0, 0, 0.1f, 0.1f));
   CHECK(texel_use(scene, 1, texture(Wrap::repeat), 8, 8).touched == 0);
   CHECK(islands(texel_use(scene, 1, texture(Wrap::repeat), 8, 8), 1, 0).empty());
   GltfTexture second = texture(Wrap::repeat);

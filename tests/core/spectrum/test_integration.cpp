@@ -7,20 +7,13 @@
 #include "core/math/mat3.h"
 #include "core/spectrum/integration.h"
 #include "core/spectrum/interpolate.h"
+#include "tests/core/spectrum/viewings.h"
 #include "tests/support.h"
 
 using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-std::vector<Viewing> all_viewings() {
-  std::vector<Viewing> out;
-  for (const auto observer : {Observer::cie1931_2deg, Observer::cie1964_10deg})
-    for (const auto illuminant : {Illuminant::d65, Illuminant::d50, Illuminant::a, Illuminant::e})
-      out.push_back({observer, illuminant});
-  return out;
-}
 
 Quadrature quadrature(Method method, Viewing viewing) {
   return method == Method::exact ? make_exact_quadrature(viewing, std::vector<double>{400, 400.3, 512.7, 700})
@@ -92,7 +85,7 @@ Vec3 integrate(const Quadrature& q, double (*r)(double)) {
 TEST_CASE(
     "a flat reflectance is its share of the white to 1e-12, for every method, observer and illuminant") {
   for (const Method method : all_methods)
-    for (const Viewing viewing : all_viewings()) {
+    for (const Viewing viewing : test::all_viewings()) {
       INFO(name(method) << " " << name(viewing.observer) << " " << name(viewing.illuminant));
       const Quadrature q = quadrature(method, viewing);
       const Vec3 white = q.white();
@@ -107,7 +100,7 @@ TEST_CASE(
 TEST_CASE(
     "every quadrature asks for ascending wavelengths within 360..830 nm and has three weights for each") {
   for (const Method method : all_methods)
-    for (const Viewing viewing : all_viewings()) {
+    for (const Viewing viewing : test::all_viewings()) {
       const Quadrature q = quadrature(method, viewing);
       REQUIRE(!q.wavelength_nm.empty());
       CHECK(std::is_sorted(q.wavelength_nm.begin(), q.wavelength_nm.end()));
@@ -189,7 +182,7 @@ double exact_against_midpoints(const std::vector<double>& data_knots, double (*r
     if (nm > grid_first_nm && nm < grid_last_nm) knots.push_back(nm);
   std::sort(knots.begin(), knots.end());
   double worst = 0;
-  for (const Viewing viewing : all_viewings()) {
+  for (const Viewing viewing : test::all_viewings()) {
     const Vec3 got = integrate(make_exact_quadrature(viewing, data_knots), r);
     const Vec3 coarse = by_midpoints(viewing, knots, 200, r), fine = by_midpoints(viewing, knots, 400, r);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -237,7 +230,7 @@ TEST_CASE("the point methods read red, green and blue at their three wavelengths
 }
 
 TEST_CASE("the weight inside a range grows from nothing to all") {
-  for (const Viewing viewing : all_viewings()) {
+  for (const Viewing viewing : test::all_viewings()) {
     for (const double share : weight_inside(viewing, 360, 830)) CHECK(share == Approx(1).epsilon(1e-14));
     for (const double share : weight_inside(viewing, 100, 5000)) CHECK(share == Approx(1).epsilon(1e-14));
     for (const double share : weight_inside(viewing, 900, 1000)) CHECK(share == 0);
@@ -252,7 +245,7 @@ TEST_CASE("the weight inside a range grows from nothing to all") {
 }
 
 TEST_CASE("400..700 nm holds over 0.99 of each weight for every viewing, 450..830 nm under D65 does not") {
-  for (const Viewing viewing : all_viewings())
+  for (const Viewing viewing : test::all_viewings())
     for (const double share : weight_inside(viewing, 400, 700)) CHECK(share > 0.995);
   const Vec3 cut = weight_inside({}, 450, 830);
   CHECK(cut[1] > 0.95);

@@ -6,20 +6,13 @@
 
 #include "core/math/mat3.h"
 #include "core/spectrum/interpolate.h"
+#include "tests/core/spectrum/viewings.h"
 #include "tests/support.h"
 
 using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-std::vector<Viewing> all_viewings() {
-  std::vector<Viewing> out;
-  for (const auto observer : {Observer::cie1931_2deg, Observer::cie1964_10deg})
-    for (const auto illuminant : {Illuminant::d65, Illuminant::d50, Illuminant::a, Illuminant::e})
-      out.push_back({observer, illuminant});
-  return out;
-}
 
 // Straight between samples.
 Vec3 integral(const Quadrature& q, const Spectrum& spectrum) {
@@ -42,7 +35,7 @@ std::vector<double> estimates(const Refinement& refinement, const Spectrum& spec
 }  // namespace
 
 TEST_CASE("the steps are 20, 10, 5 and 1 nm, and a perfect reflector is the exact white under each") {
-  for (const Viewing viewing : all_viewings()) {
+  for (const Viewing viewing : test::all_viewings()) {
     const Refinement refinement(viewing);
     const Vec3 exact = make_exact_quadrature(viewing, {}).white();
     std::vector<Method> methods;
@@ -61,7 +54,7 @@ TEST_CASE("a flat reflectance has no error to estimate") {
 }
 
 TEST_CASE("the error of one hinge is known exactly: the estimate is twice what the sum misses") {
-  for (const Viewing viewing : all_viewings()) {
+  for (const Viewing viewing : test::all_viewings()) {
     const Refinement refinement(viewing);
     for (const double knot : {380.25, 444.0, 503.7, 555.5, 612.31, 700.999}) {
       const Spectrum hinge{{300, knot, 900}, {0, 0, (900 - knot) / 500}};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/study/error_time.h"
+#include "tests/core/study/table.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -17,13 +18,6 @@ ReportOptions quick() {
   ReportOptions options;
   options.timing = {1, 1e-5};
   return options;
-}
-
-const ErrorTimeTable& table(const ErrorTimeFamily& family, std::string_view id) {
-  const auto found = std::find_if(family.tables.begin(), family.tables.end(),
-                                  [&](const ErrorTimeTable& t) { return t.id == id; });
-  REQUIRE(found != family.tables.end());
-  return *found;
 }
 
 double error(const ErrorTimeTable& in, std::string_view row, std::string_view metric) {
@@ -74,7 +68,7 @@ void check_same_again(const ErrorTimeFamily& family, ErrorTimeFamily (*measure)(
 TEST_CASE("quadrature: errors shrink with the step, auto keeps its bound, stiff spectra need it") {
   const ErrorTimeFamily family = quadrature_family(quick());
   check_form(family);
-  const ErrorTimeTable& library = table(family, "library");
+  const ErrorTimeTable& library = test::table(family, "library");
   const auto most = [&](const char* row) { return error(library, row, "max_df0"); };
   CHECK(most("exact") == 0);
   CHECK(most("1nm") < 1e-4);
@@ -88,9 +82,9 @@ TEST_CASE("quadrature: errors shrink with the step, auto keeps its bound, stiff 
   // The bound is of X, Y, Z; sRGB's matrix makes up to three times as much of it.
   CHECK(most("auto-1e-05") < 4e-5);
   CHECK(most("auto-0.001") < 4e-3);
-  CHECK(table(family, "pages").rows.size() == library.rows.size());
+  CHECK(test::table(family, "pages").rows.size() == library.rows.size());
 
-  const ErrorTimeTable& stiff = table(family, "stiff");
+  const ErrorTimeTable& stiff = test::table(family, "stiff");
   CHECK(error(stiff, "exact", "max") < 1e-8);
   CHECK(error(stiff, "auto-1e-05", "max") < 1e-5);
   CHECK(error(stiff, "auto-0.001", "max") < 1e-3);
@@ -111,7 +105,7 @@ TEST_CASE("lobes: L1 and albedo bias against the full technique, at gloss 0.75, 
   const ErrorTimeFamily family = lobe_family(quick());
   check_form(family);
   check_same_again(family, lobe_family);
-  const ErrorTimeTable& t = table(family, "gloss_0.75");
+  const ErrorTimeTable& t = test::table(family, "gloss_0.75");
   struct Printed {
     const char* row;
     const char* surface;
@@ -157,7 +151,7 @@ TEST_CASE("lobes: L1 and albedo bias against the full technique, at gloss 0.75, 
   }
   CHECK(error(t, "schueler-optimized-bounded", "l1_gold") == Approx(4.3).margin(0.4));
   CHECK(error(t, "schueler-full", "l1_mean") == 0);
-  const ErrorTimeTable& rough = table(family, "gloss_0.25");
+  const ErrorTimeTable& rough = test::table(family, "gloss_0.25");
   for (const char* surface : {"glass", "water", "gold", "iron", "silicon"}) {
     const auto l1 = [&](const char* row) { return error(rough, row, std::string("l1_") + surface); };
     INFO(surface);
@@ -171,12 +165,12 @@ TEST_CASE("hemispheres: mean albedo errors, and the share of the upper hemispher
   const ErrorTimeFamily family = hemisphere_family(quick());
   check_form(family);
   check_same_again(family, hemisphere_family);
-  const ErrorTimeTable& albedo = table(family, "albedo");
+  const ErrorTimeTable& albedo = test::table(family, "albedo");
   CHECK(error(albedo, "printed", "mean") == Approx(0.254).margin(5e-4));
   CHECK(error(albedo, "corrected", "mean") == Approx(0.050).margin(5e-4));
   CHECK(error(albedo, "printed", "mean_glossy") == Approx(0.146).margin(6e-4));
   CHECK(error(albedo, "corrected", "mean_glossy") == Approx(0.028).margin(5e-4));
-  const ErrorTimeTable& share = table(family, "share");
+  const ErrorTimeTable& share = test::table(family, "share");
   for (const char* metric : {"rms", "rms_0", "rms_0.25", "rms_0.5", "rms_0.75", "rms_0.9", "rms_1"}) {
     CHECK(error(share, "wide", metric) <= error(share, "corrected", metric));
     CHECK(2 * error(share, "corrected", metric) < error(share, "printed", metric));
@@ -196,14 +190,14 @@ TEST_CASE("transfer: errors of the shortcuts in codes and in linear light, as pr
   const ErrorTimeFamily family = transfer_family(quick());
   check_form(family);
   check_same_again(family, transfer_family);
-  const ErrorTimeTable& encode = table(family, "encode");
+  const ErrorTimeTable& encode = test::table(family, "encode");
   CHECK(error(encode, "power_1_22", "max_codes") == Approx(8.5).margin(0.05));
   CHECK(error(encode, "power_045", "max_codes") == Approx(9.0).margin(0.05));
   CHECK(error(encode, "root", "max_codes") == Approx(9.5).margin(0.05));
   CHECK(error(encode, "power_1_22", "codes_at_004") == Approx(2.7).margin(0.05));
   CHECK(error(encode, "power_045", "codes_at_004") == Approx(3.6).margin(0.05));
   CHECK(error(encode, "root", "codes_at_004") == Approx(-5.3).margin(0.05));
-  const ErrorTimeTable& decode = table(family, "decode");
+  const ErrorTimeTable& decode = test::table(family, "decode");
   struct Printed {
     const char* row;
     const char* metric;
@@ -228,20 +222,20 @@ TEST_CASE("Fresnel: dielectrics are exact from F0, metals best with F82 for its 
   const ErrorTimeFamily family = fresnel_family(quick());
   check_form(family);
   check_same_again(family, fresnel_family);
-  CHECK(error(table(family, "dielectrics"), "from_f0", "max_de") < 0.05);
+  CHECK(error(test::table(family, "dielectrics"), "from_f0", "max_de") < 0.05);
   for (const char* cheaper : {"schlick", "schueler", "spherical_gaussian"})
-    CHECK(error(table(family, "metals"), "f82", "max_abs") <
-          error(table(family, "metals"), cheaper, "max_abs"));
+    CHECK(error(test::table(family, "metals"), "f82", "max_abs") <
+          error(test::table(family, "metals"), cheaper, "max_abs"));
   // As the notes have it: worse than Schlick where there is Brewster's dip.
-  CHECK(error(table(family, "dielectrics"), "f82", "max_de") >
-        error(table(family, "dielectrics"), "schlick", "max_de"));
+  CHECK(error(test::table(family, "dielectrics"), "f82", "max_de") >
+        error(test::table(family, "dielectrics"), "schlick", "max_de"));
 }
 
 TEST_CASE("quantisation: half steps of F0 in 8 bit, the step of gloss, and which coding is the best") {
   const ErrorTimeFamily family = quantisation_family(quick());
   check_form(family);
   check_same_again(family, quantisation_family);
-  const ErrorTimeTable& f0 = table(family, "f0");
+  const ErrorTimeTable& f0 = test::table(family, "f0");
   CHECK(error(f0, "srgb8", "half_step_0.02") == Approx(2.3).margin(0.05));
   CHECK(error(f0, "srgb8", "half_step_0.04") == Approx(1.7).margin(0.05));
   CHECK(error(f0, "srgb8", "half_step_0.5") == Approx(0.6).margin(0.05));
@@ -250,7 +244,7 @@ TEST_CASE("quantisation: half steps of F0 in 8 bit, the step of gloss, and which
   CHECK(error(f0, "linear8", "half_step_0.5") == Approx(0.4).margin(0.05));
   CHECK(error(f0, "srgb8", "library_max_de") < error(f0, "linear8", "library_max_de"));
   CHECK(error(f0, "linear16", "library_max_de") < 0.05);
-  const ErrorTimeTable& gloss = table(family, "gloss");
+  const ErrorTimeTable& gloss = test::table(family, "gloss");
   // Half a code of 255 in 12 octaves.
   CHECK(error(gloss, "gloss8", "max_e") == Approx(100 * (std::exp2(6 / 255.0) - 1)).margin(1e-3));
   CHECK(contains(family.notes[0], "1.0332"));
@@ -262,7 +256,7 @@ TEST_CASE("gloss mips: the error of each rule against the mean of the lobes") {
   const ErrorTimeFamily family = gloss_mip_family(quick());
   check_form(family);
   check_same_again(family, gloss_mip_family);
-  const ErrorTimeTable& t = table(family, "pairs");
+  const ErrorTimeTable& t = test::table(family, "pairs");
   struct Printed {
     const char* pair;
     double mean_gloss, mean_exponent, mean_alpha2, best;
@@ -289,15 +283,15 @@ TEST_CASE("sparse tables: fewer rows are worse, pchip is better, Johnson and Chr
   for (const char* row : {"linear_nk", "pchip_nk", "linear_r", "pchip_r"}) {
     double before = 1;
     for (const char* id : {"points_5", "points_10", "points_20", "points_40"}) {
-      const double mean = error(table(family, id), row, "mean_df0");
+      const double mean = error(test::table(family, id), row, "mean_df0");
       CHECK(mean < before);
       before = mean;
     }
   }
   for (const char* id : {"points_5", "points_10", "points_20", "points_40"})
-    CHECK(error(table(family, id), "pchip_nk", "mean_df0") <
-          error(table(family, id), "linear_nk", "mean_df0"));
-  const ErrorTimeTable& johnson = table(family, "johnson");
+    CHECK(error(test::table(family, id), "pchip_nk", "mean_df0") <
+          error(test::table(family, id), "linear_nk", "mean_df0"));
+  const ErrorTimeTable& johnson = test::table(family, "johnson");
   CHECK(error(johnson, "linear_nk", "max_df0") == 0);
   CHECK(error(johnson, "linear_r", "max_df0") == Approx(2.9e-3).margin(1e-4));
   CHECK(error(johnson, "linear_r", "codes_changed") == 0);

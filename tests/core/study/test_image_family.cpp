@@ -9,16 +9,13 @@
 #include "core/render/reference.h"
 #include "core/study/error_time.h"
 #include "core/study/sphere_pictures.h"
+#include "tests/core/material/library_support.h"
+#include "tests/core/study/table.h"
 #include "tests/support.h"
 
 using namespace etak;
 
 namespace {
-
-const MaterialLibrary& library() {
-  static const MaterialLibrary all = MaterialLibrary::builtin();
-  return all;
-}
 
 Image rendered(const Scene& scene) {
   Image picture;
@@ -34,14 +31,7 @@ ReportOptions quickest() {
   return options;
 }
 
-const ErrorTimeTable& table(const ErrorTimeFamily& family, std::string_view id) {
-  const auto found = std::find_if(family.tables.begin(), family.tables.end(),
-                                  [&](const ErrorTimeTable& each) { return each.id == id; });
-  REQUIRE(found != family.tables.end());
-  return *found;
-}
-
-double error(const ErrorTimeTable& table, std::string_view row, std::size_t metric = 0) {
+double image_error(const ErrorTimeTable& table, std::string_view row, std::size_t metric = 0) {
   const auto found = std::find_if(table.rows.begin(), table.rows.end(),
                                   [&](const ErrorTimeRow& each) { return each.id == row; });
   REQUIRE(found != table.rows.end());
@@ -80,8 +70,8 @@ TEST_CASE("one colour of F per light gives the spectral reference's picture, for
   const SphereTruth truth(models, gloss, side, 2, 1), again(models, gloss, side, 2, 3);
   for (const char* id : {"copper", "glass_bk7", "polystyrene"})
     for (const Model* model : models) {
-      const SphereMaterial material =
-          sphere_material(library(), id, id == std::string("polystyrene") ? Vec3{0.3, 0.2, 0.1} : Vec3{});
+      const SphereMaterial material = sphere_material(
+          test::library(), id, id == std::string("polystyrene") ? Vec3{0.3, 0.2, 0.1} : Vec3{});
       // A reference with a body of its own has no lobe to take F from.
       if (model->kind == ModelKind::combined && material.surface.diffuse != Vec3{}) continue;
       const Scene scene = sphere_scene(*model, material, gloss, side);
@@ -141,7 +131,7 @@ TEST_CASE("errors of a picture are those of its codes and colours") {
 }
 
 TEST_CASE("the judged pixels are covered whole by the renderer and by the reference's rays") {
-  const SphereMaterial material = sphere_material(library(), "glass_bk7", {0.2, 0.2, 0.2});
+  const SphereMaterial material = sphere_material(test::library(), "glass_bk7", {0.2, 0.2, 0.2});
   const Scene scene = sphere_scene(*find_model("ggx-schlick"), material, 0.5, 50);
   ReferenceOptions options;
   options.light_samples = 0;
@@ -161,7 +151,7 @@ TEST_CASE("exact Fresnel in a renderer's pictures is as near as one ray per pixe
   const std::vector<bool> judged = sphere_pixels(side);
   const Model &exact = *find_model("ggx-from-f0"), &schlick = *find_model("ggx-schlick");
   const SphereTruth truth({&exact}, 0.5, side, 4, 2);
-  const SphereMaterial material = sphere_material(library(), "glass_bk7", {0, 0, 0});
+  const SphereMaterial material = sphere_material(test::library(), "glass_bk7", {0, 0, 0});
   const Image reference = truth.picture(exact, material);
   const double exposure = 1 / brightest(reference, judged);
   const SeenPicture right = seen(reference, exposure, judged);
@@ -177,22 +167,23 @@ TEST_CASE("exact Fresnel in a renderer's pictures is as near as one ray per pixe
 TEST_CASE("the image family has every specular model, and tells forms and lobes apart") {
   const ErrorTimeFamily family = image_family(quickest());
   require_whole(family);
-  const ErrorTimeTable &metals = table(family, "metals"), &dielectrics = table(family, "dielectrics"),
-                       &lobes = table(family, "lobes");
+  const ErrorTimeTable &metals = test::table(family, "metals"),
+                       &dielectrics = test::table(family, "dielectrics"),
+                       &lobes = test::table(family, "lobes");
   for (const Model& model : models())
     if (model.kind != ModelKind::diffuse) {
-      CHECK(error(metals, model.id) > 0);
-      CHECK(error(dielectrics, model.id) > 0);
+      CHECK(image_error(metals, model.id) > 0);
+      CHECK(image_error(dielectrics, model.id) > 0);
     }
-  CHECK(error(metals, "ggx-f82") < error(metals, "ggx-schlick"));
-  CHECK(error(dielectrics, "ggx-from-f0") < error(dielectrics, "ggx-schlick"));
+  CHECK(image_error(metals, "ggx-f82") < image_error(metals, "ggx-schlick"));
+  CHECK(image_error(dielectrics, "ggx-from-f0") < image_error(dielectrics, "ggx-schlick"));
   // F82 pins 82 degrees and loses Brewster's dip: not for dielectrics.
-  CHECK(error(dielectrics, "ggx-f82") > error(dielectrics, "ggx-schlick"));
-  CHECK(error(metals, "schueler-optimized") > error(metals, "schueler-optimized-bounded"));
-  CHECK(error(lobes, "ggx-schlick") > error(lobes, "beckmann-schlick"));
-  CHECK(error(lobes, "cook-torrance") == Approx(error(lobes, "schueler-full")).epsilon(1e-3));
+  CHECK(image_error(dielectrics, "ggx-f82") > image_error(dielectrics, "ggx-schlick"));
+  CHECK(image_error(metals, "schueler-optimized") > image_error(metals, "schueler-optimized-bounded"));
+  CHECK(image_error(lobes, "ggx-schlick") > image_error(lobes, "beckmann-schlick"));
+  CHECK(image_error(lobes, "cook-torrance") == Approx(image_error(lobes, "schueler-full")).epsilon(1e-3));
   // No model of exact F is nearer than what rays alone change, but for lobes wider than Full's.
-  CHECK(error(dielectrics, "schueler-full") < 1.2 * error(dielectrics, "one_ray"));
+  CHECK(image_error(dielectrics, "schueler-full") < 1.2 * image_error(dielectrics, "one_ray"));
 }
 
 TEST_CASE("the packer family: more effort packs closer, a higher level never writes more") {
@@ -203,11 +194,12 @@ TEST_CASE("the packer family: more effort packs closer, a higher level never wri
       CHECK(each.rows[i].errors[0] <= each.rows[i - 1].errors[0] + slack);
   };
   // No promise of the packer for a single set.
-  falls(table(family, "effort"), 0.5);
-  falls(table(family, "png"), 0);
-  CHECK(error(table(family, "effort"), "effort_300") < error(table(family, "effort"), "effort_1") / 4);
-  for (const ErrorTimeRow& row : table(family, "effort").rows)
+  falls(test::table(family, "effort"), 0.5);
+  falls(test::table(family, "png"), 0);
+  CHECK(image_error(test::table(family, "effort"), "effort_300") <
+        image_error(test::table(family, "effort"), "effort_1") / 4);
+  for (const ErrorTimeRow& row : test::table(family, "effort").rows)
     for (const double lost : row.errors) CHECK((lost >= 0 && lost < 60));
-  CHECK(error(table(family, "png"), "smallest") == 1);
-  CHECK(error(table(family, "png"), "fast") < 2);
+  CHECK(image_error(test::table(family, "png"), "smallest") == 1);
+  CHECK(image_error(test::table(family, "png"), "fast") < 2);
 }

@@ -18,7 +18,7 @@ const std::vector<StabilityCase>& cases() {
   return all;
 }
 
-const StabilityCase& named(const std::string& id) {
+const StabilityCase& case_named(const std::string& id) {
   for (const auto& one : cases())
     if (one.id == id) return one;
   FAIL("no case " << id);
@@ -40,9 +40,9 @@ TEST_CASE("the textbook conductor Fresnel would turn the report red") {
   for (const auto* id :
        {"f0_near_1_1_001", "f0_near_1_1_0003", "f0_near_1_1_0001", "gas_oblique", "nothing_grazing"}) {
     INFO(id);
-    CHECK(!named(id).naive_f32->passed);
+    CHECK(!case_named(id).naive_f32->passed);
   }
-  CHECK(!named("total").naive_f64->passed);
+  CHECK(!case_named("total").naive_f64->passed);
 }
 
 TEST_CASE("other shortcuts would turn the report red too") {
@@ -50,14 +50,14 @@ TEST_CASE("other shortcuts would turn the report red too") {
        {"ggx_1e_3", "ggx_1e_4", "lobe_4096", "negative_k", "cosine_below_0", "optimized_peak",
         "hemisphere_step", "beckmann_horizon", "gold_red", "smith_grazing"}) {
     INFO(id);
-    CHECK(!named(id).naive_f32->passed);
+    CHECK(!case_named(id).naive_f32->passed);
   }
 }
 
 TEST_CASE("the lecture's Beckmann constant and truncated codes would turn the report red") {
-  CHECK(named("beckmann_integral").passed);
-  CHECK(contains(named("beckmann_integral").found, "printed form 0.785"));
-  CHECK(contains(named("rounding").found, "truncated"));
+  CHECK(case_named("beckmann_integral").passed);
+  CHECK(contains(case_named("beckmann_integral").found, "printed form 0.785"));
+  CHECK(contains(case_named("rounding").found, "truncated"));
   std::string found;
   CHECK(counts_every_facet_once("integral_D_beckmann", found));
   CHECK(!counts_every_facet_once("integral_D_beckmann_printed", found));

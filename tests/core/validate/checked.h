@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <string_view>
+
 #include "core/image/image_io.h"
 #include "core/validate/validate.h"
 
@@ -19,6 +22,12 @@ inline ValidationReport report_on(std::vector<CheckTarget> targets, const Settin
 
 inline CheckedFile checked(const CheckTarget& target, const Settings& settings = {}, unsigned threads = 1) {
   return report_on({target}, settings, threads).files.at(0);
+}
+
+/// The first finding of a rule; null: none.
+inline const Finding* find(const CheckedFile& file, std::string_view rule) {
+  const auto found = std::ranges::find(file.findings, rule, &Finding::rule);
+  return found == file.findings.end() ? nullptr : &*found;
 }
 
 }  // namespace etak::test

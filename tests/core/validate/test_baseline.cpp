@@ -12,7 +12,7 @@ using namespace etak::test;
 
 namespace {
 
-ValidationReport one(const Finding& finding, int width = 1024, int height = 512) {
+ValidationReport one_finding(const Finding& finding, int width = 1024, int height = 512) {
   CheckedFile file = checked_file(finding.file, {finding});
   file.width = width;
   file.height = height;
@@ -20,8 +20,8 @@ ValidationReport one(const Finding& finding, int width = 1024, int height = 512)
 }
 
 bool known_in(const Finding& before, const Finding& now, int width = 1024, int height = 512) {
-  ValidationReport report = one(now, width, height);
-  mark_known(report, baseline_of(one(before)));
+  ValidationReport report = one_finding(now, width, height);
+  mark_known(report, baseline_of(one_finding(before)));
   return report.files[0].findings[0].baseline;
 }
 
@@ -49,7 +49,8 @@ Applied apply(ValidationReport report, const std::vector<AllowEntry>& entries,
 TEST_CASE("a baseline reads back as it was written") {
   const auto known = baseline_of(nasty_report());
   CHECK(read_baseline(baseline_json(known), "b.json").size() == known.size());
-  const auto plain = baseline_of(one(finding("ETK101", "a.png", Severity::error, PixelBox{3, 4, 50, 60})));
+  const auto plain =
+      baseline_of(one_finding(finding("ETK101", "a.png", Severity::error, PixelBox{3, 4, 50, 60})));
   CHECK(read_baseline(baseline_json(plain), "b.json") == plain);
   CHECK(read_baseline(baseline_json({}), "b.json").empty());
   CHECK(baseline_json(plain) == baseline_json(plain));
@@ -102,11 +103,11 @@ TEST_CASE("a re-export that keeps the defect stays known, also at another size; 
 
 TEST_CASE("an unreadable file is never known and never allowed") {
   Finding broken = finding("ETK001", "a.png", Severity::error);
-  CHECK(baseline_of(one(broken)).empty());
-  ValidationReport report = one(broken);
+  CHECK(baseline_of(one_finding(broken)).empty());
+  ValidationReport report = one_finding(broken);
   mark_known(report, std::vector<KnownDefect>{known_defect(broken, 0, 0)});
   CHECK_FALSE(report.files[0].findings[0].baseline);
-  CHECK(apply(one(broken), {allow("ETK", "")}).report.errors == 1);
+  CHECK(apply(one_finding(broken), {allow("ETK", "")}).report.errors == 1);
 }
 
 TEST_CASE("globs: a star stays within a folder, two stars do not, names alone fit any folder") {
@@ -134,7 +135,7 @@ TEST_CASE("dates are checked") {
 }
 
 TEST_CASE("an allow entry suppresses what it names until the day it expires, which is then told") {
-  const ValidationReport report = one(finding("ETK101", "props/solar_1.png", Severity::error));
+  const ValidationReport report = one_finding(finding("ETK101", "props/solar_1.png", Severity::error));
   const auto entry = allow("ETK101", "props/solar_*.png", "2027-01-01");
   CHECK(apply(report, {entry}, "2026-12-31").report.passed);
   CHECK(apply(report, {entry}, "2026-12-31").unused.empty());
@@ -147,7 +148,7 @@ TEST_CASE("an allow entry suppresses what it names until the day it expires, whi
 }
 
 TEST_CASE("an entry that suppresses nothing is told, unless its files were not looked at") {
-  const ValidationReport report = one(finding("ETK101", "a.png", Severity::error));
+  const ValidationReport report = one_finding(finding("ETK101", "a.png", Severity::error));
   CHECK(apply(report, {allow("ETK103", "a.png")}).unused.size() == 1);
   CHECK(apply(report, {allow("ETK103", "gone.png")}).unused.size() == 1);
   CHECK(apply(report, {allow("ETK103", "gone.png")}, "2026-06-01", false).unused.empty());

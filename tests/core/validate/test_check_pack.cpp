@@ -5,6 +5,8 @@
 
 #include "core/image/files/png.h"
 #include "core/validate/validate.h"
+#include "tests/core/image/png_of.h"
+#include "tests/core/material/library_support.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
@@ -12,18 +14,6 @@ using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-const MaterialLibrary& library() {
-  static const MaterialLibrary builtin = MaterialLibrary::builtin();
-  return builtin;
-}
-
-std::string png_of(const Image8& image) {
-  return png_bytes({{image.width, image.height, image.channels, 8},
-                    image.values.data(),
-                    static_cast<std::size_t>(image.width * image.channels)},
-                   {});
-}
 
 // A manifest of textures with F0 in the forbidden zone, and of numbers in it.
 std::string write_manifest(const TempFolder& folder) {
@@ -55,7 +45,7 @@ Packed pack_checked(const TempFolder& folder, PackCheckOptions asked, PackOption
     return nullptr;
   };
   Packed out;
-  out.report = pack(write_manifest(folder), folder.file("atlas"), options, library());
+  out.report = pack(write_manifest(folder), folder.file("atlas"), options, test::library());
   if (check.report() != nullptr) out.findings = *check.report();
   out.failed = check.failed();
   return out;

@@ -14,13 +14,13 @@ using namespace etak::test;
 
 namespace {
 
-std::string findings_of(const CheckedFile& file) {
+std::string findings_text(const CheckedFile& file) {
   std::string text;
   for (const Finding& f : file.findings) text += f.rule + " " + f.message + "\n";
   return text;
 }
 
-bool only(const CheckedFile& file, std::initializer_list<std::string_view> allowed) {
+bool only_rules(const CheckedFile& file, std::initializer_list<std::string_view> allowed) {
   return std::ranges::all_of(file.findings, [&](const Finding& f) {
     return f.severity <= Severity::info || std::ranges::find(allowed, f.rule) != allowed.end();
   });
@@ -58,10 +58,10 @@ TEST_CASE("the seeds' tables are clean under their own transfer, but for what th
     const CheckedFile file =
         check_set(flat_set(64, codes, metal ? std::array{0, 0, 0} : std::array{120, 110, 100}), settings);
     INFO(id.first << " " << id.second << " " << codes[0] << " " << codes[1] << " " << codes[2] << "\n"
-                  << findings_of(file));
+                  << findings_text(file));
     const bool in_zone = y > 0.19 && y < 0.46;
     if (in_zone)
-      CHECK(only(file, {"ETK101", "ETK402"}));
+      CHECK(only_rules(file, {"ETK101", "ETK402"}));
     else
       CHECK(errors(file) == 0);
   }
@@ -110,7 +110,7 @@ TEST_CASE(
     for (const auto& [code, linear, doubled] :
          {std::tuple(once, false, false), std::tuple(never, true, false), std::tuple(twice, false, true)}) {
       const CheckedFile file = check_set(flat_set(64, {code, code, code}, {130, 120, 110}));
-      INFO("code " << code << "\n" << findings_of(file));
+      INFO("code " << code << "\n" << findings_text(file));
       CHECK(found(file, "ETK401") == linear);
       CHECK(found(file, "ETK402") == doubled);
     }
@@ -125,7 +125,7 @@ TEST_CASE(
                    : form == 1 ? static_cast<int>(std::lround(255 * metal[c]))
                                : srgb_u8(srgb_u8(metal[c]) / 255.0);
       const CheckedFile file = check_set(flat_set(64, codes, {0, 0, 0}));
-      INFO("form " << form << "\n" << findings_of(file));
+      INFO("form " << form << "\n" << findings_text(file));
       CHECK(!found(file, "ETK401"));
       CHECK(!found(file, "ETK402"));
       for (const Finding& f : file.findings) CHECK((f.cause.empty() || f.rule == "ETK101"));

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/image/files/png.h"
+#include "tests/core/image/png_of.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -22,12 +23,6 @@ Image8 noise(int side) {
     value = static_cast<std::uint8_t>(state >> 24);
   }
   return out;
-}
-
-std::string png_of(const Image8& image) {
-  return png_bytes(
-      {{image.width, image.height, 4, 8}, image.values.data(), static_cast<std::size_t>(image.width) * 4},
-      {});
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "core/validate/config.h"
 #include "core/validate/nearest.h"
 #include "core/validate/rules.h"
+#include "tests/core/validate/checked.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"
 
@@ -15,11 +16,6 @@ using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-const Finding* find(const CheckedFile& file, std::string_view rule) {
-  const auto found = std::ranges::find(file.findings, rule, &Finding::rule);
-  return found == file.findings.end() ? nullptr : &*found;
-}
 
 // A set that nothing is to be said of but what a test puts in.
 TextureSet plain_set(int size = 96) {

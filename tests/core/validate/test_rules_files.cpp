@@ -12,6 +12,7 @@
 #include "core/material/f0.h"
 #include "core/validate/files/files.h"
 #include "core/validate/rules.h"
+#include "tests/core/image/png_of.h"
 #include "tests/core/validate/checked.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"
@@ -20,20 +21,6 @@ using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-const Finding* find(const CheckedFile& file, std::string_view rule) {
-  const auto found = std::ranges::find(file.findings, rule, &Finding::rule);
-  return found == file.findings.end() ? nullptr : &*found;
-}
-
-std::string png_of(const Image8& image, bool srgb = false) {
-  PngOptions options;
-  options.srgb = srgb;
-  return png_bytes({{image.width, image.height, image.channels, 8},
-                    image.values.data(),
-                    static_cast<std::size_t>(image.width * image.channels)},
-                   options);
-}
 
 CheckTarget pair_of(const std::string& a, const std::string& b) {
   CheckTarget target;
@@ -48,7 +35,7 @@ CheckTarget single(FileRole role, const std::string& path, const std::string& la
   return target;
 }
 
-std::string ids(const CheckedFile& file) {
+std::string rules_and_messages(const CheckedFile& file) {
   std::string text;
   for (const Finding& f : file.findings) text += f.rule + " " + f.message + "\n";
   return text;
@@ -69,7 +56,7 @@ TEST_CASE("a pair of files gives what the same pictures in memory give") {
     const CheckedFile memory = check_pictures(in_memory, {&set.a, &set.b, nullptr}, {});
     for (const unsigned threads : {1u, 2u, 5u}) {
       const CheckedFile file = checked(target, {}, threads);
-      INFO(ids(file));
+      INFO(rules_and_messages(file));
       CHECK(file.counts == memory.counts);
       std::vector<Finding> without_headers = file.findings;
       std::erase_if(without_headers, [](const Finding& f) { return f.rule < "ETK100"; });
@@ -97,7 +84,7 @@ TEST_CASE("what cannot be read is an error and never clean") {
   for (const char* name :
        {"empty.png", "cut.png", "noise.png", "damaged.png", "folder.png", "loop.png", "absent.png"}) {
     const CheckedFile file = checked(pair_of(folder.file("good.png"), folder.file(name)), {});
-    INFO(name << ": " << ids(file));
+    INFO(name << ": " << rules_and_messages(file));
     CHECK(file.unreadable);
     REQUIRE(find(file, "ETK001") != nullptr);
     CHECK(find(file, "ETK001")->severity == Severity::error);
@@ -130,7 +117,7 @@ TEST_CASE("headers are judged: companions, sizes, channels, sides, colour space,
   CHECK(find(declared, "ETK006") != nullptr);
   CHECK(find(declared, "ETK405") != nullptr);
   const CheckedFile right = checked(pair_of(folder.file("a.png"), folder.file("b.png")), {});
-  INFO(ids(right));
+  INFO(rules_and_messages(right));
   CHECK(find(right, "ETK006") == nullptr);
   CheckTarget guessed = pair_of(folder.file("a.png"), folder.file("b.png"));
   guessed.files[0].guessed = true;
@@ -148,7 +135,7 @@ TEST_CASE("float pictures: NaN, infinity, negative values and F0 above 1") {
   write_exr(folder.file("a.exr"), a, true, true);
   write_exr(folder.file("b.exr"), b, true, true);
   const CheckedFile clean = checked(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
-  INFO(ids(clean));
+  INFO(rules_and_messages(clean));
   CHECK(errors(clean) == 0);
   b.at(7, 9)[0] = std::numeric_limits<float>::quiet_NaN();
   b.at(8, 9)[1] = std::numeric_limits<float>::infinity();
@@ -172,7 +159,7 @@ TEST_CASE("float pictures: NaN, infinity, negative values and F0 above 1") {
   write_exr(folder.file("b.exr"), b, true, true);
   write_exr(folder.file("a.exr"), a, true, true);
   const CheckedFile gold = checked(pair_of(folder.file("a.exr"), folder.file("b.exr")), {});
-  INFO(ids(gold));
+  INFO(rules_and_messages(gold));
   REQUIRE(find(gold, "ETK107") != nullptr);
   CHECK(find(gold, "ETK107")->severity == Severity::info);
   CHECK(errors(gold) == 0);
@@ -237,7 +224,7 @@ TEST_CASE("the built-in materials are clean, and each fault of a material file i
     return text.replace(text.find(from), from.size(), to);
   };
   const CheckedFile clean = check_text(gold);
-  INFO(ids(clean));
+  INFO(rules_and_messages(clean));
   CHECK(errors(clean) == 0);
   CHECK(find(check_text(replaced("\"licence\": \"CC0-1.0\"", "\"licence\": \"\"")), "ETK607") != nullptr);
   CHECK(find(check_text(replaced("\"aliases\"", "\"alias\"")), "ETK611") != nullptr);
@@ -292,7 +279,7 @@ TEST_CASE("every material of the library passes") {
     if (entry.path().extension() != ".json") continue;
     const CheckedFile file =
         checked(single(FileRole::material, entry.path().string(), entry.path().filename().string()), {});
-    INFO(entry.path().string() << "\n" << ids(file));
+    INFO(entry.path().string() << "\n" << rules_and_messages(file));
     for (const Finding& f : file.findings)
       if (f.severity == Severity::error) {
         // Allowed in materials/etak.toml: the only open table of it is short, and refused by etak f0.
@@ -307,7 +294,7 @@ TEST_CASE("tables and pages of others are judged") {
   const TempFolder folder;
   spit(folder.file("glass.csv"), "wavelength_nm,n\n380,1.53\n480,1.525\n589,1.52\n700,1.515\n790,1.51\n");
   const CheckedFile sparse = checked(single(FileRole::spectrum, folder.file("glass.csv"), "glass.csv"), {});
-  INFO(ids(sparse));
+  INFO(rules_and_messages(sparse));
   CHECK(find(sparse, "ETK602") != nullptr);
   CHECK(find(sparse, "ETK607") == nullptr);
   spit(folder.file("bad.csv"), "wavelength,n\n1,2\n");

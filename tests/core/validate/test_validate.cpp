@@ -10,6 +10,7 @@
 
 #include "core/image/files/png.h"
 #include "core/pages/finding_pictures.h"
+#include "tests/core/image/png_of.h"
 #include "tests/core/validate/checked.h"
 #include "tests/core/validate/corpus.h"
 #include "tests/support.h"
@@ -18,13 +19,6 @@ using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-std::string png_of(const Image8& image) {
-  return png_bytes({{image.width, image.height, image.channels, 8},
-                    image.values.data(),
-                    static_cast<std::size_t>(image.width * image.channels)},
-                   {});
-}
 
 // Writes NAME_diff.png and NAME_spec.png, with F0 in the forbidden zone.
 void write_pair(const TempFolder& folder, const std::string& name, std::uint64_t seed) {
@@ -56,7 +50,7 @@ std::vector<Finding> findings_of(const ValidationReport& report) {
   return out;
 }
 
-const Finding* find(const ValidationReport& report, std::string_view rule) {
+const Finding* find_in_report(const ValidationReport& report, std::string_view rule) {
   for (const CheckedFile& file : report.files)
     for (const Finding& finding : file.findings)
       if (finding.rule == rule) return &finding;
@@ -81,7 +75,7 @@ TEST_CASE("a folder is searched: pairs go together, what no rule is about and wh
   CHECK(report.run.checks == 2);
   CHECK(report.run.failed == 0);
   CHECK(report.not_opened == std::vector<std::string>{folder.file("pipe")});
-  CHECK(find(report, "ETK101") != nullptr);
+  CHECK(find_in_report(report, "ETK101") != nullptr);
   CHECK(!report.passed);
   CHECK(!report.incomplete);
   CHECK(report.settings_hash == settings_hash({}));
@@ -99,8 +93,8 @@ TEST_CASE("what was named and cannot be checked makes a report incomplete") {
   const ValidationReport report = validate(request);
   CHECK(report.run.failed == 1);
   CHECK(report.incomplete);
-  REQUIRE(find(report, "ETK001") != nullptr);
-  CHECK(find(report, "ETK001")->file == "absent.png");
+  REQUIRE(find_in_report(report, "ETK001") != nullptr);
+  CHECK(find_in_report(report, "ETK001")->file == "absent.png");
 }
 
 TEST_CASE("hashes are those of the files, where they are asked for") {
@@ -123,15 +117,15 @@ TEST_CASE("the decoder is asked for what is no plain PNG, and without one that i
     out.pixels = Image8(64, 64, 4, 90);
     return out;
   };
-  CHECK(find(validate(request), "ETK001") == nullptr);
+  CHECK(find_in_report(validate(request), "ETK001") == nullptr);
   CHECK(asked == 0);
   spit(folder.file("other_spec.tif"), "II*");
-  CHECK(find(validate(request), "ETK001") == nullptr);
+  CHECK(find_in_report(validate(request), "ETK001") == nullptr);
   CHECK(asked > 0);
   request.decoder = {};
   const ValidationReport report = validate(request);
-  REQUIRE(find(report, "ETK001") != nullptr);
-  CHECK(contains(find(report, "ETK001")->message, "needs a decoder of pictures"));
+  REQUIRE(find_in_report(report, "ETK001") != nullptr);
+  CHECK(contains(find_in_report(report, "ETK001")->message, "needs a decoder of pictures"));
 }
 
 TEST_CASE("results are taken from the cache, but not those of other settings, versions and keys") {
@@ -205,9 +199,9 @@ TEST_CASE("what is known and what is allowed is marked and does not count") {
   request.known.clear();
   request.config.settings.allow = {{"ETK1", "", "", "", "made up", "2020-01-01"}};
   request.today = "2019-12-31";
-  CHECK(find(validate(request), "ETK101")->suppressed);
+  CHECK(find_in_report(validate(request), "ETK101")->suppressed);
   request.today = "2020-01-02";
-  CHECK(!find(validate(request), "ETK101")->suppressed);
+  CHECK(!find_in_report(validate(request), "ETK101")->suppressed);
 }
 
 TEST_CASE("materials of a project are checked by the same door, in the order of their names") {
@@ -221,15 +215,15 @@ TEST_CASE("materials of a project are checked by the same door, in the order of 
   request.materials.library = std::make_shared<const MaterialLibrary>(MaterialLibrary::builtin());
   const ValidationReport report = validate(request);
   CHECK(paths_of(report) == std::vector<std::string>{"clean", "impossible"});
-  REQUIRE(find(report, "ETK101") != nullptr);
-  CHECK(find(report, "ETK101")->material == "impossible");
+  REQUIRE(find_in_report(report, "ETK101") != nullptr);
+  CHECK(find_in_report(report, "ETK101")->material == "impossible");
 }
 
 TEST_CASE("every finding with a place gets a mask") {
   const TempFolder folder;
   write_pair(folder, "crate", 1);
   const ValidationReport report = validate(request_for(folder));
-  REQUIRE(find(report, "ETK101") != nullptr);
+  REQUIRE(find_in_report(report, "ETK101") != nullptr);
   const std::string masks_folder = folder.file("masks");
   masks(report, {}, {}, masks_folder, 1)->commit();
   CHECK(std::filesystem::exists(masks_folder + "/crate_spec.png.ETK101.png"));
