@@ -42,8 +42,8 @@ std::string stability_text(const std::vector<StabilityCase>& cases) {
     append(out, one.passed ? "ok    " : "FAIL  ", one.title, " (", one.input, ")\n");
     if (one.f64) {
       append(out, "      expected ", one.expected, ", ", one.source, "\n");
-      append(out, "      usual    ", exact_text(one.naive_f64->value), " (double), ", exact_text(one.naive_f32->value),
-             " (single)\n");
+      append(out, "      usual    ", exact_text(one.naive_f64->value), " (double), ",
+             exact_text(one.naive_f32->value), " (single)\n");
       append(out, "      etak     ", exact_text(one.f64->value), " (double), ", exact_text(one.f32->value),
              " (single)");
       if (one.gl) append(out, ", ", exact_text(one.gl->value), " (GL)");
@@ -90,7 +90,8 @@ std::string stability_html(const std::vector<StabilityCase>& cases) {
       "written, "
       "single</th><th>etak, single</th><th>etak, double</th><th>etak, GL</th><th></th></tr></thead><tbody>";
   const auto cell = [](const std::optional<StabilityValue>& value) {
-    return value ? exact_text(value->value) + " <small>(" + shown_error(value) + ")</small>" : std::string("-");
+    return value ? exact_text(value->value) + " <small>(" + shown_error(value) + ")</small>"
+                 : std::string("-");
   };
   for (const StabilityCase& one : cases) {
     append(out, "<tr><th class=\"dataset\">", escape_html(one.title), "<br><small>", escape_html(one.input),

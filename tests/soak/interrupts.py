@@ -142,20 +142,25 @@ def limits(soak, tally, deadline):
         target = random.choice(known)
         command = list(random.choice(target.commands))
         kind = random.choice(("size", "memory", "files", "processes", "disk"))
-        before, allowed = None, (0, 2)
+        before, allowed, most = None, (0, 2), None
         if kind == "size":
             # Its content may be smaller than the limit.
-            before, allowed = setter(resource.RLIMIT_FSIZE, random.choice((0, 100, 4096, 20000, 200000))), (0, 2, 153)
+            most = random.choice((0, 100, 4096, 20000, 200000))
+            before, allowed = setter(resource.RLIMIT_FSIZE, most), (0, 2, 153)
         elif kind == "memory":
-            before = setter(resource.RLIMIT_AS, random.randint(30, 900) << 20)
+            most = random.randint(30, 900) << 20
+            before = setter(resource.RLIMIT_AS, most)
         elif kind == "files":
-            before = setter(resource.RLIMIT_NOFILE, random.randint(4, 40))
+            most = random.randint(4, 40)
+            before = setter(resource.RLIMIT_NOFILE, most)
         elif kind == "processes":
-            before = functools.partial(few_processes, random.randint(0, 8))
+            most = random.randint(0, 8)
+            before = functools.partial(few_processes, most)
             command += ["-j", "8"] if target.name in ("pack", "f0", "validate", "render") else []
         elif target.path.name in command:
             command[command.index(target.path.name)] = "/dev/full"
         result = run([soak.etak, *command], cwd=target.path.parent, env=soak.environment, before=before)
+        result.command = [f"({kind}: {most})", *result.command]
         if result.status == 127 and "shared librar" in result.err:
             continue  # the loader had too little, and etak was not asked
         tally.judge(result, allowed)

@@ -95,8 +95,9 @@ def main():
     unknown = set(only) - {"fuzz"} - {name for name, _, _ in HARNESSES}
     if unknown or args.minutes <= 0:
         parser.error(f"no such harness: {', '.join(sorted(unknown))}" if unknown else "MINUTES above 0")
-    # What nohup makes deaf to HUP would not hand the signal on to what is tested.
-    signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    # nohup makes a program deaf to HUP, and a script's "&" to INT; what is tested would inherit that.
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
     soak = Soak(args.build.resolve(), args.seed, args.verbose)
     shutil.rmtree(soak.work, ignore_errors=True)
     shutil.rmtree(soak.work.parent, ignore_errors=True) if not only else None

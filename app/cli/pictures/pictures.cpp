@@ -2,11 +2,15 @@
 #include "app/cli/pictures/pictures.h"
 
 #include <dlfcn.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <climits>
+#include <latch>
+#include <system_error>
+#include <thread>
 
 #include "core/base/error.h"
 
@@ -25,6 +29,29 @@ std::string program_folder() {
   return whole.substr(0, whole.rfind('/') + 1);
 }
 
+// What the libraries of the module take while the loader initialises them. Liblog4cplus, which Debian's OpenImageIO
+// links, starts its threads there and ends or halts the process where it cannot, so that room is asked for before.
+constexpr std::size_t library_bytes = std::size_t{512} << 20;
+constexpr std::size_t library_threads = 4;
+
+// Whether the process may have that much address space and that many threads more.
+bool has_room() {
+  void* const room =
+      ::mmap(nullptr, library_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED) return false;
+  ::munmap(room, library_bytes);
+  bool well = true;
+  std::latch all_started(1);
+  std::array<std::jthread, library_threads> threads;
+  try {
+    for (std::jthread& each : threads) each = std::jthread([&all_started] { all_started.wait(); });
+  } catch (const std::system_error&) {
+    well = false;
+  }
+  all_started.count_down();
+  return well;
+}
+
 struct OpenModule {
   const PicturesModule* module = nullptr;
   std::string found;  // why there is none
@@ -39,6 +66,8 @@ OpenModule open_module() {
   const auto there = std::find_if(candidates.begin(), candidates.end(),
                                   [](const std::string& file) { return ::access(file.c_str(), R_OK) == 0; });
   if (there == candidates.end()) return {nullptr, "is neither " + candidates[0] + " nor " + candidates[1]};
+  if (!has_room())
+    return {nullptr, "there is not room for its libraries: 512 MiB of addresses and four threads"};
   void* const module = ::dlopen(there->c_str(), RTLD_NOW | RTLD_LOCAL);
   using Open = const PicturesModule* (*)();
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the one way from a symbol to a function
