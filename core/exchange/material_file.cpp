@@ -11,7 +11,7 @@
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/memory.h"
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 #include "core/material/json.h"
 #include "core/material/limits.h"
 #include "core/material/names.h"

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/text.h"
-#include "core/material/blob.h"
+#include "core/material/embedded/blob.h"
 #include "core/material/json.h"
 #include "core/material/names.h"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "core/base/error.h"
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 #include "core/material/dispersion.h"
 #include "core/material/json.h"
 

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/memory.h"
-#include "core/exchange/axis_pages.h"
+#include "core/exchange/rii/axis_pages.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
 #include "core/material/names.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/cli/inputs/inputs.h"
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 #include "core/material/f0.h"
 #include "core/pages/f0/report.h"
 

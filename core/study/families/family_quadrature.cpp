@@ -7,7 +7,7 @@
 
 #include "core/base/number.h"
 #include "core/color/delta_e.h"
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
 #include "core/study/error_time.h"

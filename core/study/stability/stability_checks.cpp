@@ -9,7 +9,7 @@
 #include "core/base/number.h"
 #include "core/brdf/integrals/normalise.h"
 #include "core/color/srgb.h"
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/light/functions.h"
 #include "core/material/f0.h"

@@ -7,7 +7,7 @@
 #include "core/base/files/input.h"
 #include "core/base/node_json.h"
 #include "core/exchange/content_kind.h"
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/dispersion.h"
 #include "core/material/f0.h"

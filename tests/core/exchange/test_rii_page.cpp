@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>

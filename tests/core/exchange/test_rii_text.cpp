@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/base/error.h"
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 #include "core/material/json.h"
 #include "tests/support.h"
 

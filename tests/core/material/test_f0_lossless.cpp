@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
 #include "core/material/medium.h"

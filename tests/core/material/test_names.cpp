@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/material/embedded/unmeasured.h"
 #include "core/material/library.h"
-#include "core/material/unmeasured.h"
 #include "tests/core/material/library_support.h"
 #include "tests/support.h"
 

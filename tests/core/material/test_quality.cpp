@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "core/material/blob.h"
+#include "core/material/embedded/blob.h"
 #include "core/material/json.h"
 #include "core/material/library.h"
 #include "tests/core/material/library_support.h"

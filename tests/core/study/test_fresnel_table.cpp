@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/files/file.h"
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 #include "core/material/f0.h"
 #include "core/study/fresnel_forms.h"
 #include "tests/support.h"

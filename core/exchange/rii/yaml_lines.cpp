@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/exchange/yaml_lines.h"
+#include "core/exchange/rii/yaml_lines.h"
 
 #include <algorithm>
 #include <string>

@@ -2,8 +2,8 @@
 #include <set>
 
 #include "core/base/node_json.h"
+#include "core/material/embedded/unmeasured.h"
 #include "core/material/names.h"
-#include "core/material/unmeasured.h"
 
 namespace etak {
 

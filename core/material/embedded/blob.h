@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/material/embedded/unmeasured.h"
 #include "core/material/material.h"
-#include "core/material/unmeasured.h"
 
 namespace etak {
 

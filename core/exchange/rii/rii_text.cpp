@@ -12,9 +12,9 @@
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/exchange/axis_pages.h"
-#include "core/exchange/rii_page.h"
-#include "core/exchange/yaml_lines.h"
+#include "core/exchange/rii/axis_pages.h"
+#include "core/exchange/rii/rii_page.h"
+#include "core/exchange/rii/yaml_lines.h"
 #include "core/material/medium.h"
 #include "core/material/names.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/exchange/axis_pages.h"
+#include "core/exchange/rii/axis_pages.h"
 
 namespace etak {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nine tenths of a database's bytes are rows of numbers, and reading them is most of the run time: a row goes
 // from the text into its columns in one pass, without an allocation, and is judged while it is in registers.
-#include "core/exchange/rii_rows.h"
+#include "core/exchange/rii/rii_rows.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Based on the description in the doc folder of the refractiveindex.info database, and on all of its pages.
-#include "core/exchange/rii_page.h"
+#include "core/exchange/rii/rii_page.h"
 
 #include <algorithm>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/exchange/rii_rows.h"
-#include "core/exchange/yaml_lines.h"
+#include "core/exchange/rii/rii_rows.h"
+#include "core/exchange/rii/yaml_lines.h"
 #include "core/material/dispersion.h"
 #include "core/material/medium.h"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/exchange/yaml_lines.h"
+#include "core/exchange/rii/yaml_lines.h"
 #include "core/material/material.h"
 
 namespace etak {

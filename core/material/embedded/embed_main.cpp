@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/material/blob.h"
+#include "core/material/embedded/blob.h"
 #include "core/material/json.h"
 
 namespace fs = std::filesystem;

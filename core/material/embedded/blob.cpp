@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/material/blob.h"
+#include "core/material/embedded/blob.h"
 
 #include <cassert>
 #include <cstdint>
