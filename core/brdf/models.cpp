@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registry: a row per model. A new model is a text, a line in models.inc and a row here; a new
-// combination of terms is a line in `microfacet_rows` (and one in models.inc to have it as one vectorised
-// loop).
+// The registry. A new model is a text and a row in models.inc; a new combination of terms is a row in `microfacet_rows`,
+// and one in models.inc to have it as one vectorised loop.
 #include "core/brdf/models.h"
 
 #include <deque>
@@ -14,41 +13,6 @@ namespace etak {
 namespace {
 
 namespace p = parameters;
-using Files = std::span<const std::string_view>;
-
-constexpr Parameter lambert[] = {p::diffuse_color};
-constexpr Parameter tradeoff[] = {p::diffuse_color, p::f0};
-constexpr Parameter oren_nayar[] = {{"rho", "albedo", "", 0, 1, 0.5, Role::diffuse, true},
-                                    {"sigma", "standard deviation of the facets' slope angle", "rad", 0,
-                                     1.5707963267948966, 0.3, Role::other, false}};
-constexpr Parameter phong[] = {p::diffuse_color, p::specular_color, p::m_exponent};
-constexpr Parameter cook_torrance[] = {p::n, p::k, p::m_slope};
-constexpr Parameter as_rd{"rd", "diffuse colour", "", 0, 1, 0.5, Role::diffuse, true};
-constexpr Parameter as_rs{"rs", "specular colour", "", 0, 1, 0.04, Role::f0, true};
-constexpr Parameter as_nu{"nu", "exponent along the tangent", "", 0, 1e6, 512, Role::exponent, false};
-constexpr Parameter as_nv{"nv", "exponent along the bitangent", "", 0, 1e6, 512, Role::exponent, false};
-constexpr Parameter as_both[] = {as_rd, as_rs, as_nu, as_nv};
-constexpr Parameter as_specular[] = {as_rs, as_nu, as_nv};
-constexpr Parameter as_diffuse[] = {as_rs, as_rd};
-constexpr Parameter schueler[] = {p::K, p::g};
-constexpr Parameter schueler_full[] = {p::n, p::k, p::g};
-
-constexpr std::string_view lambert_files[] = {"fresnel/schlick.glsl", "brdf/geometry.glsl",
-                                              "brdf/lambert.glsl"};
-constexpr std::string_view oren_nayar_files[] = {"brdf/geometry.glsl", "brdf/oren_nayar.glsl"};
-constexpr std::string_view phong_files[] = {"brdf/geometry.glsl", "brdf/microfacet.glsl", "brdf/phong.glsl"};
-constexpr std::string_view blinn_files[] = {"brdf/geometry.glsl", "brdf/microfacet.glsl",
-                                            "brdf/blinn_phong.glsl"};
-constexpr std::string_view cook_torrance_files[] = {"fresnel/conductor.glsl", "brdf/geometry.glsl",
-                                                    "brdf/d_beckmann.glsl", "brdf/g_cook_torrance.glsl",
-                                                    "brdf/cook_torrance.glsl"};
-constexpr std::string_view as_files[] = {"fresnel/schlick.glsl", "brdf/geometry.glsl", "brdf/microfacet.glsl",
-                                         "brdf/lambert.glsl", "brdf/ashikhmin_shirley.glsl"};
-constexpr std::string_view schueler_files[] = {
-    "fresnel/conductor.glsl",    "fresnel/schueler.glsl", "brdf/geometry.glsl",
-    "brdf/gloss.glsl",           "brdf/d_beckmann.glsl",  "brdf/d_phong.glsl",
-    "brdf/g_cook_torrance.glsl", "brdf/g_simple.glsl",    "brdf/schueler.glsl"};
-
 constexpr ModelKind diffuse = ModelKind::diffuse, specular = ModelKind::specular,
                     combined = ModelKind::combined;
 
@@ -56,140 +20,17 @@ struct TextRow {
   std::string_view id, title, source;
   ModelKind kind;
   Claims claims;
-  std::span<const Parameter> parameters;
-  Files files;
+  Few<Parameter> parameters;
+  Few<std::string_view> files;
   std::string_view entry;
 };
 
 constexpr TextRow text_rows[] = {
-    {"lambert",
-     "Lambert",
-     "Lambert 1760; Schueler 2009; Hoffman; TU Graz",
-     diffuse,
-     {true, true, "albedo cd"},
-     lambert,
-     lambert_files,
-     "brdf_lambert"},
-    {"lambert-tradeoff",
-     "Lambert with what the specular part leaves",
-     "Hoffman, diffuse-specular tradeoff; reciprocal form",
-     diffuse,
-     {true, true, {}},
-     tradeoff,
-     lambert_files,
-     "brdf_lambert_tradeoff"},
-    {"oren-nayar",
-     "Oren-Nayar, qualitative",
-     "Oren and Nayar 1994, eq. 30; cited by Hoffman and TU Graz",
-     diffuse,
-     {true, false, "albedo up to 1.0152 (sigma 0.1985, grazing)"},
-     oren_nayar,
-     oren_nayar_files,
-     "brdf_oren_nayar"},
-    {"schueler-full",
-     "CookTorranceFull",
-     "Schueler 2009, technique 1",
-     specular,
-     {true, true, "albedo up to 1.0000"},
-     schueler_full,
-     schueler_files,
-     "brdf_schueler_full"},
-    {"schueler-simplified",
-     "CookTorranceSimplified",
-     "Schueler 2009, technique 2, as printed",
-     specular,
-     {true, true, "albedo up to 0.9998; 0.34 at g = 0, normal incidence"},
-     schueler,
-     schueler_files,
-     "brdf_schueler_simplified"},
-    {"schueler-ksk",
-     "KelemenSzirmayKalos",
-     "Schueler 2009, technique 3, as printed",
-     specular,
-     {true, true, "albedo up to 0.9993; dips to 0.81 at g = 1, 89 degrees"},
-     schueler,
-     schueler_files,
-     "brdf_schueler_ksk"},
-    {"schueler-optimized",
-     "Optimized, as printed",
-     "Schueler 2009, technique 4, as printed",
-     specular,
-     {true, false, "hidden Fresnel K / lh: albedo K / cos, 2.0 at 60 degrees for K = 1"},
-     schueler,
-     schueler_files,
-     "brdf_schueler_optimized"},
-    {"schueler-optimized-bounded",
-     "Optimized, bounded",
-     "Schueler 2009, technique 4 with K / lh kept at or below 1",
-     specular,
-     {true, true, "albedo up to 0.9993"},
-     schueler,
-     schueler_files,
-     "brdf_schueler_optimized_bounded"},
-    {"phong",
-     "Phong, as printed",
-     "Phong 1975; TU Graz, over pi nl; specular gated by nl > 0",
-     combined,
-     {false, false, "not a BRDF: grows as 1 / nl (albedo 122 at m = 1, 89.9 degrees)"},
-     phong,
-     phong_files,
-     "brdf_phong"},
-    {"blinn-phong",
-     "Blinn-Phong, (m + 8) / (8 pi)",
-     "Blinn 1977; TU Graz",
-     combined,
-     {true, false, "albedo 1.075 at m = 8.8, normal incidence"},
-     phong,
-     blinn_files,
-     "brdf_blinn_phong"},
-    {"blinn-phong-exact",
-     "Blinn-Phong, exact normalisation",
-     "Blinn 1977; Giesen 2009",
-     combined,
-     {true, true, "albedo of the specular part 1 at normal incidence"},
-     phong,
-     blinn_files,
-     "brdf_blinn_phong_exact"},
-    {"cook-torrance",
-     "Cook-Torrance",
-     "Cook and Torrance 1981; TU Graz, with 1 / (pi m^2)",
-     specular,
-     {true, true, "albedo up to 1.0000"},
-     cook_torrance,
-     cook_torrance_files,
-     "brdf_cook_torrance"},
-    {"cook-torrance-printed",
-     "Cook-Torrance, as printed",
-     "TU Graz, with 1 / (4 m^2)",
-     specular,
-     {true, true, "pi / 4 too dark: albedo up to 0.7854"},
-     cook_torrance,
-     cook_torrance_files,
-     "brdf_cook_torrance_printed"},
-    {"ashikhmin-shirley",
-     "Ashikhmin-Shirley",
-     "Ashikhmin and Shirley 2000; cited by TU Graz",
-     combined,
-     {true, true, {}},
-     as_both,
-     as_files,
-     "brdf_ashikhmin_shirley"},
-    {"ashikhmin-shirley-specular",
-     "Ashikhmin-Shirley, specular part",
-     "Ashikhmin and Shirley 2000, eq. 4",
-     specular,
-     {true, true, "albedo up to 0.999"},
-     as_specular,
-     as_files,
-     "brdf_ashikhmin_shirley_specular"},
-    {"ashikhmin-shirley-diffuse",
-     "Ashikhmin-Shirley, diffuse part",
-     "Ashikhmin and Shirley 2000, eq. 5",
-     diffuse,
-     {true, true, "albedo up to 0.93 (rs = 0.04)"},
-     as_diffuse,
-     as_files,
-     "brdf_ashikhmin_shirley_diffuse"},
+#define ETAK_MODEL(entry, numbers, type, constant, call, ...) {__VA_ARGS__, #entry},
+#define ETAK_MICROFACET(d, f, v)
+#include "core/brdf/models.inc"
+#undef ETAK_MODEL
+#undef ETAK_MICROFACET
 };
 
 struct MicrofacetRow {

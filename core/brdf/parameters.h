@@ -1,10 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
 #include "core/brdf/models.h"
 
+namespace etak {
+
+/// A short list inside of a row that is known at compile time.
+template <class T>
+class Few {
+ public:
+  constexpr Few(std::initializer_list<T> items) : count_(items.size()) {
+    std::copy(items.begin(), items.end(), items_.begin());
+  }
+  constexpr operator std::span<const T>() const { return {items_.data(), count_}; }
+
+ private:
+  std::array<T, 9> items_{};
+  std::size_t count_;
+};
+
 // The parameters that rows of terms and models share.
-namespace etak::parameters {
+namespace parameters {
 
 inline constexpr Parameter diffuse_color{"cd", "diffuse colour", "", 0, 1, 0.5, Role::diffuse, true};
 inline constexpr Parameter specular_color{"cs", "specular colour", "", 0, 1, 0.04, Role::f0, true};
@@ -21,4 +41,5 @@ inline constexpr Parameter m_exponent{"m", "exponent of the lobe", "", 1, 1e6, 5
 inline constexpr Parameter alpha{"alpha", "width of the lobe", "", 1e-4, 1, 0.1, Role::alpha, false};
 inline constexpr Parameter m_slope{"m", "rms slope of the facets", "", 1e-4, 10, 0.1, Role::alpha, false};
 
-}  // namespace etak::parameters
+}  // namespace parameters
+}  // namespace etak

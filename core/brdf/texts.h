@@ -19,12 +19,8 @@
 #include "core/brdf/g_smith_ggx.glsl"
 #include "core/brdf/g_smith_beckmann.glsl"
 #include "core/brdf/microfacet.glsl"
-#include "core/brdf/lambert.glsl"
-#include "core/brdf/oren_nayar.glsl"
-#include "core/brdf/phong.glsl"
-#include "core/brdf/blinn_phong.glsl"
-#include "core/brdf/cook_torrance.glsl"
-#include "core/brdf/ashikhmin_shirley.glsl"
-#include "core/brdf/schueler.glsl"
+#define ETAK_TEXTS
+#include "core/brdf/models.inc"
+#undef ETAK_TEXTS
 // clang-format on
 #pragma GCC diagnostic pop

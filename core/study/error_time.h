@@ -97,19 +97,7 @@ struct ReportOptions {
   std::string shared_folder;  // of test data for families that use published sets; empty: without them
 };
 
-// The families; each in a file of its own, core/study/families/family_*.cpp (target etak::study_run).
-ErrorTimeFamily quadrature_family(const ReportOptions& options);    // a
-ErrorTimeFamily fresnel_family(const ReportOptions& options);       // b
-ErrorTimeFamily lobe_family(const ReportOptions& options);          // c
-ErrorTimeFamily hemisphere_family(const ReportOptions& options);    // d
-ErrorTimeFamily transfer_family(const ReportOptions& options);      // e
-ErrorTimeFamily quantisation_family(const ReportOptions& options);  // f
-ErrorTimeFamily gloss_mip_family(const ReportOptions& options);     // g
-ErrorTimeFamily image_family(const ReportOptions& options);         // h
-ErrorTimeFamily packer_family(const ReportOptions& options);        // i
-ErrorTimeFamily sparse_table_family(const ReportOptions& options);  // j
-
-/// All of them in the order of their letters.
+/// All families, in the order of core/study/families/families.inc (target etak::study_run).
 struct FamilyEntry {
   std::string_view id;  // that of the family it makes
   ErrorTimeFamily (*measure)(const ReportOptions&);

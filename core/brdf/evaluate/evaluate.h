@@ -13,42 +13,42 @@ inline vec3 color(const real* p) {
 
 // A type holds what is computed once for a surface (`size` numbers at p); at(a) is the value at one pair of
 // directions.
-#define ETAK_D(id, numbers, call)              \
+#define ETAK_D(id, numbers, call, ...)         \
   struct D_##id {                              \
     static constexpr int size = numbers;       \
     const real* p;                             \
     explicit D_##id(const real* p_) : p(p_) {} \
     real at(Angles a) const { return call; }   \
   };
-#define ETAK_F(id, numbers, call)              \
+#define ETAK_F(id, numbers, call, ...)         \
   struct F_##id {                              \
     static constexpr int size = numbers;       \
     const real* p;                             \
     explicit F_##id(const real* p_) : p(p_) {} \
     vec3 at(Angles a) const { return call; }   \
   };
-#define ETAK_F_OF_INDEX(id, numbers, index, extinction)           \
+#define ETAK_F_OF_INDEX(id, numbers, index, extinction, ...)      \
   struct F_##id {                                                 \
     static constexpr int size = numbers;                          \
     vec3 n, k;                                                    \
     explicit F_##id(const real* p) : n(index), k(extinction) {}   \
     vec3 at(Angles a) const { return fresnel_exact(n, k, a.lh); } \
   };
-#define ETAK_F_OF_EXCESS(id, numbers, excess_)                      \
+#define ETAK_F_OF_EXCESS(id, numbers, excess_, ...)                 \
   struct F_##id {                                                   \
     static constexpr int size = numbers;                            \
     vec3 excess;                                                    \
     explicit F_##id(const real* p) : excess(excess_) {}             \
     vec3 at(Angles a) const { return fresnel_clear(excess, a.lh); } \
   };
-#define ETAK_F_OF_ENDS(id, numbers, ends_)                     \
+#define ETAK_F_OF_ENDS(id, numbers, ends_, ...)                \
   struct F_##id {                                              \
     static constexpr int size = numbers;                       \
     SchuelerEnds ends;                                         \
     explicit F_##id(const real* p) : ends(ends_) {}            \
     vec3 at(Angles a) const { return f_schueler(ends, a.lh); } \
   };
-#define ETAK_V(id, numbers, call)              \
+#define ETAK_V(id, numbers, call, ...)         \
   struct V_##id {                              \
     static constexpr int size = numbers;       \
     const real* p;                             \
@@ -63,7 +63,7 @@ inline vec3 color(const real* p) {
 #undef ETAK_F_OF_ENDS
 #undef ETAK_V
 
-#define ETAK_MODEL(entry, numbers, type, constant, call)       \
+#define ETAK_MODEL(entry, numbers, type, constant, call, ...)  \
   struct M_##entry {                                           \
     static constexpr int size = numbers;                       \
     const real* p;                                             \

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
+#include "core/study/families/families.h"
+
 #include <fstream>
 
-#include "core/study/error_time.h"
 #include "core/study/study_build.h"
 
 namespace etak {
@@ -19,16 +19,11 @@ std::string cpu_name() {
   return "unknown";
 }
 
-constexpr std::array<FamilyEntry, 10> families{{{"quadrature", quadrature_family},
-                                                {"fresnel", fresnel_family},
-                                                {"lobes", lobe_family},
-                                                {"hemispheres", hemisphere_family},
-                                                {"transfer", transfer_family},
-                                                {"quantisation", quantisation_family},
-                                                {"gloss-mips", gloss_mip_family},
-                                                {"image", image_family},
-                                                {"packer", packer_family},
-                                                {"sparse-tables", sparse_table_family}}};
+constexpr FamilyEntry families[] = {
+#define ETAK_FAMILY(id, function) {id, function},
+#include "core/study/families/families.inc"
+#undef ETAK_FAMILY
+};
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/material/library.h"
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "core/study/fresnel_forms.h"
 #include "core/study/measure.h"
 

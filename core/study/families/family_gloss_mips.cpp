@@ -9,7 +9,7 @@
 #include "core/color/gloss.h"
 #include "core/color/srgb.h"
 #include "core/math/quadrature.h"
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "core/study/measure.h"
 
 namespace etak {

@@ -12,7 +12,7 @@
 #include "core/brdf/integrals/albedo.h"
 #include "core/brdf/models.h"
 #include "core/color/gloss.h"
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "core/study/measure.h"
 
 namespace etak {

@@ -13,7 +13,7 @@
 #include "core/render/cpu_renderer.h"
 #include "core/render/glsl/gl_runner.h"
 #include "core/render/reference.h"
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "core/study/measure.h"
 #include "core/study/sphere_pictures.h"
 

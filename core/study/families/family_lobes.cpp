@@ -11,7 +11,7 @@
 #include "core/brdf/models.h"
 #include "core/color/gloss.h"
 #include "core/math/quadrature.h"
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "core/study/measure.h"
 
 namespace etak {

@@ -10,7 +10,7 @@
 #include "core/base/number.h"
 #include "core/image/files/png.h"
 #include "core/rects/rects.h"
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "core/study/made_pages.h"
 #include "core/study/measure.h"
 

@@ -10,7 +10,7 @@
 #include "core/exchange/rii/rii_page.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "core/study/measure.h"
 
 namespace etak {

@@ -11,7 +11,7 @@
 #include "core/color/srgb.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "core/study/measure.h"
 
 namespace etak {

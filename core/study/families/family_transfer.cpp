@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/color/srgb.h"
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "core/study/measure.h"
 
 namespace etak {

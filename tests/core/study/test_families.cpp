@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "tests/core/study/table.h"
 #include "tests/support.h"
 

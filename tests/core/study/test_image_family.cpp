@@ -7,7 +7,7 @@
 #include "core/brdf/models.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/reference.h"
-#include "core/study/error_time.h"
+#include "core/study/families/families.h"
 #include "core/study/sphere_pictures.h"
 #include "tests/core/material/library_support.h"
 #include "tests/core/study/table.h"
