@@ -34,22 +34,9 @@ int run(int argc, char** argv) {
   line.top().footer(
       "Exit status: 0 done, 1 a named input was refused, 2 bad input, option or output.\n"
       "Example:\n  etak f0 gold copper");
-  add_f0(line);
-  add_list(line);
-  add_show(line);
-  add_nearest(line);
-  add_import(line);
-  add_export(line);
-  add_eval(line);
-  add_models(line);
-  add_pack(line);
-  add_render(line);
-  add_shader(line);
-  add_report(line);
-  add_stability(line);
-  add_choose(line);
-  add_validate(line);
-  add_explain(line);
+#define ETAK_VERB(name) add_##name(line);
+#include "app/cli/verbs.inc"
+#undef ETAK_VERB
   line.add_help_verb();
   add_input_timeout(line);
   const Work work = line.read(argc, argv);

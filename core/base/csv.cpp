@@ -33,6 +33,14 @@ std::string csv_field(std::string_view text) {
   return out;
 }
 
+void append_csv_row(std::string& out, std::initializer_list<std::string_view> fields) {
+  for (const std::string_view& each : fields) {
+    if (&each != fields.begin()) out += ',';
+    append_csv_field(out, each);
+  }
+  out += '\n';
+}
+
 std::vector<CsvRow> csv_rows(std::string_view text, std::string_view file) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::vector<CsvRow> rows;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ namespace etak {
 /// it for a formula.
 std::string csv_field(std::string_view text);
 void append_csv_field(std::string& out, std::string_view text);
+
+/// A row of such fields, with its line end.
+void append_csv_row(std::string& out, std::initializer_list<std::string_view> fields);
 
 /// A row that was read, and the line of the file on which it begins, 1-based.
 struct CsvRow {

@@ -47,6 +47,13 @@ std::string json_array(std::span<const std::string> items) {
   return '[' + joined(items) + ']';
 }
 
+std::string json_lines(std::span<const std::string> items, int indent) {
+  if (items.empty()) return "[]";
+  const std::string blanks(static_cast<std::size_t>(indent), ' ');
+  const std::string start = "\n" + blanks + "  ";
+  return '[' + start + joined(items, ',' + start) + '\n' + blanks + ']';
+}
+
 std::string json_object(std::span<const JsonMember> members, int indent) {
   const std::string start = indent < 0 ? "" : "\n" + std::string(static_cast<std::size_t>(indent) + 2, ' ');
   std::string out = "{";
@@ -56,6 +63,12 @@ std::string json_object(std::span<const JsonMember> members, int indent) {
   }
   if (indent >= 0) out.append(1, '\n').append(static_cast<std::size_t>(indent), ' ');
   return out += '}';
+}
+
+std::string json_document(std::string_view schema, std::initializer_list<JsonMember> members) {
+  std::vector<JsonMember> all{{"schema", json(schema)}};
+  all.insert(all.end(), members.begin(), members.end());
+  return json_object(all, 0) + '\n';
 }
 
 }  // namespace etak

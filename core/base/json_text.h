@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/text.h"
 
@@ -28,6 +31,18 @@ std::string json_array_of(const Values& values) {
   return '[' + joined(values, ", ", [](const auto& value) { return json(value); }) + ']';
 }
 
+/// "[...]" of what is JSON already, an item a line; "[]" of none.
+///   indent   blanks before the closing bracket
+std::string json_lines(std::span<const std::string> items, int indent);
+
+/// The same of values that `json_of`, a function or member, writes.
+template <class Values, class JsonOf>
+std::string json_lines_of(const Values& values, int indent, JsonOf json_of) {
+  std::vector<std::string> items;
+  for (const auto& value : values) items.push_back(std::invoke(json_of, value));
+  return json_lines(items, indent);
+}
+
 /// A key and its value, which is JSON already.
 struct JsonMember {
   std::string_view key;
@@ -37,5 +52,11 @@ struct JsonMember {
 /// "{...}", a member a line.
 ///   indent   blanks before the closing brace; below 0: all on one line
 std::string json_object(std::span<const JsonMember> members, int indent);
+inline std::string json_object(std::initializer_list<JsonMember> members, int indent) {
+  return json_object(std::span(members.begin(), members.size()), indent);
+}
+
+/// A whole document, a member a line: "schema" with the name and version of its form, then the members.
+std::string json_document(std::string_view schema, std::initializer_list<JsonMember> members);
 
 }  // namespace etak

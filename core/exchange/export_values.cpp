@@ -2,11 +2,11 @@
 #include "core/exchange/export_values.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/base/csv.h"
 #include "core/base/json_text.h"
 #include "core/base/number.h"
+#include "core/base/parallel.h"
 #include "core/base/text.h"
 
 namespace etak {
@@ -18,37 +18,69 @@ std::string json_color(const LinearRgb& c) {
 
 std::string json_clear(const std::optional<ClearBody>& body) {
   if (!body) return "null";
-  return json_object(
-      std::array{JsonMember{"color", json_color(body->color)}, JsonMember{"depth_m", json(body->depth_m)}},
-      -1);
+  return json_object({{"color", json_color(body->color)}, {"depth_m", json(body->depth_m)}}, -1);
 }
 
-// Objects, one a line, as the value of a member whose brace closes at `indent`.
-std::string json_lines(const std::vector<std::string>& items, std::size_t indent) {
-  if (items.empty()) return "[]";
-  const std::string line = "\n" + std::string(indent + 2, ' ');
-  std::string out = "[";
-  for (const std::string& item : items) out += (&item == items.data() ? "" : ",") + line + item;
-  return out + "\n" + std::string(indent, ' ') + "]";
+std::string json_field(const EngineField& field) {
+  return json_object(
+      {{"name", json(field.name)}, {"values", json_array_of(field.values)}, {"text", json(field.text)}}, -1);
+}
+
+std::string json_change(const Change& change) {
+  return json_object({{"field", json(change.field)},
+                      {"wanted", json_array_of(change.wanted)},
+                      {"used", json_array_of(change.used)},
+                      {"action", json(change.action)},
+                      {"amount", json(change.amount())},
+                      {"reason", json(change.reason)}},
+                     -1);
 }
 
 std::string json_target(const EngineValues& values) {
-  std::vector<std::string> fields, changes;
-  for (const EngineField& f : values.fields)
-    fields.push_back("{\"name\": " + json(f.name) + ", \"values\": " + json_array_of(f.values) +
-                     ", \"text\": " + json(f.text) + "}");
-  for (const Change& c : values.changes)
-    changes.push_back("{\"field\": " + json(c.field) + ", \"wanted\": " + json_array_of(c.wanted) +
-                      ", \"used\": " + json_array_of(c.used) + ", \"action\": " + json(c.action) +
-                      ", \"amount\": " + json(c.amount()) + ", \"reason\": " + json(c.reason) + "}");
   return "{\"id\": " + json(values.target) + ", \"title\": " + json(engine_target(values.target)->title) +
-         ",\n         \"fields\": " + json_lines(fields, 9) +
-         ",\n         \"changes\": " + json_lines(changes, 9) +
+         ",\n         \"fields\": " + json_lines_of(values.fields, 9, json_field) +
+         ",\n         \"changes\": " + json_lines_of(values.changes, 9, json_change) +
          ",\n         \"notes\": " + json_array_of(values.notes) + ", \"copy\": " + json(copy_text(values)) +
          "}";
 }
 
+std::string json_material(const ExportedValues& each) {
+  const ExportSurface& s = each.surface;
+  return json_object({{"id", json(s.id)},
+                      {"name", json(s.name)},
+                      {"dataset", json(each.dataset)},
+                      {"source", json(s.source)},
+                      {"kind", json(name(s.kind))},
+                      {"f0", json_color(s.f0)},
+                      {"f82", s.f82 ? json_color(*s.f82) : "null"},
+                      {"diffuse", json_color(s.diffuse)},
+                      {"total", s.total ? json_color(*s.total) : "null"},
+                      {"clear", json_clear(s.clear)},
+                      {"gloss", s.gloss.held() ? "null" : json(double{s.gloss})},
+                      {"alpha", json(s.gloss.alpha())},
+                      {"roughness", json(s.gloss.roughness())},
+                      {"opacity", json(s.opacity)},
+                      {"notes", json_array_of(s.notes)},
+                      {"targets", json_lines_of(each.targets, 6, json_target)}},
+                     4);
+}
+
 }  // namespace
+
+std::vector<ExportedValues> exported_values(std::vector<ExportSurface> surfaces,
+                                            const std::vector<std::string>& datasets,
+                                            const std::vector<const EngineTarget*>& targets, Fit fit,
+                                            unsigned threads) {
+  std::vector<ExportedValues> out(surfaces.size());
+  parallel_chunks(out.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t i = begin; i < end; ++i) {
+      out[i] = {std::move(surfaces[i]), datasets[i], {}};
+      for (const EngineTarget* target : targets)
+        out[i].targets.push_back(engine_values(*target, out[i].surface, fit));
+    }
+  });
+  return out;
+}
 
 std::string export_table(const std::vector<ExportedValues>& all) {
   std::size_t target_width = 6, field_width = 5;
@@ -131,31 +163,9 @@ std::string export_csv(const std::vector<ExportedValues>& all) {
 }
 
 std::string export_json(const std::vector<ExportedValues>& all, Fit fit, const std::string& policy) {
-  std::string out = "{\n  \"schema\": \"etak-export/1\",\n  \"fit\": " + json(name(fit)) +
-                    ",\n  \"policy\": " + json(policy) + ",\n  \"materials\": [";
-  for (const ExportedValues& each : all) {
-    const ExportSurface& s = each.surface;
-    std::vector<std::string> targets;
-    for (const EngineValues& values : each.targets) targets.push_back(json_target(values));
-    const std::vector<JsonMember> members{{"id", json(s.id)},
-                                          {"name", json(s.name)},
-                                          {"dataset", json(each.dataset)},
-                                          {"source", json(s.source)},
-                                          {"kind", json(name(s.kind))},
-                                          {"f0", json_color(s.f0)},
-                                          {"f82", s.f82 ? json_color(*s.f82) : "null"},
-                                          {"diffuse", json_color(s.diffuse)},
-                                          {"total", s.total ? json_color(*s.total) : "null"},
-                                          {"clear", json_clear(s.clear)},
-                                          {"gloss", s.gloss.held() ? "null" : json(double{s.gloss})},
-                                          {"alpha", json(s.gloss.alpha())},
-                                          {"roughness", json(s.gloss.roughness())},
-                                          {"opacity", json(s.opacity)},
-                                          {"notes", json_array_of(s.notes)},
-                                          {"targets", json_lines(targets, 6)}};
-    out += (&each == all.data() ? "\n    " : ",\n    ") + json_object(members, 4);
-  }
-  return out + "\n  ]\n}\n";
+  return json_document("etak-export/1", {{"fit", json(name(fit))},
+                                         {"policy", json(policy)},
+                                         {"materials", json_lines_of(all, 2, json_material)}});
 }
 
 }  // namespace etak

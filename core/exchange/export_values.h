@@ -15,6 +15,13 @@ struct ExportedValues {
   std::vector<EngineValues> targets;
 };
 
+/// The values of `surfaces` in `targets`, computed on `threads` threads.
+///   datasets   id of the dataset of each surface
+std::vector<ExportedValues> exported_values(std::vector<ExportSurface> surfaces,
+                                            const std::vector<std::string>& datasets,
+                                            const std::vector<const EngineTarget*>& targets, Fit fit,
+                                            unsigned threads);
+
 // The forms of `etak export --to values`.
 std::string export_table(const std::vector<ExportedValues>& all);
 std::string export_text(const std::vector<ExportedValues>& all);  // what an editor copies

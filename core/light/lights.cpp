@@ -2,6 +2,7 @@
 #include "core/light/lights.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
@@ -111,6 +112,18 @@ Vec3 normalised_direction(const Vec3& v) {
   const double length = std::hypot(v[0], v[1], v[2]);
   if (!(length > 1e-12) || !std::isfinite(length)) return {0, 0, -1};
   return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+std::vector<Light> spread_lights(int count) {
+  std::vector<Light> out;
+  for (int i = 0; i < count; ++i) {
+    const double z = 0.25 + 0.7 * (i + 0.5) / count, s = std::sqrt(1 - z * z);
+    const double turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
+    Light light;
+    light.direction = {-s * std::cos(turn), -s * std::sin(turn), -z};
+    out.push_back(light);
+  }
+  return out;
 }
 
 }  // namespace etak

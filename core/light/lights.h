@@ -71,4 +71,7 @@ std::string format_lights(const LightSetup& setup, int indent = 0);
 /// said.
 LightSetup default_lights();
 
+/// `count` directional lights of white, spread over the half space before the object.
+std::vector<Light> spread_lights(int count);
+
 }  // namespace etak

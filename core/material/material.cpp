@@ -2,6 +2,9 @@
 #include "core/material/material.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "core/base/free_names.h"
 
 namespace etak {
 namespace {
@@ -98,6 +101,23 @@ std::string one_line(const Citation& c) {
   add(", ", c.published_in);
   if (c.year != 0) add(" ", "(" + std::to_string(c.year) + ")");
   if (!c.doi.empty()) add(", ", "doi:" + c.doi);
+  return out;
+}
+
+Material merged(std::vector<Material> materials) {
+  Material out;
+  FreeNames ids;
+  for (Material& each : materials) {
+    if (out.datasets.empty()) {
+      out = std::move(each);
+      for (const Dataset& dataset : out.datasets) ids.take(dataset.id);
+      continue;
+    }
+    for (Dataset& dataset : each.datasets) {
+      dataset.id = ids.free(dataset.id, [id = dataset.id](int i) { return id + "-" + std::to_string(i); });
+      out.datasets.push_back(std::move(dataset));
+    }
+  }
   return out;
 }
 

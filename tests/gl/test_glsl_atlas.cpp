@@ -87,7 +87,7 @@ TEST_CASE("glslangValidator takes the shader of every set of defines") {
       for (const GlslVersion version : {GlslVersion::core_330, GlslVersion::es_300}) {
         TextureUse textures = use(defines);
         textures.rotated = count % 2 == 1;
-        if (count % 3 == 1) textures.gloss_form = TextureUse::Gloss::one_minus_roughness;
+        if (count % 3 == 1) textures.gloss_form = GlossForm::one_minus_roughness;
         const std::string file = folder.file(std::to_string(count++) + ".frag");
         spit(file, glsl_text(plain_scene(model), textures, version).fragment);
         files += " " + file;

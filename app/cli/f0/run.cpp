@@ -10,7 +10,6 @@
 #include <malloc.h>
 #endif
 
-#include "app/cli/f0/worker.h"
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/empty_list.h"
 #include "app/cli/options/options.h"
@@ -23,6 +22,7 @@
 #include "core/base/parallel.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
+#include "core/pages/f0/worker.h"
 
 namespace etak::cli {
 namespace {
@@ -45,11 +45,11 @@ struct Tally {
   }
 };
 
-void count(const Outcome& outcome, const Input& input, Tally& tally) {
-  tally.nonlinear += outcome.kind == Outcome::Kind::nonlinear;
-  tally.other += outcome.kind == Outcome::Kind::other;
-  tally.prose += outcome.kind == Outcome::Kind::prose;
-  if (outcome.kind != Outcome::Kind::answered) return;
+void count(const F0Outcome& outcome, const MaterialInput& input, Tally& tally) {
+  tally.nonlinear += outcome.kind == F0Outcome::Kind::nonlinear;
+  tally.other += outcome.kind == F0Outcome::Kind::other;
+  tally.prose += outcome.kind == F0Outcome::Kind::prose;
+  if (outcome.kind != F0Outcome::Kind::answered) return;
   ++tally.answered;
   if (!outcome.row.result.refused()) return;
   ++tally.refused;
@@ -76,12 +76,12 @@ void add_row(F0Row row, const std::string& format, const F0Options& options, Chu
   ++out.tally.rows;
 }
 
-void answer_one(const Input& input, const F0Job& job, const std::string& format, F0Worker& worker,
+void answer_one(const MaterialInput& input, const F0Job& job, const std::string& format, F0Worker& worker,
                 Chunk& out) {
   try {
-    Outcome outcome = worker.answer(input, job);
+    F0Outcome outcome = worker.answer(input, job);
     count(outcome, input, out.tally);
-    if (outcome.kind != Outcome::Kind::answered) return;
+    if (outcome.kind != F0Outcome::Kind::answered) return;
     worker.start_lap(job);
     add_row(std::move(outcome.row), format, job.solver.options(), out);
     worker.lap(worker.times.print, job);
@@ -98,12 +98,12 @@ void answer_one(const Input& input, const F0Job& job, const std::string& format,
 }
 
 // What the HTML form shows of one input; a material without datasets where there is nothing to show.
-MaterialReport html_report(const Input& input, const F0Job& job, F0Worker& worker, Tally& tally) {
-  Outcome outcome;
+MaterialReport html_report(const MaterialInput& input, const F0Job& job, F0Worker& worker, Tally& tally) {
+  F0Outcome outcome;
   if (input.from_folder) {
     // Folders hold files that are no pages, and pages without n make no material.
     outcome = worker.answer(input, job);
-    if (outcome.kind != Outcome::Kind::answered || outcome.without_optics) {
+    if (outcome.kind != F0Outcome::Kind::answered || outcome.without_optics) {
       count(outcome, input, tally);
       return {};
     }
@@ -117,7 +117,7 @@ MaterialReport html_report(const Input& input, const F0Job& job, F0Worker& worke
 }
 
 // The HTML form shows whole materials with all their datasets instead of rows.
-std::string html(const std::vector<Input>& inputs, const F0Job& job, std::vector<F0Worker>& workers,
+std::string html(const std::vector<MaterialInput>& inputs, const F0Job& job, std::vector<F0Worker>& workers,
                  std::vector<std::string>& errors, Tally& tally) {
   std::vector<MaterialReport> reports(inputs.size());
   std::vector<std::string> failures(inputs.size());
@@ -167,7 +167,7 @@ void hint_at_policy(const F0Arguments& arguments, const F0Options& options) {
     remark(output, short_policy(options) + "; -v tells the whole policy and what the flags mean");
 }
 
-void print_stats(const StageTimes& times, double find, double wall, std::size_t inputs, unsigned threads) {
+void print_stats(const F0StageTimes& times, double find, double wall, std::size_t inputs, unsigned threads) {
   const auto ms = [](double seconds) { return number(seconds * 1e3, 3) + " ms"; };
   const double megabytes = static_cast<double>(times.bytes) / 1e6;
   complain("stats: " + std::to_string(inputs) + " inputs, " + number(megabytes, 4) + " MB in " + ms(wall) +
@@ -181,7 +181,7 @@ void print_stats(const StageTimes& times, double find, double wall, std::size_t 
 // Each worker's buffers grow and shrink with the pages it meets. What is freed is kept for the next page:
 // given back to the system it would come again as fresh memory, and on two threads wait for the other's page
 // faults.
-void keep_freed_memory() {
+void keep_worker_memory() {
 #ifdef __GLIBC__
   constexpr int kept_bytes = 64 << 20;
   mallopt(M_TRIM_THRESHOLD, kept_bytes);
@@ -208,7 +208,7 @@ class F0Run {
     const auto begin = Clock::now();
     std::optional<ListedNames> list;
     if (!arguments_.files_from.empty()) list.emplace(arguments_.files_from);
-    InputArguments batch = arguments_.inputs;
+    InputNames batch = arguments_.inputs;
     {
       Progress progress(arguments_.output, 0, "f0");
       // The page of all materials is made of all inputs together.
@@ -247,10 +247,11 @@ class F0Run {
   unsigned threads() const { return static_cast<unsigned>(workers_.size()); }
 
   //   names_left   of the list behind this batch
-  void answer(const InputArguments& batch, std::size_t names_left, Progress& progress) {
+  void answer(const InputNames& batch, std::size_t names_left, Progress& progress) {
     const auto begin = Clock::now();
     std::vector<std::string> remarks;
-    const std::vector<Input> inputs = find_inputs(batch, arguments_.library, threads(), &remarks);
+    const std::vector<MaterialInput> inputs =
+        find_inputs(batch, arguments_.library.when_asked(), threads(), &remarks);
     for (const std::string& each : alias_remarks(inputs))
       if (told_.insert(each).second) remarks.push_back(each);
     find_seconds_ += seconds_since(begin);
@@ -296,7 +297,7 @@ class F0Run {
   const F0Job& job_;
   std::vector<F0Worker> workers_;
   Tally tally_;
-  StageTimes times_;
+  F0StageTimes times_;
   double find_seconds_ = 0;
   std::size_t inputs_ = 0;      // found so far
   std::set<std::string> told_;  // remarks on names, each once
@@ -320,7 +321,7 @@ int answer_f0(F0Arguments& arguments) {
   const bool with_source = output.format != "csv";
   const F0Job job{solver, table_options(arguments.tables), arguments.axis_average, with_source,
                   arguments.stats};
-  keep_freed_memory();
+  keep_worker_memory();
   return F0Run(arguments, job, thread_count(arguments.threads)).answer_all();
 }
 

@@ -11,7 +11,7 @@ namespace etak::cli {
 
 /// `etak f0` as typed.
 struct F0Arguments {
-  InputArguments inputs;
+  InputNames inputs;
   std::string files_from;
   ComputeArguments compute;
   TableArguments tables;

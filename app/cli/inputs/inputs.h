@@ -1,59 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/cli/arguments.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
-#include "core/base/files/input.h"
-#include "core/exchange/material_file.h"
-#include "core/material/material.h"
+#include "core/exchange/material_input.h"
 
 namespace etak::cli {
 
-/// One thing a run was asked about: found, but (except for library materials) not yet read.
-struct Input {
-  enum class Kind {
-    material,  // of the library, in `material`
-    file,
-    failed  // not found; `path` holds the message
-  };
-  Kind kind = Kind::failed;
-  MaterialFileKind file = MaterialFileKind::none;
-  std::string path;          // of accept_input(): "<stdin>" is standard input
-  std::size_t label_at = 0;  // the label is `path` from here on
-  bool from_folder = false;  // or from --all: refusals are then ordinary
-  std::shared_ptr<const Material> material;
-  std::string dataset;     // asked for by "id/dataset" or --dataset; empty: the preferred one
-  std::string alias_note;  // what must be said of the name that was asked for; may be empty
-
-  std::string label() const { return typed_input(path).substr(label_at); }
-};
-
-struct InputArguments {
-  std::vector<std::string> names;
-  std::string stdin_format = "auto";
-  std::string dataset;
-  bool all = false;
-  bool all_datasets = false;  // of each material, not the preferred one alone
-};
-
 /// Adds INPUT... and --stdin-format; --dataset and --all belong to `etak f0`.
-void add_input_options(Command verb, InputArguments& arguments);
-void add_all_datasets_option(Command verb, InputArguments& arguments);
+void add_input_options(Command verb, InputNames& names);
+void add_all_datasets_option(Command verb, InputNames& names);
 
-/// Finds what the arguments name, in their order, folders opened up into their files and "gold/*" into its
-/// datasets. What cannot be found becomes a failed input, so that the others are still answered.
-///   remarks   gets what was skipped
-std::vector<Input> find_inputs(const InputArguments& arguments, Library& library, unsigned threads,
-                               std::vector<std::string>* remarks = nullptr);
-
-/// What must be said of the names asked for, each once, as "steel: AISI 316 ...".
-std::vector<std::string> alias_remarks(const std::vector<Input>& inputs);
+/// find_inputs() without texts that are no tables; remarks say what was left out.
+std::vector<MaterialInput> find_tables(const InputNames& names, Library& library, unsigned threads,
+                                       const OutputArguments& output);
 
 /// The names in a list file, "-" for standard input: between NUL bytes when there is one, else between line
 /// ends. Handed out in their order, so that a run over a million of them holds the text of the list and the
@@ -74,19 +39,5 @@ class ListedNames {
   char separator_;
   std::size_t at_ = 0;
 };
-
-/// Whether the input is a .txt or .dat file that a folder search came by and that holds prose (a licence, a
-/// list of changes) instead of a table.
-///   head   the first content_head bytes, or more
-bool is_prose(const Input& input, std::string_view head);
-
-/// find_inputs() without those; remarks say what was left out.
-std::vector<Input> find_tables(const InputArguments& arguments, Library& library, unsigned threads,
-                               const OutputArguments& output);
-
-/// The input as a material: of the library, of a material file, or made from a page or table with one
-/// dataset.
-///   id    for pages and tables; empty: made from the file's name
-Material read_material(const Input& input, const TableOptions& tables, std::string_view id = {});
 
 }  // namespace etak::cli

@@ -34,13 +34,6 @@ Value chosen(const char* option, const std::string& text, Value standard, Parse 
   throw Error::at(option, printable(text), expected);
 }
 
-// The name itself stands in front of the message, wherever on the line it was.
-NameWords words_of_line(std::string_view found) {
-  NameWords out;
-  out.found = found;
-  return out;
-}
-
 }  // namespace
 
 const MaterialLibrary& Library::get() {
@@ -52,6 +45,16 @@ const MaterialLibrary& Library::get() {
   for (const std::string& folder : folders) library.add_folder(folder, &skipped);
   if (!skipped.empty()) complain(skipped_remark(skipped));
   return library_.emplace(std::move(library));
+}
+
+void add_class_option(Command verb, std::vector<std::string>& classes, const std::string& help) {
+  verb.option("--class", classes, help).value_name("CLASS").one_at_a_time();
+}
+
+void check_classes(const std::vector<std::string>& classes) {
+  for (const std::string& each : classes)
+    if (std::find(material_classes.begin(), material_classes.end(), each) == material_classes.end())
+      throw Error::at("--class", printable(each), joined(material_classes));
 }
 
 void add_library_options(Command verb, Library& library) {
@@ -125,7 +128,7 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library) {
   // Most runs name no medium, and need no library for it.
   if (!arguments.outside.empty())
     out.outside = outside_medium(library.get(), arguments.outside, "--outside",
-                                 words_of_line("no material has this name"));
+                                 NameWords{.place = {}, .found = "no material has this name", .instead = {}});
   return out;
 }
 
@@ -169,10 +172,6 @@ void add_thread_option(Command verb, unsigned& threads) {
 
 unsigned thread_count(unsigned asked) {
   return asked != 0 ? asked : std::clamp(std::thread::hardware_concurrency(), 1u, 256u);
-}
-
-void unknown_material(std::string_view name, const MaterialLibrary& library) {
-  fail_unknown_name(library, name, words_of_line("no material, file or folder has this name"));
 }
 
 }  // namespace etak::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
+#include "core/exchange/material_input.h"
 #include "core/exchange/table.h"
 #include "core/material/f0.h"
 #include "core/material/library.h"
@@ -20,11 +21,20 @@ class Library {
   std::vector<std::string> folders;  // of --library
 
   const MaterialLibrary& get();
+  LibraryWhenAsked when_asked() {
+    return [this]() -> const MaterialLibrary& { return get(); };
+  }
 
  private:
   std::optional<MaterialLibrary> library_;
 };
 void add_library_options(Command verb, Library& library);
+
+/// --class, which may be given more than once.
+void add_class_option(Command verb, std::vector<std::string>& classes, const std::string& help);
+
+/// Throws Error for a class that no material can have.
+void check_classes(const std::vector<std::string>& classes);
 
 /// How F0 is computed, as typed.
 struct ComputeArguments {
@@ -46,8 +56,5 @@ TableOptions table_options(const TableArguments& arguments);
 /// -j N; 0 means all cores.
 void add_thread_option(Command verb, unsigned& threads);
 unsigned thread_count(unsigned asked);
-
-/// Throws Error for a material name that is not in the library, with the nearest names.
-[[noreturn]] void unknown_material(std::string_view name, const MaterialLibrary& library);
 
 }  // namespace etak::cli

@@ -115,11 +115,11 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
     notes.subject = joined(arguments.subject, " ");
     return made_up(arguments.subject, blank);
   }
-  InputArguments names;
+  InputNames names;
   names.names = arguments.subject;
   names.dataset = arguments.dataset;
-  const std::vector<Input> inputs = find_inputs(names, arguments.library, 1);
-  if (inputs.size() == 1 && inputs[0].kind == Input::Kind::failed) throw Error(inputs[0].path);
+  const std::vector<MaterialInput> inputs = find_inputs(names, arguments.library.when_asked(), 1);
+  if (inputs.size() == 1 && inputs[0].kind == MaterialInput::Kind::failed) throw Error(inputs[0].path);
   if (inputs.size() != 1 || inputs[0].from_folder)
     throw Error::at(arguments.subject.front(), std::to_string(inputs.size()) + " inputs",
                     "one material, or one of its datasets");

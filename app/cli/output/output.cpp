@@ -88,8 +88,4 @@ void remark(const OutputArguments& arguments, std::string_view message) {
   if (!arguments.quiet) complain(message);
 }
 
-std::string swatch(int r, int g, int b) {
-  return "\x1b[48;2;" + std::to_string(r) + ";" + std::to_string(g) + ";" + std::to_string(b) + "m  \x1b[0m";
-}
-
 }  // namespace etak::cli

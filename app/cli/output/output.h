@@ -53,7 +53,4 @@ void complain(std::string_view message);
 /// The same for remarks that -q silences.
 void remark(const OutputArguments& arguments, std::string_view message);
 
-/// A swatch of two character cells in 24-bit colour.
-std::string swatch(int r, int g, int b);
-
 }  // namespace etak::cli

@@ -144,12 +144,12 @@ int choose_within_memory(ChooseArguments& arguments) {
     }
     remarks.push_back(std::to_string(reflectances) + " materials without n and k are left out");
   } else {
-    InputArguments names;
+    InputNames names;
     names.names = arguments.materials;
-    const std::vector<Input> inputs = find_inputs(names, arguments.library, 1);
+    const std::vector<MaterialInput> inputs = find_inputs(names, arguments.library.when_asked(), 1);
     for (const std::string& each : alias_remarks(inputs)) remarks.push_back(each);
     total = inputs.size();
-    for (const Input& input : inputs) {
+    for (const MaterialInput& input : inputs) {
       const Material material = read_material(input, TableOptions{});
       add(subject_of(material, dataset_named(material, input.dataset, input.label())));
     }

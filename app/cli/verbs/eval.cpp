@@ -9,14 +9,11 @@
 #include "core/base/json_text.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
-#include "core/light/functions.h"
 #include "core/light/functions_csv.h"
+#include "core/pages/lists/lists.h"
 
 namespace etak::cli {
 namespace {
-
-constexpr int digits = 17;
 
 struct EvalArguments {
   std::string function;
@@ -37,57 +34,12 @@ int run_csv(const EvalArguments& arguments) {
   return exit_ok;
 }
 
-// ---- --list
-
-std::string range(const FunctionInput& input) {
-  if (!input.words.empty()) return joined(input.words, "|");
-  const bool no_min = input.min <= -1e300, no_max = input.max >= 1e300;
-  return (no_min || input.above_min ? "(" : "[") + (no_min ? "-inf" : number(input.min, 6)) + ", " +
-         (no_max ? "inf" : number(input.max, 6)) + (no_max ? ")" : "]");
-}
-
-std::string list_text() {
-  std::string out;
-  for (const Function& function : functions()) {
-    out += std::string(function.id) + ": " + std::string(function.returns) + "\n    from " +
-           std::string(function.source) + '\n';
-    for (const FunctionInput& input : function.inputs)
-      out += "    " + padded(input.name, 10) + ' ' + padded(range(input), 20) + ' ' + padded(input.unit, 5) +
-             ' ' + std::string(input.meaning) + '\n';
-  }
-  return out;
-}
-
-std::string list_json() {
-  std::string out = "{\n  \"schema\": \"etak-functions/1\",\n  \"functions\": [";
-  const char* before = "\n    ";
-  for (const Function& function : functions()) {
-    out += before + ("{\"id\": " + json(function.id)) + ", \"returns\": " + json(function.returns) +
-           ", \"source\": " + json(function.source) + ", \"inputs\": [";
-    for (const FunctionInput& input : function.inputs) {
-      if (&input != function.inputs.data()) out += ", ";
-      out += "{\"name\": " + json(input.name) + ", \"meaning\": " + json(input.meaning) +
-             ", \"unit\": " + json(input.unit);
-      if (input.words.empty()) {
-        out += ", \"min\": " + number(input.min, digits) + ", \"max\": " + number(input.max, digits) +
-               ", \"above_min\": " + (input.above_min ? "true" : "false");
-      } else {
-        out += ", \"words\": " + json_array_of(input.words);
-      }
-      out += '}';
-    }
-    out += "]}";
-    before = ",\n    ";
-  }
-  return out + "\n  ]\n}\n";
-}
-
 int run(const EvalArguments& arguments) {
   const bool named = !arguments.function.empty();
   if (named + !arguments.csv.empty() + arguments.list != 1)
     throw Error::at("eval", "not one question", "FUNCTION name=value..., --csv FILE or --list");
   if (arguments.list) {
-    write_output(arguments.output, arguments.output.format == "json" ? list_json() : list_text());
+    write_output(arguments.output, arguments.output.format == "json" ? functions_json() : functions_text());
     return exit_ok;
   }
   const bool as_json = arguments.output.format == "json";
@@ -98,10 +50,13 @@ int run(const EvalArguments& arguments) {
   const Function& function = function_named(arguments.function, {});
   std::vector<NamedText> inputs;
   for (const std::string& each : arguments.inputs) inputs.push_back(split_input(each, function.id));
-  const std::string value = number(evaluate(function, inputs, {}), digits);
-  write_output(arguments.output, as_json ? "{\"schema\": \"etak-eval/1\", \"function\": " +
-                                               json(function.id) + ", \"value\": " + value + "}\n"
-                                         : value + '\n');
+  const std::string value = number(evaluate(function, inputs, {}), 17);
+  write_output(
+      arguments.output,
+      (as_json ? json_object(
+                     {{"schema", json("etak-eval/1")}, {"function", json(function.id)}, {"value", value}}, -1)
+               : value) +
+          '\n');
   return exit_ok;
 }
 

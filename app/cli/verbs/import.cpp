@@ -8,7 +8,6 @@
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
-#include "core/base/free_names.h"
 #include "core/base/memory.h"
 #include "core/base/parallel.h"
 #include "core/material/json.h"
@@ -17,7 +16,7 @@ namespace etak::cli {
 namespace {
 
 struct ImportArguments {
-  InputArguments inputs;
+  InputNames inputs;
   std::string id, name, material_class;
   TableArguments tables;
   OutputArguments output;
@@ -25,24 +24,15 @@ struct ImportArguments {
   Library library;  // find_inputs needs one; no name of it can be imported
 };
 
-// "a" is taken: "a-2", "a-3", ...
-void append_datasets(Material& material, Material more, FreeNames& ids) {
-  for (Dataset& dataset : more.datasets) {
-    const std::string id = dataset.id;
-    dataset.id = ids.free(id, [&](int i) { return id + "-" + std::to_string(i); });
-    material.datasets.push_back(std::move(dataset));
-  }
-}
-
 struct Reading {
   Material material;
   std::exception_ptr failure;
 };
 
-Reading reading(const Input& input, const TableOptions& tables, const std::string& id) {
+Reading reading(const MaterialInput& input, const TableOptions& tables, const std::string& id) {
   Reading out;
   try {
-    if (input.kind == Input::Kind::material)
+    if (input.kind == MaterialInput::Kind::material)
       throw Error::at(input.path, "is a material of the library", "a page, table or material file");
     out.material = read_material(input, tables, id);
   } catch (const Error&) {
@@ -54,27 +44,21 @@ Reading reading(const Input& input, const TableOptions& tables, const std::strin
 int import_inputs(ImportArguments& arguments) {
   const TableOptions tables = table_options(arguments.tables);
   if (arguments.inputs.names.empty()) throw Error::at("etak import", "no input", "a page or table");
-  Material material;
-  FreeNames ids;  // of its datasets
   const unsigned threads = thread_count(arguments.threads);
-  const std::vector<Input> inputs =
+  const std::vector<MaterialInput> inputs =
       find_tables(arguments.inputs, arguments.library, threads, arguments.output);
   // Read side by side and taken in their order, so that of several faults the first is told.
   std::vector<Reading> readings(inputs.size());
   parallel_chunks(inputs.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) readings[i] = reading(inputs[i], tables, arguments.id);
   });
+  std::vector<Material> materials;
   for (Reading& read : readings) {
     if (read.failure) std::rethrow_exception(read.failure);
-    Material next = std::move(read.material);
-    if (material.datasets.empty()) {
-      material = std::move(next);
-      if (!arguments.id.empty()) material.id = arguments.id;
-      for (const Dataset& each : material.datasets) ids.take(each.id);
-    } else {
-      append_datasets(material, std::move(next), ids);
-    }
+    materials.push_back(std::move(read.material));
   }
+  Material material = merged(std::move(materials));
+  if (!arguments.id.empty()) material.id = arguments.id;
   if (!arguments.name.empty()) material.name = arguments.name;
   if (!arguments.material_class.empty()) material.material_class = arguments.material_class;
   if (material.datasets.size() > 1) material.preferred_reason = "the first of the imported datasets";

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 
 #include "app/cli/options/scene.h"
 #include "app/cli/output/output.h"
-#include "app/cli/shader/atlas.h"
+#include "app/cli/shader/subject.h"
 #include "app/cli/verbs.h"
-#include "core/atlas/variant.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/json_text.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/pages/lists/lists.h"
 #include "core/render/glsl/glsl_text.h"
 
 namespace etak::cli {
@@ -25,19 +22,6 @@ struct ShaderArguments {
   bool es = false, vertex = false;
   OutputArguments output;
 };
-
-// `count` directional lights spread over the half space before the object.
-std::vector<Light> spread_lights(int count) {
-  std::vector<Light> out;
-  for (int i = 0; i < count; ++i) {
-    const double z = 0.25 + 0.7 * (i + 0.5) / count, s = std::sqrt(1 - z * z);
-    const double turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
-    Light light;
-    light.direction = {-s * std::cos(turn), -s * std::sin(turn), -z};
-    out.push_back(light);
-  }
-  return out;
-}
 
 // --lights N; none when it names a file.
 std::optional<int> light_count(const std::string& text) {
@@ -52,21 +36,10 @@ std::optional<int> light_count(const std::string& text) {
 MaterialVariant take_choice(ShaderArguments& arguments) {
   if (!arguments.scene.subject.empty() || !arguments.scene.model.empty())
     throw Error::at("--choice", "given beside a material or --model", "--material NAME of the choice");
-  const ShadingVariants choices = parse_choices(read_file(arguments.choice), arguments.choice);
-  const MaterialVariant* variant = choices.find(arguments.material);
-  if (arguments.material.empty() && choices.materials.size() == 1) variant = &choices.materials.front();
-  if (variant == nullptr)
-    throw Error::at("--material", arguments.material.empty() ? "no name" : printable(arguments.material),
-                    joined(choices.materials, ", ", &MaterialVariant::material));
-  const auto colour = [](const char* name, const std::array<double, 3>& c) {
-    return std::string(name) + '=' + number(c[0], 17) + ',' + number(c[1], 17) + ',' + number(c[2], 17);
-  };
-  arguments.scene.subject = {colour("f0", variant->f0), colour("diffuse", variant->diffuse),
-                             variant->gloss.given_roughness()
-                                 ? "roughness=" + number(*variant->gloss.given_roughness(), 17)
-                                 : "gloss=" + number(double{variant->gloss}, 17)};
-  arguments.scene.model = variant->model;
-  return *variant;
+  MaterialVariant variant = variant_of_choice(arguments.choice, arguments.material);
+  arguments.scene.subject = subject_of(variant);
+  arguments.scene.model = variant.model;
+  return variant;
 }
 
 Scene shader_scene(ShaderArguments& arguments) {
@@ -93,57 +66,19 @@ Scene shader_scene(ShaderArguments& arguments) {
   return scene;
 }
 
-// The shader with what is in it and what is not as comments; the first line must stay the version.
-std::string text_form(const GlslText& text, bool vertex) {
-  if (vertex) return text.vertex;
-  const std::size_t first_line = text.fragment.find('\n') + 1;
-  std::string out = text.fragment.substr(0, first_line);
-  for (const bool in : {true, false})
-    for (const GlslFeature& each : text.features)
-      if (each.in == in)
-        out += std::string(in ? "// in:       " : "// left out: ") + each.name + ": " + each.reason + '\n';
-  return out + text.fragment.substr(first_line);
-}
-
-std::string json_features(const GlslText& text, bool in) {
-  std::string out;
-  for (const GlslFeature& each : text.features)
-    if (each.in == in)
-      out += std::string(out.empty() ? "" : ",") + "\n    {\"name\": " + json(each.name) +
-             (in ? ", \"what\": " : ", \"reason\": ") + json(each.reason) + "}";
-  return "[" + out + (out.empty() ? "]" : "\n  ]");
-}
-
-std::string json_form(const GlslText& text, GlslVersion version) {
-  std::string out = "{\n  \"schema\": \"etak-shader/1\",\n  \"version\": " + json(name(version)) +
-                    ",\n  \"in\": " + json_features(text, true) +
-                    ",\n  \"left_out\": " + json_features(text, false) + ",\n  \"uniforms\": [";
-  for (std::size_t i = 0; i < text.uniforms.size(); ++i) {
-    const GlslUniform& each = text.uniforms[i];
-    out += std::string(i == 0 ? "" : ",") + "\n    {\"name\": " + json(each.name) +
-           ", \"type\": " + json(each.width == 1 ? "float" : "vec" + std::to_string(each.width)) +
-           (each.array ? ", \"count\": " + std::to_string(each.count) : "") + ", \"values\": [";
-    for (std::size_t j = 0; j < each.values.size(); ++j)
-      out += (j == 0 ? "" : ", ") + number(double{each.values[j]}, 9);
-    out += "]}";
-  }
-  return out + (text.uniforms.empty() ? "]" : "\n  ]") + ",\n  \"vertex\": " + json(text.vertex) +
-         ",\n  \"fragment\": " + json(text.fragment) + "\n}\n";
-}
-
 // What is fetched from an atlas, when one is named; its constants then stand in for the material.
 std::optional<TextureUse> textures_of(ShaderArguments& arguments) {
   if (arguments.layout.empty()) {
     if (!arguments.material.empty() && arguments.choice.empty())
       throw Error::at("--material", "given alone", "--layout or --choice with it");
     if (arguments.defines.empty()) return std::nullopt;
-    return defined_use(arguments.defines);
+    return texture_use(read_file(arguments.defines));
   }
   if (!arguments.scene.subject.empty() || !arguments.defines.empty() || !arguments.choice.empty())
     throw Error::at("--layout", "given beside a material, --choice or --defines", "one of them");
-  AtlasShader atlas = atlas_shader(arguments.layout, arguments.material);
-  arguments.scene.subject = std::move(atlas.subject);
-  return atlas.use;
+  const LayoutShader shader = shader_of_layout(arguments.layout, arguments.material);
+  arguments.scene.subject = subject_of(shader);
+  return shader.use;
 }
 
 int run(ShaderArguments& arguments) {
@@ -151,8 +86,9 @@ int run(ShaderArguments& arguments) {
   const std::optional<TextureUse> textures = textures_of(arguments);
   const Scene scene = shader_scene(arguments);
   const GlslText text = textures ? glsl_text(scene, *textures, version) : glsl_text(scene, version);
-  write_output(arguments.output, arguments.output.format == "json" ? json_form(text, version)
-                                                                   : text_form(text, arguments.vertex));
+  write_output(arguments.output, arguments.output.format == "json" ? shader_json(text, version)
+                                 : arguments.vertex                ? text.vertex
+                                                                   : annotated_fragment(text));
   return exit_ok;
 }
 

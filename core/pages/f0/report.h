@@ -68,6 +68,14 @@ std::string f0_json(std::span<const F0Row> rows, const F0Options& options);
 /// One result per line, each with its own policy (JSON Lines).
 std::string f0_jsonl(std::span<const F0Row> rows, const F0Options& options);
 
+/// One material for people: names, spread, and each dataset with its F0, sample, data and source.
+///   datasets   ids of those to list; empty: all
+///   color      with a swatch behind each F0, for terminals
+std::string record_text(const MaterialReport& report, std::span<const std::string> datasets, bool color);
+
+/// The same as {"schema": "etak-show/1", "material": a material file, "spread": {...}, "f0": f0_json()}.
+std::string record_json(const MaterialReport& report, const F0Options& options);
+
 /// A self-contained HTML page of the whole library: table with swatches, and per material the record, its
 /// datasets with their spread, and inline SVG plots of n, k and R. No script, font or picture from outside.
 std::string f0_page(std::span<const MaterialReport> materials, const F0Options& options);

@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/color/srgb.h"
 #include "core/pages/f0/report.h"
+#include "core/pages/swatch.h"
 
 namespace etak {
 namespace {
@@ -153,16 +154,6 @@ void append_line(std::string& out, const Cells& cells, std::span<const Column> c
   out += '\n';
 }
 
-void append_swatch(std::string& out, const F0Result& result) {
-  if (result.refused()) {
-    out += "      ";
-    return;
-  }
-  const auto& c = result.srgb8;
-  append(out, "\x1b[48;2;", std::to_string(c.r), ';', std::to_string(c.g));
-  append(out, ';', std::to_string(c.b), "m    \x1b[0m  ");
-}
-
 template <class Color, class Value>
 void widen(Color& least, Color& most, const Color& value, Value Color::*channel) {
   least.*channel = std::min(least.*channel, value.*channel);
@@ -256,7 +247,8 @@ std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool
   std::string out;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (color && i == 0) out += "      ";
-    if (color && i > 0) append_swatch(out, rows[i - 1].result);
+    if (color && i > 0)
+      out += rows[i - 1].result.refused() ? "      " : swatch(rows[i - 1].result.srgb8, 4) + "  ";
     append_line(out, lines[i], columns, width, line_width, color ? swatch_width : 0);
   }
   return out;

@@ -61,17 +61,16 @@ GlslText glsl_text(const Scene& scene, GlslVersion version = GlslVersion::core_3
 
 /// What the shader of a material fetches from the two textures of an atlas; what it does not fetch comes from
 /// the scene, as uniforms. Without members changed: everything, which suits any material that is opaque.
-///   gloss form   what the fetched gloss is: Schueler's g, roughness, or 1 - roughness
+///   gloss_form   what the fetched gloss is
 struct TextureUse {
   enum class Alpha { none, test, blend };
-  enum class Gloss { schueler, one_minus_roughness, roughness };
   bool diffuse = true, specular = true, gloss = true;
   bool fetch_alpha = false;  // else the scene's opacity
   Alpha alpha = Alpha::none;
   double cutoff = 0.5;      // of Alpha::test: less is not drawn
   bool scalar_f0 = false;   // F0 is grey: one channel or one number
   bool no_diffuse = false;  // black everywhere
-  Gloss gloss_form = Gloss::schueler;
+  GlossForm gloss_form = GlossForm::schueler;
   // Where the material lies on its page: left, top, width, height as shares of it; and whether by a quarter
   // turn: column c of the picture is row c there, rows run from right to left.
   std::array<double, 4> region{0, 0, 1, 1};
@@ -80,6 +79,9 @@ struct TextureUse {
 
 /// By the defines that `etak pack` lists (core/atlas/defines.h). Throws Error for one that is not known.
 TextureUse texture_use(std::span<const std::string> defines);
+
+/// The same by a text of one define a line, "#define " before it or not.
+TextureUse texture_use(std::string_view text);
 
 /// The shaders of a scene whose material is in the textures `diffuse_alpha` and `specular_gloss`, samplers of
 /// sRGB formats that are the caller's to bind. Throws Error for a model that asks for more than F0 and gloss

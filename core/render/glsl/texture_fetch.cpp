@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/glsl/texture_fetch.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 
 namespace etak {
@@ -33,6 +35,19 @@ TextureUse texture_use(std::span<const std::string> defines) {
   return out;
 }
 
+TextureUse texture_use(std::string_view text) {
+  std::vector<std::string> defines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (line.starts_with("#define ")) line.remove_prefix(8);
+    while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.remove_suffix(1);
+    if (!line.empty()) defines.emplace_back(line);
+  }
+  return texture_use(defines);
+}
+
 TextureFetch texture_fetch(const TextureUse& use, double opacity) {
   TextureFetch out;
   const auto line = [&](const std::string& code) { out.code += code + '\n'; };
@@ -51,7 +66,7 @@ TextureFetch texture_fetch(const TextureUse& use, double opacity) {
     uniform("texel_opacity", {static_cast<float>(opacity)});
   if (use.specular) line("vec3 texel_f0;");
   if (use.gloss) line("float texel_gloss;");
-  const bool roughness = use.gloss && use.gloss_form != TextureUse::Gloss::schueler;
+  const bool roughness = use.gloss && use.gloss_form != GlossForm::schueler;
   // e = 2 / r^4 - 2 is the exponent of the lobe whose width is r^2; Schueler's g holds 1 to 4096 of it.
   if (roughness)
     line(
@@ -79,9 +94,9 @@ TextureFetch texture_fetch(const TextureUse& use, double opacity) {
   if (use.specular) line(use.scalar_f0 ? "  texel_f0 = vec3(b.r);" : "  texel_f0 = b.rgb;");
   if (use.gloss)
     line(std::string("  texel_gloss = ") +
-         (!roughness                                       ? "b.a"
-          : use.gloss_form == TextureUse::Gloss::roughness ? "gloss_of_roughness(b.a)"
-                                                           : "gloss_of_roughness(1.0 - b.a)") +
+         (!roughness                               ? "b.a"
+          : use.gloss_form == GlossForm::roughness ? "gloss_of_roughness(b.a)"
+                                                   : "gloss_of_roughness(1.0 - b.a)") +
          ";");
   if (test && use.fetch_alpha) {
     uniform("alpha_cutoff", {static_cast<float>(use.cutoff)});

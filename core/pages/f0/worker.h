@@ -5,20 +5,20 @@
 #include <cstddef>
 #include <string>
 
-#include "app/cli/inputs/inputs.h"
+#include "core/exchange/material_input.h"
 #include "core/exchange/rii/rii_page.h"
 #include "core/material/f0.h"
 #include "core/pages/f0/report.h"
 
-namespace etak::cli {
+namespace etak {
 
 /// Seconds per stage of an F0 run, and the bytes read; added up over threads.
-struct StageTimes {
+struct F0StageTimes {
   double read = 0, parse = 0, print = 0;
   F0Timing f0;
   std::size_t bytes = 0;
 
-  StageTimes& operator+=(const StageTimes& other);
+  F0StageTimes& operator+=(const F0StageTimes& other);
 };
 
 /// What all workers of a run share.
@@ -31,7 +31,7 @@ struct F0Job {
 };
 
 /// What came of one input.
-struct Outcome {
+struct F0Outcome {
   enum class Kind {
     answered,   // `row` holds a result, possibly a refused one
     nonlinear,  // a database file of n2 data: no page
@@ -47,19 +47,19 @@ struct Outcome {
 class alignas(64) F0Worker {
  public:
   /// Throws Error for input that cannot be read or understood.
-  Outcome answer(const Input& input, const F0Job& job);
+  F0Outcome answer(const MaterialInput& input, const F0Job& job);
 
   /// Adds the time since the last lap to `stage`; nothing when the job is not timed.
   void lap(double& stage, const F0Job& job);
   void start_lap(const F0Job& job);
 
-  StageTimes times;
+  F0StageTimes times;
 
  private:
-  Outcome answer_in_memory(const Input& input, const F0Job& job);
-  Outcome answer_page(const Input& input, const F0Job& job);
-  F0Result average_pages(const Input& input, const F0Job& job, F0Row& row);
-  void answer_dataset(const Material& material, const Input& input, const F0Job& job, F0Row& row);
+  F0Outcome answer_in_memory(const MaterialInput& input, const F0Job& job);
+  F0Outcome answer_page(const MaterialInput& input, const F0Job& job);
+  F0Result average_pages(const MaterialInput& input, const F0Job& job, F0Row& row);
+  void answer_dataset(const Material& material, const MaterialInput& input, const F0Job& job, F0Row& row);
   F0Result solve(OpticalConstants& constants, Flags flags, const F0Job& job);
 
   std::string text_;
@@ -67,4 +67,4 @@ class alignas(64) F0Worker {
   std::chrono::steady_clock::time_point lap_begin_;
 };
 
-}  // namespace etak::cli
+}  // namespace etak

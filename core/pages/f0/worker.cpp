@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/f0/worker.h"
+#include "core/pages/f0/worker.h"
 
 #include <unistd.h>
 
@@ -14,7 +14,7 @@
 #include "core/material/names.h"
 #include "core/material/quality.h"
 
-namespace etak::cli {
+namespace etak {
 namespace {
 
 F0Result refused(std::string reason, Flags flags = {}) {
@@ -34,7 +34,7 @@ std::string page_source(std::string_view text, const std::string& path) {
 
 }  // namespace
 
-StageTimes& StageTimes::operator+=(const StageTimes& other) {
+F0StageTimes& F0StageTimes::operator+=(const F0StageTimes& other) {
   read += other.read;
   parse += other.parse;
   print += other.print;
@@ -56,18 +56,18 @@ void F0Worker::lap(double& stage, const F0Job& job) {
   lap_begin_ = now;
 }
 
-Outcome F0Worker::answer(const Input& input, const F0Job& job) {
+F0Outcome F0Worker::answer(const MaterialInput& input, const F0Job& job) {
   return with_memory_for(
       input.path, [&] { return mebibytes(text_.size()) + " of text"; },
       [&] { return answer_in_memory(input, job); });
 }
 
-Outcome F0Worker::answer_in_memory(const Input& input, const F0Job& job) {
-  if (input.kind == Input::Kind::failed) throw Error(input.path);
+F0Outcome F0Worker::answer_in_memory(const MaterialInput& input, const F0Job& job) {
+  if (input.kind == MaterialInput::Kind::failed) throw Error(input.path);
   if (input.file == MaterialFileKind::page) return answer_page(input, job);
-  Outcome out;
+  F0Outcome out;
   out.row.path = input.label();
-  if (input.kind == Input::Kind::material) {
+  if (input.kind == MaterialInput::Kind::material) {
     answer_dataset(*input.material, input, job, out.row);
     return out;
   }
@@ -76,7 +76,7 @@ Outcome F0Worker::answer_in_memory(const Input& input, const F0Job& job) {
   times.bytes += text_.size();
   lap(times.read, job);
   if (is_prose(input, text_)) {
-    out.kind = Outcome::Kind::prose;
+    out.kind = F0Outcome::Kind::prose;
     return out;
   }
   if (input.file == MaterialFileKind::table) {
@@ -91,7 +91,7 @@ Outcome F0Worker::answer_in_memory(const Input& input, const F0Job& job) {
   return out;
 }
 
-Outcome F0Worker::answer_page(const Input& input, const F0Job& job) {
+F0Outcome F0Worker::answer_page(const MaterialInput& input, const F0Job& job) {
   const std::string& name = input.path;
   start_lap(job);
   read_file(input.path, text_);
@@ -99,13 +99,13 @@ Outcome F0Worker::answer_page(const Input& input, const F0Job& job) {
   lap(times.read, job);
   parse_rii_page(text_, name, page_);
   lap(times.parse, job);
-  Outcome out;
+  F0Outcome out;
   if (page_.kind != PageKind::constants) {
     if (!input.from_folder)
       throw Error::at(name,
                       page_.kind == PageKind::nonlinear ? "holds n2 data" : "holds no optical constants",
                       "a page of n and k");
-    out.kind = page_.kind == PageKind::nonlinear ? Outcome::Kind::nonlinear : Outcome::Kind::other;
+    out.kind = page_.kind == PageKind::nonlinear ? F0Outcome::Kind::nonlinear : F0Outcome::Kind::other;
     return out;
   }
   out.row.path = input.label();
@@ -129,7 +129,7 @@ F0Result F0Worker::solve(OpticalConstants& constants, Flags flags, const F0Job& 
   return result;
 }
 
-F0Result F0Worker::average_pages(const Input& input, const F0Job& job, F0Row& row) {
+F0Result F0Worker::average_pages(const MaterialInput& input, const F0Job& job, F0Row& row) {
   const std::vector<AxisPage> axes = axis_pages(input.path);
   if (axes.empty()) return solve(page_.optics, page_.flags, job);
   std::vector<Optics> optics(axes.size());
@@ -153,7 +153,8 @@ F0Result F0Worker::average_pages(const Input& input, const F0Job& job, F0Row& ro
   return job.solver.solve(parts, flags);
 }
 
-void F0Worker::answer_dataset(const Material& material, const Input& input, const F0Job& job, F0Row& row) {
+void F0Worker::answer_dataset(const Material& material, const MaterialInput& input, const F0Job& job,
+                              F0Row& row) {
   const Dataset& dataset = dataset_named(material, input.dataset, input.path);
   row.alias_note = input.alias_note;
   row.name = material.name;
@@ -187,4 +188,4 @@ void F0Worker::answer_dataset(const Material& material, const Input& input, cons
   row.result = job.solver.solve(parts, flags);
 }
 
-}  // namespace etak::cli
+}  // namespace etak

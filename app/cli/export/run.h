@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/inputs/inputs.h"
+#include "app/cli/options/options.h"
+#include "app/cli/options/roughness.h"
+#include "app/cli/output/output.h"
+
+namespace etak::cli {
+
+/// `etak export` as typed.
+struct ExportArguments {
+  InputNames inputs;
+  ComputeArguments compute;
+  TableArguments tables;
+  OutputArguments output;
+  Library library;
+  std::string to, fit = "clamp", gltf_form = "metal-rough";
+  std::vector<std::string> targets;
+  std::vector<double> diffuse;
+  RoughnessArguments rough;
+  double opacity = 1;
+  unsigned threads = 0;
+};
+
+/// The work of the verb.
+int export_materials(ExportArguments& arguments);
+
+}  // namespace etak::cli

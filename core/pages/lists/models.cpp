@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/brdf/models.h"
+#include "core/base/csv.h"
+#include "core/base/json_text.h"
+#include "core/base/number.h"
+#include "core/base/text_table.h"
+#include "core/light/rows.h"
+#include "core/pages/lists/lists.h"
+
+namespace etak {
+namespace {
+
+constexpr std::string_view composed_id = "microfacet:D,F,V";
+constexpr int exact_digits = 17;
+
+std::string parameter_text(const Parameter& parameter) {
+  std::string out(parameter.name);
+  append(out, parameter.color ? " (rgb)" : "", " [", number(parameter.min, 6), ", ", number(parameter.max, 6),
+         "]");
+  if (!parameter.unit.empty()) append(out, ' ', parameter.unit);
+  return out;
+}
+
+bool is_default(const Model& model) {
+  return model.id == default_diffuse || model.id == default_specular;
+}
+
+// A row of the table and of the CSV: models, terms and light rows alike.
+struct ModelRow {
+  std::string_view id, kind, reciprocal, conserves, note, title, source;
+  std::string parameters;
+  bool is_default = false;
+};
+
+std::vector<ModelRow> model_rows() {
+  std::vector<ModelRow> rows;
+  const auto yes_no = [](bool yes) { return yes ? "yes" : "no"; };
+  for (const Model& m : models())
+    rows.push_back({m.id, name(m.kind), yes_no(m.claims.reciprocal), yes_no(m.claims.conserves_energy),
+                    m.claims.note, m.title, m.source, joined(m.parameters, ", ", parameter_text),
+                    is_default(m)});
+  for (const Term& t : terms())
+    rows.push_back(
+        {t.id, name(t.kind), "", "", t.note, t.title, t.source, joined(t.parameters, ", ", parameter_text)});
+  for (const LightRow& l : light_rows())
+    rows.push_back(
+        {l.id, name(l.kind), "", "", l.note, l.title, l.source, std::string(l.parameters), l.is_default});
+  return rows;
+}
+
+std::string parameter_object(const Parameter& p) {
+  return json_object({{"name", json(p.name)},
+                      {"meaning", json(p.meaning)},
+                      {"unit", json(p.unit)},
+                      {"color", json(p.color)},
+                      {"min", number(p.min, exact_digits)},
+                      {"max", number(p.max, exact_digits)},
+                      {"default", number(p.initial, exact_digits)}},
+                     -1);
+}
+
+std::string parameter_array(std::span<const Parameter> parameters) {
+  return '[' + joined(parameters, ", ", parameter_object) + ']';
+}
+
+template <class Row>
+std::vector<JsonMember> first_members(const Row& row) {
+  return {{"id", json(row.id)},
+          {"kind", json(name(row.kind))},
+          {"title", json(row.title)},
+          {"source", json(row.source)}};
+}
+
+std::string with_members(std::vector<JsonMember> members, std::initializer_list<JsonMember> more) {
+  members.insert(members.end(), more.begin(), more.end());
+  return json_object(members, -1);
+}
+
+std::string model_object(const Model& m) {
+  std::vector<JsonMember> members = first_members(m);
+  members.push_back({"default", json(is_default(m))});
+  members.push_back({"reciprocal", json(m.claims.reciprocal)});
+  members.push_back({"conserves_energy", json(m.claims.conserves_energy)});
+  members.push_back({"claim", json(m.claims.note)});
+  members.push_back({"scale", json("1/sr")});
+  if (m.distribution)
+    members.push_back(
+        {"terms", json_array_of(std::array{m.distribution->id, m.fresnel->id, m.visibility->id})});
+  return with_members(std::move(members), {{"parameters", parameter_array(m.parameters)},
+                                           {"files", json_array_of(m.files)},
+                                           {"entry", json(m.entry)}});
+}
+
+std::string term_object(const Term& t) {
+  return with_members(first_members(t), {{"claim", json(t.note)},
+                                         {"parameters", parameter_array(t.parameters)},
+                                         {"files", json_array_of(t.files)},
+                                         {"entry", json(t.entry)}});
+}
+
+std::string light_object(const LightRow& l) {
+  return with_members(first_members(l), {{"default", json(l.is_default)},
+                                         {"claim", json(l.note)},
+                                         {"parameters", json(l.parameters)},
+                                         {"file", json(l.file)},
+                                         {"entry", json(l.entry)}});
+}
+
+}  // namespace
+
+std::string models_table(bool legend) {
+  std::vector<TextRow> rows{{{"id", "kind        ", "reciprocal", "conserves", "title", "claim"}}};
+  for (const ModelRow& row : model_rows())
+    rows.push_back({{std::string(row.id) + (row.is_default ? "*" : ""), std::string(row.kind),
+                     std::string(row.reciprocal), std::string(row.conserves), std::string(row.title),
+                     std::string(row.note)}});
+  std::string out = text_table(rows);
+  if (legend)
+    append(out, "\n* default of its kind. D, F, V: terms; any three make a model by the name ", composed_id,
+           ",\nsuch as microfacet:ggx,f82-tint,smith-height. All models give f_r in 1/sr.\n");
+  return out;
+}
+
+std::string models_csv() {
+  std::string out = "id,kind,reciprocal,conserves_energy,title,source,parameters,claim\n";
+  for (const ModelRow& row : model_rows())
+    append_csv_row(out, {row.id, row.kind, row.reciprocal, row.conserves, row.title, row.source,
+                         row.parameters, row.note});
+  return out;
+}
+
+std::string models_json() {
+  return json_document("etak-models/1", {{"models", json_lines_of(models(), 2, model_object)},
+                                         {"terms", json_lines_of(terms(), 2, term_object)},
+                                         {"light", json_lines_of(light_rows(), 2, light_object)}});
+}
+
+}  // namespace etak
