@@ -13,6 +13,7 @@
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/json_text.h"
+#include "core/base/setting.h"
 #include "core/base/signals.h"
 
 namespace etak::cli {
@@ -97,6 +98,7 @@ namespace {
 
 int main(int argc, char** argv) {
   etak::end_by_signals();
+  etak::settings_are_options();
   // The libraries behind libetak-pictures.so start threads when they are loaded, and end the program where they cannot.
   std::set_terminate(tell_want_and_end);
   try {

@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/color/colorspace.h"
 #include "core/color/ocio_config.h"
@@ -76,7 +77,7 @@ OpenConfig open_config(const std::string& asked) {
     std::error_code failure;
     const bool pipe = is_pipe_input(path);
     if (!pipe && !fs::exists(path, failure))
-      throw Error::at(path, "no such file", "an OpenColorIO config (--ocio or $OCIO)");
+      throw Error::at(path, "no such file", "an OpenColorIO config (" + setting("ocio") + " or $OCIO)");
     std::istringstream text{read_file(path, max_config_bytes)};
     const auto config = ocio::Config::CreateFromStream(text)->createEditableCopy();
     // The tables that the config names lie beside it; for a pipe in the working folder.

@@ -9,6 +9,7 @@
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 #include "core/exchange/table_columns.h"
 #include "core/material/limits.h"
 #include "core/material/medium.h"
@@ -131,8 +132,8 @@ class TableReader {
   void start_without_header() {
     if (options_.columns.empty())
       fail(line_, "numbers without a header",
-           "a header line without '#', or the columns' names given by --columns");
-    start_block(options_.columns, "--columns", known_columns);
+           "a header line without '#', or the columns' names given by " + setting("columns"));
+    start_block(options_.columns, setting("columns"), known_columns);
   }
 
   std::string file_line() const { return std::string(file_) + ":" + std::to_string(line_); }
@@ -164,7 +165,7 @@ class TableReader {
     if (options_.unit) unit = options_.unit;
     if (!unit)
       throw Error::at(place, "no unit of wavelength",
-                      "a header such as \"wavelength (nm)\", or --unit nm|um|A|eV");
+                      "a header such as \"wavelength (nm)\", or " + setting("unit") + " nm|um|A|eV");
     block.unit = *unit;
     if (block.has == std::array<bool, 3>{}) throw Error::at(place, "no column of n, k or R", expected);
     blocks_.push_back(std::move(block));
@@ -259,8 +260,8 @@ class TableReader {
                                        [&](const TableRow& other) { return other.value == row.value; });
     if (!identical && options_.duplicates == Duplicates::refuse)
       fail(same[1].line, "wavelength " + number(row.axis, 9) + " " + std::string(name(block.unit)) + " again",
-           "one row for it (the other is in line " + std::to_string(row.line) +
-               "), or --duplicates first|mean");
+           "one row for it (the other is in line " + std::to_string(row.line) + "), or " +
+               setting("duplicates") + " first|mean");
     flags_.set(identical ? Flag::duplicate_dropped : Flag::duplicate_wavelength);
     if (identical || options_.duplicates == Duplicates::first) return row;
     for (std::size_t c = 0; c < row.value.size(); ++c) {

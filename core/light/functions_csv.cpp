@@ -8,6 +8,7 @@
 #include "core/base/csv.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -40,7 +41,7 @@ double evaluate_row(const std::string& function, std::string_view inputs, std::s
 const Function& function_named(std::string_view id, std::string_view place) {
   const Function* found = find_function(trimmed(id));
   const std::string at = place.empty() ? "function" : std::string(place) + ": function";
-  if (!found) throw Error::at(at, printable(id), "one of those that etak eval --list names");
+  if (!found) throw Error::at(at, printable(id), "one of those that etak eval " + setting("list") + " names");
   return *found;
 }
 

@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 #include "core/base/stopwatch.h"
 #include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"
@@ -321,7 +322,7 @@ F0Solver::F0Solver(F0Options options) {
     const Coverage coverage = coverage_of(state->outside_range, nullptr, state->sums);
     if (!covers_enough(coverage.weight[1]) && !o.allow_extrapolation)
       throw Error::at(place, "data cover " + number(coverage.weight[1], 4) + " of the Y weight",
-                      number(least_coverage, 4) + ", or --allow-extrapolation");
+                      number(least_coverage, 4) + ", or " + setting("allow-extrapolation"));
     if (medium->k) {
       std::array<double, grid_size> k;
       resample_to_grid(*medium->k, k);

@@ -58,7 +58,7 @@ FoundDataset find_dataset(const MaterialLibrary& library, std::string_view name,
 
 /// The medium in front of a surface: an index of refraction above 0, or a material ("water", "water/hale")
 /// that n is known of; vacuum for an empty text. Throws Error for a text that is none of these.
-///   place   of the text, such as "--outside"
+///   place   of the text, such as setting("outside")
 ///   words   of names that no material has
 OutsideMedium outside_medium(const MaterialLibrary& library, std::string_view text, const std::string& place,
                              const NameWords& words);

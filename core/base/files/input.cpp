@@ -20,6 +20,7 @@
 #include "core/base/error.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -120,7 +121,7 @@ class Pipe {
       if (found < 0 && errno != EINTR) throw Error::at(path_, "cannot be read: " + reason_of(errno));
       if (Clock::now() < end) continue;
       throw Error::at(path_, "nothing came from this pipe in " + number(timeout, 6) + " s",
-                      "a program that writes to it, or more time by --input-timeout");
+                      "a program that writes to it, or more time by " + setting("input-timeout"));
     }
     // What follows may take as long as the writer likes.
     ::fcntl(source_.get(), F_SETFL, ::fcntl(source_.get(), F_GETFL) & ~O_NONBLOCK);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -49,7 +50,7 @@ std::string path_beside(const std::string& folder, const std::string& name) {
     if (failure) break;  // leads nowhere, which the reader tells
     if (!lies_in(target, root) && !lies_in(target, holder))
       throw Error::at(at.string(), "is a link to " + printable(target.string(), 200) + ", out of its folder",
-                      "a file of that folder, or --follow-links");
+                      "a file of that folder, or " + setting("follow-links"));
   }
   return whole.string();
 }

@@ -22,6 +22,7 @@
 #include "core/base/files/disk_queue.h"
 #include "core/base/files/output_target.h"
 #include "core/base/files/temporary.h"
+#include "core/base/setting.h"
 #include "core/base/signals.h"
 
 namespace etak {
@@ -130,7 +131,8 @@ void OutputFolder::State::refuse_read_only() const {
   const bool writable =
       (info.st_mode & 0222) != 0 && ::faccessat(AT_FDCWD, target_path().c_str(), W_OK, AT_EACCESS) == 0;
   if (!writable)
-    throw Error::at(path, "is read-only", "a folder that may be written, or --force to replace it");
+    throw Error::at(path, "is read-only",
+                    "a folder that may be written, or " + setting("force") + " to replace it");
 }
 
 OutputFolder::OutputFolder(const std::string& path, Replace replace) : state_(std::make_unique<State>()) {

@@ -11,6 +11,7 @@
 
 #include "core/base/files/output_folder.h"
 #include "core/base/files/temporary.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -25,7 +26,7 @@ std::string behind_links(const std::string& path) {
 }  // namespace
 
 Error exists_already(const std::string& path) {
-  return Error::at(path, "exists already", "a new name, or --force to replace it");
+  return Error::at(path, "exists already", "a new name, or " + setting("force") + " to replace it");
 }
 
 FileTarget file_target(const std::string& path, bool overwrite) {

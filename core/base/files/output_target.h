@@ -42,7 +42,7 @@ enum class Replace {
 /// neither made nor changed, and, with Replace::nothing, where it holds one of `names`.
 void check_folder_target(const std::string& path, std::span<const std::string> names, Replace replace);
 
-/// "PATH: exists already; expected a new name, or --force to replace it"
+/// "PATH: exists already; expected a new name, or force to replace it"; force as setting() says it
 Error exists_already(const std::string& path);
 
 }  // namespace etak

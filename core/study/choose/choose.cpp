@@ -10,6 +10,7 @@
 #include "core/atlas/variant.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/brdf/models.h"
 #include "core/brdf/parameters.h"
@@ -282,7 +283,7 @@ class Choosing {
       chosen_.values = look.values;
       return;
     }
-    throw Error::at("--budget", number(options_.budget, 6), "at least what the quadratures differ by");
+    throw Error::at(setting("budget"), number(options_.budget, 6), "at least what the quadratures differ by");
   }
 
   void finish() {

@@ -155,7 +155,7 @@ TEST_CASE("an existing file is an Error unless it may be overwritten; others are
   put(target, {{"a", "1"}}, false);
   CHECK(test::error_of([&] {
           put(target, {{"a", "2"}, {"b", "2"}}, false);
-        }) == target + "/a: exists already; expected a new name, or --force to replace it");
+        }) == target + "/a: exists already; expected a new name, or force to replace it");
   CHECK(all_in(folder.path()) == Files{{"out/", ""}, {"out/a", "1"}});
   put(target, {{"b", "2"}}, false);
   CHECK(all_in(target) == Files{{"a", "1"}, {"b", "2"}});

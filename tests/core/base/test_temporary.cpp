@@ -144,7 +144,7 @@ TEST_CASE("a folder that nobody may write is replaced by force alone") {
   REQUIRE(::chmod(target.c_str(), 0555) == 0);
   for (const Replace replace : {Replace::nothing, Replace::files})
     CHECK(test::contains(test::error_of([&] { OutputFolder(target, replace); }),
-                         "is read-only; expected a folder that may be written, or --force"));
+                         "is read-only; expected a folder that may be written, or force"));
   CHECK(test::slurp(target + "/a") == "kept");
   OutputFolder out(target, Replace::anything);
   out.write("a", "replaced");

@@ -145,7 +145,7 @@ TEST_CASE("without a header the columns are named by the option") {
   CHECK(contains(table_refusal("400 1.5\n", named_columns({"wavelength_nm", "n", "k"})),
                  "t.csv:1: 2 columns; expected 3"));
   CHECK(contains(table_refusal("400 1.5\n", named_columns({"wavelength_nm", "x"})),
-                 "--columns: the column \"x\""));
+                 "columns: the column \"x\""));
   CHECK(contains(table_refusal("a b\n400 1.5\n", named_columns({"wavelength_nm", "n"})),
                  "t.csv:1: \"a\"; expected a finite number"));
 }
