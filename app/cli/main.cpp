@@ -21,9 +21,13 @@ namespace {
 
 int print_version(bool as_json) {
   const std::string version = ETAK_VERSION;
-  write_output({}, as_json ? "{\"name\": \"etak\", \"version\": " + json(version) +
-                                 ", \"compiler\": " + json(__VERSION__) + "}\n"
-                           : "etak " + version + "\n");
+  write_output(
+      {},
+      (as_json
+           ? json_object(
+                 {{"name", json("etak")}, {"version", json(version)}, {"compiler", json(__VERSION__)}}, -1)
+           : "etak " + version) +
+          '\n');
   return exit_ok;
 }
 

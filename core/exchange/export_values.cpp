@@ -125,39 +125,24 @@ std::string export_csv(const std::vector<ExportedValues>& all) {
   std::string out = "id,dataset,target,field,text,value1,value2,value3,changed_from,action,amount\n";
   for (const ExportedValues& each : all)
     for (const EngineValues& values : each.targets) {
-      const std::string head =
-          csv_field(each.surface.id) + ',' + csv_field(each.dataset) + ',' + std::string(values.target) + ',';
-      const auto row = [&](const std::string& field, const std::string& text,
-                           const std::vector<double>& numbers) {
-        out += head + csv_field(field) + ',' + csv_field(text);
-        for (std::size_t i = 0; i < 3; ++i) out += ',' + (i < numbers.size() ? number(numbers[i], 9) : "");
+      const auto digits_9 = [](double value) { return number(value, 9); };
+      const auto add = [&](const std::string& field, const std::string& text,
+                           const std::vector<double>& numbers, const Change* change) {
+        const auto value = [&](std::size_t i) { return i < numbers.size() ? digits_9(numbers[i]) : ""; };
+        append_csv_row(out, {each.surface.id, each.dataset, values.target, field, text, value(0), value(1),
+                             value(2), change ? joined(change->wanted, " ", digits_9) : "",
+                             change ? change->action : "", change ? number(change->amount(), 6) : ""});
       };
-      std::vector<bool> written(values.changes.size(), false);
-      const auto end_row = [&](const Change* change) {
-        if (change == nullptr) {
-          out += ",,,\n";
-          return;
-        }
-        const auto digits_9 = [](double value) { return number(value, 9); };
-        out += ',' + joined(change->wanted, " ", digits_9) + ',' + change->action + ',' +
-               number(change->amount(), 6) + '\n';
-      };
+      std::vector<const Change*> left;
+      for (const Change& change : values.changes) left.push_back(&change);
       for (const EngineField& f : values.fields) {
-        row(f.name, f.text, f.values);
-        const Change* change = nullptr;
-        for (std::size_t i = 0; i < values.changes.size() && change == nullptr; ++i)
-          if (!written[i] && values.changes[i].field == f.name) {
-            change = &values.changes[i];
-            written[i] = true;
-          }
-        end_row(change);
+        const auto found =
+            std::find_if(left.begin(), left.end(), [&](const Change* c) { return c->field == f.name; });
+        add(f.name, f.text, f.values, found == left.end() ? nullptr : *found);
+        if (found != left.end()) left.erase(found);
       }
       // What is no field of the target: F0 of one that fixes it, the edge.
-      for (std::size_t i = 0; i < values.changes.size(); ++i)
-        if (!written[i]) {
-          row(values.changes[i].field, "", values.changes[i].used);
-          end_row(&values.changes[i]);
-        }
+      for (const Change* change : left) add(change->field, "", change->used, change);
     }
   return out;
 }

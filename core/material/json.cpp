@@ -176,33 +176,17 @@ bool all_in_micrometres(const std::vector<double>& wavelengths_nm) {
                      [](double nm) { return in_micrometres(nm).has_value(); });
 }
 
-// A document that grows line by line.
-class JsonLines {
- public:
-  void line(int indent, std::string_view text) {
-    out_.append(static_cast<std::size_t>(indent), ' ').append(text).push_back('\n');
-  }
-  //   value   JSON already
-  void member(int indent, std::string_view key, const std::string& value, bool comma = true) {
-    line(indent, json(key) + ": " + value + (comma ? "," : ""));
-  }
-  std::string take() { return std::move(out_); }
+using Members = std::vector<JsonMember>;
 
- private:
-  std::string out_;
-};
-
-void write_rows(JsonLines& w, std::string_view key, const std::vector<const Spectrum*>& columns,
-                bool micrometres, bool last) {
-  w.line(6, "\"" + std::string(key) + "\": [");
+std::string rows_json(const std::vector<const Spectrum*>& columns, bool micrometres) {
   const Spectrum& first = *columns.front();
+  std::vector<std::string> rows;
   for (std::size_t i = 0; i < first.size(); ++i) {
-    std::string row = "[";
-    row += json(micrometres ? *in_micrometres(first.wavelength_nm[i]) : first.wavelength_nm[i]);
-    for (const Spectrum* column : columns) row.append(", ").append(json(column->value[i]));
-    w.line(8, row + (i + 1 < first.size() ? "]," : "]"));
+    std::vector<double> row{micrometres ? *in_micrometres(first.wavelength_nm[i]) : first.wavelength_nm[i]};
+    for (const Spectrum* column : columns) row.push_back(column->value[i]);
+    rows.push_back(json_array_of(row));
   }
-  w.line(6, last ? "]" : "],");
+  return json_lines(rows, 6);
 }
 
 // All wavelengths of the optics: rows, k rows, range of a formula.
@@ -219,68 +203,70 @@ std::vector<double> wavelengths_of(const Optics& optics) {
   return all;
 }
 
-void write_optics(JsonLines& w, const Optics& optics) {
+void add_optics(Members& out, const Optics& optics) {
   const bool micrometres = all_in_micrometres(wavelengths_of(optics));
-  const auto range = [&](double first, double last) {
+  const auto add_columns = [&](double first, double last, std::initializer_list<std::string_view> columns) {
     const auto shown = [&](double nm) { return json(micrometres ? *in_micrometres(nm) : nm); };
-    w.member(6, "valid_range", "[" + shown(first) + ", " + shown(last) + "]");
+    out.push_back({"unit", json(micrometres ? "um" : "nm")});
+    out.push_back({"valid_range", "[" + shown(first) + ", " + shown(last) + "]"});
+    if (columns.size() > 0) out.push_back({"columns", json_array_of(columns)});
   };
-  w.line(6, micrometres ? "\"unit\": \"um\"," : "\"unit\": \"nm\",");
   if (const auto* reflectance = std::get_if<Reflectance>(&optics)) {
-    range(reflectance->spectrum.first_nm(), reflectance->spectrum.last_nm());
-    w.line(6, "\"columns\": [\"wavelength\", \"reflectance\"],");
-    return write_rows(w, "rows", {&reflectance->spectrum}, micrometres, true);
+    const Spectrum& spectrum = reflectance->spectrum;
+    add_columns(spectrum.first_nm(), spectrum.last_nm(), {"wavelength", "reflectance"});
+    out.push_back({"rows", rows_json({&spectrum}, micrometres)});
+    return;
   }
   const auto& constants = std::get<OpticalConstants>(optics);
+  const Spectrum* const k = constants.k ? &*constants.k : nullptr;
   if (const auto* formula = std::get_if<DispersionFormula>(&constants.n)) {
-    range(formula->first_nm, formula->last_nm);
-    std::string text =
-        "\"formula\": {\"number\": " + std::to_string(formula->number) + ", \"coefficients\": [";
-    for (std::size_t i = 0; i < formula->coefficients.size(); ++i)
-      text.append(i > 0 ? ", " : "").append(json(formula->coefficients[i]));
-    w.line(6, text + (constants.k ? "]}," : "]}"));
+    add_columns(formula->first_nm, formula->last_nm, {});
+    out.push_back({"formula", json_object({{"number", std::to_string(formula->number)},
+                                           {"coefficients", json_array_of(formula->coefficients)}},
+                                          -1)});
   } else {
     const auto& n = std::get<Spectrum>(constants.n);
-    range(n.first_nm(), n.last_nm());
-    if (constants.k && constants.k->wavelength_nm == n.wavelength_nm) {
-      w.line(6, "\"columns\": [\"wavelength\", \"n\", \"k\"],");
-      return write_rows(w, "rows", {&n, &*constants.k}, micrometres, true);
+    if (k != nullptr && k->wavelength_nm == n.wavelength_nm) {
+      add_columns(n.first_nm(), n.last_nm(), {"wavelength", "n", "k"});
+      out.push_back({"rows", rows_json({&n, k}, micrometres)});
+      return;
     }
-    w.line(6, "\"columns\": [\"wavelength\", \"n\"],");
-    write_rows(w, "rows", {&n}, micrometres, !constants.k);
+    add_columns(n.first_nm(), n.last_nm(), {"wavelength", "n"});
+    out.push_back({"rows", rows_json({&n}, micrometres)});
   }
-  if (constants.k) write_rows(w, "k_rows", {&*constants.k}, micrometres, true);
+  if (k != nullptr) out.push_back({"k_rows", rows_json({k}, micrometres)});
 }
 
-void write_dataset(JsonLines& w, const Dataset& d) {
+std::string citation_json(const Citation& c) {
+  Members out{{"authors", json_array_of(c.authors)},
+              {"title", json(c.title)},
+              {"published_in", json(c.published_in)}};
+  if (c.year != 0) out.push_back({"year", std::to_string(c.year)});
+  if (!c.doi.empty()) out.push_back({"doi", json(c.doi)});
+  if (!c.url.empty()) out.push_back({"url", json(c.url)});
+  out.push_back({"licence", json(c.licence)});
+  out.push_back({"via", json(c.via)});
+  return json_object(out, 6);
+}
+
+std::string dataset_json(const Dataset& d) {
   const auto* constants = std::get_if<OpticalConstants>(&d.optics);
-  w.member(6, "id", json(d.id));
-  w.member(6, "quantity", constants ? constants->k ? "\"n,k\"" : "\"n\"" : "\"reflectance\"");
-  w.member(6, "origin", json(name(d.origin)));
-  w.member(6, "sample", json(d.sample));
-  if (d.temperature_kelvin) {
-    w.member(6, "temperature_kelvin", json(*d.temperature_kelvin));
-  }
-  if (!d.axis.empty()) w.member(6, "axis", json(d.axis));
-  const Citation& c = d.citation;
-  w.line(6, "\"citation\": {");
-  w.member(8, "authors", json_array_of(c.authors));
-  w.member(8, "title", json(c.title));
-  w.member(8, "published_in", json(c.published_in));
-  if (c.year != 0) w.member(8, "year", std::to_string(c.year));
-  if (!c.doi.empty()) w.member(8, "doi", json(c.doi));
-  if (!c.url.empty()) w.member(8, "url", json(c.url));
-  w.member(8, "licence", json(c.licence));
-  w.member(8, "via", json(c.via), false);
-  w.line(6, "},");
+  Members out{{"id", json(d.id)},
+              {"quantity", json(constants ? constants->k ? "n,k" : "n" : "reflectance")},
+              {"origin", json(name(d.origin))},
+              {"sample", json(d.sample)}};
+  if (d.temperature_kelvin) out.push_back({"temperature_kelvin", json(*d.temperature_kelvin)});
+  if (!d.axis.empty()) out.push_back({"axis", json(d.axis)});
+  out.push_back({"citation", citation_json(d.citation)});
   if (!d.flags.none()) {
     std::vector<std::string> flags;
-    d.flags.for_each([&](Flag flag) { flags.emplace_back(name(flag)); });
-    w.member(6, "flags", json_array_of(flags));
+    d.flags.for_each([&](Flag flag) { flags.push_back(json(name(flag))); });
+    out.push_back({"flags", json_array(flags)});
   }
-  if (!d.note.empty()) w.member(6, "note", json(d.note));
-  if (!d.doubtful.empty()) w.member(6, "doubtful", json(d.doubtful));
-  write_optics(w, d.optics);
+  if (!d.note.empty()) out.push_back({"note", json(d.note)});
+  if (!d.doubtful.empty()) out.push_back({"doubtful", json(d.doubtful)});
+  add_optics(out, d.optics);
+  return json_object(out, 4);
 }
 
 std::vector<AliasNote> read_alias_notes(const Node& node, const Material& m) {
@@ -344,31 +330,21 @@ Material read_material(const Node& node) {
 }
 
 std::string format_material(const Material& m) {
-  JsonLines w;
-  w.line(0, "{");
-  w.member(2, "schema", json(schema_name));
-  w.member(2, "id", json(m.id));
-  w.member(2, "name", json(m.name));
-  w.member(2, "aliases", json_array_of(m.aliases));
+  Members out{{"schema", json(schema_name)},
+              {"id", json(m.id)},
+              {"name", json(m.name)},
+              {"aliases", json_array_of(m.aliases)}};
   if (!m.alias_notes.empty()) {
-    w.line(2, "\"alias_notes\": {");
-    for (const AliasNote& each : m.alias_notes)
-      w.line(4, json(each.alias) + ": " + json(each.note) + (&each == &m.alias_notes.back() ? "" : ","));
-    w.line(2, "},");
+    Members notes;
+    for (const AliasNote& each : m.alias_notes) notes.push_back({each.alias, json(each.note)});
+    out.push_back({"alias_notes", json_object(notes, 2)});
   }
-  w.member(2, "class", json(m.material_class));
-  if (!m.group.empty()) w.member(2, "group", json(m.group));
-  w.member(2, "preferred", json(m.preferred_dataset().id));
-  w.member(2, "preferred_reason", json(m.preferred_reason));
-  w.line(2, "\"datasets\": [");
-  for (std::size_t i = 0; i < m.datasets.size(); ++i) {
-    w.line(4, "{");
-    write_dataset(w, m.datasets[i]);
-    w.line(4, i + 1 < m.datasets.size() ? "}," : "}");
-  }
-  w.line(2, "]");
-  w.line(0, "}");
-  return w.take();
+  out.push_back({"class", json(m.material_class)});
+  if (!m.group.empty()) out.push_back({"group", json(m.group)});
+  out.push_back({"preferred", json(m.preferred_dataset().id)});
+  out.push_back({"preferred_reason", json(m.preferred_reason)});
+  out.push_back({"datasets", json_lines_of(m.datasets, 2, dataset_json)});
+  return json_object(out, 0) + '\n';
 }
 
 }  // namespace etak

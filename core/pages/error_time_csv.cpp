@@ -19,17 +19,13 @@ std::string error_time_csv(const ReportHeader&, std::span<const ErrorTimeFamily>
       for (const ErrorTimeRow& row : table.rows)
         for (std::size_t m = 0; m < table.metrics.size(); ++m) {
           const ErrorMetric& metric = table.metrics[m];
-          out += csv_field(family.id) + ',' + csv_field(table.id) + ',' + csv_field(row.id) + ',' +
-                 csv_field(metric.id) + ',' + csv_field(metric.unit) + ',' +
-                 number(row.errors[m], error_digits) + ',';
-          if (row.time)
-            out += csv_field(table.time_unit) + ',' + number(row.time->median_ns, time_digits) + ',' +
-                   number(row.time->first_quartile_ns, time_digits) + ',' +
-                   number(row.time->third_quartile_ns, time_digits) + ',' +
-                   number(row.time->ratio, time_digits) + (row.pareto ? ",1," : ",0,") +
-                   (row.dominated ? "1\n" : "0\n");
-          else
-            out += ",,,,,,\n";
+          const RunTime time = row.time.value_or(RunTime());
+          const auto shown = [&](double value) { return row.time ? number(value, time_digits) : ""; };
+          const auto yes = [&](bool value) { return row.time ? value ? "1" : "0" : ""; };
+          append_csv_row(
+              out, {family.id, table.id, row.id, metric.id, metric.unit, number(row.errors[m], error_digits),
+                    row.time ? table.time_unit : "", shown(time.median_ns), shown(time.first_quartile_ns),
+                    shown(time.third_quartile_ns), shown(time.ratio), yes(row.pareto), yes(row.dominated)});
         }
   return out;
 }

@@ -25,11 +25,29 @@ std::string shown_error(const std::optional<StabilityValue>& value) {
 
 std::string value_json(const std::optional<StabilityValue>& value) {
   if (!value) return "null";
-  const JsonMember members[] = {
-      {"value", std::isfinite(value->value) ? json(value->value) : json(exact_text(value->value))},
-      {"error", json(value->error)},
-      {"passed", json(value->passed)}};
-  return json_object(members, -1);
+  return json_object(
+      {{"value", std::isfinite(value->value) ? json(value->value) : json(exact_text(value->value))},
+       {"error", json(value->error)},
+       {"passed", json(value->passed)}},
+      -1);
+}
+
+std::string case_json(const StabilityCase& one) {
+  return json_object({{"id", json(one.id)},
+                      {"title", json(one.title)},
+                      {"input", json(one.input)},
+                      {"expected", json(one.expected)},
+                      {"source", json(one.source)},
+                      {"naive_double", value_json(one.naive_f64)},
+                      {"naive_single", value_json(one.naive_f32)},
+                      {"double", value_json(one.f64)},
+                      {"single", value_json(one.f32)},
+                      {"gl", value_json(one.gl)},
+                      {"most_double", json(one.most_f64)},
+                      {"most_single", json(one.most_f32)},
+                      {"found", json(one.found)},
+                      {"passed", json(one.passed)}},
+                     4);
 }
 
 }  // namespace
@@ -60,28 +78,8 @@ std::string stability_text(const std::vector<StabilityCase>& cases) {
 }
 
 std::string stability_json(const std::vector<StabilityCase>& cases) {
-  std::string rows;
-  for (const StabilityCase& one : cases) {
-    const JsonMember members[] = {{"id", json(one.id)},
-                                  {"title", json(one.title)},
-                                  {"input", json(one.input)},
-                                  {"expected", json(one.expected)},
-                                  {"source", json(one.source)},
-                                  {"naive_double", value_json(one.naive_f64)},
-                                  {"naive_single", value_json(one.naive_f32)},
-                                  {"double", value_json(one.f64)},
-                                  {"single", value_json(one.f32)},
-                                  {"gl", value_json(one.gl)},
-                                  {"most_double", json(one.most_f64)},
-                                  {"most_single", json(one.most_f32)},
-                                  {"found", json(one.found)},
-                                  {"passed", json(one.passed)}};
-    append(rows, rows.empty() ? "\n    " : ",\n    ", json_object(members, 4));
-  }
-  const JsonMember members[] = {{"schema", json("etak-stability/1")},
-                                {"passed", json(all_passed(cases))},
-                                {"cases", "[" + rows + "\n  ]"}};
-  return json_object(members, 0) + "\n";
+  return json_document("etak-stability/1",
+                       {{"passed", json(all_passed(cases))}, {"cases", json_lines_of(cases, 2, case_json)}});
 }
 
 std::string stability_html(const std::vector<StabilityCase>& cases) {

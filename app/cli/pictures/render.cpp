@@ -139,40 +139,54 @@ std::string numbers(const std::vector<double>& values) {
 
 std::string model_json(const Model* model, const std::vector<double>& values) {
   if (model == nullptr) return "null";
-  return "{\"id\": " + json(model->id) + ", \"values\": " + numbers(values) + "}";
+  return json_object({{"id", json(model->id)}, {"values", numbers(values)}}, -1);
 }
 
 std::string times_json(const std::vector<double>& ms) {
-  return "{\"least\": " + number(least(ms), 6) + ", \"median\": " + number(median(ms), 6) +
-         ", \"frames\": " + std::to_string(ms.size()) + "}";
+  return json_object(
+      {{"least", number(least(ms), 6)}, {"median", number(median(ms), 6)}, {"frames", json(ms.size())}}, -1);
+}
+
+std::string surface_json(const SurfaceValues& s) {
+  const auto three = [](const Vec3& v) { return numbers({v[0], v[1], v[2]}); };
+  return json_object({{"f0", three(s.f0)},
+                      {"f82", three(s.f82)},
+                      {"n", three(s.n)},
+                      {"k", three(s.k)},
+                      {"nk_residual", three(s.nk_residual)},
+                      {"diffuse", three(s.diffuse)},
+                      {"gloss", number(double{s.gloss}, 9)},
+                      {"roughness", number(s.gloss.roughness(), 9)},
+                      {"opacity", number(s.opacity, 9)}},
+                     -1);
 }
 
 std::string json_form(const Scene& scene, const Stats& stats, const SceneNotes& notes, unsigned threads) {
-  const SurfaceValues& s = scene.surface;
-  const auto three = [](const Vec3& v) { return numbers({v[0], v[1], v[2]}); };
-  std::string out =
-      "{\n  \"schema\": \"etak-render/1\",\n  \"subject\": " + json(stats.subject) + ",\n  \"size\": [" +
-      std::to_string(scene.width) + ", " + std::to_string(scene.height) +
-      "],\n  \"surface\": {\"f0\": " + three(s.f0) + ", \"f82\": " + three(s.f82) + ", \"n\": " + three(s.n) +
-      ", \"k\": " + three(s.k) + ", \"nk_residual\": " + three(s.nk_residual) +
-      ", \"diffuse\": " + three(s.diffuse) + ", \"gloss\": " + number(double{s.gloss}, 9) +
-      ", \"roughness\": " + number(s.gloss.roughness(), 9) + ", \"opacity\": " + number(s.opacity, 9) +
-      "},\n  \"specular\": " + model_json(scene.specular, scene.specular_values) +
-      ",\n  \"diffuse\": " + model_json(scene.diffuse, scene.diffuse_values) +
-      ",\n  \"lights\": " + std::to_string(scene.lights.lights.size()) +
-      ",\n  \"device\": " + json(stats.device) + ",\n  \"threads\": " + std::to_string(threads) +
-      ",\n  \"prepare_ms\": " + number(stats.prepare_ms, 6) +
-      ",\n  \"frame_ms\": " + times_json(stats.frame_ms);
-  if (!stats.gpu_ms.empty()) out += ",\n  \"gpu_ms\": " + times_json(stats.gpu_ms);
+  std::vector<JsonMember> out{{"schema", json("etak-render/1")},
+                              {"subject", json(stats.subject)},
+                              {"size", numbers({double(scene.width), double(scene.height)})},
+                              {"surface", surface_json(scene.surface)},
+                              {"specular", model_json(scene.specular, scene.specular_values)},
+                              {"diffuse", model_json(scene.diffuse, scene.diffuse_values)},
+                              {"lights", json(scene.lights.lights.size())},
+                              {"device", json(stats.device)},
+                              {"threads", json(std::size_t{threads})},
+                              {"prepare_ms", number(stats.prepare_ms, 6)},
+                              {"frame_ms", times_json(stats.frame_ms)}};
+  if (!stats.gpu_ms.empty()) out.push_back({"gpu_ms", times_json(stats.gpu_ms)});
   if (stats.standard_error)
-    out += ",\n  \"standard_error\": {\"rms\": " + number(*stats.standard_error, 6) +
-           ", \"worst\": " + number(*stats.worst_error, 6) + "}";
+    out.push_back({"standard_error", json_object({{"rms", number(*stats.standard_error, 6)},
+                                                  {"worst", number(*stats.worst_error, 6)}},
+                                                 -1)});
   if (stats.ambient)
-    out += ",\n  \"real_time_ambient_error\": {\"mean\": " + number(stats.ambient->mean, 6) +
-           ", \"bias\": " + number(stats.ambient->bias, 6) +
-           ", \"worst\": " + number(stats.ambient->worst, 6) +
-           ", \"standard_error\": " + number(stats.ambient->standard_error, 6) + "}";
-  return out + ",\n  \"remarks\": " + json_array_of(notes.remarks) + "\n}\n";
+    out.push_back({"real_time_ambient_error",
+                   json_object({{"mean", number(stats.ambient->mean, 6)},
+                                {"bias", number(stats.ambient->bias, 6)},
+                                {"worst", number(stats.ambient->worst, 6)},
+                                {"standard_error", number(stats.ambient->standard_error, 6)}},
+                               -1)});
+  out.push_back({"remarks", json_array_of(notes.remarks)});
+  return json_object(out, 0) + '\n';
 }
 
 void say(const RenderArguments& arguments, const Scene& scene, const Stats& stats, const SceneNotes& notes,

@@ -22,11 +22,11 @@ constexpr std::string_view schema_name = "etak-f0/1";
 using etak::json;
 
 std::string json(const LinearRgb& c) {
-  return "{\"r\": " + json(c.r) + ", \"g\": " + json(c.g) + ", \"b\": " + json(c.b) + "}";
+  return json_object({{"r", json(c.r)}, {"g", json(c.g)}, {"b", json(c.b)}}, -1);
 }
 
 std::string json(const Xyz& c) {
-  return "{\"x\": " + json(c.x) + ", \"y\": " + json(c.y) + ", \"z\": " + json(c.z) + "}";
+  return json_object({{"x", json(c.x)}, {"y", json(c.y)}, {"z", json(c.z)}}, -1);
 }
 
 template <std::size_t N>
@@ -89,10 +89,13 @@ std::vector<Member> policy_members(const F0Options& o) {
 
 std::string json_coverage(const Coverage& c) {
   if (c.last_nm <= 0) return "null";  // the data could not be read into a range
-  const Member members[] = {{"x", json(c.weight[0])},     {"y", json(c.weight[1])},
-                            {"z", json(c.weight[2])},     {"first_nm", json(c.first_nm)},
-                            {"last_nm", json(c.last_nm)}, {"formula", json(c.is_formula)}};
-  return json_object(members, -1);
+  return json_object({{"x", json(c.weight[0])},
+                      {"y", json(c.weight[1])},
+                      {"z", json(c.weight[2])},
+                      {"first_nm", json(c.first_nm)},
+                      {"last_nm", json(c.last_nm)},
+                      {"formula", json(c.is_formula)}},
+                     -1);
 }
 
 std::string json_zone(const F0Result& r) {
@@ -101,26 +104,23 @@ std::string json_zone(const F0Result& r) {
   std::vector<std::string> inside;
   for (std::size_t c = 0; c < 3; ++c)
     if (r.channel_in_zone[c]) inside.push_back(json(letters[c]));
-  const Member members[] = {{"verdict", json(name(*r.zone))}, {"channels_inside", json_array(inside)}};
-  return json_object(members, -1);
+  return json_object({{"verdict", json(name(*r.zone))}, {"channels_inside", json_array(inside)}}, -1);
 }
 
 std::string json_gamut(const F0Result& r) {
-  const Member members[] = {{"in", json(!r.out_of_gamut())}, {"excess", json(to_rgb(r.gamut_excess))}};
-  return json_object(members, -1);
+  return json_object({{"in", json(!r.out_of_gamut())}, {"excess", json(to_rgb(r.gamut_excess))}}, -1);
 }
 
 std::string json_f82(const F0Result& r) {
   if (!r.f82) return "null";
-  const Member members[] = {{"absolute", json(*r.f82)}, {"tint", r.f82_tint ? json(*r.f82_tint) : "null"}};
-  return json_object(members, -1);
+  return json_object({{"absolute", json(*r.f82)}, {"tint", r.f82_tint ? json(*r.f82_tint) : "null"}}, -1);
 }
 
 std::string json_integration(const IntegrationStep& step) {
-  const Member members[] = {{"method", json(name(step.method))},
-                            {"estimated_error", json(step.error)},
-                            {"within_bound", json(step.within_bound)}};
-  return json_object(members, -1);
+  return json_object({{"method", json(name(step.method))},
+                      {"estimated_error", json(step.error)},
+                      {"within_bound", json(step.within_bound)}},
+                     -1);
 }
 
 std::vector<Member> result_members(const F0Row& row) {
@@ -160,16 +160,9 @@ std::vector<Member> result_members(const F0Row& row) {
 }  // namespace
 
 std::string f0_json(std::span<const F0Row> rows, const F0Options& options) {
-  std::string results = "[";
-  for (const F0Row& row : rows) {
-    if (results.size() > 1) results += ',';
-    append(results, "\n    ", json_object(result_members(row), 4));
-  }
-  results += rows.empty() ? "]" : "\n  ]";
-  const Member members[] = {{"schema", json(schema_name)},
-                            {"policy", json_object(policy_members(options), 2)},
-                            {"results", results}};
-  return json_object(members, 0) + '\n';
+  const auto result = [](const F0Row& row) { return json_object(result_members(row), 4); };
+  return json_document(schema_name, {{"policy", json_object(policy_members(options), 2)},
+                                     {"results", json_lines_of(rows, 2, result)}});
 }
 
 std::string f0_jsonl(std::span<const F0Row> rows, const F0Options& options) {

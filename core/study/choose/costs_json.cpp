@@ -39,12 +39,9 @@ const CostTable& shipped_costs() {
 }
 
 std::string format_costs(const CostTable& costs) {
-  std::string rows;
-  for (const auto& [id, ns] : costs.ns)
-    append(rows, rows.empty() ? "\n    " : ",\n    ", json(id), ": ", number(ns, cost_digits));
-  const JsonMember members[] = {
-      {"schema", json(costs_schema)}, {"header", json(costs.header)}, {"ns", "{" + rows + "\n  }"}};
-  return json_object(members, 0) + "\n";
+  std::vector<JsonMember> rows;
+  for (const auto& [id, ns] : costs.ns) rows.push_back({id, number(ns, cost_digits)});
+  return json_document(costs_schema, {{"header", json(costs.header)}, {"ns", json_object(rows, 2)}});
 }
 
 }  // namespace etak
