@@ -12,17 +12,12 @@
 #include "core/base/files/input.h"
 #include "core/base/free_names.h"
 #include "core/exchange/material_file.h"
+#include "core/image/picture_endings.h"
 #include "core/material/appearance.h"
 #include "core/material/json.h"
 
 namespace etak::editor {
 namespace {
-
-const QStringList& picture_endings() {
-  static const QStringList endings =
-      QStringLiteral("png tif tiff exr jpg jpeg tga webp").split(QLatin1Char(' '));
-  return endings;
-}
 
 QString patterns(const QStringList& endings) {
   return QStringLiteral("*.") + endings.join(QStringLiteral(" *."));
@@ -32,9 +27,9 @@ QString listed_endings(const QStringList& endings) {
   return QStringLiteral(".") + endings.join(QStringLiteral(", ."));
 }
 
-QStringList spectrum_endings() {
+QStringList texts(std::span<const std::string_view> endings) {
   QStringList out;
-  for (const std::string_view each : material_file_endings()) out << qt_text(each);
+  for (const std::string_view each : endings) out << qt_text(each);
   return out;
 }
 
@@ -98,22 +93,22 @@ void note(Opened& out, const std::vector<std::string>& problems) {
 FileKind kind_of_file(const QString& path) {
   const QString ending = QFileInfo(path).suffix().toLower();
   if (kind_of_spectra(path) != MaterialFileKind::none) return FileKind::spectra;
-  if (picture_endings().contains(ending)) return FileKind::picture;
-  return ending == QLatin1String("hdr") ? FileKind::environment : FileKind::other;
+  if (texts(picture_endings).contains(ending)) return FileKind::picture;
+  return ending == qt_text(radiance_ending) ? FileKind::environment : FileKind::other;
 }
 
 QString spectrum_patterns() {
-  return patterns(spectrum_endings());
+  return patterns(texts(material_file_endings()));
 }
 
 QString picture_patterns() {
-  return patterns(picture_endings());
+  return patterns(texts(picture_endings));
 }
 
 QString expected_files() {
   return QObject::tr(
              "expected spectra, materials or projects (%1), pictures (%2) or an environment (.hdr, .exr)")
-      .arg(listed_endings(spectrum_endings()), listed_endings(picture_endings()));
+      .arg(listed_endings(texts(material_file_endings())), listed_endings(texts(picture_endings)));
 }
 
 ProjectMaterial material_of(const Material& record) {

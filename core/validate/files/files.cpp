@@ -12,6 +12,7 @@
 #include "core/base/files/input.h"
 #include "core/exchange/content_kind.h"
 #include "core/image/picture_bytes.h"
+#include "core/image/picture_endings.h"
 #include "core/scene/gltf.h"
 #include "core/validate/engine.h"
 #include "core/validate/files/material_evidence.h"
@@ -340,8 +341,10 @@ std::optional<FileRole> kind_of_content(std::string_view head) {
 
 std::optional<FileRole> role_of_file(const std::string& path) {
   const std::string ending = lower_case(std::filesystem::path(path).extension().string());
-  for (const char* picture : {".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".webp", ".tga", ".hdr"})
-    if (ending == picture) return FileRole::specular_gloss;
+  const std::string_view bare = std::string_view(ending).substr(ending.empty() ? 0 : 1);
+  if (bare == radiance_ending ||
+      std::find(picture_endings.begin(), picture_endings.end(), bare) != picture_endings.end())
+    return FileRole::specular_gloss;
   if (ending == ".gltf" || ending == ".glb") return FileRole::scene;
   if (ending == ".yml" || ending == ".yaml" || ending == ".csv") return FileRole::spectrum;
   const bool pipe = is_pipe_input(path);
