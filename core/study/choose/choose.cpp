@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <numeric>
 
@@ -11,11 +10,8 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
-#include "core/base/text.h"
 #include "core/brdf/models.h"
 #include "core/brdf/parameters.h"
-#include "core/color/delta_e.h"
-#include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/f0.h"
 #include "core/study/choose/choose_pictures.h"
@@ -95,15 +91,19 @@ void by_cost(std::vector<Ranked<Candidate>>& all) {
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
 }
 
-class Choosing {
+TextureFilter full_filter(const ChooseSubject& subject) {
+  return !subject.textured() ? TextureFilter::constant
+         : subject.mipmaps   ? TextureFilter::trilinear
+                             : TextureFilter::bilinear;
+}
+
+// What each step judges by: "everything", at all angles and in all pixels.
+class Judge {
  public:
-  Choosing(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs)
-      : subject_(subject), options_(options), costs_(costs), pictures_(subject) {
-    out_.material = subject.name;
-    out_.library = subject.library;
-    out_.budget = options.budget;
-    out_.unit = options.unit;
-    out_.textured = subject.textured();
+  Judge(const ChooseSubject& subject, ErrorUnit unit, const CostTable& costs)
+      : subject_(subject), unit_(unit), costs_(costs), pictures_(subject) {
+    everything_.filter = full_filter(subject);
+    judge_.emplace(unit, pictures_.draw(everything_));
     if (subject.dataset)
       truths_ = {fresnel_truth(std::get<OpticalConstants>(subject.dataset->optics), subject.library)};
     else if (subject.texture)
@@ -112,296 +112,289 @@ class Choosing {
       truths_ = {colour_truth(subject.texel.f0)};
   }
 
-  Choice run() {
-    all_.filter = full_filter();
-    everything_.emplace(options_.unit, pictures_.draw(all_));
-    out_.pixels = everything_->pixels();
-    chosen_ = all_;
-    limit_ = options_.budget;
-    choose_fresnel();
-    choose_visibility();
-    choose_filter();
-    if (subject_.dataset) choose_method();
-    finish();
-    return std::move(out_);
-  }
+  const ChooseSubject& subject() const { return subject_; }
+  ErrorUnit unit() const { return unit_; }
+  const Look& everything() const { return everything_; }
+  std::size_t pixels() const { return judge_->pixels(); }
+  double cost(const char* of_what, std::string_view id) const { return costs_.of(of_what + std::string(id)); }
 
- private:
-  TextureFilter full_filter() const {
-    return !subject_.textured() ? TextureFilter::constant
-           : subject_.mipmaps   ? TextureFilter::trilinear
-                                : TextureFilter::bilinear;
-  }
+  /// F of the spectrum, or of one colour of F0.
+  const FresnelTruth& truth() const { return truths_.front(); }
 
-  PictureDifference picture(const Look& look) const {
-    return everything_->difference_of(pictures_.draw(look));
-  }
+  PictureDifference picture(const Look& look) const { return judge_->difference_of(pictures_.draw(look)); }
 
-  // The worst over the colours of F0 that occur.
-  PictureDifference at_any_angle(const FresnelForm& form, const FresnelValues* values) const {
+  /// The worst over the colours of F0 that occur; `values` are those of a spectrum, each colour has its own.
+  PictureDifference at_any_angle(const FresnelForm& form, const FresnelValues& values) const {
     PictureDifference out;
     for (const FresnelTruth& truth : truths_) {
       const PictureDifference one =
-          angle_difference(options_.unit, truth, form, values != nullptr ? *values : form.fit(truth));
+          angle_difference(unit_, truth, form, subject_.dataset ? values : form.fit(truth));
       out.worst = std::max(out.worst, one.worst);
       out.mean = std::max(out.mean, one.mean);
     }
     return out;
   }
 
-  void choose_fresnel() {
-    std::vector<Ranked<const FresnelForm*>> ranked;
-    for (const FresnelForm& form : fresnel_forms())
-      if (form.physical && (subject_.dataset || needs_f0_alone(form)))
-        ranked.push_back({&form, costs_.of("fresnel/" + std::string(form.id))});
-    by_cost(ranked);
-    double found_cost = 0, found_error = 0, closest_error = 0, closest_picture = 0;
-    const FresnelForm* closest = nullptr;
-    for (const auto& [form, cost] : ranked) {
-      if (out_.fresnel != nullptr && cost > found_cost * same_cost) break;
-      Look look = chosen_;
-      look.form = form;
-      look.values = form->fit(truths_.front());
-      const PictureDifference angles = at_any_angle(*form, subject_.dataset ? &look.values : nullptr);
-      Candidate candidate{std::string(form->id), std::string(form->title), cost, angles.worst, false};
-      double seen = 0;
-      if (angles.worst <= limit_ || !subject_.dataset) {
-        seen = picture(look).worst;
-        candidate.error = std::max(angles.worst, seen);
-        candidate.within = candidate.error <= limit_;
-      }
-      out_.fresnel_candidates.push_back(candidate);
-      if (closest == nullptr || candidate.error < closest_error)
-        closest = form, closest_error = candidate.error, closest_picture = seen;
-      if (!candidate.within || (out_.fresnel != nullptr && angles.mean >= found_error)) continue;
-      if (out_.fresnel == nullptr) found_cost = cost;
-      found_error = angles.mean;
-      out_.fresnel = form;
-      out_.fresnel_error = angles.worst;
-    }
-    if (out_.fresnel == nullptr && closest != nullptr) {
-      out_.met = false;
-      out_.fresnel = closest;
-      Look look = chosen_;
-      look.form = closest;
-      look.values = closest->fit(truths_.front());
-      out_.fresnel_error = at_any_angle(*closest, subject_.dataset ? &look.values : nullptr).worst;
-      if (subject_.dataset) closest_picture = std::max(out_.fresnel_error, picture(look).worst);
-      // The rest is chosen within what F alone misses.
-      limit_ = std::max(limit_, closest_picture);
-    }
-    chosen_.form = out_.fresnel;
-    chosen_.values = out_.fresnel->fit(truths_.front());
-  }
-
-  // Masking that fits a GGX lobe; the full one is among them. What it changes of itself says which of equal
-  // costs is the closest: beside the form that was chosen, two errors may by chance make less than one.
-  void choose_visibility() {
-    std::vector<Ranked<const Term*>> ranked;
-    for (const Term& term : terms())
-      if (term.kind == TermKind::visibility && !term.id.starts_with("smith-beckmann"))
-        ranked.push_back({&term, costs_.of("visibility/" + std::string(term.id))});
-    by_cost(ranked);
-    double found_cost = 0, found_error = 0;
-    for (const auto& [term, cost] : ranked) {
-      if (!out_.visibility.empty() && cost > found_cost * same_cost) break;
-      Look look = chosen_;
-      look.visibility = term->id;
-      const double error = picture(look).worst;
-      const Candidate candidate{std::string(term->id), std::string(term->title), cost, error,
-                                error <= limit_};
-      out_.visibility_candidates.push_back(candidate);
-      if (!candidate.within) continue;
-      Look alone = all_;
-      alone.visibility = term->id;
-      const double own = picture(alone).worst;
-      if (!out_.visibility.empty() && own >= found_error) continue;
-      if (out_.visibility.empty()) found_cost = cost;
-      out_.visibility = candidate.id;
-      found_error = own;
-    }
-    chosen_.visibility = find_term(TermKind::visibility, out_.visibility)->id;
-  }
-
-  void choose_filter() {
-    out_.filter = full_filter();
-    if (!subject_.textured()) return;
-    std::vector<Ranked<TextureFilter>> ranked;
-    for (const TextureFilter filter : all_filters)
-      if (subject_.mipmaps || !reads_mips(filter))
-        ranked.push_back({filter, costs_.of("filter/" + std::string(name(filter)))});
-    by_cost(ranked);
-    for (const auto& [filter, cost] : ranked) {
-      Look look = chosen_;
-      look.filter = filter;
-      const double error = picture(look).worst;
-      const std::string id(name(filter));
-      out_.filter_candidates.push_back({id, id, cost, error, error <= limit_});
-      if (error > limit_) continue;
-      out_.filter = filter;
-      break;
-    }
-    chosen_.filter = out_.filter;
-  }
-
-  // Last, because it costs once a spectrum and not once an evaluation: what it may miss is what is left.
-  void choose_method() {
-    F0Options options;
-    options.method = Method::exact;
-    const F0Result truth = F0Solver(options).solve(subject_.dataset->optics, subject_.dataset->flags);
-    if (truth.refused()) throw Error::at(subject_.library, truth.refusal, "data with a colour");
-    std::vector<Ranked<Method>> ranked;
-    for (const Method method : all_methods)
-      // Schueler's points come with a power law of their own: not the same quantity.
-      if (method != Method::legacy_schueler)
-        ranked.push_back({method, costs_.of("quadrature/" + std::string(name(method)))});
-    by_cost(ranked);
-    for (const auto& [method, cost] : ranked) {
-      options.method = method;
-      const F0Result result = F0Solver(options).solve(subject_.dataset->optics, subject_.dataset->flags);
-      Candidate candidate{std::string(name(method)), std::string(name(method)), cost, 0, false};
-      candidate.error = difference(options_.unit, vec(result.srgb_linear), vec(truth.srgb_linear));
-      FresnelTruth fed = truths_.front();
-      fed.f0 = vec(result.srgb_linear);
-      if (result.f82) fed.f82 = vec(*result.f82);
-      Look look = chosen_;
-      look.values = out_.fresnel->fit(fed);
-      double at_angle = 0;
-      if (candidate.error <= limit_) {
-        at_angle = at_any_angle(*out_.fresnel, &look.values).worst;
-        candidate.error = std::max({candidate.error, at_angle, picture(look).worst});
-      }
-      candidate.within = candidate.error <= limit_;
-      out_.method_candidates.push_back(candidate);
-      // Where F alone is over the budget, what the exact sum differs from the limit by is rounding.
-      if (!candidate.within && (out_.met || method != Method::exact)) continue;
-      out_.method = candidate.id;
-      out_.method_error = difference(options_.unit, vec(result.srgb_linear), vec(truth.srgb_linear));
-      out_.fresnel_error = at_angle;
-      out_.chosen_solve_ns = cost;
-      out_.everything_solve_ns = costs_.of("quadrature/exact");
-      chosen_.values = look.values;
-      return;
-    }
-    throw Error::at(setting("budget"), number(options_.budget, 6), "at least what the quadratures differ by");
-  }
-
-  void finish() {
-    const PictureDifference together = picture(chosen_);
-    out_.picture_error = together.worst;
-    out_.picture_mean = together.mean;
-    out_.values = chosen_.values;
-    out_.texel = subject_.texture ? subject_.texture->read(TextureFilter::constant, 0, 0, 0) : subject_.texel;
-    if (subject_.dataset)
-      for (std::size_t c = 0; c < 3; ++c) out_.texel.f0[c] = truths_.front().f0[c];
-    else
-      for (std::size_t c = 0; c < 3; ++c) out_.values[c] = {out_.texel.f0[c], 0, 0, 0};
-    if (subject_.texture) out_.codes = subject_.texture->mean_codes();
-    out_.alpha = lobe_alpha(out_.texel);
-    out_.model = "microfacet:ggx," + std::string(term_of(out_.fresnel->id)) + "," + out_.visibility;
-    out_.model_values = model_numbers(*find_model(out_.model), out_.values, out_.alpha);
-    out_.defines = shading_defines(out_.model, name(out_.filter));
-
-    const std::string_view full = subject_.dataset ? "index" : form_of_colours();
-    const auto cost = [&](std::string_view form, std::string_view visibility, TextureFilter filter) {
-      return costs_.of("fresnel/" + std::string(form)) + costs_.of("visibility/" + std::string(visibility)) +
-             (subject_.textured() ? costs_.of("filter/" + std::string(name(filter))) : 0);
-    };
-    out_.everything_ns = cost(full, full_visibility, full_filter());
-    out_.chosen_ns = cost(out_.fresnel->id, out_.visibility, out_.filter);
-  }
-
-  // The least that gives "everything" for the colours of F0 that occur.
-  std::string_view form_of_colours() const {
+  /// The least form that gives "everything" for the spectrum, or for the colours of F0 that occur.
+  std::string_view full_form() const {
+    if (subject_.dataset) return "index";
     bool low = false, high = false;
     for (const FresnelTruth& truth : truths_)
       for (const double f0 : truth.f0) (f0 < forbidden_zone_first ? low : high) = true;
     return low && high ? "by_f0" : low ? "from_f0" : "schlick";
   }
 
+ private:
   const ChooseSubject& subject_;
-  const ChooseOptions& options_;
+  const ErrorUnit unit_;
   const CostTable& costs_;
   const ChoosePictures pictures_;
   std::vector<FresnelTruth> truths_;  // the spectrum's, or one a colour of F0
-  std::optional<PictureJudge> everything_;
-  Look all_, chosen_;
-  double limit_ = 0;
-  Choice out_;
+  Look everything_;
+  std::optional<PictureJudge> judge_;
 };
 
-// With three digits and not below `value`: a budget of that much is met.
-std::string rounded_up(double value) {
-  if (!(value > 0)) return number(value, 3);
-  const double step = std::pow(10, std::floor(std::log10(value)) - 2);
-  return number(std::ceil(value / step) * step, 3);
+// ---- the steps, in their order: each looks for the cheapest within `limit` beside what was chosen before it
+
+struct FresnelStep {
+  const FresnelForm* form = nullptr;
+  FresnelValues values{};
+  double error = 0;  // over all angles
+  bool met = true;   // false: none is within the limit, and the closest was taken
+  double limit = 0;  // of the steps that follow: the same, or what the closest form misses alone
+  std::vector<Candidate> candidates;
+};
+
+Look with_form(Look look, const FresnelForm& form, const FresnelTruth& truth) {
+  look.form = &form;
+  look.values = form.fit(truth);
+  return look;
+}
+
+FresnelStep choose_fresnel(const Judge& judge, double limit) {
+  const bool spectrum = judge.subject().dataset.has_value();
+  std::vector<Ranked<const FresnelForm*>> ranked;
+  for (const FresnelForm& form : fresnel_forms())
+    if (form.physical && (spectrum || needs_f0_alone(form)))
+      ranked.push_back({&form, judge.cost("fresnel/", form.id)});
+  by_cost(ranked);
+  FresnelStep out;
+  out.limit = limit;
+  double found_cost = 0, found_mean = 0, closest_error = 0, closest_angles = 0, closest_picture = 0;
+  const FresnelForm* closest = nullptr;
+  for (const auto& [form, cost] : ranked) {
+    if (out.form != nullptr && cost > found_cost * same_cost) break;
+    const Look look = with_form(judge.everything(), *form, judge.truth());
+    const PictureDifference angles = judge.at_any_angle(*form, look.values);
+    Candidate candidate{std::string(form->id), std::string(form->title), cost, angles.worst, false};
+    double seen = 0;
+    if (angles.worst <= limit || !spectrum) {
+      seen = judge.picture(look).worst;
+      candidate.error = std::max(angles.worst, seen);
+      candidate.within = candidate.error <= limit;
+    }
+    out.candidates.push_back(candidate);
+    if (closest == nullptr || candidate.error < closest_error)
+      closest = form, closest_error = candidate.error, closest_angles = angles.worst, closest_picture = seen;
+    if (!candidate.within || (out.form != nullptr && angles.mean >= found_mean)) continue;
+    if (out.form == nullptr) found_cost = cost;
+    found_mean = angles.mean;
+    out.form = form;
+    out.error = angles.worst;
+  }
+  if (out.form == nullptr && closest != nullptr) {
+    out.met = false;
+    out.form = closest;
+    out.error = closest_angles;
+    if (spectrum)
+      closest_picture =
+          std::max(out.error, judge.picture(with_form(judge.everything(), *closest, judge.truth())).worst);
+    out.limit = std::max(limit, closest_picture);
+  }
+  out.values = out.form->fit(judge.truth());
+  return out;
+}
+
+struct VisibilityStep {
+  std::string_view term;
+  std::vector<Candidate> candidates;
+};
+
+// Masking that fits a GGX lobe; the full one is among them. What it changes of itself says which of equal
+// costs is the closest: beside the form that was chosen, two errors may by chance make less than one.
+VisibilityStep choose_visibility(const Judge& judge, const Look& chosen, double limit) {
+  std::vector<Ranked<const Term*>> ranked;
+  for (const Term& term : terms())
+    if (term.kind == TermKind::visibility && !term.id.starts_with("smith-beckmann"))
+      ranked.push_back({&term, judge.cost("visibility/", term.id)});
+  by_cost(ranked);
+  VisibilityStep out;
+  double found_cost = 0, found_error = 0;
+  for (const auto& [term, cost] : ranked) {
+    if (!out.term.empty() && cost > found_cost * same_cost) break;
+    const auto error_beside = [&judge, id = term->id](Look look) {
+      look.visibility = id;
+      return judge.picture(look).worst;
+    };
+    const double error = error_beside(chosen);
+    out.candidates.push_back({std::string(term->id), std::string(term->title), cost, error, error <= limit});
+    if (error > limit) continue;
+    const double own = error_beside(judge.everything());
+    if (!out.term.empty() && own >= found_error) continue;
+    if (out.term.empty()) found_cost = cost;
+    out.term = term->id;
+    found_error = own;
+  }
+  return out;
+}
+
+struct FilterStep {
+  TextureFilter filter = TextureFilter::constant;
+  std::vector<Candidate> candidates;
+};
+
+FilterStep choose_filter(const Judge& judge, Look look, double limit) {
+  const ChooseSubject& subject = judge.subject();
+  FilterStep out;
+  out.filter = full_filter(subject);
+  if (!subject.textured()) return out;
+  std::vector<Ranked<TextureFilter>> ranked;
+  for (const TextureFilter filter : all_filters)
+    if (subject.mipmaps || !reads_mips(filter))
+      ranked.push_back({filter, judge.cost("filter/", name(filter))});
+  by_cost(ranked);
+  for (const auto& [filter, cost] : ranked) {
+    look.filter = filter;
+    const double error = judge.picture(look).worst;
+    const std::string id(name(filter));
+    out.candidates.push_back({id, id, cost, error, error <= limit});
+    if (error > limit) continue;
+    out.filter = filter;
+    break;
+  }
+  return out;
+}
+
+struct MethodStep {
+  std::string method;
+  FresnelValues values{};  // of the form, fed by the method's F0
+  double method_error = 0, fresnel_error = 0, cost_ns = 0;
+  std::vector<Candidate> candidates;
+};
+
+// Last, because it costs once a spectrum and not once an evaluation: what it may miss is what is left. Where F alone
+// is over the budget (`fresnel` is not met), what the exact sum differs from the limit by is rounding.
+//   budget   for the message
+MethodStep choose_method(const Judge& judge, const Look& chosen, const FresnelStep& fresnel, double budget) {
+  const ChooseSubject& subject = judge.subject();
+  const auto f0_by = [&](Method method) {
+    F0Options options;
+    options.method = method;
+    return F0Solver(options).solve(subject.dataset->optics, subject.dataset->flags);
+  };
+  const F0Result truth = f0_by(Method::exact);
+  if (truth.refused()) throw Error::at(subject.library, truth.refusal, "data with a colour");
+  std::vector<Ranked<Method>> ranked;
+  for (const Method method : all_methods)
+    // Schueler's points come with a power law of their own: not the same quantity.
+    if (method != Method::legacy_schueler)
+      ranked.push_back({method, judge.cost("quadrature/", name(method))});
+  by_cost(ranked);
+  MethodStep out;
+  for (const auto& [method, cost] : ranked) {
+    const F0Result result = f0_by(method);
+    const double own = difference(judge.unit(), vec(result.srgb_linear), vec(truth.srgb_linear));
+    Candidate candidate{std::string(name(method)), std::string(name(method)), cost, own, false};
+    FresnelTruth fed = judge.truth();
+    fed.f0 = vec(result.srgb_linear);
+    if (result.f82) fed.f82 = vec(*result.f82);
+    const Look look = with_form(chosen, *fresnel.form, fed);
+    double at_angle = 0;
+    if (own <= fresnel.limit) {
+      at_angle = judge.at_any_angle(*fresnel.form, look.values).worst;
+      candidate.error = std::max({own, at_angle, judge.picture(look).worst});
+    }
+    candidate.within = candidate.error <= fresnel.limit;
+    out.candidates.push_back(candidate);
+    if (!candidate.within && (fresnel.met || method != Method::exact)) continue;
+    out.method = candidate.id;
+    out.values = look.values;
+    out.method_error = own;
+    out.fresnel_error = at_angle;
+    out.cost_ns = cost;
+    return out;
+  }
+  throw Error::at(setting("budget"), number(budget, 6), "at least what the quadratures differ by");
+}
+
+// The texel that stands for the whole material, and the model's numbers for it.
+void describe_model(const Judge& judge, const FresnelValues& values, Choice& out) {
+  const ChooseSubject& subject = judge.subject();
+  out.values = values;
+  out.texel = subject.texture ? subject.texture->read(TextureFilter::constant, 0, 0, 0) : subject.texel;
+  if (subject.dataset)
+    for (std::size_t c = 0; c < 3; ++c) out.texel.f0[c] = judge.truth().f0[c];
+  else
+    for (std::size_t c = 0; c < 3; ++c) out.values[c] = {out.texel.f0[c], 0, 0, 0};
+  if (subject.texture) out.codes = subject.texture->mean_codes();
+  out.alpha = lobe_alpha(out.texel);
+  out.model = "microfacet:ggx," + std::string(term_of(out.fresnel->id)) + "," + out.visibility;
+  out.model_values = model_numbers(*find_model(out.model), out.values, out.alpha);
+  out.defines = shading_defines(out.model, name(out.filter));
+}
+
+double evaluation_cost(const Judge& judge, std::string_view form, std::string_view visibility,
+                       TextureFilter filter) {
+  return judge.cost("fresnel/", form) + judge.cost("visibility/", visibility) +
+         (judge.subject().textured() ? judge.cost("filter/", name(filter)) : 0);
 }
 
 }  // namespace
 
-double CostTable::of(std::string_view id) const {
-  const auto found = ns.find(id);
-  if (found == ns.end())
-    throw Error::at("cost table", "no \"" + std::string(id) + "\"", "a cost for every form");
-  return found->second;
-}
-
-std::string_view name(ErrorUnit unit) {
-  return unit == ErrorUnit::codes ? "codes" : "ΔE2000";
-}
-
-double difference(ErrorUnit unit, const Vec3& a, const Vec3& b) {
-  if (unit == ErrorUnit::delta_e) return delta_e2000(to_lab(to_rgb(a)), to_lab(to_rgb(b)));
-  int worst = 0;
-  for (std::size_t c = 0; c < 3; ++c)
-    worst = std::max(
-        worst, std::abs(int{srgb_u8(std::clamp(a[c], 0.0, 1.0))} - int{srgb_u8(std::clamp(b[c], 0.0, 1.0))}));
-  return worst;
-}
-
-double lobe_alpha(const SurfaceTexel& texel) {
-  return std::max(parameters::alpha.min, texel.gloss.alpha());
-}
-
-ChooseSubject library_subject(const Material& material, const Dataset& dataset, const Gloss& gloss) {
-  const std::string what = material.id + "/" + dataset.id;
-  if (!std::holds_alternative<OpticalConstants>(dataset.optics))
-    throw Error::at(what, "has reflectance data only", "n and k");
-  ChooseSubject out;
-  out.name = material.id;
-  out.library = what;
-  out.dataset = dataset;
-  out.texel.gloss = gloss;
-  return out;
-}
-
 Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs) {
-  return Choosing(subject, options, costs).run();
-}
+  const Judge judge(subject, options.unit, costs);
+  Choice out;
+  out.material = subject.name;
+  out.library = subject.library;
+  out.budget = options.budget;
+  out.unit = options.unit;
+  out.textured = subject.textured();
+  out.pixels = judge.pixels();
+  Look chosen = judge.everything();
 
-double largest_error(const Choice& choice) {
-  return std::max({choice.fresnel_error, choice.picture_error, choice.method_error});
-}
+  FresnelStep fresnel = choose_fresnel(judge, options.budget);
+  chosen.form = out.fresnel = fresnel.form;
+  chosen.values = fresnel.values;
+  out.met = fresnel.met;
+  out.fresnel_error = fresnel.error;
+  out.fresnel_candidates = std::move(fresnel.candidates);
 
-std::string unmet_remark(const Choice& choice) {
-  const std::string unit(name(choice.unit));
-  std::string out;
-  append(out, choice.material, ": no form of F stays within ", number(choice.budget, 6), " ", unit,
-         "; the least that can be reached is ", rounded_up(largest_error(choice)), " (", choice.fresnel->id,
-         "), which was taken; exact is ");
-  if (choice.library.empty())
-    append(out, "a material of the library, whose F is known at every nanometre: a colour says no more");
-  else
-    append(out, "F at every nanometre: etak render ", choice.library, " --reference");
-  return out;
-}
+  VisibilityStep visibility = choose_visibility(judge, chosen, fresnel.limit);
+  chosen.visibility = visibility.term;
+  out.visibility = visibility.term;
+  out.visibility_candidates = std::move(visibility.candidates);
 
-std::vector<Candidate> png_levels(const CostTable& costs) {
-  std::vector<Candidate> out;
-  for (const char* level : {"fast", "small", "smallest"})
-    out.push_back({level, level, costs.of("png/" + std::string(level)), 0, true});
-  std::stable_sort(out.begin(), out.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.cost_ns < b.cost_ns; });
+  FilterStep filter = choose_filter(judge, chosen, fresnel.limit);
+  chosen.filter = out.filter = filter.filter;
+  out.filter_candidates = std::move(filter.candidates);
+
+  if (subject.dataset) {
+    MethodStep method = choose_method(judge, chosen, fresnel, options.budget);
+    chosen.values = method.values;
+    out.method = method.method;
+    out.method_error = method.method_error;
+    out.fresnel_error = method.fresnel_error;
+    out.chosen_solve_ns = method.cost_ns;
+    out.everything_solve_ns = judge.cost("quadrature/", name(Method::exact));
+    out.method_candidates = std::move(method.candidates);
+  }
+
+  const PictureDifference together = judge.picture(chosen);
+  out.picture_error = together.worst;
+  out.picture_mean = together.mean;
+  describe_model(judge, chosen.values, out);
+  out.everything_ns = evaluation_cost(judge, judge.full_form(), full_visibility, full_filter(subject));
+  out.chosen_ns = evaluation_cost(judge, out.fresnel->id, out.visibility, out.filter);
   return out;
 }
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a choice is made from and what is said of it: costs, units of error, subjects and remarks.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/text.h"
+#include "core/brdf/parameters.h"
+#include "core/color/delta_e.h"
+#include "core/color/srgb.h"
+#include "core/study/choose/choose.h"
+
+namespace etak {
+namespace {
+
+// With three digits and not below `value`: a budget of that much is met.
+std::string rounded_up(double value) {
+  if (!(value > 0)) return number(value, 3);
+  const double step = std::pow(10, std::floor(std::log10(value)) - 2);
+  return number(std::ceil(value / step) * step, 3);
+}
+
+}  // namespace
+
+double CostTable::of(std::string_view id) const {
+  const auto found = ns.find(id);
+  if (found == ns.end())
+    throw Error::at("cost table", "no \"" + std::string(id) + "\"", "a cost for every form");
+  return found->second;
+}
+
+std::string_view name(ErrorUnit unit) {
+  return unit == ErrorUnit::codes ? "codes" : "ΔE2000";
+}
+
+double difference(ErrorUnit unit, const Vec3& a, const Vec3& b) {
+  if (unit == ErrorUnit::delta_e) return delta_e2000(to_lab(to_rgb(a)), to_lab(to_rgb(b)));
+  int worst = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    worst = std::max(
+        worst, std::abs(int{srgb_u8(std::clamp(a[c], 0.0, 1.0))} - int{srgb_u8(std::clamp(b[c], 0.0, 1.0))}));
+  return worst;
+}
+
+double lobe_alpha(const SurfaceTexel& texel) {
+  return std::max(parameters::alpha.min, texel.gloss.alpha());
+}
+
+ChooseSubject library_subject(const Material& material, const Dataset& dataset, const Gloss& gloss) {
+  const std::string what = material.id + "/" + dataset.id;
+  if (!std::holds_alternative<OpticalConstants>(dataset.optics))
+    throw Error::at(what, "has reflectance data only", "n and k");
+  ChooseSubject out;
+  out.name = material.id;
+  out.library = what;
+  out.dataset = dataset;
+  out.texel.gloss = gloss;
+  return out;
+}
+
+double largest_error(const Choice& choice) {
+  return std::max({choice.fresnel_error, choice.picture_error, choice.method_error});
+}
+
+std::string unmet_remark(const Choice& choice) {
+  const std::string unit(name(choice.unit));
+  std::string out;
+  append(out, choice.material, ": no form of F stays within ", number(choice.budget, 6), " ", unit,
+         "; the least that can be reached is ", rounded_up(largest_error(choice)), " (", choice.fresnel->id,
+         "), which was taken; exact is ");
+  if (choice.library.empty())
+    append(out, "a material of the library, whose F is known at every nanometre: a colour says no more");
+  else
+    append(out, "F at every nanometre: etak render ", choice.library, " --reference");
+  return out;
+}
+
+std::vector<Candidate> png_levels(const CostTable& costs) {
+  std::vector<Candidate> out;
+  for (const char* level : {"fast", "small", "smallest"})
+    out.push_back({level, level, costs.of("png/" + std::string(level)), 0, true});
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.cost_ns < b.cost_ns; });
+  return out;
+}
+
+}  // namespace etak
