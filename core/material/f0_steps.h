@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/stopwatch.h"
+#include "core/material/f0.h"
+#include "core/material/f0_data.h"
+#include "core/math/mat3.h"
+
+// The steps from optics to F0, for f0.cpp: each takes what a solver fixed of its options, and data.
+namespace etak {
+
+/// Linear values in the chosen space and in sRGB of a weighted sum.
+struct ColourSpaces {
+  Xyz white;  // under the illuminant
+  Mat3 to_space, to_srgb, from_srgb;
+  LinearRgb space_white{1, 1, 1};
+};
+
+/// What a solver computes once, of its options alone.
+struct F0Setup {
+  F0Options options;
+  WeightSums sums;
+  Quadrature quadrature;        // of every method but exact and automatic
+  ColourSpaces spaces;          // of every method but exact
+  std::vector<double> outside;  // n of the outside medium at the quadrature's wavelengths; empty: constant
+  double outside_n = 1;
+  Flags outside_flags;
+
+  bool exact() const { return options.method == Method::exact; }
+  bool needs_knots() const { return exact() || options.method == Method::automatic; }
+};
+
+/// Room for the spectra of one thread: kept between calls, so that a database run allocates once.
+struct F0Spectra {
+  std::vector<double> n, k, r0, r82, mixed0, mixed82;
+  void resize(std::size_t count) {
+    for (auto* v : {&n, &k, &r0, &r82, &mixed0, &mixed82}) v->resize(count);
+  }
+};
+
+/// n at the nodes of `q`; of all methods but exact and automatic the setup's quadrature is `q`.
+void index_at(const F0Setup& setup, const OpticalConstants& optics, const Quadrature& q,
+              std::span<double> out);
+
+/// Reflectance at the nodes of `q` into `room`, which has their size: r0 at normal incidence and, of optical constants,
+/// r82 at cos 1/7.
+///   returns   why the data do not allow it; empty: they do
+std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Quadrature& q, F0Spectra& room,
+                           Stopwatch& watch, F0Timing& timing);
+
+ColourSpaces colour_spaces(const F0Options& options, const Quadrature& q);
+
+/// `result` with the colours of reflectances at the nodes of `q`: all of F0Result from xyz to gamut_excess, and the flags
+/// of gamut and zone.
+///   r82   empty: no F82
+F0Result with_colour(F0Result result, const F0Options& options, const Quadrature& q,
+                     const ColourSpaces& spaces, std::span<const double> r0, std::span<const double> r82);
+
+}  // namespace etak
