@@ -100,6 +100,18 @@ void put_tiles_on(Window& window) {
   window.inspector().textures().take_files({colors, gloss}, Channel::diffuse);
 }
 
+// A material that the rules object to, and the first of its findings in hand.
+void show_findings(Window& window) {
+  edit_material(window, [](ProjectMaterial& m) {
+    m.measured.reset();
+    m.specular = {0.3, 0.3, 0.3};
+    m.diffuse = {0.98, 0.98, 0.98};
+  });
+  settle(window);
+  auto* table = window.findings().findChild<QTreeView*>();
+  table->setCurrentIndex(table->model()->index(0, 0));
+}
+
 // One function per state; states that are not here are those of a fresh window.
 void show_state(Window& window, const QString& state) {
   const auto curve = [&](int tab) {
@@ -152,17 +164,7 @@ void show_state(Window& window, const QString& state) {
          for (QAbstractButton* chip : window.library_panel().findChildren<QAbstractButton*>())
            if (chip->text() == QLatin1String("gem")) chip->click();
        }},
-      {QStringLiteral("findings"),
-       [&] {
-         edit_material(window, [](ProjectMaterial& m) {
-           m.measured.reset();
-           m.specular = {0.3, 0.3, 0.3};
-           m.diffuse = {0.98, 0.98, 0.98};
-         });
-         settle(window);
-         auto* table = window.findings().findChild<QTreeView*>();
-         table->setCurrentIndex(table->model()->index(0, 0));
-       }},
+      {QStringLiteral("findings"), [&] { show_findings(window); }},
       {QStringLiteral("pack"),
        [&] {
          window.use_library_material(QStringLiteral("copper"));

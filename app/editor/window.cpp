@@ -109,7 +109,19 @@ void Window::make_panels() {
   middle->setCollapsible(0, false);
   middle->setSizes({480, 190});
   setCentralWidget(middle);
+  make_docks();
+  connect_panels();
 
+  backend_ = new QLabel(this);
+  backend_->setAccessibleName(tr("How the picture is drawn"));
+  patch_ = new QLabel(this);
+  patch_->setAccessibleName(tr("Under the cursor"));
+  statusBar()->setAccessibleName(tr("Status"));
+  statusBar()->addPermanentWidget(patch_);
+  statusBar()->addPermanentWidget(backend_);
+}
+
+void Window::make_docks() {
   const auto dock = [this](const QString& title, const char* id, QWidget* inside, Qt::DockWidgetArea area) {
     auto* out = new QDockWidget(title, this);
     out->setObjectName(QLatin1String(id));
@@ -137,7 +149,9 @@ void Window::make_panels() {
   resizeDocks({library, inspector}, {300, 340}, Qt::Horizontal);
   resizeDocks({library, project}, {480, 240}, Qt::Vertical);
   resizeDocks({findings}, {150}, Qt::Vertical);
+}
 
+void Window::connect_panels() {
   library_panel_->set_library(document_.library());
   connect(&document_, &Document::spectra_changed, this,
           [this] { library_panel_->set_library(document_.library()); });
@@ -161,14 +175,6 @@ void Window::make_panels() {
     tabs_->setCurrentWidget(texture_view_);
     texture_view_->show_channel(channel);
   });
-
-  backend_ = new QLabel(this);
-  backend_->setAccessibleName(tr("How the picture is drawn"));
-  patch_ = new QLabel(this);
-  patch_->setAccessibleName(tr("Under the cursor"));
-  statusBar()->setAccessibleName(tr("Status"));
-  statusBar()->addPermanentWidget(patch_);
-  statusBar()->addPermanentWidget(backend_);
 }
 
 bool Window::use_library_material(const QString& name) {

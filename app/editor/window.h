@@ -93,6 +93,8 @@ class Window : public QMainWindow {
 
  private:
   void make_panels();
+  void make_docks();
+  void connect_panels();
   void make_menus();
   void make_file_menu();
   void make_edit_menu();

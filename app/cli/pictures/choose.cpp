@@ -60,9 +60,81 @@ std::vector<Choice> scene_choices(const std::string& scene, ChooseArguments& arg
   return out;
 }
 
-}  // namespace
+// What came of the subjects; remarks are told behind the progress.
+struct Chosen {
+  std::vector<Choice> choices;
+  std::vector<std::string> remarks;
+  int status = exit_ok;
 
-namespace {
+  void take(Choice choice) {
+    if (!choice.met) {
+      status = exit_findings;
+      remarks.push_back(unmet_remark(choice));
+    }
+    choices.push_back(std::move(choice));
+  }
+};
+
+// The sphere of a library material, as rough as was asked or as its class is by convention.
+ChooseSubject subject_of(const Material& material, const Dataset& dataset, const std::optional<Gloss>& given,
+                         std::vector<std::string>& remarks) {
+  if (given) {
+    if (given->alpha() < lobe_alpha({{}, {}, *given}))
+      remarks.push_back(material.id + ": the lobe of roughness " + number(given->roughness(), 3) +
+                        " is compared with a width of " + number(lobe_alpha({{}, {}, *given}), 3) +
+                        ", the least that the models take");
+    return library_subject(material, dataset, *given);
+  }
+  const DefaultGloss standard = default_gloss(material, clarity(material, dataset).clear);
+  const Gloss gloss(double{standard.gloss});
+  remarks.push_back(material.id + ": " + default_gloss_remark(standard) +
+                    (standard.gloss.held() ? "; compared with " + roughness_text(gloss) : ""));
+  return library_subject(material, dataset, gloss);
+}
+
+// Chooses for materials of the library, or for all of it.
+void choose_for_library(ChooseArguments& arguments, const ChooseOptions& options, const CostTable& costs,
+                        Progress& progress, Chosen& out) {
+  const std::optional<Gloss> given = given_gloss(arguments.rough);
+  std::size_t total = 0;
+  const auto add = [&](const Material& material, const Dataset& dataset) {
+    const ChooseSubject subject = subject_of(material, dataset, given, out.remarks);
+    progress.stage(subject.name);
+    out.take(choose(subject, options, costs));
+    progress.set(out.choices.size(), total);
+  };
+  if (!arguments.all) {
+    InputNames names;
+    names.names = arguments.materials;
+    const std::vector<MaterialInput> inputs = find_inputs(names, arguments.library.when_asked(), 1);
+    for (const std::string& each : alias_remarks(inputs)) out.remarks.push_back(each);
+    total = inputs.size();
+    for (const MaterialInput& input : inputs) {
+      const Material material = read_material(input, TableOptions{});
+      add(material, dataset_named(material, input.dataset, input.label()));
+    }
+    return;
+  }
+  const MaterialLibrary& library = arguments.library.get();
+  total = library.ids().size();
+  std::size_t reflectances = 0;
+  for (std::size_t i = 0; i < library.ids().size(); ++i) {
+    const Material material = library.at(i);
+    if (!std::holds_alternative<OpticalConstants>(material.preferred_dataset().optics)) {
+      ++reflectances;
+      --total;
+      continue;
+    }
+    try {
+      add(material, material.preferred_dataset());
+    } catch (const Error& error) {
+      out.remarks.emplace_back(error.what());
+      out.status = exit_findings;
+      --total;
+    }
+  }
+  out.remarks.push_back(std::to_string(reflectances) + " materials without n and k are left out");
+}
 
 int choose_within_memory(ChooseArguments& arguments) {
   check_output(arguments.output);
@@ -75,7 +147,8 @@ int choose_within_memory(ChooseArguments& arguments) {
   }
   if (arguments.measure)
     remark(arguments.output, "costs measured here: the choice may differ from that of other machines");
-  if (arguments.all == !arguments.materials.empty())
+  const auto& materials = arguments.materials;
+  if (arguments.all == !materials.empty())
     throw Error::at("etak choose", arguments.all ? "--all and materials" : "no material",
                     "materials, or --all");
   if (!(arguments.budget >= 0) || !std::isfinite(arguments.budget))
@@ -83,82 +156,27 @@ int choose_within_memory(ChooseArguments& arguments) {
   ChooseOptions options;
   options.budget = arguments.budget;
   if (arguments.codes) options.unit = ErrorUnit::codes;
-  const std::string scene =
-      !arguments.materials.empty() && names_scene(arguments.materials[0]) ? arguments.materials[0] : "";
-  const std::optional<Gloss> given = given_gloss(arguments.rough);
-  if (given && !scene.empty())
+  const std::string scene = !materials.empty() && names_scene(materials[0]) ? materials[0] : "";
+  if (given_gloss(arguments.rough) && !scene.empty())
     throw Error::at("etak choose", "--gloss or --roughness beside " + scene,
                     "a scene alone: it says its own");
-  std::vector<Choice> choices;
-  std::vector<std::string> remarks;  // told behind the progress
-  int status = exit_ok;
-  // The sphere of a library material, as rough as was asked or as its class is by convention.
-  const auto subject_of = [&](const Material& material, const Dataset& dataset) {
-    if (given) {
-      if (given->alpha() < lobe_alpha({{}, {}, *given}))
-        remarks.push_back(material.id + ": the lobe of roughness " + number(given->roughness(), 3) +
-                          " is compared with a width of " + number(lobe_alpha({{}, {}, *given}), 3) +
-                          ", the least that the models take");
-      return library_subject(material, dataset, *given);
-    }
-    const DefaultGloss standard = default_gloss(material, clarity(material, dataset).clear);
-    const Gloss gloss(double{standard.gloss});
-    remarks.push_back(material.id + ": " + default_gloss_remark(standard) +
-                      (standard.gloss.held() ? "; compared with " + roughness_text(gloss) : ""));
-    return library_subject(material, dataset, gloss);
-  };
-  std::size_t total = arguments.all ? arguments.library.get().ids().size() : arguments.materials.size();
-  std::optional<Progress> progress(std::in_place, arguments.output, total, "choose");
-  const auto take = [&](Choice choice) {
-    choices.push_back(std::move(choice));
-    if (choices.back().met) return;
-    status = exit_findings;
-    remarks.push_back(unmet_remark(choices.back()));
-  };
-  const auto add = [&](const ChooseSubject& subject) {
-    progress->stage(subject.name);
-    take(choose(subject, options, costs));
-    progress->set(choices.size(), total);
-  };
-  if (!scene.empty()) {
-    if (arguments.materials.size() > 1)
-      throw Error::at("etak choose", arguments.materials[1] + " beside " + scene, "one scene alone");
-    for (Choice& each : scene_choices(scene, arguments, options, costs, *progress)) take(std::move(each));
-  } else if (arguments.all) {
-    const MaterialLibrary& library = arguments.library.get();
-    std::size_t reflectances = 0;
-    for (std::size_t i = 0; i < library.ids().size(); ++i) {
-      const Material material = library.at(i);
-      if (!std::holds_alternative<OpticalConstants>(material.preferred_dataset().optics)) {
-        ++reflectances;
-        --total;
-        continue;
-      }
-      try {
-        add(subject_of(material, material.preferred_dataset()));
-      } catch (const Error& error) {
-        remarks.emplace_back(error.what());
-        status = exit_findings;
-        --total;
-      }
-    }
-    remarks.push_back(std::to_string(reflectances) + " materials without n and k are left out");
-  } else {
-    InputNames names;
-    names.names = arguments.materials;
-    const std::vector<MaterialInput> inputs = find_inputs(names, arguments.library.when_asked(), 1);
-    for (const std::string& each : alias_remarks(inputs)) remarks.push_back(each);
-    total = inputs.size();
-    for (const MaterialInput& input : inputs) {
-      const Material material = read_material(input, TableOptions{});
-      add(subject_of(material, dataset_named(material, input.dataset, input.label())));
-    }
+  Chosen chosen;
+  {
+    Progress progress(arguments.output,
+                      arguments.all ? arguments.library.get().ids().size() : materials.size(), "choose");
+    if (scene.empty())
+      choose_for_library(arguments, options, costs, progress, chosen);
+    else if (materials.size() > 1)
+      throw Error::at("etak choose", materials[1] + " beside " + scene, "one scene alone");
+    else
+      for (Choice& each : scene_choices(scene, arguments, options, costs, progress))
+        chosen.take(std::move(each));
   }
-  progress.reset();
-  for (const std::string& each : remarks) remark(arguments.output, each);
-  write_output(arguments.output, arguments.output.format == "json" ? choice_json(choices, costs, scene)
-                                                                   : choice_text(choices, costs, scene));
-  return status;
+  for (const std::string& each : chosen.remarks) remark(arguments.output, each);
+  write_output(arguments.output, arguments.output.format == "json"
+                                     ? choice_json(chosen.choices, costs, scene)
+                                     : choice_text(chosen.choices, costs, scene));
+  return chosen.status;
 }
 
 }  // namespace

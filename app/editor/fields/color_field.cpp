@@ -30,6 +30,11 @@ double& part(LinearRgb& color, std::size_t c) {
   return c == 0 ? color.r : c == 1 ? color.g : color.b;
 }
 
+LinearRgb linear_of(const QColor& color) {
+  return srgb_decode(Srgb8{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
+                           static_cast<std::uint8_t>(color.blue())});
+}
+
 QPixmap swatch_of(const Srgb8& codes, const QSize& size, double ratio) {
   QPixmap out(size * ratio);
   out.setDevicePixelRatio(ratio);
@@ -52,39 +57,20 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
   swatch_->setToolTip(tr("%1: choose in a dialog").arg(name));
   swatch_->setAccessibleName(tr("%1, choose").arg(name));
   grid->addWidget(swatch_, 0, 0, 2, 1);
-  const std::array<QString, 2> rows{tr("linear"), tr("sRGB 8 bit")};
   for (int row = 0; row < 2; ++row) {
     auto* label = new QLabel(row == 0 ? tr("lin") : tr("8 bit"), this);
     label->setProperty("quiet", true);
     grid->addWidget(label, row, 1);
   }
   for (std::size_t c = 0; c < 3; ++c) {
-    auto* box = new FineSpinBox(this);
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setRange(-1000, 1000);
-    box->setAccessibleName(tr("%1, %2, %3").arg(name, channel_words()[c], rows[0]));
-    box->setToolTip(tr("%1, linear; wheel edits, Ctrl coarse, Shift fine").arg(channel_words()[c]));
-    grid->addWidget(box, 0, 2 + static_cast<int>(c));
-    linear_[c] = box;
-    connect(box, &FineSpinBox::edited, this, [this, c](double value, int press_id) {
-      LinearRgb next = color_;
-      part(next, c) = value;
-      take(next, press_id);
-    });
-    auto* code = new FineSpinBox(this);
-    code->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    code->setDecimals(0);
-    code->setSingleStep(1);
-    code->setRange(0, 255);
-    code->setAccessibleName(tr("%1, %2, %3").arg(name, channel_words()[c], rows[1]));
-    grid->addWidget(code, 1, 2 + static_cast<int>(c));
-    codes_[c] = code;
-    connect(code, &FineSpinBox::edited, this, [this, c](double value, int press_id) {
-      // The other channels keep what 8 bits would take from them.
-      LinearRgb next = color_;
-      part(next, c) = srgb_decode(value / 255);
-      take(next, press_id);
-    });
+    linear_[c] = add_number(grid, 0, c, tr("linear"), [](double value) { return value; });
+    linear_[c]->setRange(-1000, 1000);
+    linear_[c]->setToolTip(tr("%1, linear; wheel edits, Ctrl coarse, Shift fine").arg(channel_words()[c]));
+    // The other channels keep what 8 bits would take from them.
+    codes_[c] = add_number(grid, 1, c, tr("sRGB 8 bit"), [](double code) { return srgb_decode(code / 255); });
+    codes_[c]->setDecimals(0);
+    codes_[c]->setSingleStep(1);
+    codes_[c]->setRange(0, 255);
   }
   auto* line = new QHBoxLayout;
   line->setSpacing(4);
@@ -93,23 +79,43 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
   hex_->setAccessibleName(tr("%1, hexadecimal").arg(name));
   hex_->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("#wwwwww")) + 16);
   line->addWidget(hex_);
-  dropper_ = new QToolButton(this);
-  dropper_->setText(tr("Pick"));
-  dropper_->setToolTip(tr("Take a colour from anywhere on the screen (Esc: none)"));
-  dropper_->setAccessibleName(tr("%1, eyedropper").arg(name));
-  line->addWidget(dropper_);
-  reset_ = new QToolButton(this);
-  reset_->setText(QStringLiteral("\u21ba"));
+  const auto button = [&](const QString& label, const QString& accessible, const QString& tip) {
+    auto* out = new QToolButton(this);
+    out->setText(label);
+    out->setToolTip(tip);
+    out->setAccessibleName(accessible);
+    line->addWidget(out);
+    return out;
+  };
+  dropper_ = button(tr("Pick"), tr("%1, eyedropper").arg(name),
+                    tr("Take a colour from anywhere on the screen (Esc: none)"));
+  reset_ = button(QStringLiteral("\u21ba"), tr("Reset %1").arg(name), tr("Reset %1").arg(name));
   reset_->setAutoRaise(true);
-  reset_->setToolTip(tr("Reset %1").arg(name));
-  reset_->setAccessibleName(tr("Reset %1").arg(name));
-  line->addWidget(reset_);
   line->addStretch(1);
   grid->addLayout(line, 2, 1, 1, 4);
   make_badge();
   grid->addWidget(outside_, 3, 0, 1, 5);
   for (int c = 2; c < 5; ++c) grid->setColumnStretch(c, 1);
 
+  connect_parts();
+  show_all();
+}
+
+FineSpinBox* ColorField::add_number(QGridLayout* grid, int row, std::size_t channel, const QString& what,
+                                    double (*linear_of_shown)(double)) {
+  auto* out = new FineSpinBox(this);
+  out->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  out->setAccessibleName(tr("%1, %2, %3").arg(name_, channel_words()[channel], what));
+  grid->addWidget(out, row, 2 + static_cast<int>(channel));
+  connect(out, &FineSpinBox::edited, this, [this, channel, linear_of_shown](double value, int press_id) {
+    LinearRgb next = color_;
+    part(next, channel) = linear_of_shown(value);
+    take(next, press_id);
+  });
+  return out;
+}
+
+void ColorField::connect_parts() {
   connect(hex_, &QLineEdit::editingFinished, this, [this] {
     if (showing_ || hex_->text().toStdString() == hex(srgb_u8(color_))) return;
     try {
@@ -121,11 +127,7 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
   connect(reset_, &QToolButton::clicked, this, [this] { take(standard_, next_press_id()); });
   connect(dropper_, &QToolButton::clicked, this, [this] {
     new Eyedropper(this, [this](std::optional<QColor> picked) {
-      if (picked)
-        take(srgb_decode(Srgb8{static_cast<std::uint8_t>(picked->red()),
-                               static_cast<std::uint8_t>(picked->green()),
-                               static_cast<std::uint8_t>(picked->blue())}),
-             next_press_id());
+      if (picked) take(linear_of(*picked), next_press_id());
     });
   });
   connect(swatch_, &QToolButton::clicked, this, [this] {
@@ -135,16 +137,12 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
     dialog->setOption(QColorDialog::DontUseNativeDialog);
     dialog->setWindowTitle(name_);
     const int press = next_press_id();
-    connect(dialog, &QColorDialog::currentColorChanged, this, [this, press](const QColor& c) {
-      take(srgb_decode(Srgb8{static_cast<std::uint8_t>(c.red()), static_cast<std::uint8_t>(c.green()),
-                             static_cast<std::uint8_t>(c.blue())}),
-           press);
-    });
+    connect(dialog, &QColorDialog::currentColorChanged, this,
+            [this, press](const QColor& c) { take(linear_of(c), press); });
     const LinearRgb before = color_;
     connect(dialog, &QColorDialog::rejected, this, [this, before, press] { take(before, press); });
     dialog->open();
   });
-  show_all();
 }
 
 void ColorField::make_badge() {

@@ -6,6 +6,7 @@
 
 #include "core/color/rgb.h"
 
+class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QToolButton;
@@ -31,6 +32,9 @@ class ColorField : public QWidget {
 
  private:
   void take(const LinearRgb& color, int press_id);
+  FineSpinBox* add_number(QGridLayout* grid, int row, std::size_t channel, const QString& what,
+                          double (*linear_of_shown)(double));
+  void connect_parts();
   void make_badge();
   void show_all();
 

@@ -59,20 +59,30 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
   count_->setAccessibleName(tr("Number of materials shown"));
   count_->setWordWrap(true);
   foot->addWidget(count_, 1);
-  auto* flat = new QToolButton(this);
-  flat->setText(tr("Flat"));
+  const auto button = [&](const QString& label, const QString& name, const QString& tip) {
+    auto* out = new QToolButton(this);
+    out->setText(label);
+    out->setToolTip(tip);
+    out->setAccessibleName(name);
+    foot->addWidget(out);
+    return out;
+  };
+  auto* flat = button(tr("Flat"), tr("Flat pictures"), tr("Flat pictures in place of spheres"));
   flat->setCheckable(true);
-  flat->setToolTip(tr("Flat pictures in place of spheres"));
-  flat->setAccessibleName(tr("Flat pictures"));
-  foot->addWidget(flat);
-  auto* add = new QToolButton(this);
-  add->setText(tr("Add to project"));
-  add->setToolTip(tr("Add the selected material to the project (Return or double click)"));
-  add->setAccessibleName(tr("Add to project"));
-  foot->addWidget(add);
+  auto* add = button(tr("Add to project"), tr("Add to project"),
+                     tr("Add the selected material to the project (Return or double click)"));
   column->addLayout(foot);
 
   chip_group_->setExclusive(false);
+  connect(add, &QToolButton::clicked, this, [this] {
+    if (!selected().isEmpty()) emit wanted(selected());
+  });
+  connect(flat, &QToolButton::toggled, this,
+          [this](bool on) { model_.set_shape(on ? Shape::quad : Shape::sphere); });
+  connect_list();
+}
+
+void LibraryPanel::connect_list() {
   connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
     filter_.set_search(text);
     tell_count();
@@ -88,11 +98,6 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
   connect(list_, &QListView::activated, this, [this] {
     if (!selected().isEmpty()) emit wanted(selected());
   });
-  connect(add, &QToolButton::clicked, this, [this] {
-    if (!selected().isEmpty()) emit wanted(selected());
-  });
-  connect(flat, &QToolButton::toggled, this,
-          [this](bool on) { model_.set_shape(on ? Shape::quad : Shape::sphere); });
 }
 
 void LibraryPanel::set_library(std::shared_ptr<const MaterialLibrary> library) {

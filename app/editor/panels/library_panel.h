@@ -33,6 +33,7 @@ class LibraryPanel : public QWidget {
   void wanted(const QString& id);     // to be added to the project
 
  private:
+  void connect_list();
   void make_chips();
   void tell_count();
 

@@ -120,6 +120,11 @@ Section* LightPanel::make_light() {
   out->add(tr("Direction"), three_boxes(tr("Light direction"), direction_, out));
   out->add(tr("Inner \u00b0"), inner_);
   out->add(tr("Outer \u00b0"), outer_);
+  connect_light();
+  return out;
+}
+
+void LightPanel::connect_light() {
   connect(which_, &QComboBox::currentIndexChanged, this, [this] {
     if (!showing_) show_view();
   });
@@ -154,7 +159,6 @@ Section* LightPanel::make_light() {
       });
     });
   }
-  return out;
 }
 
 Section* LightPanel::make_hemispheres() {

@@ -22,6 +22,7 @@ class LightPanel : public PanelScroll {
 
  private:
   Section* make_light();
+  void connect_light();
   Section* make_hemispheres();
   Section* make_environment();
   void show_view();
