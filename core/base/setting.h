@@ -6,9 +6,9 @@
 
 namespace etak {
 
-/// A setting as the user of the program knows it, for messages that say what would help: "allow extrapolation" of
-/// "allow-extrapolation". A program whose settings are options of a command line says so once at its start
-/// (settings_are_options()); the same is then "--allow-extrapolation".
+/// A setting as the user of the program knows it, for messages that say what would help: "allow
+/// extrapolation" of "allow-extrapolation". A program whose settings are options of a command line says so
+/// once at its start (settings_are_options()); the same is then "--allow-extrapolation".
 std::string setting(std::string_view name);
 
 /// For the start of a program, before any thread asks.

@@ -8,8 +8,8 @@
 namespace etak {
 
 /// A line of a text table.
-///   cells    any text, of one line each (line_text()); the last is as long as it is and widens no column, so a
-///            row may end early with a long remark
+///   cells    any text, of one line each (line_text()); the last is as long as it is and widens no column, so
+///            a row may end early with a long remark
 ///   before   what stands in front of the row as it is, such as a swatch of colour for terminals
 struct TextRow {
   std::vector<std::string> cells;

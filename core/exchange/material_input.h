@@ -34,8 +34,8 @@ struct MaterialInput {
 };
 
 /// What is asked for, as it is typed.
-///   names     materials ("gold"), their datasets ("gold/johnson_1972", its unique beginning, "gold/*"), files, folders,
-///             pipes of accept_input()
+///   names     materials ("gold"), their datasets ("gold/johnson_1972", its unique beginning, "gold/*"),
+///             files, folders, pipes of accept_input()
 ///   dataset   of every material, in place of the preferred one
 struct InputNames {
   std::vector<std::string> names;
@@ -49,9 +49,10 @@ struct InputNames {
 /// Gives the library when the first name is looked up, because most runs over files never ask for one.
 using LibraryWhenAsked = std::function<const MaterialLibrary&()>;
 
-/// Finds what is named, in its order, folders opened up into their files on `threads` threads and "gold/*" into its
-/// datasets. A known name wins over a file or folder of that name ("./gold" is the folder); what ends like a data file
-/// or begins like a path is one. What cannot be found becomes a failed input, so that the others are still answered.
+/// Finds what is named, in its order, folders opened up into their files on `threads` threads and "gold/*"
+/// into its datasets. A known name wins over a file or folder of that name ("./gold" is the folder); what
+/// ends like a data file or begins like a path is one. What cannot be found becomes a failed input, so that
+/// the others are still answered.
 ///   remarks   gets what was skipped
 std::vector<MaterialInput> find_inputs(const InputNames& asked, const LibraryWhenAsked& library,
                                        unsigned threads, std::vector<std::string>* remarks = nullptr);

@@ -46,11 +46,11 @@ struct NearMaterial {
   double delta_e = 0;
 };
 
-/// The entries whose F0 is nearest to `color`, nearest first, at most `count`. An 8-bit colour is compared with the
-/// 8-bit colours of the library, so that a texture's own rounding and clipping cost nothing; a linear one (sRGB) with
-/// the unclipped values.
-///   classes   only these; empty: all that give F0. The colour of a surface is diffuse and no F0: it is offered only
-///             where its class is asked for
+/// The entries whose F0 is nearest to `color`, nearest first, at most `count`. An 8-bit colour is compared
+/// with the 8-bit colours of the library, so that a texture's own rounding and clipping cost nothing; a
+/// linear one (sRGB) with the unclipped values.
+///   classes   only these; empty: all that give F0. The colour of a surface is diffuse and no F0: it is
+///             offered only where its class is asked for
 std::vector<NearMaterial> nearest_materials(std::span<const CatalogueEntry> entries,
                                             const std::variant<LinearRgb, Srgb8>& color,
                                             std::span<const std::string> classes, std::size_t count);

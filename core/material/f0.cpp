@@ -160,8 +160,8 @@ struct F0Solver::State {
     return out;
   }
 
-  // Whether a sum's step is wider than the data's. The reference sum is fine enough for nearly all data that are finer
-  // than it, so that of it only what may show counts.
+  // Whether a sum's step is wider than the data's. The reference sum is fine enough for nearly all data that
+  // are finer than it, so that of it only what may show counts.
   template <class Reflect>
   bool finer_than_grid(const Optics& optics, const Reflect& reflect) const {
     const int step = step_nm(setup.options.method);
@@ -173,8 +173,8 @@ struct F0Solver::State {
     return !errors.empty() && errors.back() > flagged_grid_error;
   }
 
-  // Completes `result` by the colour of the reflectance that `reflect` gives at the nodes of the rule for these knots;
-  // where the data do not allow it, `reflect` returns nothing and says why in result.refusal.
+  // Completes `result` by the colour of the reflectance that `reflect` gives at the nodes of the rule for
+  // these knots; where the data do not allow it, `reflect` returns nothing and says why in result.refusal.
   //   r82   where `reflect` leaves the reflectance at cos 1/7; null: none
   template <class Reflect>
   void add_colour(std::vector<double> knots, const Reflect& reflect, const std::vector<double>* r82,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From reflectance at the nodes of a quadrature to colours, and what of them is out of gamut or in the forbidden zone.
+// From reflectance at the nodes of a quadrature to colours, and what of them is out of gamut or in the
+// forbidden zone.
 #include <algorithm>
 #include <cmath>
 

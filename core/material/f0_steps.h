@@ -42,20 +42,20 @@ struct F0Spectra {
   }
 };
 
-/// n at the nodes of `q`; of all methods but exact and automatic the setup's quadrature is `q`.
+/// n of `optics` at the nodes of `q` into `out`, which has their size.
 void index_at(const F0Setup& setup, const OpticalConstants& optics, const Quadrature& q,
               std::span<double> out);
 
-/// Reflectance at the nodes of `q` into `room`, which has their size: r0 at normal incidence and, of optical constants,
-/// r82 at cos 1/7.
+/// Reflectance at the nodes of `q` into `room`, which has their size: r0 at normal incidence and, of optical
+/// constants, r82 at cos 1/7.
 ///   returns   why the data do not allow it; empty: they do
 std::string reflectance_at(const F0Setup& setup, const Optics& optics, const Quadrature& q, F0Spectra& room,
                            Stopwatch& watch, F0Timing& timing);
 
 ColourSpaces colour_spaces(const F0Options& options, const Quadrature& q);
 
-/// `result` with the colours of reflectances at the nodes of `q`: all of F0Result from xyz to gamut_excess, and the flags
-/// of gamut and zone.
+/// `result` with the colours of reflectances at the nodes of `q`: all of F0Result from xyz to gamut_excess,
+/// and the flags of gamut and zone.
 ///   r82   empty: no F82
 F0Result with_colour(F0Result result, const F0Options& options, const Quadrature& q,
                      const ColourSpaces& spaces, std::span<const double> r0, std::span<const double> r82);

@@ -169,8 +169,8 @@ struct Material {
 /// One line: "A. Author and B. Author, Title, Journal 1, 2 (1972), doi:...".
 std::string one_line(const Citation& citation);
 
-/// One material of several: the first, and behind its datasets those of the others. Where a dataset's id is taken it
-/// becomes "ID-2", "ID-3", ... A material without datasets where there are none.
+/// One material of several: the first, and behind its datasets those of the others. Where a dataset's id is
+/// taken it becomes "ID-2", "ID-3", ... A material without datasets where there are none.
 Material merged(std::vector<Material> materials);
 
 }  // namespace etak

@@ -11,8 +11,8 @@ namespace etak::cli {
 
 // A material of a file in place of the one that `etak shader` is given on the line.
 
-/// The material of the layout that --layout and --material name; `name` may be empty where there is one alone. Throws
-/// Error.
+/// The material of the layout that --layout and --material name; `name` may be empty where there is one
+/// alone. Throws Error.
 LayoutShader shader_of_layout(const std::string& layout_file, const std::string& name);
 
 /// The material of what `etak choose` found that --choice and --material name, likewise.

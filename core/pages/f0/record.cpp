@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of one material: what it is, how far its datasets agree, and each dataset with its F0, sample and source.
+// The record of one material: what it is, how far its datasets agree, and each dataset with its F0, sample
+// and source.
 #include <algorithm>
 #include <variant>
 

@@ -12,8 +12,8 @@ namespace etak {
 struct GlslText;
 enum class GlslVersion;
 
-// Lists of what the library holds and of what etak computes: tables of fixed width for people, CSV and JSON for
-// programs. Each CSV begins with the names of its columns; each JSON names its schema.
+// Lists of what the library holds and of what etak computes: tables of fixed width for people, CSV and JSON
+// for programs. Each CSV begins with the names of its columns; each JSON names its schema.
 
 /// Materials of the library, a line each. `color`: with a swatch of F0 before each line, for terminals.
 std::string catalogue_table(std::span<const CatalogueEntry* const> entries, bool color);
@@ -35,8 +35,8 @@ std::string names_csv(std::span<const NameAnswer> answers);
 std::string names_json(std::span<const NameAnswer> answers);
 std::string names_jsonl(std::span<const NameAnswer> answers);
 
-/// Shading models, their terms and the kinds of light, with what they claim. The table ends in a legend where it is
-/// asked for.
+/// Shading models, their terms and the kinds of light, with what they claim. The table ends in a legend where
+/// it is asked for.
 std::string models_table(bool legend);
 std::string models_csv();
 std::string models_json();
@@ -45,8 +45,8 @@ std::string models_json();
 std::string functions_text();
 std::string functions_json();
 
-/// The fragment shader with what is in it and what was left out, and why, as comments behind its first line, which must
-/// stay the version.
+/// The fragment shader with what is in it and what was left out, and why, as comments behind its first line,
+/// which must stay the version.
 std::string annotated_fragment(const GlslText& text);
 
 /// Both shaders with the same and the uniforms, as resources/schema/shader.schema.json describes them.

@@ -282,8 +282,9 @@ struct MethodStep {
   std::vector<Candidate> candidates;
 };
 
-// Last, because it costs once a spectrum and not once an evaluation: what it may miss is what is left. Where F alone
-// is over the budget (`fresnel` is not met), what the exact sum differs from the limit by is rounding.
+// Last, because it costs once a spectrum and not once an evaluation: what it may miss is what is left. Where
+// F alone is over the budget (`fresnel` is not met), what the exact sum differs from the limit by is
+// rounding.
 //   budget   for the message
 MethodStep choose_method(const Judge& judge, const Look& chosen, const FresnelStep& fresnel, double budget) {
   const ChooseSubject& subject = judge.subject();
