@@ -50,7 +50,7 @@ bool PackCheck::check_page(const AtlasLayout& layout, int page,
                            const std::function<std::unique_ptr<RowSource>(Texture)>& rows) {
   // Pages come from the first one on each time the layout has changed.
   if (page == 0) files_.clear();
-  const std::vector<CheckTarget> targets = targets_of_layout_text(layout_json(layout), path_, label_);
+  const std::vector<CheckTarget> targets = targets_of_layout(layout, path_, label_);
   const auto index = static_cast<std::size_t>(page);
   if (index >= targets.size()) return true;  // no material that is on no page
   const CheckTarget& target = targets[index];

@@ -15,6 +15,8 @@
 
 namespace etak {
 
+struct AtlasLayout;
+
 // One target at a time: the parts that validate() (core/validate/validate.h) and PackCheck (check_pack.h) are
 // made of.
 
@@ -40,9 +42,11 @@ std::optional<FileRole> role_of_file(const std::string& path);
 /// and JSON pointer.
 std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::string& label);
 
-/// The same of a layout that is at hand; `path` is where it is, or will be.
+/// The same of a layout's text, and of one in memory; `path` is where it is, or will be.
 std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const std::string& path,
                                                 const std::string& label);
+std::vector<CheckTarget> targets_of_layout(const AtlasLayout& layout, const std::string& path,
+                                           const std::string& label);
 
 /// The pictures of a target as codes (a metal-rough set is converted first), for mask pictures and
 /// thumbnails. A and B as the rules see them; empty (0 x 0) where there is none. Throws Error.

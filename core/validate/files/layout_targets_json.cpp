@@ -2,8 +2,10 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <tuple>
 
+#include "core/atlas/layout.h"
 #include "core/base/files/file.h"
 #include "core/base/files/links.h"
 #include "core/base/node_json.h"
@@ -21,12 +23,37 @@ std::string beside(const std::string& path, const std::string& name) {
   return whole.lexically_normal().generic_string();
 }
 
+// What the check goes by, of etak's own layouts and of those of other programs.
+struct LayoutFacts {
+  struct Page {
+    std::vector<std::pair<FileRole, std::string>> files;
+    bool one_texture = false;
+  };
+  struct Place {
+    std::string material;
+    CheckTile tile;
+  };
+  Manifest common;  // of every page
+  std::vector<Page> pages;
+  std::vector<AtlasMaterialRow> materials;  // name, texels and constant of each
+  std::vector<Place> places;
+};
+
+// "mips" counts level 0, which nothing can bleed into; chains that end early ask for less.
+int mips_of_tile(int mips, int levels) {
+  return std::min(mips, levels) - 1;
+}
+
+std::string tile_name(const std::string& material, int island) {
+  return material + '#' + std::to_string(island);
+}
+
 // Only what the rules ask for is read: layouts of other programs may hold less and more than etak's.
-CheckTile read_tile(const JsonNode& node, std::size_t pages, int levels) {
+LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int levels) {
   node.expect_object();
-  CheckTile tile;
-  tile.name = node.at("name").text();
-  if (node.has("island")) tile.name += '#' + std::to_string(node.at("island").integer());
+  LayoutFacts::Place out{node.at("name").text(), {}};
+  CheckTile& tile = out.tile;
+  tile.name = node.has("island") ? tile_name(out.material, node.at("island").integer()) : out.material;
   tile.page = pages > 1 || node.has("page") ? node.at("page").integer(0, static_cast<int>(pages) - 1) : 0;
   tile.box = {node.at("x").integer(), node.at("y").integer(), node.at("w").integer(0),
               node.at("h").integer(0)};
@@ -36,48 +63,147 @@ CheckTile read_tile(const JsonNode& node, std::size_t pages, int levels) {
   if (node.has("gutter")) tile.gutter = node.at("gutter").integer(0, max_image_side);
   // What is no copy of the edge cannot be held against it.
   if (node.has("source_gutter") && node.at("source_gutter").boolean()) tile.gutter = 0;
-  // "mips" counts level 0, which nothing can bleed into.
-  if (node.has("mips")) tile.mips = std::min(node.at("mips").integer(1, 16), levels) - 1;
-  return tile;
+  if (node.has("mips")) tile.mips = mips_of_tile(node.at("mips").integer(1, 16), levels);
+  return out;
 }
 
-// What the layout says of a material beside its places.
-struct MaterialNode {
-  std::string name;
-  bool texels = true;
-  std::array<std::optional<std::array<std::uint8_t, 4>>, 2> flat;  // by texture
-};
-
-MaterialNode read_material(const JsonNode& node) {
+AtlasMaterialRow read_row(const JsonNode& node) {
   node.expect_object();
-  MaterialNode out;
+  AtlasMaterialRow out;
   out.name = node.at("name").text();
   if (node.has("texels")) out.texels = node.at("texels").boolean();
   if (!node.has("constant")) return out;
   const JsonNode constant = node.at("constant");
   constant.expect_object();
-  for (std::size_t texture = 0; texture < 2; ++texture) {
-    std::array<std::uint8_t, 4> codes{};
-    bool all = true;
-    for (std::size_t c = 0; c < 4; ++c) {
-      const std::string_view channel = channel_names[4 * texture + c];
-      if (constant.has(channel))
-        codes[c] = static_cast<std::uint8_t>(constant.at(channel).integer(0, 255));
-      else
-        all = false;
-    }
-    if (all) out.flat[texture] = codes;
+  for (std::size_t c = 0; c < channel_count; ++c)
+    if (constant.has(channel_names[c]))
+      out.constant[c] = static_cast<std::uint8_t>(constant.at(channel_names[c]).integer(0, 255));
+  return out;
+}
+
+// The codes of a texture that the pages do without.
+std::optional<std::array<std::uint8_t, 4>> flat_codes(const AtlasMaterialRow& row, Texture texture) {
+  std::array<std::uint8_t, 4> out{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    const auto& code = row.constant[first_channel(texture) + c];
+    if (!code) return std::nullopt;
+    out[c] = *code;
   }
   return out;
 }
 
-std::vector<MaterialNode> read_materials(const JsonNode& root) {
-  std::vector<MaterialNode> out;
-  if (!root.has("materials")) return out;
-  const JsonNode materials = root.at("materials");
-  materials.expect_array();
-  for (std::size_t i = 0; i < materials.size(); ++i) out.push_back(read_material(materials.at(i)));
+LayoutFacts::Page read_page(const JsonNode& node) {
+  node.expect_object();
+  LayoutFacts::Page out;
+  for (const auto& [key, role] : {std::pair("diffuse_alpha", FileRole::diffuse_alpha),
+                                  std::pair("specular_gloss", FileRole::specular_gloss)}) {
+    if (!node.has(key)) continue;
+    if (node.at(key).value.is_null())
+      out.one_texture = true;
+    else
+      out.files.emplace_back(role, node.at(key).text());
+  }
   return out;
+}
+
+LayoutFacts read_facts(const JsonNode& root) {
+  root.expect_object();
+  const JsonNode pages = root.at("pages"), rects = root.at("rects");
+  pages.expect_array();
+  rects.expect_array();
+  const int levels = root.has("levels") ? root.at("levels").integer(1, 16) : 16;
+  LayoutFacts out;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    out.pages.push_back(read_page(pages.at(i)));
+    if (root.has("gutter")) out.common.gutter = root.at("gutter").integer(0, max_image_side);
+    if (root.has("mips")) out.common.mips = root.at("mips").integer(0, 16);
+    if (root.has("transfer")) {
+      out.common.transfer = texture_transfer_named(root.at("transfer").text());
+      if (!out.common.transfer) root.at("transfer").fail_type("srgb, gamma22 or linear");
+    }
+  }
+  out.common.specular_weighs_diffuse =
+      root.has("diffuse") && root.at("diffuse").text() == "reduced_when_shading" && !out.pages.empty();
+  if (root.has("materials")) {
+    const JsonNode materials = root.at("materials");
+    materials.expect_array();
+    for (std::size_t i = 0; i < materials.size(); ++i) out.materials.push_back(read_row(materials.at(i)));
+  }
+  for (std::size_t i = 0; i < rects.size(); ++i)
+    out.places.push_back(read_place(rects.at(i), pages.size(), levels));
+  return out;
+}
+
+// The same of a layout in memory: what read_facts() finds in layout_json() of it.
+LayoutFacts facts_of(const AtlasLayout& layout) {
+  LayoutFacts out;
+  for (const AtlasPage& page : layout.pages) {
+    LayoutFacts::Page& to = out.pages.emplace_back();
+    for (const auto& [texture, role] : {std::pair(Texture::diffuse_alpha, FileRole::diffuse_alpha),
+                                        std::pair(Texture::specular_gloss, FileRole::specular_gloss)}) {
+      const std::vector<std::string>& files = page.files[static_cast<std::size_t>(texture)];
+      if (files.empty())
+        to.one_texture = true;
+      else
+        to.files.emplace_back(role, files.front());
+    }
+  }
+  out.common.specular_weighs_diffuse = layout.diffuse_reduced && !layout.pages.empty();
+  out.materials = layout.materials;
+  for (const AtlasRect& rect : layout.rects) {
+    CheckTile& tile = out.places.emplace_back(LayoutFacts::Place{rect.name, {}}).tile;
+    tile.name = rect.island > 0 ? tile_name(rect.name, rect.island) : rect.name;
+    tile.page = rect.page;
+    tile.box = {rect.x, rect.y, rect.width, rect.height};
+    tile.gutter = rect.source_gutter ? 0 : rect.gutter;
+    tile.mips = mips_of_tile(rect.mips, layout.levels);
+  }
+  return out;
+}
+
+// The materials that are on no page; without tiles where there is none.
+CheckTarget target_of_numbers(const LayoutFacts& facts, const std::string& label) {
+  CheckTarget out;
+  out.label = label;
+  for (const AtlasMaterialRow& row : facts.materials) {
+    CheckTile tile;
+    tile.name = row.name;
+    for (const Texture texture : both_textures)
+      tile.flat[static_cast<std::size_t>(texture)] = flat_codes(row, texture);
+    if (!row.texels && tile.flat[0] && tile.flat[1]) out.manifest.tiles.push_back(std::move(tile));
+  }
+  place_flat_tiles(out.manifest);
+  out.manifest.transfer = facts.common.transfer;
+  out.manifest.specular_weighs_diffuse = facts.common.specular_weighs_diffuse;
+  return out;
+}
+
+std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, const std::string& label) {
+  std::vector<CheckTarget> targets;
+  for (const LayoutFacts::Page& page : facts.pages) {
+    CheckTarget& target = targets.emplace_back();
+    target.manifest = facts.common;
+    target.manifest.one_texture = page.one_texture;
+    for (const auto& [role, name] : page.files)
+      target.files.push_back({role, beside(path, name), beside(label, name), false});
+    target.label = target.files.empty() ? label + "#/pages/" + std::to_string(targets.size() - 1)
+                                        : target.files.back().label;
+  }
+  std::map<std::string_view, const AtlasMaterialRow*> by_name;
+  for (const AtlasMaterialRow& row : facts.materials) by_name.try_emplace(row.name, &row);
+  // Materials that share texels have a row each: the tile is one.
+  std::set<std::tuple<int, int, int, int, int>> seen;
+  for (auto& [name, tile] : facts.places) {
+    const PixelBox& box = tile.box;
+    if (!seen.emplace(tile.page, box.x, box.y, box.width, box.height).second) continue;
+    if (const auto row = by_name.find(name); row != by_name.end())
+      for (const Texture texture : both_textures)
+        tile.flat[static_cast<std::size_t>(texture)] = flat_codes(*row->second, texture);
+    targets[static_cast<std::size_t>(tile.page)].manifest.tiles.push_back(std::move(tile));
+  }
+  CheckTarget numbers = target_of_numbers(facts, label);
+  if (!numbers.manifest.tiles.empty()) targets.push_back(std::move(numbers));
+  return targets;
 }
 
 }  // namespace
@@ -89,69 +215,12 @@ std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::s
 std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const std::string& path,
                                                 const std::string& label) {
   const JsonDocument document = parse_json_strictly(text, label, 16, "an atlas layout");
-  const JsonNode root{document, label, {}};
-  root.expect_object();
-  const JsonNode pages = root.at("pages"), rects = root.at("rects");
-  pages.expect_array();
-  rects.expect_array();
-  // Chains that end early ask for less.
-  const int levels = root.has("levels") ? root.at("levels").integer(1, 16) : 16;
+  return targets_of(read_facts(JsonNode{document, label, {}}), path, label);
+}
 
-  std::vector<CheckTarget> targets(pages.size());
-  for (std::size_t i = 0; i < pages.size(); ++i) {
-    const JsonNode page = pages.at(i);
-    page.expect_object();
-    CheckTarget& target = targets[i];
-    for (const auto& [key, role] : {std::pair("diffuse_alpha", FileRole::diffuse_alpha),
-                                    std::pair("specular_gloss", FileRole::specular_gloss)}) {
-      if (!page.has(key)) continue;
-      if (page.at(key).value.is_null()) {
-        target.manifest.one_texture = true;
-        continue;
-      }
-      const std::string name = page.at(key).text();
-      target.files.push_back({role, beside(path, name), beside(label, name), false});
-    }
-    target.label = target.files.empty() ? label + "#" + page.pointer : target.files.back().label;
-    if (root.has("gutter")) target.manifest.gutter = root.at("gutter").integer(0, max_image_side);
-    if (root.has("mips")) target.manifest.mips = root.at("mips").integer(0, 16);
-    if (root.has("transfer")) {
-      target.manifest.transfer = texture_transfer_named(root.at("transfer").text());
-      if (!target.manifest.transfer) root.at("transfer").fail_type("srgb, gamma22 or linear");
-    }
-  }
-  if (root.has("diffuse") && root.at("diffuse").text() == "reduced_when_shading")
-    for (CheckTarget& target : targets) target.manifest.specular_weighs_diffuse = true;
-  const std::vector<MaterialNode> materials = read_materials(root);
-  std::map<std::string_view, const MaterialNode*> by_name;
-  for (const MaterialNode& material : materials) by_name.try_emplace(material.name, &material);
-  // Materials that share texels have a row each: the tile is one.
-  std::map<std::tuple<int, int, int, int, int>, std::size_t> seen;
-  for (std::size_t i = 0; i < rects.size(); ++i) {
-    CheckTile tile = read_tile(rects.at(i), pages.size(), levels);
-    if (const auto material = by_name.find(rects.at(i).at("name").text()); material != by_name.end())
-      tile.flat = material->second->flat;
-    const PixelBox& box = tile.box;
-    if (!seen.try_emplace({tile.page, box.x, box.y, box.width, box.height}, i).second) continue;
-    targets[static_cast<std::size_t>(tile.page)].manifest.tiles.push_back(std::move(tile));
-  }
-  CheckTarget numbers;
-  numbers.label = label;
-  for (const MaterialNode& material : materials) {
-    if (material.texels || !material.flat[0] || !material.flat[1]) continue;
-    CheckTile& tile = numbers.manifest.tiles.emplace_back();
-    tile.name = material.name;
-    tile.flat = material.flat;
-  }
-  place_flat_tiles(numbers.manifest);
-  if (!numbers.manifest.tiles.empty()) {
-    if (!targets.empty()) {
-      numbers.manifest.transfer = targets.front().manifest.transfer;
-      numbers.manifest.specular_weighs_diffuse = targets.front().manifest.specular_weighs_diffuse;
-    }
-    targets.push_back(std::move(numbers));
-  }
-  return targets;
+std::vector<CheckTarget> targets_of_layout(const AtlasLayout& layout, const std::string& path,
+                                           const std::string& label) {
+  return targets_of(facts_of(layout), path, label);
 }
 
 }  // namespace etak

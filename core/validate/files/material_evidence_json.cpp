@@ -12,6 +12,7 @@
 #include "core/material/dispersion.h"
 #include "core/material/f0.h"
 #include "core/material/json.h"
+#include "core/material/material_node_json.h"
 
 namespace etak {
 
@@ -20,6 +21,10 @@ namespace {
 std::string text_at(const Json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::string dataset_pointer(std::size_t index) {
+  return "/datasets/" + std::to_string(index);
 }
 
 // Rows by the names of their columns; what is no number is left out, which ETK611 has said already.
@@ -45,7 +50,7 @@ void read_rows(const Json& dataset, SpectralRows& rows) {
 
 SpectralRows rows_of(const Json& dataset, std::size_t index, const std::string& preferred) {
   SpectralRows rows;
-  rows.pointer = "/datasets/" + std::to_string(index);
+  rows.pointer = dataset_pointer(index);
   if (!dataset.is_object()) return rows;
   rows.id = text_at(dataset, "id");
   rows.preferred = preferred.empty() ? index == 0 : rows.id == preferred;
@@ -120,11 +125,7 @@ const F0Solver& default_solver() {
 }
 
 // A table as rows again.
-void add_optics(MaterialEvidence& evidence, const Optics& optics, Flags flags, const std::string& id) {
-  SpectralRows& rows = evidence.datasets.emplace_back();
-  rows.id = id;
-  rows.preferred = true;
-  rows.contradicts = flags.has(Flag::duplicate_wavelength);
+void set_rows(SpectralRows& rows, const Optics& optics) {
   if (const auto* measured = std::get_if<Reflectance>(&optics)) {
     rows.wavelength_nm = measured->spectrum.wavelength_nm;
     rows.reflectance = measured->spectrum.value;
@@ -141,58 +142,103 @@ void add_optics(MaterialEvidence& evidence, const Optics& optics, Flags flags, c
       rows.last_nm = formula.last_nm;
     }
   }
+}
+
+void add_optics(MaterialEvidence& evidence, const Optics& optics, Flags flags, const std::string& id) {
+  SpectralRows& rows = evidence.datasets.emplace_back();
+  rows.id = id;
+  rows.preferred = true;
+  rows.contradicts = flags.has(Flag::duplicate_wavelength);
+  set_rows(rows, optics);
   add_f0(evidence, default_solver(), optics, flags);
+}
+
+// What a dataset says of itself, and what can be computed of it.
+void add_dataset(MaterialEvidence& evidence, const Dataset& dataset, bool preferred) {
+  SpectralRows rows;
+  rows.pointer = dataset_pointer(evidence.datasets.size());
+  rows.id = dataset.id;
+  rows.preferred = preferred;
+  rows.flagged = !dataset.flags.none();
+  rows.doi = dataset.citation.doi;
+  rows.url = dataset.citation.url;
+  rows.via = dataset.citation.via;
+  rows.licence = dataset.citation.licence;
+  rows.sample = dataset.sample;
+  set_rows(rows, dataset.optics);
+  evidence.datasets.push_back(std::move(rows));
+  if (!dataset.flags.none()) return;
+  if (const auto r = reflectance_at_550(dataset.optics)) evidence.at_550.emplace_back(dataset.id, *r);
+}
+
+void note_refusal(MaterialEvidence& evidence, const Error& error) {
+  evidence.schema_error = error.what();
+  const std::size_t hash = evidence.schema_error.find('#'), end = evidence.schema_error.find(": ");
+  if (hash != std::string::npos && end != std::string::npos && hash < end)
+    evidence.schema_pointer = evidence.schema_error.substr(hash + 1, end - hash - 1);
+}
+
+JsonDocument without(JsonDocument object, const char* key) {
+  Json value = std::move(object).take();
+  value.erase(key);
+  return JsonDocument(std::move(value));
+}
+
+// The numbers of what is no material file.
+MaterialEvidence lenient_evidence(const Json& document) {
+  MaterialEvidence out;
+  out.name = text_at(document, "name");
+  if (const auto datasets = document.find("datasets"); datasets != document.end() && datasets->is_array())
+    for (std::size_t i = 0; i < datasets->size(); ++i)
+      out.datasets.push_back(rows_of((*datasets)[i], i, text_at(document, "preferred")));
+  return out;
 }
 
 }  // namespace
 
+MaterialEvidence evidence_of_material(const Material& material) {
+  MaterialEvidence out;
+  out.name = material.name;
+  out.material_class = material.material_class;
+  for (std::size_t i = 0; i < material.datasets.size(); ++i)
+    add_dataset(out, material.datasets[i], i == material.preferred);
+  const Dataset& preferred = material.preferred_dataset();
+  add_f0(out, default_solver(), preferred.optics, preferred.flags);
+  return out;
+}
+
 MaterialEvidence evidence_of_material(std::string_view text, const std::string& label) {
-  MaterialEvidence evidence;
+  MaterialEvidence refused;
   try {
-    const Material material = parse_material(text, label);
-    evidence.name = material.name;
-    evidence.material_class = material.material_class;
-    for (const Dataset& dataset : material.datasets)
-      if (dataset.flags.none())
-        if (const auto r = reflectance_at_550(dataset.optics)) evidence.at_550.emplace_back(dataset.id, *r);
-    add_f0(evidence, default_solver(), material.preferred_dataset().optics,
-           material.preferred_dataset().flags);
+    return evidence_of_material(parse_material(text, label));
   } catch (const Error& error) {
-    evidence.schema_error = error.what();
-    const std::size_t hash = evidence.schema_error.find('#'), end = evidence.schema_error.find(": ");
-    if (hash != std::string::npos && end != std::string::npos && hash < end)
-      evidence.schema_pointer = evidence.schema_error.substr(hash + 1, end - hash - 1);
+    note_refusal(refused, error);
   }
   std::optional<JsonDocument> read;
   try {
     read.emplace(parse_json_strictly(text, label, 32, "a material file"));
   } catch (const Error&) {
-    return evidence;  // said already
+    return refused;  // said already
   }
   const Json& document = **read;
-  if (!document.is_object()) return evidence;
-  evidence.name = text_at(document, "name");
-  if (const auto datasets = document.find("datasets"); datasets != document.end() && datasets->is_array())
-    for (std::size_t i = 0; i < datasets->size(); ++i)
-      evidence.datasets.push_back(rows_of((*datasets)[i], i, text_at(document, "preferred")));
-  if (const auto f0 = document.find("f0"); f0 != document.end() && f0->is_object()) {
-    evidence.stored_f0 = triple<double>(*f0, "linear");
-    evidence.stored_bytes = triple<int>(*f0, "srgb8");
-    // With a stored F0 the strict reader has refused the file for that key: solve the rest all the same.
-    if (!evidence.computed_f0) {
-      Json rest = document;
-      rest.erase("f0");
-      MaterialEvidence solved = evidence_of_material(rest.dump(), label);
-      evidence.computed_f0 = solved.computed_f0;
-      evidence.computed_bytes = solved.computed_bytes;
-      evidence.luminance = solved.luminance;
-      evidence.at_550 = solved.at_550;
-      evidence.material_class = solved.material_class;
-      evidence.schema_error = solved.schema_error;
-      evidence.schema_pointer = solved.schema_pointer;
-    }
+  if (!document.is_object()) return refused;
+  MaterialEvidence out = lenient_evidence(document);
+  out.schema_error = refused.schema_error;
+  out.schema_pointer = refused.schema_pointer;
+  const auto f0 = document.find("f0");
+  if (f0 == document.end() || !f0->is_object()) return out;
+  const auto linear = triple<double>(*f0, "linear");
+  const auto bytes = triple<int>(*f0, "srgb8");
+  // With a stored F0 the strict reader has refused the file for that key: the rest is judged all the same.
+  const JsonDocument rest = without(std::move(*read), "f0");
+  try {
+    out = evidence_of_material(read_material(JsonNode{rest, label, ""}));
+  } catch (const Error& error) {
+    note_refusal(out, error);
   }
-  return evidence;
+  out.stored_f0 = linear;
+  out.stored_bytes = bytes;
+  return out;
 }
 
 MaterialEvidence evidence_of_spectrum(std::string_view text, const std::string& path,

@@ -5,7 +5,6 @@
 
 #include "core/base/error.h"
 #include "core/material/appearance.h"
-#include "core/material/json.h"
 #include "core/material/names.h"
 #include "core/project/project_pictures.h"
 #include "core/validate/engine.h"
@@ -68,7 +67,7 @@ CheckedFile check_record(const ProjectMaterial& material, const MaterialLibrary&
   const auto record = library.find(material.measured->material);
   if (!record) throw Error::at(material.measured->material, "is no material of the library or the project");
   Evidence evidence;
-  evidence.material = evidence_of_material(format_material(*record), target.label);
+  evidence.material = evidence_of_material(*record);
   judge(target, evidence, settings, file);
   return file;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/atlas/layout.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/image/files/png.h"
@@ -208,6 +209,29 @@ TEST_CASE("a layout gives a target per page, and materials that share texels one
     spit(path, text);
     CHECK(!error_of([&] { targets_of_layout(path, "l.json"); }).empty());
   }
+}
+
+TEST_CASE("a layout in memory gives the targets of its text") {
+  AtlasLayout layout;
+  layout.diffuse_reduced = true;
+  layout.levels = 3;
+  layout.pages = {
+      {64, 64, {{{"p0_a.png", "p0_a.mip1.png"}, {"p0_b.png"}}}}, {32, 32, {{{}, {"p1_b.png"}}}}, {8, 8, {}}};
+  AtlasRect one{"one", 0, 0, 4, 4, 20, 20, false, {0, 0, 20, 20}, 20, 20, 2, 2};
+  AtlasRect twin = one, island = one, own = one;
+  twin.name = "twin";
+  island.island = 1, island.x = 30, island.mips = 5;
+  own.page = 1, own.source_gutter = true;
+  layout.rects = {one, twin, island, own};
+  layout.materials.resize(2);
+  layout.materials[0].name = "one";
+  layout.materials[1].name = "numbers";
+  layout.materials[1].texels = false;
+  layout.materials[0].constant = {1, 2, 3, 255};
+  layout.materials[1].constant = {1, 2, 3, 4, 5, 6, 7, 8};
+  const auto targets = targets_of_layout(layout, "dir/layout.json", "l.json");
+  REQUIRE(targets.size() == 4);
+  CHECK(targets == targets_of_layout_text(layout_json(layout), "dir/layout.json", "l.json"));
 }
 
 TEST_CASE("the built-in materials are clean, and each fault of a material file is found") {
