@@ -65,6 +65,8 @@ struct AtlasLayout {
   friend bool operator==(const AtlasLayout&, const AtlasLayout&) = default;
 };
 
+inline constexpr const char* layout_file_name = "layout.json";
+
 std::string layout_json(const AtlasLayout& layout);
 
 /// Throws Error with the JSON pointer.

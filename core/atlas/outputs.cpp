@@ -48,6 +48,11 @@ void write_pngs(OutputFolder& folder, int page, Texture texture, const PagePixel
 
 }  // namespace
 
+bool writes_floats(const WriteOptions& options) {
+  return std::any_of(options.formats.begin(), options.formats.end(),
+                     [](const std::string& format) { return holds_floats(format); });
+}
+
 std::string page_file(int page, Texture texture, std::string_view format, int level) {
   return "page" + std::to_string(page) + "_" + std::string(name(texture)) +
          (level == 0 ? "" : ".mip" + std::to_string(level)) + "." + std::string(format);

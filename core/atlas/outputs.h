@@ -29,6 +29,9 @@ struct WriteOptions {
   std::function<void(std::size_t texels)> written = {};  // of level 0 as PNG, so many more, from any thread
 };
 
+/// Whether some format holds floats.
+bool writes_floats(const WriteOptions& options);
+
 /// "page0_diffuse_alpha.png"; mips of PNG: "page0_diffuse_alpha.mip1.png".
 std::string page_file(int page, Texture texture, std::string_view format, int level = 0);
 

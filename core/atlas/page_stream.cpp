@@ -94,6 +94,71 @@ struct Strip {
   std::size_t index;
 };
 
+// The files of a page that are written at the same time.
+class LevelFiles {
+ public:
+  explicit LevelFiles(const StreamedPage& of) : of_(of) {}
+
+  // Those of the levels [begin, end), whose sizes are those of `pixels`.
+  void open(int begin, int end, const PagePixels& pixels) {
+    for (int l = begin; l < end && of_.folder != nullptr; ++l)
+      for (const Texture texture : both_textures)
+        if (of_.size().has[index_of(texture)])
+          files_.push_back(std::make_unique<LevelFile>(
+              *of_.folder, of_.page, texture, l, pixels.view(texture, l), std::max(1, of_.size().height >> l),
+              of_.write.png_level, scratch_));
+  }
+  // What is to be made of the rows that `from` holds.
+  std::vector<Strip> strips(const PagePixels& from) const {
+    std::vector<Strip> out;
+    for (const auto& file : files_)
+      for (std::size_t count = file->next(from), i = 0; i < count; ++i) out.push_back({file.get(), i});
+    return out;
+  }
+  void close() {
+    for (const auto& file : files_) file->close();
+    files_.clear();
+  }
+
+ private:
+  const StreamedPage& of_;
+  const std::shared_ptr<PngBands::Scratch> scratch_ = PngBands::scratch();
+  std::vector<std::unique_ptr<LevelFile>> files_;
+};
+
+// The regions that have texels between two rows of the page, and whether they cover all texels there.
+struct SlabRegions {
+  std::vector<std::size_t> regions;
+  bool covered = false;
+};
+SlabRegions regions_between(const StreamedPage& of, int top, int bottom, int cut_levels) {
+  SlabRegions out;
+  std::int64_t covered = 0;
+  bool aligned = true;
+  const int grid = 1 << std::max(0, cut_levels - 1);
+  for (std::size_t r = 0; r < of.regions.size(); ++r) {
+    const PixelBox& cell = of.plan.places[r].cell;
+    const int first = std::max(cell.y, top), last = std::min(cell.y + cell.height, bottom);
+    if (of.plan.places[r].page != of.page || first >= last) continue;
+    out.regions.push_back(r);
+    covered += std::int64_t{cell.width} * (last - first);
+    aligned = aligned && (cell.x | cell.y | cell.width | cell.height) % grid == 0;
+  }
+  out.covered = aligned && covered == std::int64_t{of.size().width} * (bottom - top);
+  return out;
+}
+
+void start_slab(const StreamedPage& of, const Slab& slab, PagePixels& pixels, PagePixels& upper) {
+  with_memory_for(
+      page_file(of.page, Texture::diffuse_alpha, "png"),
+      [&] {
+        return "a page of " + std::to_string(of.size().width) + " x " + std::to_string(of.size().height) +
+               " texels and its mips, of which " + std::to_string(slab.bottom - slab.top) +
+               " rows are held at once";
+      },
+      [&] { pixels.start(of.size(), of.levels, slab, upper); });
+}
+
 }  // namespace
 
 std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& regions,
@@ -113,93 +178,51 @@ std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& 
   return anywhere && largest_slab(between, size) > large_slab ? cuts_anywhere(size) : between;
 }
 
-void stream_page(Composer& composer, const std::vector<Region>& regions, const PackingPlan& plan, int page,
-                 int levels, const std::vector<int>& cuts, std::vector<Learned>& learned,
-                 OutputFolder* folder, const WriteOptions& options,
-                 const std::function<void()>& region_done) {
-  const PlannedPage& size = plan.pages[static_cast<std::size_t>(page)];
-  const int cut_levels =
-      std::min({levels, most_cut_levels,
-                levels > composer.clean_levels(page) ? composer.clean_levels(page) - 1 : levels});
+void stream_page(Composer& composer, const StreamedPage& of, std::vector<Learned>& learned) {
+  const std::vector<int>& cuts = of.cuts;
+  const int clean = composer.clean_levels(of.page);
+  const int cut_levels = std::min({of.levels, most_cut_levels, of.levels > clean ? clean - 1 : of.levels});
   // Two slabs: one is made, one is written. The first holds the levels that are not cut.
   std::array<PagePixels, 2> pixels;
-  const auto scratch = PngBands::scratch();
-  std::vector<std::unique_ptr<LevelFile>> files;
-  const auto open_files = [&](int begin, int end) {
-    for (int l = begin; l < end && folder != nullptr; ++l)
-      for (const Texture texture : both_textures)
-        if (size.has[static_cast<std::size_t>(texture)])
-          files.push_back(std::make_unique<LevelFile>(*folder, page, texture, l, pixels[0].view(texture, l),
-                                                      std::max(1, size.height >> l), options.png_level,
-                                                      scratch));
-  };
-  const auto strips_of = [&](const PagePixels& from, std::vector<Strip>& out) {
-    out.clear();
-    for (const auto& file : files)
-      for (std::size_t count = file->next(from), i = 0; i < count; ++i) out.push_back({file.get(), i});
-  };
-  const auto close_files = [&] {
-    for (const auto& file : files) file->close();
-    files.clear();
-  };
-
-  const bool whole_regions = none_cut_through(plan, page, cuts);
-  composer.begin_page(page);
-  std::vector<std::size_t> here;
+  LevelFiles files(of);
+  const bool whole_regions = none_cut_through(of.plan, of.page, cuts);
+  const std::size_t per_region = whole_regions ? 1 : 2;
+  composer.begin_page(of.page);
   std::vector<Strip> strips;
   for (std::size_t k = 0; k < cuts.size(); ++k) {
-    here.clear();
     PagePixels& now = pixels[k % 2];
     const bool makes = k + 1 < cuts.size();
+    SlabRegions here;
     if (makes) {
-      Slab slab{cuts[k], cuts[k + 1], cut_levels, false};
-      std::int64_t covered = 0;
-      bool aligned = true;
-      const int grid = 1 << std::max(0, cut_levels - 1);
-      for (std::size_t r = 0; r < regions.size(); ++r) {
-        const PixelBox& cell = plan.places[r].cell;
-        const int top = std::max(cell.y, slab.top), bottom = std::min(cell.y + cell.height, slab.bottom);
-        if (plan.places[r].page != page || top >= bottom) continue;
-        here.push_back(r);
-        covered += std::int64_t{cell.width} * (bottom - top);
-        aligned = aligned && (cell.x | cell.y | cell.width | cell.height) % grid == 0;
-      }
-      slab.covered = aligned && covered == std::int64_t{size.width} * (slab.bottom - slab.top);
-      with_memory_for(
-          page_file(page, Texture::diffuse_alpha, "png"),
-          [&] {
-            return "a page of " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                   " texels and its mips, of which " + std::to_string(slab.bottom - slab.top) +
-                   " rows are held at once";
-          },
-          [&] { now.start(size, levels, slab, pixels[0]); });
-      if (k == 0) open_files(0, cut_levels);
+      here = regions_between(of, cuts[k], cuts[k + 1], cut_levels);
+      start_slab(of, {cuts[k], cuts[k + 1], cut_levels, here.covered}, now, pixels[0]);
+      if (k == 0) files.open(0, cut_levels, pixels[0]);
     }
     // The regions of this slab first, then the strips of the one above it: the smaller pieces of work come
     // last, so that no thread waits long.
-    const std::size_t per_region = whole_regions ? 1 : 2, parts = here.size() * per_region;
-    parallel_chunks(parts + strips.size(), options.threads, 1,
+    const std::size_t parts = here.regions.size() * per_region;
+    parallel_chunks(parts + strips.size(), of.write.threads, 1,
                     [&](std::size_t i, std::size_t, unsigned worker) {
                       if (i >= parts) return strips[i - parts].file->make(strips[i - parts].index);
-                      const std::size_t region = here[i / per_region];
+                      const std::size_t region = here.regions[i / per_region];
                       for (const Texture texture : both_textures) {
-                        const auto t = static_cast<std::size_t>(texture);
-                        if (!size.has[t] || (!whole_regions && i % 2 != t)) continue;
+                        const std::size_t t = index_of(texture);
+                        if (!of.size().has[t] || (!whole_regions && i % 2 != t)) continue;
                         composer.region_texels(region, texture, now, worker);
-                        const PixelBox& cell = plan.places[region].cell;
-                        if (region_done && cell.y + cell.height <= cuts[k + 1]) region_done();
+                        const PixelBox& cell = of.plan.places[region].cell;
+                        if (of.region_done && cell.y + cell.height <= cuts[k + 1]) of.region_done();
                       }
                       if (whole_regions) composer.region_mips(region, now);
                     });
-    if (makes) strips_of(now, strips);
+    if (makes) strips = files.strips(now);
   }
-  close_files();
-  composer.end_page(page, pixels[0], learned);
-  open_files(cut_levels, levels);
-  strips_of(pixels[0], strips);
-  parallel_chunks(strips.size(), options.threads, 1,
+  files.close();
+  composer.end_page(of.page, pixels[0], learned);
+  files.open(cut_levels, of.levels, pixels[0]);
+  strips = files.strips(pixels[0]);
+  parallel_chunks(strips.size(), of.write.threads, 1,
                   [&](std::size_t i, std::size_t, unsigned) { strips[i].file->make(strips[i].index); });
-  close_files();
+  files.close();
 }
 
 }  // namespace etak

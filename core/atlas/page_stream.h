@@ -18,12 +18,24 @@ namespace etak {
 std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& regions,
                            const PackingPlan& plan, int page, int levels, bool bleed);
 
-/// Composes a page slab by slab and writes it as PNG, mips and all: the bytes of Composer::texels() and
-/// mips() with write_page().
+/// A page that is made slab by slab.
+///   cuts          of page_cuts()
 ///   folder        null: nothing is written
-///   region_done   after each region's texture
-void stream_page(Composer& composer, const std::vector<Region>& regions, const PackingPlan& plan, int page,
-                 int levels, const std::vector<int>& cuts, std::vector<Learned>& learned,
-                 OutputFolder* folder, const WriteOptions& options, const std::function<void()>& region_done);
+///   region_done   called after each region's texture; may be empty
+struct StreamedPage {
+  const std::vector<Region>& regions;
+  const PackingPlan& plan;
+  int page, levels;
+  const std::vector<int>& cuts;
+  OutputFolder* folder;
+  const WriteOptions& write;
+  const std::function<void()>& region_done;
+
+  const PlannedPage& size() const { return plan.pages[static_cast<std::size_t>(page)]; }
+};
+
+/// Composes a page and writes it as PNG, mips and all: the bytes of Composer::texels() and mips() with
+/// write_page().
+void stream_page(Composer& composer, const StreamedPage& of, std::vector<Learned>& learned);
 
 }  // namespace etak

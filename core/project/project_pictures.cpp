@@ -50,7 +50,8 @@ MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary&
   one.materials = {material};
   std::vector<std::string> remarks;
   const AtlasManifest manifest = manifest_of(one, library, remarks);
-  PackInputs inputs = resolve_manifest(manifest, library, std::nullopt, door, {});
+  const PictureReading reading{std::nullopt, door, {}, {}};
+  PackInputs inputs = resolve_manifest(manifest, library, reading);
   PackInput& input = inputs.materials.front();
   const auto texels = static_cast<std::size_t>(input.width) * static_cast<std::size_t>(input.height);
   if (most_texels != 0 && texels > most_texels)

@@ -41,8 +41,8 @@ std::optional<UvTransform> composed(const UvTransform& outer, const UvTransform&
   return out;
 }
 
-UvTransform region_transform(const std::array<int, 4>& box, int texture_width, int texture_height,
-                             const std::array<int, 4>& place, bool rotated, int page_width, int page_height) {
+UvTransform region_transform(const PlacedBox& of) {
+  const auto& [box, texture_width, texture_height, place, rotated, page_width, page_height] = of;
   const auto [bx, by, bw, bh] = box;
   const auto [px, py, pw, ph] = place;
   // Page texels per texel of the box, along the page's axes; 1 exactly where nothing was scaled.

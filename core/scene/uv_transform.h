@@ -38,7 +38,7 @@ Uv transformed(const UvTransform& transform, const Uv& uv);
 /// other than quarter turns under unequal scales).
 std::optional<UvTransform> composed(const UvTransform& outer, const UvTransform& inner);
 
-/// From the UVs of a texture to those of a page on which a box of it was placed.
+/// Where a box of a texture was placed on a page.
 ///   box, texture_width, texture_height   x, y, width, height of the box in texels, and the size of the
 ///                                        texture that it is a part of
 ///   place, page_width, page_height       x, y, width, height of what the box takes on the page, and the
@@ -47,7 +47,15 @@ std::optional<UvTransform> composed(const UvTransform& outer, const UvTransform&
 ///                                        in column place.x + place.width - 1 - j and row place.y + i, and
 ///                                        place.width is the box's height
 /// The sizes of `box` and `place` may differ (the box was scaled).
-UvTransform region_transform(const std::array<int, 4>& box, int texture_width, int texture_height,
-                             const std::array<int, 4>& place, bool rotated, int page_width, int page_height);
+struct PlacedBox {
+  std::array<int, 4> box{};
+  int texture_width = 0, texture_height = 0;
+  std::array<int, 4> place{};
+  bool rotated = false;
+  int page_width = 0, page_height = 0;
+};
+
+/// From the UVs of the texture to those of the page.
+UvTransform region_transform(const PlacedBox& of);
 
 }  // namespace etak

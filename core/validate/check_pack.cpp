@@ -31,16 +31,16 @@ PackCheck::PackCheck(const std::string& output, PackCheckOptions options)
 void PackCheck::attach(PackOptions& options) {
   const Settings& settings = options_.config.settings;
   // What the limit is counts too: it decides which pages are good. The usual one goes without saying.
-  options.check_settings = settings_hash(settings);
+  options.check.settings = settings_hash(settings);
   if (options_.never_fails)
-    options.check_settings += "never";
+    options.check.settings += "never";
   else if (settings.fail_on != Severity::error)
-    options.check_settings += name(settings.fail_on);
-  options.check_page = [this](const AtlasLayout& layout, int page, const PagePixels& pixels) {
+    options.check.settings += name(settings.fail_on);
+  options.check.page = [this](const AtlasLayout& layout, int page, const PagePixels& pixels) {
     return check_page(layout, page,
                       [&](Texture texture) { return rows_of(pixels.view(texture), header_of_page()); });
   };
-  options.check_written_page = [this](const AtlasLayout& layout, int page,
+  options.check.written_page = [this](const AtlasLayout& layout, int page,
                                       const std::function<std::string(Texture)>& path) {
     return check_page(layout, page, [&](Texture texture) { return open_picture(path(texture), {}); });
   };
@@ -62,7 +62,7 @@ bool PackCheck::check_page(const AtlasLayout& layout, int page,
   return report_of_run({file}, options_.config, {}).passed || options_.never_fails;
 }
 
-const ValidationReport& PackCheck::finish(PackReport& report) {
+const ValidationReport& PackCheck::finish(PackResult& report) {
   finished_ = true;
   std::vector<CheckedFile> files;
   for (auto& [label, file] : files_) files.push_back(std::move(file));

@@ -34,7 +34,7 @@ class PackCheck {
   void attach(PackOptions& options);
 
   /// To be called by PackOptions::beside: gathers what was found, also into the report of what was packed.
-  const ValidationReport& finish(PackReport& report);
+  const ValidationReport& finish(PackResult& report);
 
   /// What was found; null before finish(), and where the atlas was up to date.
   const ValidationReport* report() const { return finished_ ? &report_ : nullptr; }

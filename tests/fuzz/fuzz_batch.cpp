@@ -6,24 +6,23 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/cli/pack/jobs.h"
+#include "core/atlas/pack/settings.h"
 #include "core/base/error.h"
 
 using namespace etak;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::vector<char> bytes(data, data + size);
-  std::vector<cli::PackArguments> jobs;
+  std::vector<PackSettings> jobs;
   try {
-    jobs = cli::parse_jobs({bytes.data(), bytes.size()}, "folder/jobs.json", cli::PackArguments());
+    jobs = parse_pack_jobs({bytes.data(), bytes.size()}, "folder/jobs.json", {});
   } catch (const Error&) {
     return 0;
   }
   assert(!jobs.empty());
-  for (const cli::PackArguments& job : jobs) {
+  for (const PackSettings& job : jobs) {
     assert(!job.input.empty() && !job.out.empty());
     assert(job.page >= 1 && job.page <= 16384 && job.effort >= 1 && job.zstd >= 0 && job.zstd <= 22);
-    assert(job.batch.empty());
   }
   return 0;
 }

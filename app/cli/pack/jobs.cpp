@@ -48,10 +48,10 @@ Stamps stamps(const std::string& input, const std::string& out) {
 
 }  // namespace
 
-int pack_batch(const PackArguments& line) {
-  if (!line.input.empty() || !line.out.empty())
+int pack_batch(PackArguments& line) {
+  if (!line.settings.input.empty() || !line.settings.out.empty())
     throw Error::at("--batch", "an input or -o beside it", "both in the jobs of the file");
-  std::vector<PackArguments> jobs = parse_jobs(read_file(line.batch), line.batch, line);
+  const std::vector<PackSettings> jobs = parse_pack_jobs(read_file(line.batch), line.batch, line.settings);
   std::map<std::string, std::size_t> outs;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const auto [same, fresh] = outs.try_emplace(fs::path(jobs[i].out).lexically_normal().string(), i);
@@ -65,13 +65,13 @@ int pack_batch(const PackArguments& line) {
   shown.progress = line.progress;
   Progress progress(shown, jobs.size(), "pack");
   int status = exit_ok;
-  for (PackArguments& job : jobs) {
-    job.library = line.library;
-    job.progress = "none";  // one line at a time: that of all jobs
+  line.progress = "none";  // one line at a time: that of all jobs
+  for (const PackSettings& job : jobs) {
+    line.settings = job;
     progress.stage(job.out);
     try {
       if (line.report == "text" && !line.quiet) write_output({}, line_text(job.out) + ":\n");
-      status = std::max(status, pack_once(job));
+      status = std::max(status, pack_once(line));
     } catch (const Error& error) {
       complain(error.what());
       status = exit_failure;
@@ -82,12 +82,13 @@ int pack_batch(const PackArguments& line) {
 }
 
 int pack_watch(PackArguments& arguments) {
-  if (is_pipe_input(arguments.input))
-    throw Error::at("--watch", arguments.input + " is a pipe, which never changes", "a file or a folder");
+  if (is_pipe_input(arguments.settings.input))
+    throw Error::at("--watch", arguments.settings.input + " is a pipe, which never changes",
+                    "a file or a folder");
   // -u: a file that was touched but not changed costs a hash and no new atlas.
   arguments.update = true;
   for (Stamps last;;) {
-    const Stamps now = stamps(arguments.input, arguments.out);
+    const Stamps now = stamps(arguments.settings.input, arguments.settings.out);
     if (now != last) {
       last = now;
       try {

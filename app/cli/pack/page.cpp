@@ -91,12 +91,11 @@ void PackPage::attach(PackOptions& options) {
   if (arguments_.page_report.empty()) return;
   // Where the page is missing, -u has something to do.
   std::error_code failure;
-  if (!std::filesystem::exists(arguments_.page_report, failure)) options.update = false;
-  options.check_written_page = {};  // the pictures want pages whole
-  options.check_page = [this, check = std::move(options.check_page)](const AtlasLayout& layout, int page,
+  if (!std::filesystem::exists(arguments_.page_report, failure)) options.output.update = false;
+  options.check.written_page = {};  // the pictures want pages whole
+  options.check.page = [this, check = std::move(options.check.page)](const AtlasLayout& layout, int page,
                                                                      const PagePixels& pixels) {
     if (page == 0) data_.pictures.clear();
-    data_.layout = layout;
     if (static_cast<std::size_t>(page) < layout.pages.size())
       data_.pictures.push_back(pictures_of(layout.pages[static_cast<std::size_t>(page)], pixels));
     return !check || check(layout, page, pixels);
@@ -105,16 +104,17 @@ void PackPage::attach(PackOptions& options) {
 
 bool is_in_atlas_folder(const PackArguments& arguments) {
   const auto folder = [](const std::filesystem::path& path) { return path.lexically_normal().parent_path(); };
-  return folder(arguments.page_report) == folder(std::filesystem::path(arguments.out) / "");
+  return folder(arguments.page_report) == folder(std::filesystem::path(arguments.settings.out) / "");
 }
 
-std::unique_ptr<Output> PackPage::output(const PackReport& report, const ValidationReport* findings,
+std::unique_ptr<Output> PackPage::output(const PackResult& result, const ValidationReport* findings,
                                          OutputFolder* folder) {
   if (arguments_.page_report.empty()) return nullptr;
-  data_.title = "Atlas of " + std::filesystem::path(report.input).lexically_normal().filename().string();
-  data_.left_out = report.left_out.lines;
-  data_.before = report.left_out.before;
-  data_.after = report.left_out.after;
+  data_.title = "Atlas of " + std::filesystem::path(result.input).lexically_normal().filename().string();
+  data_.layout = result.layout;
+  data_.left_out = result.left_out.lines;
+  data_.before = result.left_out.before;
+  data_.after = result.left_out.after;
   data_.findings = findings;
   if (folder == nullptr || !is_in_atlas_folder(arguments_))
     return std::make_unique<OutputFile>(arguments_.page_report, atlas_page(data_), true);

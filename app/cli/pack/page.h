@@ -25,7 +25,7 @@ class PackPage {
   /// The page, to be put in place together with the atlas; null where none was asked for, and where it went
   /// into the folder of the atlas.
   ///   folder   of the atlas, not in place yet; null in a dry run
-  std::unique_ptr<Output> output(const PackReport& report, const ValidationReport* findings,
+  std::unique_ptr<Output> output(const PackResult& result, const ValidationReport* findings,
                                  OutputFolder* folder);
 
  private:

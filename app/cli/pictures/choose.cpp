@@ -39,15 +39,15 @@ CostTable cost_table(const ChooseArguments& arguments) {
 std::vector<Choice> scene_choices(const std::string& scene, ChooseArguments& arguments,
                                   const ChooseOptions& options, const CostTable& costs, Progress& progress) {
   PackOptions pack;
-  pack.door = picture_door();
-  pack.threads = thread_count(arguments.threads);
+  pack.input.pictures.door = picture_door();
+  pack.run.threads = thread_count(arguments.threads);
   std::vector<std::string> remarks;
   const auto subjects = scene_subjects(scene, pack, arguments.library.get(), remarks);
   for (const std::string& each : remarks) remark(arguments.output, each);
   progress.set(0, subjects.size());
   std::vector<Choice> out(subjects.size());
   std::vector<std::exception_ptr> failures(subjects.size());
-  parallel_chunks(subjects.size(), pack.threads, 1, [&](std::size_t i, std::size_t, unsigned worker) {
+  parallel_chunks(subjects.size(), pack.run.threads, 1, [&](std::size_t i, std::size_t, unsigned worker) {
     try {
       out[i] = choose(subjects[i], options, costs);
     } catch (const Error&) {

@@ -1,148 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 #include "app/cli/options/files.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/pack/pack.h"
 #include "app/cli/verbs.h"
-#include "core/image/image.h"
 
 namespace etak::cli {
 namespace {
 
-void add_layout_options(Command verb, PackArguments& a) {
-  const std::string group = "Layout";
-  verb.option("--page", a.page, "largest side of a page")
-      .value_name("N")
-      .range(1, max_image_side)
-      .show_default()
-      .group(group);
-  verb.option("--page-form", a.page_form,
-              "mixed (powers of two up to --page, least area), pages (all --page), square, pot or free "
-              "(one page); auto: free for a scene that fits one page, else mixed")
-      .one_of({"auto", "mixed", "pages", "square", "pot", "free"})
-      .show_default()
-      .group(group);
-  verb.option("--rotate", a.rotate, "1: regions may be turned by 90 degrees")
-      .value_name("0|1")
-      .show_default()
-      .group(group);
-  verb.option("--effort", a.effort, "layouts to try; the same number gives the same layout everywhere")
-      .value_name("N")
-      .range(1, 1000000)
-      .show_default()
-      .group(group);
-  verb.option("--max-seconds", a.max_seconds,
-              "begin no further try after this time; the layout then depends on the machine")
-      .value_name("S")
-      .range(0.0, 1e6)
-      .group(group);
-  verb.option("--gutter", a.gutter,
-              "texels around each region that repeat its edge; auto: from the mips, none where that would "
-              "cost more than a quarter of the area (UVs are then inset)")
-      .value_name("auto|N")
-      .show_default()
-      .group(group);
-  verb.option("--mips", a.mips,
-              "levels, level 0 among them; all: down to 1 x 1; auto: all for ktx2 and dds, else 1")
-      .value_name("auto|all|N")
-      .show_default()
-      .group(group);
-  verb.option("--previous", a.previous,
-              "layout.json of an earlier run: unchanged regions stay where they were")
-      .reads_file()
-      .value_name("FILE")
-      .group(group);
-  verb.option("--extra-area", a.extra_area, "percent of page area that staying may cost")
-      .range(0.0, 1000.0)
-      .show_default()
-      .group(group);
+Option add_setting(Command verb, const PackSettingRow& row, const std::string& name, bool& value) {
+  const std::string help(row.help);
+  return row.is(PackSettingRow::flag) ? verb.flag(name, value, help) : verb.option(name, value, help);
 }
 
-void add_leave_out_options(Command verb, PackArguments& a) {
-  const std::string group = "Leaving out";
-  verb.option("--keep", a.keep,
-              "do not leave out: unreached, equal, alpha, constant, grey, crop, islands, resolution, "
-              "textures, mips "
-              "or all; may be given again")
-      .value_name("WHAT")
-      .one_at_a_time()
-      .separated_by(',')
-      .group(group);
-  verb.option("--choice", a.choice,
-              "what etak choose found for this input (its JSON): defines of shaders, textures that may be "
-              "one number, mips that nothing reads, F0's integration, PNG level")
-      .reads_file()
-      .value_name("FILE")
-      .group(group);
-  verb.flag("--islands", a.islands, "of a scene, keep only the islands of texels that triangles use")
-      .group(group);
-  verb.option("--max-error", a.max_error,
-              "store a region at half its size, a quarter, ... while that differs by no more than so many "
-              "dE2000 (and percent of alpha and of gloss) from what can be seen")
-      .value_name("DE")
-      .range(0.0, 1000.0)
-      .group(group);
-  verb.option("--texel-density", a.texel_density,
-              "of a scene: so many texels per unit of its world are enough")
-      .value_name("N")
-      .range(1e-9, 1e12)
-      .group(group);
-  verb.option("--view-height", a.view_height,
-              "of a scene with cameras: height of their pictures in pixels; resolution and mips that none "
-              "of them can show are left out")
-      .value_name("PIXELS")
-      .range(1, 1000000)
-      .group(group);
+template <class Value>
+Option add_setting(Command verb, const PackSettingRow& row, const std::string& name, Value& value) {
+  Option out = verb.option(name, value, std::string(row.help));
+  if constexpr (std::is_same_v<Value, int>)
+    out.range(static_cast<int>(row.least), static_cast<int>(row.most));
+  else if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>)
+    out.range(row.least, row.most);
+  else if constexpr (std::is_same_v<Value, std::vector<std::string>>)
+    out.one_at_a_time();
+  return out;
 }
 
-void add_content_options(Command verb, PackArguments& a) {
-  const std::string group = "Content";
-  verb.option("--pattern", a.pattern, "of the files in a folder").show_default().group(group);
-  verb.option("--gloss", a.gloss,
-              "what the gloss channel is to hold: schueler, one_minus_roughness or roughness; default as "
-              "the input")
-      .one_of({"schueler", "one_minus_roughness", "roughness"})
-      .group(group);
-  verb.option("--space-of", a.space_of,
-              "ROLE=SPACE: colour space of pictures that name none: srgb, linear, power-2.2 or one of the "
-              "OpenColorIO config; roles: diffuse, specular, basecolor; may be given again")
-      .value_name("ROLE=SPACE")
-      .one_at_a_time()
-      .group(group);
-  verb.option("--ocio", a.ocio, "OpenColorIO config to look spaces up in (else $OCIO, else etak's own)")
-      .reads_file()
-      .value_name("FILE")
-      .group(group);
-  verb.flag("--bleed", a.bleed, "give texels of alpha 0 the colours of their visible neighbours")
-      .group(group);
-  verb.option("--scene", a.scene, "of a glTF: the scene that counts (default: the file's own)")
-      .range(0, 1000000)
-      .group(group);
-  verb.flag("--all-scenes", a.all_scenes, "all of its scenes count").group(group);
-  verb.flag("--drop-variants", a.drop_variants,
-            "materials that only KHR_materials_variants uses do not count")
-      .group(group);
-  verb.option("--gltf-form", a.gltf_form,
-              "materials of the written glTF: specular-ior (KHR_materials_specular and _ior, lossless), "
-              "specular-glossiness or metal-rough; the first is the material, more with ',' between are "
-              "added")
-      .show_default()
-      .group(group);
+void add_settings(Command verb, PackSettings& settings) {
+  for (const PackSettingRow& row : pack_setting_rows()) {
+    const std::string name = "--" + std::string(row.name);
+    Option option =
+        std::visit([&](auto member) { return add_setting(verb, row, name, settings.*member); }, row.value);
+    option.group(std::string(row.group));
+    if (row.is(PackSettingRow::file)) option.reads_file();
+    if (!row.words.empty()) option.one_of(row.word_list());
+    if (!row.value_name.empty()) option.value_name(std::string(row.value_name));
+    if (row.is(PackSettingRow::commas)) option.separated_by(',');
+    if (!row.is(PackSettingRow::shown)) continue;
+    const auto* const text = std::get_if<std::string PackSettings::*>(&row.value);
+    if (text != nullptr && (settings.**text).empty())
+      option.show_default(row.word_list().front());
+    else
+      option.show_default();
+  }
 }
 
 void add_output_group(Command verb, PackArguments& a) {
   const std::string group = "Output";
-  verb.option("--format", a.formats,
-              "of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between")
-      .value_name("LIST")
-      .show_default()
-      .group(group);
-  verb.option("--png-level", a.png_level, "fast, small or smallest")
-      .one_of({"fast", "small", "smallest"})
-      .show_default("fast")
-      .group(group);
-  verb.option("--zstd", a.zstd, "Zstandard level of ktx2; 0: none").range(0, 22).show_default().group(group);
   verb.flag("--force", a.force, "replace files that are of no earlier atlas; ETAK_FORCE=1 says the same")
       .group(group);
   verb.flag("-u,--update", a.update, "do nothing where the result of the same input and options is in place")
@@ -200,15 +109,13 @@ void add_run_options(Command verb, PackArguments& a) {
 void add_pack(CommandLine& line) {
   const auto arguments = std::make_shared<PackArguments>();
   Command verb = line.verb("pack", "materials into one atlas: texture pair, layout and glTF");
-  verb.option("input", arguments->input,
+  verb.option("input", arguments->settings.input,
               "manifest or project (.json), glTF scene (.gltf, .glb), or folder of pictures")
       .reads_file()
       .value_name("INPUT");
-  verb.option("-o,--output,--out", arguments->out, "folder to write; --out is its older name")
+  verb.option("-o,--output,--out", arguments->settings.out, "folder to write; --out is its older name")
       .value_name("DIR");
-  add_layout_options(verb, *arguments);
-  add_leave_out_options(verb, *arguments);
-  add_content_options(verb, *arguments);
+  add_settings(verb, arguments->settings);
   add_output_group(verb, *arguments);
   add_finding_options(verb, *arguments);
   add_run_options(verb, *arguments);

@@ -90,15 +90,15 @@ PackDialog::~PackDialog() {
 void PackDialog::start() {
   running_ = true;
   PackOptions options;
-  options.door = picture_door();
-  options.threads = static_cast<unsigned>(std::max(1, QThread::idealThreadCount()));
-  options.version = ETAK_VERSION;
-  options.overwrite = false;
-  options.cancelled = [flag = cancelled_] { return flag->load(); };
+  options.input.pictures.door = picture_door();
+  options.run.threads = static_cast<unsigned>(std::max(1, QThread::idealThreadCount()));
+  options.run.version = ETAK_VERSION;
+  options.output.overwrite = false;
+  options.run.cancelled = [flag = cancelled_] { return flag->load(); };
   // Told at most every hundredth, so that thousands of regions do not flood the UI.
   const QPointer<PackDialog> self(this);
   auto last_share = std::make_shared<std::size_t>(0);
-  options.progress = [self, last_share](std::size_t done, std::size_t all) {
+  options.run.progress = [self, last_share](std::size_t done, std::size_t all) {
     const std::size_t share = all == 0 ? 0 : 100 * done / all;
     if (share == *last_share) return;
     *last_share = share;
@@ -114,13 +114,13 @@ void PackDialog::start() {
        options]() mutable {
         Done out;
         try {
-          PackCheck check(folder, check_options(folder, options.threads));
+          PackCheck check(folder, check_options(folder, options.run.threads));
           check.attach(options);
-          options.beside = [&](PackReport& packed, OutputFolder*) -> std::unique_ptr<Output> {
+          options.check.beside = [&](PackResult& packed, OutputFolder*) -> std::unique_ptr<Output> {
             check.finish(packed);
             return nullptr;
           };
-          const PackReport report =
+          const PackResult report =
               pack(packed_manifest(project, *library), label, folder, options, *library);
           out.written = true;
           out.text =

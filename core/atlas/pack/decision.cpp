@@ -23,7 +23,7 @@ void PackDecision::users(std::size_t owner, Act act) const {
 void PackDecision::decide(const AtlasLayout* previous) {
   std::vector<MaterialFacts> facts;
   for (const PackInput& m : inputs_.materials) facts.push_back(m.facts);
-  left_out_ = leave_out(facts, {options_.keep, options_.islands});
+  left_out_ = leave_out(facts, options_.leave_out);
   regions_ = regions_needed();
   for (Region& region : regions_) region.shrink = resolution(region).shrink;
   for (Region& region : regions_)
@@ -46,8 +46,8 @@ std::vector<Region> PackDecision::regions_needed() const {
       for (std::size_t t = 0; t < 2; ++t) in[t] = in[t] || user.varies[t];
       levels = levels == 0 || m.facts.levels == 0 ? 0 : std::max(levels, m.facts.levels);
     });
-    if (options_.keep.contains("textures")) in = {true, true};
-    if (options_.keep.contains("mips")) levels = 0;
+    if (options_.leave_out.keep.contains("textures")) in = {true, true};
+    if (options_.leave_out.keep.contains("mips")) levels = 0;
     for (const PixelBox& box : fate.boxes) out.push_back({i, box, in, own_page, levels, 0});
   }
   // The only picture of a scene keeps its sampler, and so its other side beyond each edge.
@@ -69,25 +69,25 @@ const Resolution& PackDecision::resolution(const Region& region) {
   });
   const auto [found, fresh] = resolutions_.try_emplace(
       std::array{static_cast<int>(region.material), box.x, box.y, box.width, box.height, unseen, int{mask}});
-  const bool asked = options_.max_error || unseen > 0;
-  if (!fresh || !asked || options_.keep.contains("resolution")) return found->second;
+  const bool asked = options_.leave_out.max_error || unseen > 0;
+  if (!fresh || !asked || options_.leave_out.keep.contains("resolution")) return found->second;
   std::vector<std::string> ignored;
   const MaterialPair pair = load_pair(m, ignored);
   MipOptions mips;
-  mips.levels = options_.max_error ? 0 : unseen + 1;
+  mips.levels = options_.leave_out.max_error ? 0 : unseen + 1;
   if (mask) mips.alpha_cutoff = m.alpha_cutoff;
   const MipPair chain = region_chain(part_of(pair.diffuse_alpha, box), part_of(pair.specular_gloss, box),
-                                     mips, inputs_.gloss, options_.threads);
+                                     mips, inputs_.gloss, options_.run.threads);
   const bool whole = box == PixelBox{0, 0, m.width, m.height};
   found->second = resolution_of(chain, mask, whole ? m.wrap : WrapBoth{Wrap::clamp, Wrap::clamp}, unseen,
-                                options_.max_error, options_.threads);
+                                options_.leave_out.max_error, options_.run.threads);
   return found->second;
 }
 
 int PackDecision::levels() const {
-  if (options_.mips) return *options_.mips;
-  if (options_.variants && !mips_are_read(*options_.variants, inputs_)) return 1;
-  const auto& formats = options_.write.formats;
+  if (options_.layout.mips) return *options_.layout.mips;
+  if (options_.leave_out.variants && !mips_are_read(*options_.leave_out.variants, inputs_)) return 1;
+  const auto& formats = options_.output.write.formats;
   const bool container = std::any_of(formats.begin(), formats.end(), [](const std::string& format) {
     return format == "ktx2" || format == "dds";
   });
@@ -104,23 +104,23 @@ bool PackDecision::reads_around(const Region& region) const {
 
 PlanOptions PackDecision::plan_options() const {
   PlanOptions out;
-  out.rects.form = options_.form.value_or(PageForm::mixed);
-  out.rects.side = options_.page;
-  out.rects.largest_side = options_.page;
-  out.rects.rotate = options_.rotate;
-  out.rects.effort = options_.effort;
-  out.rects.max_seconds = options_.max_seconds;
-  out.rects.threads = options_.threads;
+  out.rects.form = options_.layout.form.value_or(PageForm::mixed);
+  out.rects.side = options_.layout.page;
+  out.rects.largest_side = options_.layout.page;
+  out.rects.rotate = options_.layout.rotate;
+  out.rects.effort = options_.layout.effort;
+  out.rects.max_seconds = options_.layout.max_seconds;
+  out.rects.threads = options_.run.threads;
   out.levels = levels();
-  out.gutter = options_.gutter;
-  out.split_textures = !options_.keep.contains("textures");
-  out.most_extra_area = options_.most_extra_area;
+  out.gutter = options_.layout.gutter;
+  out.split_textures = !options_.leave_out.keep.contains("textures");
+  out.most_extra_area = options_.layout.most_extra_area;
   if (scene_) {
     // Viewers make the mips that samplers ask for by themselves, and UVs cannot be inset without shrinking
     // the picture.
     out.may_inset = false;
     out.bare_alone = regions_.size() != 1 || !reads_around(regions_[0]);
-    out.free_first = !options_.form;
+    out.free_first = !options_.layout.form;
     out.least_gutter = 1;
     out.levels = scene_->sampled_levels(out.levels);
   }
@@ -135,7 +135,7 @@ int PackDecision::offered_levels(int p) const {
 
 int PackDecision::page_levels(int p) const {
   const int offered = offered_levels(p);
-  if (options_.keep.contains("mips")) return offered;
+  if (options_.leave_out.keep.contains("mips")) return offered;
   int read = 1;
   for (std::size_t r = 0; r < regions_.size(); ++r) {
     if (plan_.places[r].page != p) continue;
@@ -169,7 +169,7 @@ bool PackDecision::learn(const std::vector<Learned>& learned) {
     }
     facts.push_back(m.facts);
   }
-  left_out_ = leave_out(facts, {options_.keep, options_.islands});
+  left_out_ = leave_out(facts, options_.leave_out);
   const std::vector<Region> now = regions_needed();
   return now.size() != regions_.size() ||
          !std::equal(now.begin(), now.end(), regions_.begin(), [](const Region& a, const Region& b) {

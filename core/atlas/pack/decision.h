@@ -10,23 +10,21 @@
 #include "core/atlas/compose.h"
 #include "core/atlas/layout.h"
 #include "core/atlas/leave_out.h"
+#include "core/atlas/pack/source.h"
 #include "core/atlas/plan.h"
 #include "core/atlas/resolution.h"
-#include "core/atlas/sources/sources.h"
 
 namespace etak {
 
 struct PackOptions;
-class ScenePack;
 
 /// What an atlas is to hold and where it goes: decided of all materials together, and once more when their
 /// texels have taught something.
 class PackDecision {
  public:
-  /// All of them must outlive this.
-  ///   scene   null: no glTF
-  PackDecision(const PackOptions& options, PackInputs& inputs, const ScenePack* scene)
-      : options_(options), inputs_(inputs), scene_(scene) {}
+  /// Both must outlive this; what the texels teach goes into the facts of the source.
+  PackDecision(const PackOptions& options, PackSource& source)
+      : options_(options), inputs_(source.inputs), scene_(source.scene.get()) {}
 
   /// Which texels are left out, which regions the others are and where those lie.
   ///   previous   null: none

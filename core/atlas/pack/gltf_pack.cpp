@@ -8,10 +8,12 @@
 #include <mutex>
 #include <set>
 
+#include "core/atlas/pack/decision.h"
 #include "core/atlas/pack/gltf_files.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/scene_facts.h"
 #include "core/atlas/pack/scene_pictures.h"
+#include "core/atlas/pack/table.h"
 #include "core/atlas/sources/floats.h"
 #include "core/base/error.h"
 #include "core/base/hash/content_hash.h"
@@ -40,15 +42,16 @@ constexpr int oblique_levels = 3;
 PixelBox box_of(const std::array<int, 4>& box) {
   return {box[0], box[1], box[2], box[3]};
 }
-std::array<int, 4> array_of(const PixelBox& box) {
-  return {box.x, box.y, box.width, box.height};
-}
-
-PixelBox fate_box(const std::vector<Region>& regions, std::size_t owner) {
-  for (const Region& region : regions)
-    if (region.material == owner) return region.box;
-  return {};
-}
+// The names of a scene's files, each once, in the order in which they were first asked for.
+struct ImageList {
+  std::vector<std::string> names;
+  std::map<std::string, int> numbers;
+  int number_of(const std::string& file) {
+    const auto [found, fresh] = numbers.try_emplace(file, static_cast<int>(names.size()));
+    if (fresh) names.push_back(file);
+    return found->second;
+  }
+};
 
 }  // namespace
 
@@ -73,12 +76,7 @@ struct ScenePack::State {
   std::set<std::string> written;
 
   explicit State(const PackOptions& options_)
-      : options(options_), gloss(options_.gloss.value_or(GlossForm::one_minus_roughness)) {}
-
-  bool writes_floats() const {
-    const auto& formats = options.write.formats;
-    return std::any_of(formats.begin(), formats.end(), [](const auto& each) { return holds_floats(each); });
-  }
+      : options(options_), gloss(options_.input.pictures.gloss.value_or(GlossForm::one_minus_roughness)) {}
 
   // The bytes of an image, inside the document or from its file.
   std::string_view bytes_of(const GltfImage& image, FileBytes& file) const {
@@ -96,10 +94,11 @@ struct ScenePack::State {
       FileBytes file;
       const std::string_view bytes = bytes_of(image, file);
       auto png = png_fractions(bytes, image.label);
-      return found->second = png ? std::move(*png) : fractions(options.door.load_bytes(bytes, image.label));
+      return found->second = png ? std::move(*png)
+                                 : fractions(options.input.pictures.door.load_bytes(bytes, image.label));
     };
     return scene_material_floats(scene.materials[static_cast<std::size_t>(material)], floats, gloss,
-                                 options.keep.contains("alpha"));
+                                 options.leave_out.keep.contains("alpha"));
   }
 
   const Image8& picture(int index) {
@@ -111,7 +110,7 @@ struct ScenePack::State {
     const std::string_view bytes = bytes_of(image, file);
     try {
       if (auto codes = read_png8(bytes, image.label)) return found->second = std::move(*codes);
-      const auto loaded = options.door.load_bytes(bytes, image.label);
+      const auto loaded = options.input.pictures.door.load_bytes(bytes, image.label);
       if (const auto* codes = std::get_if<Image8>(&loaded)) return found->second = *codes;
       const Image& wide = std::get<Image>(loaded);
       Image8 codes(wide.width, wide.height, wide.channels);
@@ -157,7 +156,7 @@ struct ScenePack::State {
     in.streamed = false;
     in.facts.name = in.name;
     in.facts.reached = used;
-    in.facts.opaque = m.alpha_mode == AlphaMode::opaque && !options.keep.contains("alpha");
+    in.facts.opaque = m.alpha_mode == AlphaMode::opaque && !options.leave_out.keep.contains("alpha");
     in.facts.source = std::to_string(m.index);
     await_pictures(m);
     inputs.materials.push_back(std::move(in));
@@ -172,7 +171,7 @@ struct ScenePack::State {
     const SceneImages images = [this](int index) -> const Image8& { return picture(index); };
     std::size_t clamped = 0;
     auto pair = std::make_shared<MaterialPair>(
-        scene_material_pair(m, images, gloss, options.keep.contains("alpha"), clamped));
+        scene_material_pair(m, images, gloss, options.leave_out.keep.contains("alpha"), clamped));
     give_back_pictures(m);
     in.width = in.facts.width = pair->diffuse_alpha.width;
     in.height = in.facts.height = pair->diffuse_alpha.height;
@@ -184,7 +183,7 @@ struct ScenePack::State {
       normals_of(in, m, entry, *lead);
     }
     look_at(*pair, entry.use ? &*entry.use : nullptr, in.facts.opaque, in.facts);
-    if (writes_floats()) {
+    if (writes_floats(options.output.write)) {
       in.convert_floats = [this, material = entry.material] { return floats_of(material); };
       const bool masked =
           entry.use && entry.use->touched > 0 && entry.use->mask.size() == pair->diffuse_alpha.pixel_count();
@@ -201,16 +200,16 @@ struct ScenePack::State {
   // What the cameras, and the density that was asked for, leave of the texture's resolution and mips.
   void scale_of(PackInput& in, const Entry& entry, const GltfTexture& lead) {
     in.facts.levels = lead.sampler.mipmaps ? 0 : 1;
-    if (options.texel_density == 0 && options.view_height == 0) return;
+    if (options.leave_out.texel_density == 0 && options.leave_out.view_height == 0) return;
     const TexelScale scale =
-        texel_scale(*uses, entry.material, lead, in.width, in.height, options.view_height);
+        texel_scale(*uses, entry.material, lead, in.width, in.height, options.leave_out.view_height);
     constexpr double rounding = 1e-6;
     std::optional<double> halvings;
-    if (options.texel_density > 0 && scale.least_density > 0)
-      halvings = std::log2(scale.least_density / options.texel_density);
+    if (options.leave_out.texel_density > 0 && scale.least_density > 0)
+      halvings = std::log2(scale.least_density / options.leave_out.texel_density);
     if (scale.seen && std::isfinite(scale.least_level))
       halvings = std::min(halvings.value_or(scale.least_level), scale.least_level);
-    if (options.view_height == 0 || scale.seen)
+    if (options.leave_out.view_height == 0 || scale.seen)
       in.facts.unseen = std::clamp(static_cast<int>(std::floor(halvings.value_or(0) + rounding)), 0, 15);
     if (scale.seen && lead.sampler.mipmaps && std::isfinite(scale.most_level))
       in.facts.levels =
@@ -235,7 +234,8 @@ struct ScenePack::State {
     const TexelUse& use = *entry.use;
     in.wrap = {lead.sampler.wrap_u, lead.sampler.wrap_v};
     if (use.touched == 0) return;
-    const bool by_islands = options.islands && !options.keep.contains("islands") && use.foldable;
+    const bool by_islands =
+        options.leave_out.islands && !options.leave_out.keep.contains("islands") && use.foldable;
     if (use.tiles && !by_islands) {
       // The whole period: only a page of its own can repeat it.
       in.own_page = entry.tiles = in.facts.tiles = true;
@@ -247,24 +247,30 @@ struct ScenePack::State {
       in.facts.islands.push_back({island.x, island.y, island.width, island.height});
   }
 
+  void set_images(const MaterialFate& fate, const AtlasPage& files, int page, ImageList& images,
+                  AtlasMaterial& to) const;
+  AtlasMaterial atlas_material(std::size_t i, const AtlasLayout& layout, const PackDecision& decision,
+                               ImageList& images) const;
+
   std::map<std::size_t, double> clamped_;  // percent of the texels
 
   // ---- output
 
   bool writes_scene() const {
-    const auto& formats = options.write.formats;
+    const auto& formats = options.output.write.formats;
     return std::find(formats.begin(), formats.end(), "png") != formats.end();
   }
 
   bool has_form(GltfForm form) const {
-    return std::find(options.forms.begin(), options.forms.end(), form) != options.forms.end();
+    return std::find(options.output.forms.begin(), options.output.forms.end(), form) !=
+           options.output.forms.end();
   }
 };
 
 ScenePack::ScenePack(const std::string& path, const PackOptions& options)
     : state_(std::make_unique<State>(options)) {
   State& s = *state_;
-  s.scene = read_gltf(path, options.scene);
+  s.scene = read_gltf(path, options.input.gltf);
   s.uses.emplace(s.scene);
   s.inputs.gloss = s.gloss;
   if (s.gloss == GlossForm::roughness)
@@ -274,7 +280,7 @@ ScenePack::ScenePack(const std::string& path, const PackOptions& options)
                     "--gloss one_minus_roughness");
   std::set<std::string> names;
   for (const GltfMaterial& m : s.scene.materials) s.add_material(m, names);
-  parallel_chunks(s.inputs.materials.size(), options.threads, 1,
+  parallel_chunks(s.inputs.materials.size(), options.run.threads, 1,
                   [&](std::size_t begin, std::size_t, unsigned) { s.learn(begin); });
   for (const auto& [i, share] : s.clamped_)
     s.remarks.push_back(s.inputs.materials[i].name + ": gloss of " + number(share, 3) +
@@ -319,91 +325,77 @@ void ScenePack::write_page(OutputFolder& folder, int page, const PagePixels& pix
                            const WriteOptions& options) {
   State& s = *state_;
   if (!s.writes_scene()) return;
-  for (std::string& name : write_scene_pictures(folder, page, pixels, s.options.forms, s.gloss,
+  for (std::string& name : write_scene_pictures(folder, page, pixels, s.options.output.forms, s.gloss,
                                                 {options.png_level, options.threads}))
     s.written.insert(std::move(name));
 }
 
+// Which pictures of its page a material reads.
+void ScenePack::State::set_images(const MaterialFate& fate, const AtlasPage& files, int page,
+                                  ImageList& images, AtlasMaterial& to) const {
+  const auto varies = [&](std::size_t first, std::size_t count) {
+    for (std::size_t c = first; c < first + count; ++c)
+      if (!fate.constant[c]) return true;
+    return false;
+  };
+  const bool a = varies(0, 4) && !files.files[0].empty();
+  const bool f0 = varies(4, 3) && !files.files[1].empty(), smooth = varies(7, 1) && !files.files[1].empty();
+  if (a) to.diffuse_alpha_image = images.number_of(page_file(page, Texture::diffuse_alpha, "png"));
+  const bool sg = has_form(GltfForm::specular_glossiness) ? f0 || smooth : f0;
+  if (sg) to.specular_gloss_image = images.number_of(page_file(page, Texture::specular_gloss, "png"));
+  if (smooth && has_form(GltfForm::specular_ior))
+    to.roughness_image = images.number_of(scene_picture(page, "roughness"));
+  if (has_form(GltfForm::metal_rough)) {
+    to.base_color_image = images.number_of(scene_picture(page, "base_color"));
+    to.metallic_roughness_image = images.number_of(scene_picture(page, "metal_rough"));
+  }
+}
+
+AtlasMaterial ScenePack::State::atlas_material(std::size_t i, const AtlasLayout& layout,
+                                               const PackDecision& decision, ImageList& images) const {
+  const Entry& entry = entries[i];
+  const PackInput& in = inputs.materials[i];
+  const GltfMaterial& m = scene.materials[static_cast<std::size_t>(entry.material)];
+  const MaterialFate& fate = decision.left_out().fates[i];
+  AtlasMaterial to;
+  to.material = entry.material;
+  const GltfTexture* const lead = leading_texture(m);
+  if (lead != nullptr) to.uv_set = lead->uv_set;
+  scene_constants(in.facts, m, gloss, to);
+  if (!fate.texels) return to;
+  BoxesOnPage on = boxes_of(in, fate.owner, decision);
+  to.islands = std::move(on.boxes);
+  if (to.islands.size() == 1) {
+    AtlasIsland only = to.islands.front();
+    to.islands.clear();
+    if (entry.use && !entry.tiles)
+      if (const auto composition = composed(only.region, entry.use->fold)) only.region = *composition;
+    to.region = only.region;
+    // One box for triangles of several periods: their UVs must be folded one by one.
+    if (entry.use && entry.use->tiles && !entry.tiles) to.islands.push_back(only);
+  }
+  to.texture_width = in.width;
+  to.texture_height = in.height;
+  set_images(fate, layout.pages[static_cast<std::size_t>(on.page)], on.page, images, to);
+  if (on.own_page && lead != nullptr) to.sampler = lead->sampler;
+  return to;
+}
+
 std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const AtlasLayout& layout,
-                                                const PackingPlan& plan, const std::vector<Region>& regions,
-                                                const LeaveOut& left_out) {
+                                                const PackDecision& decision) {
   State& s = *state_;
   if (!s.writes_scene()) return {};
   GltfOutput out;
-  out.forms = s.options.forms;
-  std::map<std::string, int> images;
-  const auto image = [&](const std::string& file) {
-    const auto [found, fresh] = images.try_emplace(file, static_cast<int>(out.images.size()));
-    if (fresh) out.images.push_back(file);
-    return found->second;
-  };
-  for (std::size_t i = 0; i < s.entries.size(); ++i) {
-    const auto& entry = s.entries[i];
-    if (!s.scene.material_used[static_cast<std::size_t>(entry.material)]) continue;
-    const GltfMaterial& m = s.scene.materials[static_cast<std::size_t>(entry.material)];
-    const MaterialFate& fate = left_out.fates[i];
-    AtlasMaterial to;
-    to.material = entry.material;
-    if (const GltfTexture* lead = leading_texture(m)) to.uv_set = lead->uv_set;
-    scene_constants(s.inputs.materials[i].facts, m, s.gloss, to);
-    if (fate.texels) {
-      int page = -1;
-      bool own_page = false;
-      const PackInput& in = s.inputs.materials[i];
-      for (std::size_t r = 0; r < regions.size(); ++r) {
-        if (regions[r].material != fate.owner) continue;
-        const PlannedPlace& at = plan.places[r];
-        const PixelBox& box = regions[r].box;
-        const PlannedPage& size = plan.pages[static_cast<std::size_t>(at.page)];
-        const int width = regions[r].width(), height = regions[r].height();
-        const std::array<int, 4> place{at.x, at.y, at.rotated ? height : width, at.rotated ? width : height};
-        const UvTransform region =
-            region_transform(array_of(box), in.width, in.height, place, at.rotated, size.width, size.height);
-        if (page >= 0 && page != at.page)
-          throw Error::at(in.name, "its islands lie on several pages, which one material cannot read",
-                          "a larger --page, or no --islands");
-        page = at.page;
-        own_page = regions[r].own_page;
-        to.islands.push_back({array_of(box), region});
-      }
-      if (to.islands.size() == 1) {
-        to.region = to.islands.front().region;
-        if (entry.use && !entry.tiles)
-          if (const auto composition = composed(to.region, entry.use->fold)) to.region = *composition;
-        to.islands.clear();
-        // One box for triangles of several periods: their UVs must be folded one by one.
-        if (entry.use && entry.use->tiles && !entry.tiles)
-          to.islands.push_back({array_of(fate_box(regions, fate.owner)), to.region});
-      }
-      to.texture_width = in.width;
-      to.texture_height = in.height;
-      const AtlasPage& files = layout.pages[static_cast<std::size_t>(page)];
-      const auto varies = [&](std::size_t first, std::size_t count) {
-        for (std::size_t c = first; c < first + count; ++c)
-          if (!fate.constant[c]) return true;
-        return false;
-      };
-      const bool a = varies(0, 4) && !files.files[0].empty();
-      const bool f0 = varies(4, 3) && !files.files[1].empty(),
-                 gloss = varies(7, 1) && !files.files[1].empty();
-      if (a) to.diffuse_alpha_image = image(page_file(page, Texture::diffuse_alpha, "png"));
-      const bool sg = s.has_form(GltfForm::specular_glossiness) ? f0 || gloss : f0;
-      if (sg) to.specular_gloss_image = image(page_file(page, Texture::specular_gloss, "png"));
-      if (gloss && s.has_form(GltfForm::specular_ior))
-        to.roughness_image = image(scene_picture(page, "roughness"));
-      if (s.has_form(GltfForm::metal_rough)) {
-        to.base_color_image = image(scene_picture(page, "base_color"));
-        to.metallic_roughness_image = image(scene_picture(page, "metal_rough"));
-      }
-      if (own_page)
-        if (const GltfTexture* lead = leading_texture(m)) to.sampler = lead->sampler;
-    }
-    out.materials.push_back(std::move(to));
-  }
+  out.forms = s.options.output.forms;
+  ImageList images;
+  for (std::size_t i = 0; i < s.entries.size(); ++i)
+    if (s.scene.material_used[static_cast<std::size_t>(s.entries[i].material)])
+      out.materials.push_back(s.atlas_material(i, layout, decision, images));
+  out.images = std::move(images.names);
   std::set<std::string> taken(s.written.begin(), s.written.end());
   for (const AtlasPage& page : layout.pages)
     for (const auto& files : page.files) taken.insert(files.begin(), files.end());
-  taken.insert({out.buffer_name, "scene.gltf", "layout.json"});
+  taken.insert({out.buffer_name, "scene.gltf", layout_file_name});
   const auto copied_names = names_beside(*s.scene.json, s.scene.path, taken);
   for (const auto& [uri, name] : copied_names) out.uris[uri] = uri_of_file(name);
   std::string buffer;

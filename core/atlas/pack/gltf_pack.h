@@ -8,13 +8,13 @@
 #include "core/atlas/compose.h"
 #include "core/atlas/layout.h"
 #include "core/atlas/outputs.h"
-#include "core/atlas/plan.h"
 #include "core/atlas/sources/sources.h"
 #include "core/base/files/output_folder.h"
 #include "core/scene/gltf.h"
 
 namespace etak {
 
+class PackDecision;
 struct PackOptions;
 
 /// A glTF scene as input and output of the packer.
@@ -39,8 +39,7 @@ class ScenePack {
 
   /// scene.gltf and its buffer; returns the names of all files it stands on beside the pages' own.
   std::vector<std::string> write_scene(OutputFolder& folder, const AtlasLayout& layout,
-                                       const PackingPlan& plan, const std::vector<Region>& regions,
-                                       const LeaveOut& left_out);
+                                       const PackDecision& decision);
 
  private:
   struct State;

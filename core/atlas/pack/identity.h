@@ -4,12 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/sources/sources.h"
+#include "core/atlas/pack/source.h"
 
 namespace etak {
 
 struct PackOptions;
-class ScenePack;
 
 // By what a result in place is known to be of the same input: two hashes that its layout holds.
 
@@ -17,11 +16,9 @@ class ScenePack;
 std::string settings_hash(const PackOptions& options, const PackInputs& inputs);
 
 /// All files that are read, sorted.
-///   scene   null: no glTF
-std::vector<std::string> input_files(const PackOptions& options, const PackInputs& inputs,
-                                     const ScenePack* scene);
+std::vector<std::string> input_files(const PackOptions& options, const PackSource& source);
 
 /// Of the bytes of input_files(), whatever they are called.
-std::string content_hash(const PackOptions& options, const PackInputs& inputs, const ScenePack* scene);
+std::string content_hash(const PackOptions& options, const PackSource& source);
 
 }  // namespace etak

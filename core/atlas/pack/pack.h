@@ -12,9 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "core/atlas/layout.h"
 #include "core/atlas/leave_out.h"
 #include "core/atlas/manifest.h"
 #include "core/atlas/outputs.h"
+#include "core/atlas/pack/settings.h"
 #include "core/atlas/plan.h"
 #include "core/atlas/sources/sources.h"
 #include "core/atlas/variant.h"
@@ -31,7 +33,7 @@ using PageCheck = std::function<bool(const AtlasLayout&, int page, const PagePix
 using WrittenPageCheck =
     std::function<bool(const AtlasLayout&, int page, const std::function<std::string(Texture)>& path)>;
 
-struct PackReport;
+struct PackResult;
 
 /// A manifest in memory, in the place of a file.
 ///   remarks    what had to be changed to get there; they come first in the report
@@ -43,21 +45,19 @@ struct PackManifest {
   std::string settings;
 };
 
-struct PackOptions {
-  // input
+/// What is read, and how.
+struct PackInputOptions {
   // Asked of every JSON file: the manifest that it stands for where it is none itself, such as a project.
   // Empty: every one is a manifest.
   std::function<std::optional<PackManifest>(const std::string& text, const std::string& file)> other_manifest;
   std::string pattern = "{name}_{role}.png";  // of a folder
-  std::optional<GlossForm> gloss;             // what texture B is to hold; none: as the input
-  GltfOptions scene;
-  SpaceOpener open_space;
-  std::map<std::string, std::string> spaces;  // of pictures of a role that name none
-  std::string space_config;                   // the file that open_space reads; empty: none
-  PictureDoor door;
-  // leaving out
-  std::set<std::string> keep;
-  bool islands = false;
+  GltfOptions gltf;
+  PictureReading pictures;
+  std::string space_config;  // the file that pictures.open_space reads; empty: none
+};
+
+/// What the atlas need not hold.
+struct PackLeaveOutOptions : LeaveOutOptions {
   std::optional<ShadingVariants> variants;  // what etak choose found: defines, flat textures, unread mips
   // Where fewer texels do: differences up to `max_error` (CIEDE2000; and percent of alpha and gloss) against
   // what is seen; below so many texels per unit of a scene's world, and in pictures of so many pixels' height
@@ -65,7 +65,10 @@ struct PackOptions {
   std::optional<double> max_error;
   double texel_density = 0;
   int view_height = 0;
-  // layout
+};
+
+/// Where the regions go.
+struct PackLayoutOptions {
   int page = 4096;
   std::optional<PageForm> form;  // none: mixed; for scenes one free page where that holds everything
   bool rotate = false;
@@ -75,31 +78,55 @@ struct PackOptions {
   std::optional<int> mips;    // levels; 0: down to 1 x 1; none: 1, or all where a format holds them
   std::string previous;       // layout.json of an earlier run; empty: none
   double most_extra_area = 0.05;
-  // output
+};
+
+/// What is written, and over what.
+struct PackOutputOptions {
   WriteOptions write;
   std::vector<GltfForm> forms{GltfForm::specular_ior};
   bool bleed = false;
   bool overwrite = false;
-  bool update = false;     // nothing is done when the result in place is of the same input and options
-  bool dry_run = false;    // everything but writing
+  bool update = false;   // nothing is done when the result in place is of the same input and options
+  bool dry_run = false;  // everything but writing
+};
+
+/// How the work goes on.
+struct PackRunOptions {
   std::size_t memory = 0;  // bytes that pages and decoded pictures may take; 0: any
   unsigned threads = 1;
   std::string version;  // of the program: part of the settings
   std::function<void(std::size_t done, std::size_t all)> progress;
   std::function<bool()> cancelled;  // asked between regions, pages and stages, from any thread; true: stop
+};
+
+/// Who looks at the result before it is in place.
+struct PackCheckHooks {
   // Called with every page when its pixels are whole, before they are written; says whether they are good
   // enough. Pages begin again at 0 when what later ones teach changes the layout, whose hashes are not known
   // yet. Last comes the number of pages, for materials that are on none. An atlas with a page that is not
   // good enough is written, but never up to date.
-  PageCheck check_page;
-  // In place of it for pages that are never whole in memory; without this one, check_page makes them whole.
-  WrittenPageCheck check_written_page;
-  std::string check_settings;  // what the check goes by: part of the settings
+  PageCheck page;
+  // In place of it for pages that are never whole in memory; without this one, `page` makes them whole.
+  WrittenPageCheck written_page;
+  std::string settings;  // what the check goes by: part of the settings
   // Asked when all files of the atlas are on the disk and none is in place, also in a dry run. What it gives
   // (or null) is put in place together with the atlas; it may write files into the folder as well, which is
   // null in a dry run.
-  std::function<std::unique_ptr<Output>(PackReport&, OutputFolder*)> beside;
+  std::function<std::unique_ptr<Output>(PackResult&, OutputFolder*)> beside;
 };
+
+struct PackOptions {
+  PackInputOptions input;
+  PackLeaveOutOptions leave_out;
+  PackLayoutOptions layout;
+  PackOutputOptions output;
+  PackRunOptions run;
+  PackCheckHooks check;
+};
+
+/// What a person wrote, as values. Throws Error that names the option. Left to the caller: the input's
+/// pictures and their spaces, what may be overwritten, the run and the check.
+PackOptions pack_options(const PackSettings& settings);
 
 /// Thrown by pack() when PackOptions::cancelled said so: the folder is as it was.
 class PackCancelled : public std::runtime_error {
@@ -122,9 +149,10 @@ struct PackStage {
 };
 
 /// What was done, for people and machines.
-struct PackReport {
+struct PackResult {
   std::string input, output;
   bool up_to_date = false, dry_run = false;
+  AtlasLayout layout;  // that of the folder; of a result that was up to date too
   std::size_t materials = 0, regions = 0;
   std::vector<PlannedPage> pages;
   std::uint64_t region_texels = 0, gutter_texels = 0, waste_texels = 0;  // level 0, both textures
@@ -142,18 +170,18 @@ struct PackReport {
 };
 
 /// Packs one input into the folder `output`: all files of it appear at once, or none.
-///   input   manifest or what options.other_manifest knows (.json), glTF scene (.gltf, .glb) or folder of
-///           pictures
+///   input   manifest or what options.input.other_manifest knows (.json), glTF scene (.gltf, .glb) or
+///           folder of pictures
 /// Throws Error, and PackCancelled.
-PackReport pack(const std::string& input, const std::string& output, const PackOptions& options,
+PackResult pack(const std::string& input, const std::string& output, const PackOptions& options,
                 const MaterialLibrary& library);
 
 /// The same of a manifest in memory.
-///   label   what the report calls it
-PackReport pack(const PackManifest& manifest, const std::string& label, const std::string& output,
+///   label   what the result calls it
+PackResult pack(const PackManifest& manifest, const std::string& label, const std::string& output,
                 const PackOptions& options, const MaterialLibrary& library);
 
-std::string report_text(const PackReport& report, bool stages);
-std::string report_json(const PackReport& report, bool stages);
+std::string report_text(const PackResult& result, bool stages);
+std::string report_json(const PackResult& result, bool stages);
 
 }  // namespace etak

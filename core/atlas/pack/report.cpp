@@ -56,7 +56,7 @@ std::string list_json(const Items& items, Form form) {
   return '[' + joined(items, ", ", form) + ']';
 }
 
-std::string pages_text(const PackReport& r) {
+std::string pages_text(const PackResult& r) {
   std::string out;
   for (const PlannedPage& page : r.pages) {
     out += (out.empty() ? "" : ", ") + std::to_string(page.width) + "x" + std::to_string(page.height);
@@ -67,7 +67,7 @@ std::string pages_text(const PackReport& r) {
 
 }  // namespace
 
-std::string report_text(const PackReport& r, bool stages) {
+std::string report_text(const PackResult& r, bool stages) {
   if (r.up_to_date) return line_text(r.output) + ": up to date\n";
   std::string out = std::to_string(r.materials) + (r.materials == 1 ? " material, " : " materials, ") +
                     std::to_string(r.regions) + (r.regions == 1 ? " region" : " regions") + " on " +
@@ -99,7 +99,7 @@ std::string report_text(const PackReport& r, bool stages) {
   return out;
 }
 
-std::string report_json(const PackReport& r, bool stages) {
+std::string report_json(const PackResult& r, bool stages) {
   std::vector<JsonMember> members{
       {"schema", json("etak-pack-report/1")},
       {"input", json(r.input)},

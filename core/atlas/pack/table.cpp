@@ -8,7 +8,9 @@
 
 #include "core/atlas/defines.h"
 #include "core/atlas/pack/pack.h"
+#include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/scene/uv_transform.h"
 
 namespace etak {
 namespace {
@@ -47,7 +49,7 @@ std::uint64_t texels_of(int width, int height) {
   return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
 }
 
-void account_resolution(const PackInputs& inputs, PackDecision& decision, PackReport& report) {
+void account_resolution(const PackInputs& inputs, PackDecision& decision, PackResult& report) {
   LeaveOutLine line;
   line.what = "resolution";
   double worst = 0, seen = 0;
@@ -75,7 +77,7 @@ void account_resolution(const PackInputs& inputs, PackDecision& decision, PackRe
 }
 
 // Levels are no texels of level 0: their bytes alone are counted.
-void account_mips(const PackDecision& decision, PackReport& report) {
+void account_mips(const PackDecision& decision, PackResult& report) {
   LeaveOutLine line;
   line.what = "mips";
   int levels = 0;
@@ -90,14 +92,32 @@ void account_mips(const PackDecision& decision, PackReport& report) {
   report.left_out.lines.push_back(std::move(line));
 }
 
+std::array<int, 4> array_of(const PixelBox& box) {
+  return {box.x, box.y, box.width, box.height};
+}
+
+UvTransform transform_of(const PackInput& in, const Region& region, const PlannedPlace& at,
+                         const PlannedPage& page) {
+  PlacedBox out;
+  out.box = array_of(region.box);
+  out.texture_width = in.width;
+  out.texture_height = in.height;
+  out.place = {at.x, at.y, at.rotated ? region.height() : region.width(),
+               at.rotated ? region.width() : region.height()};
+  out.rotated = at.rotated;
+  out.page_width = page.width;
+  out.page_height = page.height;
+  return region_transform(out);
+}
+
 }  // namespace
 
-AtlasLayout layout_table(const PackOptions& options, const PackInputs& inputs, const PackDecision& decision,
-                         bool scene) {
+AtlasLayout layout_table(const PackOptions& options, const PackSource& source, const PackDecision& decision) {
+  const PackInputs& inputs = source.inputs;
   const PackingPlan& plan = decision.plan();
   AtlasLayout out;
   out.gloss = inputs.gloss;
-  out.diffuse_reduced = scene;
+  out.diffuse_reduced = source.scene != nullptr;
   for (int p = 0; p < static_cast<int>(plan.pages.size()); ++p) {
     const PlannedPage& page = plan.pages[static_cast<std::size_t>(p)];
     AtlasPage row{page.width, page.height, {}};
@@ -105,7 +125,7 @@ AtlasLayout layout_table(const PackOptions& options, const PackInputs& inputs, c
     for (const Texture texture : both_textures)
       if (page.has[static_cast<std::size_t>(texture)])
         row.files[static_cast<std::size_t>(texture)] =
-            page_files(p, texture, decision.page_levels(p), options.write.formats);
+            page_files(p, texture, decision.page_levels(p), options.output.write.formats);
     out.pages.push_back(std::move(row));
   }
   for (std::size_t i = 0; i < inputs.materials.size(); ++i) {
@@ -116,7 +136,8 @@ AtlasLayout layout_table(const PackOptions& options, const PackInputs& inputs, c
     for (std::size_t c = 0; c < channel_count && m.facts.floats; ++c)
       if (fate.constant[c]) row.value[c] = c == alpha_channel && m.facts.opaque ? 1 : m.facts.exact[c];
     row.defines = material_defines(fate, m.alpha_mode);
-    if (const MaterialVariant* variant = options.variants ? options.variants->find(m.name) : nullptr)
+    if (const MaterialVariant* variant =
+            options.leave_out.variants ? options.leave_out.variants->find(m.name) : nullptr)
       row.defines.insert(row.defines.end(), variant->defines.begin(), variant->defines.end());
     out.materials.push_back(std::move(row));
     if (fate.texels) add_rects(m, fate.owner, decision, out);
@@ -124,7 +145,24 @@ AtlasLayout layout_table(const PackOptions& options, const PackInputs& inputs, c
   return out;
 }
 
-void account(const PackInputs& inputs, PackDecision& decision, PackReport& report) {
+BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision& decision) {
+  BoxesOnPage out;
+  const std::vector<Region>& regions = decision.regions();
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (regions[r].material != owner) continue;
+    const PlannedPlace& at = decision.plan().places[r];
+    const PlannedPage& page = decision.plan().pages[static_cast<std::size_t>(at.page)];
+    if (out.page >= 0 && out.page != at.page)
+      throw Error::at(in.name, "its islands lie on several pages, which one material cannot read",
+                      "a larger --page, or no --islands");
+    out.page = at.page;
+    out.own_page = regions[r].own_page;
+    out.boxes.push_back({array_of(regions[r].box), transform_of(in, regions[r], at, page)});
+  }
+  return out;
+}
+
+void account(const PackInputs& inputs, PackDecision& decision, PackResult& report) {
   std::uint64_t cells = 0, regions = 0, single = 0;
   std::size_t singles = 0;
   for (std::size_t r = 0; r < decision.regions().size(); ++r) {

@@ -3,22 +3,30 @@
 
 #include "core/atlas/layout.h"
 #include "core/atlas/pack/decision.h"
-#include "core/atlas/sources/sources.h"
+#include "core/scene/gltf.h"
 
 namespace etak {
 
 struct PackOptions;
-struct PackReport;
+struct PackResult;
 
-// What is told of a decision: the layout's table for who reads the atlas, and the account of what was left
-// out for who packed it.
+// What is told of a decision: the layout's table for who reads the atlas, the boxes of a
+// material for the scene, and the account of what was left out for who packed it.
 
 /// The layout without its hashes.
-///   scene   the materials are those of a glTF
-AtlasLayout layout_table(const PackOptions& options, const PackInputs& inputs, const PackDecision& decision,
-                         bool scene);
+AtlasLayout layout_table(const PackOptions& options, const PackSource& source, const PackDecision& decision);
 
 /// Texels of regions, gutters and waste, and every line of what was left out.
-void account(const PackInputs& inputs, PackDecision& decision, PackReport& report);
+void account(const PackInputs& inputs, PackDecision& decision, PackResult& report);
+
+/// Where the texels of a scene's material lie: its page, and each of its boxes on it.
+struct BoxesOnPage {
+  int page = -1;
+  bool own_page = false;
+  std::vector<AtlasIsland> boxes;
+};
+
+/// Of a material that uses texels of `owner`. Throws Error where they lie on several pages.
+BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision& decision);
 
 }  // namespace etak

@@ -21,306 +21,297 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-class Resolver {
- public:
-  Resolver(const AtlasManifest& manifest, const MaterialLibrary& library, std::optional<GlossForm> gloss,
-           const PictureDoor& door, const SpaceOpener& open_space,
-           const std::map<std::string, std::string>& spaces)
-      : manifest_(manifest), library_(library), door_(door), open_space_(open_space), spaces_(spaces) {
-    out_.gloss = gloss.value_or(manifest.gloss);
+// What the materials of a manifest are read by, and what had to be changed.
+struct Resolving {
+  const AtlasManifest& manifest;
+  const MaterialLibrary& library;
+  const PictureReading& reading;
+  GlossForm gloss;  // of texture B
+  std::vector<std::string>& remarks;
+};
+
+// A texture of a material in the manifest.
+struct RolePlace {
+  const ManifestMaterial& material;
+  std::string role;
+  std::string pointer() const { return material.place + '/' + role; }
+};
+
+PlaneSource fixed_grey(double value) {
+  PlaneSource out;
+  out.color = false;
+  out.pick = {0, 0, 0};
+  out.exact.fill(value);
+  out.constant.fill(plain_u8(value));
+  return out;
+}
+
+void note_clamped(const RolePlace& at, double encoded, const Resolving& r) {
+  if (encoded < 0 || encoded > 1)
+    r.remarks.push_back(at.material.name + ": " + at.role + " comes out as " + number(encoded, 4) +
+                        " in the form " + std::string(name(r.gloss)) + "; brought back to 0..1");
+}
+
+int channel_at(char letter) {
+  return static_cast<int>(std::string_view("rgba").find(letter));
+}
+
+PlaneSource grey_plane(const RolePlace& at, const TextureSource& source,
+                       std::shared_ptr<const CodeCurve> curve, const Resolving& r) {
+  PlaneSource out = fixed_grey(0);
+  if (const auto* constant = std::get_if<ConstantSource>(&source)) {
+    const double value = constant->linear.r, encoded = curve ? curve->apply(value) : value;
+    note_clamped(at, encoded, r);
+    return fixed_grey(encoded);
   }
+  const auto& image = std::get<ImageSource>(source);
+  out.path = image.path;
+  out.door = &r.reading.door;
+  out.curve = std::move(curve);
+  if (!image.channels.empty()) out.pick.fill(channel_at(image.channels[0])), out.picked = true;
+  if (!image.space.empty() && image.space != "linear")
+    throw Error::at(at.pointer() + "/space", printable(image.space), "linear, or nothing");
+  return out;
+}
 
-  PackInputs resolve() {
-    for (const ManifestMaterial& m : manifest_.materials) add(m);
-    return std::move(out_);
+PlaneSource gloss_plane(const ManifestMaterial& m, const Resolving& r) {
+  const GlossForm from = m.roughness ? GlossForm::roughness : r.manifest.gloss, to = r.gloss;
+  std::shared_ptr<CodeCurve> curve;
+  if (from != to) {
+    curve = std::make_shared<CodeCurve>();
+    curve->apply = [from, to](double v) { return converted_gloss(v, from, to); };
   }
+  return grey_plane({m, m.roughness ? "roughness" : "gloss"}, m.roughness ? *m.roughness : *m.gloss, curve,
+                    r);
+}
 
- private:
-  void add(const ManifestMaterial& m) {
-    PackInput in;
-    in.name = m.name;
-    in.alpha_mode = m.alpha_mode;
-    in.alpha_cutoff = m.alpha_cutoff;
-    in.normal.path = m.normal;
-    in.normal.door = &door_;
-    constexpr auto a = static_cast<std::size_t>(Texture::diffuse_alpha);
-    constexpr auto b = static_cast<std::size_t>(Texture::specular_gloss);
-    if (m.base_color)
-      metallic(m, in);
-    else {
-      in.color[a] = m.diffuse ? color(m, *m.diffuse, "diffuse") : PlaneSource{};
-      in.color[b] = color(m, *m.specular, "specular");
-    }
-    in.grey[a] =
-        m.alpha && m.alpha_mode != AlphaMode::opaque ? grey(m, *m.alpha, "alpha", nullptr) : fixed_grey(1);
-    in.grey[b] = gloss_plane(m);
-    sizes(m, in);
-    facts(in);
-    out_.materials.push_back(std::move(in));
-  }
-
-  static PlaneSource fixed_grey(double value) {
-    PlaneSource out;
-    out.color = false;
-    out.pick = {0, 0, 0};
-    out.exact.fill(value);
-    out.constant.fill(plain_u8(value));
-    return out;
-  }
-
-  PlaneSource gloss_plane(const ManifestMaterial& m) {
-    const GlossForm from = m.roughness ? GlossForm::roughness : manifest_.gloss, to = out_.gloss;
-    std::shared_ptr<CodeCurve> curve;
-    if (from != to) {
-      curve = std::make_shared<CodeCurve>();
-      curve->apply = [from, to](double v) { return converted_gloss(v, from, to); };
-    }
-    return grey(m, m.roughness ? *m.roughness : *m.gloss, m.roughness ? "roughness" : "gloss", curve);
-  }
-
-  PlaneSource grey(const ManifestMaterial& m, const TextureSource& source, const char* role,
-                   std::shared_ptr<const CodeCurve> curve) {
-    PlaneSource out = fixed_grey(0);
-    if (const auto* constant = std::get_if<ConstantSource>(&source)) {
-      const double value = constant->linear.r, encoded = curve ? curve->apply(value) : value;
-      note_clamped(m, role, encoded);
-      return fixed_grey(encoded);
-    }
-    const auto& image = std::get<ImageSource>(source);
-    out.path = image.path;
-    out.door = &door_;
-    out.curve = std::move(curve);
-    if (!image.channels.empty()) out.pick.fill(channel(image.channels[0])), out.picked = true;
-    if (!image.space.empty() && image.space != "linear")
-      throw Error::at(m.place + '/' + role + "/space", printable(image.space), "linear, or nothing");
-    return out;
-  }
-
-  static int channel(char letter) { return static_cast<int>(std::string_view("rgba").find(letter)); }
-
-  PlaneSource color(const ManifestMaterial& m, const TextureSource& source, const char* role) {
-    PlaneSource out;
-    if (const auto* constant = std::get_if<ConstantSource>(&source)) {
-      const Srgb8 codes = constant->codes ? *constant->codes : srgb_u8(constant->linear);
-      out.constant = {codes.r, codes.g, codes.b};
-      out.exact = {constant->linear.r, constant->linear.g, constant->linear.b};
-      return out;
-    }
-    if (const auto* material = std::get_if<LibrarySource>(&source)) {
-      const F0Result result = library_color(m, *material, role);
-      const LinearRgb& linear = result.srgb_linear;
-      out.constant = {result.srgb8.r, result.srgb8.g, result.srgb8.b};
-      out.exact = {linear.r, linear.g, linear.b};
-      return out;
-    }
-    const auto& image = std::get<ImageSource>(source);
-    out.path = image.path;
-    out.door = &door_;
-    const auto usual = spaces_.find(role);
-    out.space_name = image.space.empty() && usual != spaces_.end() ? usual->second : image.space;
-    set_space(m, role, out);
-    if (!image.channels.empty()) {
-      out.picked = true;
-      for (std::size_t i = 0; i < 3; ++i) out.pick[i] = channel(image.channels[i]);
-    }
-    return out;
-  }
-
-  void set_space(const ManifestMaterial& m, const char* role, PlaneSource& to) const {
-    const std::string& space = to.space_name;
-    const auto same = [](double v) { return v; };
-    const auto encode = [](double v) { return srgb_encode(v); };
-    static const std::shared_ptr<const CodeCurve> floats_linear = [&] {
-      // Codes of files of 8 and 16 bits are sRGB-encoded already; numbers of EXR and HDR files are linear.
-      auto curve = std::make_shared<CodeCurve>();
-      curve->apply_float = encode;
-      curve->linear_float = same;
-      return curve;
-    }();
-    if (space.empty()) {
-      to.curve = floats_linear;
-      return;
-    }
-    if (space == "srgb") return;
+void set_space(const RolePlace& at, const SpaceOpener& open_space, PlaneSource& to) {
+  const std::string& space = to.space_name;
+  const auto same = [](double v) { return v; };
+  const auto encode = [](double v) { return srgb_encode(v); };
+  static const std::shared_ptr<const CodeCurve> floats_linear = [&] {
+    // Codes of files of 8 and 16 bits are sRGB-encoded already; numbers of EXR and HDR files are linear.
     auto curve = std::make_shared<CodeCurve>();
-    if (space == "linear") {
-      curve->linear = same;
-      curve->apply = encode;
-    } else if (space == "power-2.2") {
-      curve->linear = [](double v) { return std::pow(std::max(v, 0.0), 2.2); };
-      curve->apply = [](double v) { return srgb_encode(std::pow(std::max(v, 0.0), 2.2)); };
-    } else {
-      const std::string place = m.place + '/' + role + "/space";
-      if (!open_space_)
-        throw Error::at(place, printable(space),
-                        "srgb, linear, power-2.2 or a space of an OpenColorIO config");
-      try {
-        to.space = open_space_(space);
-      } catch (const Error& error) {
-        throw Error::at(place, printable(space) + ": " + error.what(), "srgb, linear or power-2.2 otherwise");
-      }
-      return;
+    curve->apply_float = encode;
+    curve->linear_float = same;
+    return curve;
+  }();
+  if (space.empty()) {
+    to.curve = floats_linear;
+    return;
+  }
+  if (space == "srgb") return;
+  auto curve = std::make_shared<CodeCurve>();
+  if (space == "linear") {
+    curve->linear = same;
+    curve->apply = encode;
+  } else if (space == "power-2.2") {
+    curve->linear = [](double v) { return std::pow(std::max(v, 0.0), 2.2); };
+    curve->apply = [](double v) { return srgb_encode(std::pow(std::max(v, 0.0), 2.2)); };
+  } else {
+    const std::string place = at.pointer() + "/space";
+    if (!open_space)
+      throw Error::at(place, printable(space), "srgb, linear, power-2.2 or a space of an OpenColorIO config");
+    try {
+      to.space = open_space(space);
+    } catch (const Error& error) {
+      throw Error::at(place, printable(space) + ": " + error.what(), "srgb, linear or power-2.2 otherwise");
     }
-    to.curve = std::move(curve);
+    return;
   }
+  to.curve = std::move(curve);
+}
 
-  F0Result library_color(const ManifestMaterial& m, const LibrarySource& source, const char* role) {
-    const std::string place = m.place + '/' + role;
-    NameWords words;
-    words.place = place;
-    words.instead = "a file name with its ending";
-    const FoundDataset found = find_dataset(library_, source.material, source.dataset, words);
-    const Material& material = found.material;
-    const Dataset& dataset = found.chosen();
-    const bool diffuse = std::string_view(role) == "diffuse";
-    if (diffuse && !std::holds_alternative<Reflectance>(dataset.optics))
-      throw Error::at(place, material.id + " has n and k, which say nothing of a diffuse colour",
-                      "a material with measured reflectance");
-    F0Options options;
-    const std::string outside_place = place + "/outside";
-    words.place = outside_place;
-    words.instead = "an index of refraction";
-    options.outside = outside_medium(library_, source.outside, outside_place, words);
-    if (!source.method.empty()) {
-      const auto method = method_named(source.method);
-      if (!method) throw Error::at(place, printable(source.method), "a method of integration");
-      options.method = *method;
+F0Result library_color(const RolePlace& at, const LibrarySource& source, const Resolving& r) {
+  const std::string place = at.pointer();
+  NameWords words;
+  words.place = place;
+  words.instead = "a file name with its ending";
+  const FoundDataset found = find_dataset(r.library, source.material, source.dataset, words);
+  const Material& material = found.material;
+  const Dataset& dataset = found.chosen();
+  const bool diffuse = at.role == "diffuse";
+  if (diffuse && !std::holds_alternative<Reflectance>(dataset.optics))
+    throw Error::at(place, material.id + " has n and k, which say nothing of a diffuse colour",
+                    "a material with measured reflectance");
+  F0Options options;
+  const std::string outside_place = place + "/outside";
+  words.place = outside_place;
+  words.instead = "an index of refraction";
+  options.outside = outside_medium(r.library, source.outside, outside_place, words);
+  if (!source.method.empty()) {
+    const auto method = method_named(source.method);
+    if (!method) throw Error::at(place, printable(source.method), "a method of integration");
+    options.method = *method;
+  }
+  F0Result result = F0Solver(std::move(options)).solve(dataset.optics, dataset.flags);
+  if (result.refused()) throw Error::at(place, material.id + ": " + result.refusal);
+  if (diffuse && optical_kind(material.material_class) == "surface")
+    r.remarks.push_back(at.material.name + ": diffuse is the total reflectance of " + material.id +
+                        ", which holds what its surface reflects: specular comes on top of it");
+  const LinearRgb& c = result.srgb_linear;
+  for (const double v : {c.r, c.g, c.b})
+    if (v < 0 || v > 1) {
+      r.remarks.push_back(at.material.name + ": " + material.id + " is outside of sRGB (" + number(c.r, 4) +
+                          ", " + number(c.g, 4) + ", " + number(c.b, 4) + " linear); brought back to 0..1");
+      break;
     }
-    F0Result result = F0Solver(std::move(options)).solve(dataset.optics, dataset.flags);
-    if (result.refused()) throw Error::at(place, material.id + ": " + result.refusal);
-    if (diffuse && optical_kind(material.material_class) == "surface")
-      out_.remarks.push_back(m.name + ": diffuse is the total reflectance of " + material.id +
-                             ", which holds what its surface reflects: specular comes on top of it");
-    const LinearRgb& c = result.srgb_linear;
-    for (const double v : {c.r, c.g, c.b})
-      if (v < 0 || v > 1) {
-        out_.remarks.push_back(m.name + ": " + material.id + " is outside of sRGB (" + number(c.r, 4) + ", " +
-                               number(c.g, 4) + ", " + number(c.b, 4) + " linear); brought back to 0..1");
-        break;
-      }
-    return result;
-  }
+  return result;
+}
 
-  // Base colour and metalness: diffuse = c (1 - m), F0 = 0.04 (1 - m) + c m, in linear light.
-  void metallic(const ManifestMaterial& m, PackInput& in) {
-    const PlaneSource base = color(m, *m.base_color, "basecolor");
-    const PlaneSource metal = m.metallic ? grey(m, *m.metallic, "metallic", nullptr) : fixed_grey(0);
-    in.color[0] = base;
-    metal_ = metal;
-    base_ = base;
-    in.streamed = false;
+PlaneSource color_plane(const RolePlace& at, const TextureSource& source, const Resolving& r) {
+  PlaneSource out;
+  if (const auto* constant = std::get_if<ConstantSource>(&source)) {
+    const Srgb8 codes = constant->codes ? *constant->codes : srgb_u8(constant->linear);
+    out.constant = {codes.r, codes.g, codes.b};
+    out.exact = {constant->linear.r, constant->linear.g, constant->linear.b};
+    return out;
   }
-
-  // The size that all pictures share.
-  void sizes(const ManifestMaterial& m, PackInput& in) {
-    std::vector<const PlaneSource*> planes{&in.color[0], &in.grey[0], &in.color[1], &in.grey[1]};
-    if (m.base_color) planes.push_back(&metal_);
-    std::string first;
-    for (const PlaneSource* plane : planes) {
-      if (!plane->is_image()) continue;
-      const PictureHeader header = picture_header(plane->path, door_);
-      in.files.push_back(plane->path);
-      if (m.width && (header.width != *m.width || (m.height && header.height != *m.height)))
-        throw Error::at(plane->path, "is " + size_text(header.width, header.height),
-                        size_text(*m.width, m.height.value_or(header.height)) + ", as " + m.place + " says");
-      if (!first.empty() && (header.width != in.width || header.height != in.height))
-        throw Error::at(
-            plane->path, "is " + size_text(header.width, header.height),
-            size_text(in.width, in.height) + " like " + first + ", which is of the same material");
-      in.width = header.width;
-      in.height = header.height;
-      in.streamed = in.streamed && header.strips;
-      first = plane->path;
-    }
-    if (first.empty()) in.width = m.width.value_or(1), in.height = m.height.value_or(1);
-    if (m.base_color) set_metallic(in);
+  if (const auto* material = std::get_if<LibrarySource>(&source)) {
+    const F0Result result = library_color(at, *material, r);
+    const LinearRgb& linear = result.srgb_linear;
+    out.constant = {result.srgb8.r, result.srgb8.g, result.srgb8.b};
+    out.exact = {linear.r, linear.g, linear.b};
+    return out;
   }
+  const auto& image = std::get<ImageSource>(source);
+  out.path = image.path;
+  out.door = &r.reading.door;
+  const auto usual = r.reading.spaces.find(at.role);
+  out.space_name = image.space.empty() && usual != r.reading.spaces.end() ? usual->second : image.space;
+  set_space(at, r.reading.open_space, out);
+  if (!image.channels.empty()) {
+    out.picked = true;
+    for (std::size_t i = 0; i < 3; ++i) out.pick[i] = channel_at(image.channels[i]);
+  }
+  return out;
+}
 
-  void set_metallic(PackInput& in) {
-    const auto planes = std::make_shared<std::array<PlaneSource, 4>>(
-        std::array<PlaneSource, 4>{base_, in.grey[0], metal_, in.grey[1]});
-    const int width = in.width, height = in.height;
-    in.convert = [planes, width, height](std::vector<std::string>&) {
-      MaterialPair out{Image8(width, height, 4), Image8(width, height, 4)};
-      std::array<FileBytes, 4> files;
-      std::vector<PlaneRows> rows;
-      for (std::size_t i = 0; i < 4; ++i) rows.emplace_back((*planes)[i], files[i]);
-      for (int y = 0; y < height; ++y) {
-        std::array<const std::uint8_t*, 4> at{};
-        for (std::size_t i = 0; i < 4; ++i) at[i] = (*planes)[i].is_image() ? rows[i].read(1) : nullptr;
-        auto* a = out.diffuse_alpha.at(0, y).data();
-        auto* b = out.specular_gloss.at(0, y).data();
-        const auto texels = static_cast<std::size_t>(width);
-        interleave(a, texels, at[0], rows[0], at[1], rows[1]);
-        interleave(b, texels, at[2], rows[2], at[3], rows[3]);
-        for (std::size_t x = 0; x < texels; ++x) {
-          const double metal = b[4 * x] / 255.0;
-          for (std::size_t c = 0; c < 3; ++c) {
-            const double base = srgb_decode(a[4 * x + c] / 255.0);
-            a[4 * x + c] = srgb_u8(base * (1 - metal));
-            b[4 * x + c] = srgb_u8(0.04 + (base - 0.04) * metal);
-          }
+// The size that all pictures share.
+void set_size(const ManifestMaterial& m, const std::optional<PlaneSource>& metal, const PictureDoor& door,
+              PackInput& in) {
+  std::vector<const PlaneSource*> planes{&in.color[0], &in.grey[0], &in.color[1], &in.grey[1]};
+  if (metal) planes.push_back(&*metal);
+  std::string first;
+  for (const PlaneSource* plane : planes) {
+    if (!plane->is_image()) continue;
+    const PictureHeader header = picture_header(plane->path, door);
+    in.files.push_back(plane->path);
+    if (m.width && (header.width != *m.width || (m.height && header.height != *m.height)))
+      throw Error::at(plane->path, "is " + size_text(header.width, header.height),
+                      size_text(*m.width, m.height.value_or(header.height)) + ", as " + m.place + " says");
+    if (!first.empty() && (header.width != in.width || header.height != in.height))
+      throw Error::at(plane->path, "is " + size_text(header.width, header.height),
+                      size_text(in.width, in.height) + " like " + first + ", which is of the same material");
+    in.width = header.width;
+    in.height = header.height;
+    in.streamed = in.streamed && header.strips;
+    first = plane->path;
+  }
+  if (first.empty()) in.width = m.width.value_or(1), in.height = m.height.value_or(1);
+}
+
+// Base colour and metalness: diffuse = c (1 - m), F0 = 0.04 (1 - m) + c m, in linear light.
+void set_metallic(const PlaneSource& metal, PackInput& in) {
+  const auto planes = std::make_shared<std::array<PlaneSource, 4>>(
+      std::array<PlaneSource, 4>{in.color[0], in.grey[0], metal, in.grey[1]});
+  const int width = in.width, height = in.height;
+  in.convert = [planes, width, height](std::vector<std::string>&) {
+    MaterialPair out{Image8(width, height, 4), Image8(width, height, 4)};
+    std::array<FileBytes, 4> files;
+    std::vector<PlaneRows> rows;
+    for (std::size_t i = 0; i < 4; ++i) rows.emplace_back((*planes)[i], files[i]);
+    for (int y = 0; y < height; ++y) {
+      std::array<const std::uint8_t*, 4> at{};
+      for (std::size_t i = 0; i < 4; ++i) at[i] = (*planes)[i].is_image() ? rows[i].read(1) : nullptr;
+      auto* a = out.diffuse_alpha.at(0, y).data();
+      auto* b = out.specular_gloss.at(0, y).data();
+      const auto texels = static_cast<std::size_t>(width);
+      interleave(a, texels, at[0], rows[0], at[1], rows[1]);
+      interleave(b, texels, at[2], rows[2], at[3], rows[3]);
+      for (std::size_t x = 0; x < texels; ++x) {
+        const double share = b[4 * x] / 255.0;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double base = srgb_decode(a[4 * x + c] / 255.0);
+          a[4 * x + c] = srgb_u8(base * (1 - share));
+          b[4 * x + c] = srgb_u8(0.04 + (base - 0.04) * share);
         }
       }
-      return out;
-    };
-    in.convert_floats = [planes, width, height] {
-      return metallic_floats((*planes)[0], (*planes)[1], (*planes)[2], (*planes)[3], width, height);
-    };
-    in.color[1] = PlaneSource{};
-  }
-
-  static std::string plane_text(const PlaneSource& p) {
-    std::string out = p.path + '|' + (p.curve ? "c" : "-") + p.space_name;
-    for (const int pick : p.pick) out += std::to_string(pick);
-    for (const std::uint8_t code : p.constant) out += ',' + std::to_string(code);
-    for (const double value : p.exact) out += ',' + number(value, 17);
-    return out;
-  }
-
-  // A material of numbers alone is known before anything is read.
-  static void facts(PackInput& in) {
-    MaterialFacts& f = in.facts;
-    f.name = in.name;
-    f.width = in.width;
-    f.height = in.height;
-    f.opaque = in.alpha_mode == AlphaMode::opaque;
-    f.crop = {0, 0, in.width, in.height};
-    for (std::size_t t = 0; t < 2; ++t) f.source += plane_text(in.color[t]) + plane_text(in.grey[t]);
-    if (in.convert) f.source += in.name;
-    if (!in.files.empty() || in.convert) return;
-    f.learned = true;
-    for (std::size_t t = 0; t < 2; ++t) {
-      const std::array<std::uint8_t, 4> texel{in.color[t].constant[0], in.color[t].constant[1],
-                                              in.color[t].constant[2], in.grey[t].constant[0]};
-      add_texels(f.range, both_textures[t], texel.data(), 1);
-      std::uint64_t packed = 0;
-      for (const std::uint8_t code : texel) packed = packed << 8 | code;
-      (t == 0 ? f.color_hash : f.specular_hash) = {packed, std::numeric_limits<std::uint64_t>::max()};
     }
-  }
+    return out;
+  };
+  in.convert_floats = [planes, width, height] {
+    return metallic_floats((*planes)[0], (*planes)[1], (*planes)[2], (*planes)[3], width, height);
+  };
+  in.color[1] = PlaneSource{};
+}
 
-  void note_clamped(const ManifestMaterial& m, const char* role, double encoded) {
-    if (encoded < 0 || encoded > 1)
-      out_.remarks.push_back(m.name + ": " + role + " comes out as " + number(encoded, 4) + " in the form " +
-                             std::string(name(out_.gloss)) + "; brought back to 0..1");
-  }
+std::string plane_text(const PlaneSource& p) {
+  std::string out = p.path + '|' + (p.curve ? "c" : "-") + p.space_name;
+  for (const int pick : p.pick) out += std::to_string(pick);
+  for (const std::uint8_t code : p.constant) out += ',' + std::to_string(code);
+  for (const double value : p.exact) out += ',' + number(value, 17);
+  return out;
+}
 
-  const AtlasManifest& manifest_;
-  const MaterialLibrary& library_;
-  const PictureDoor& door_;
-  const SpaceOpener& open_space_;
-  const std::map<std::string, std::string>& spaces_;
-  PackInputs out_;
-  PlaneSource base_, metal_;
-};
+// A material of numbers alone is known before anything is read.
+void set_facts(PackInput& in) {
+  MaterialFacts& f = in.facts;
+  f.name = in.name;
+  f.width = in.width;
+  f.height = in.height;
+  f.opaque = in.alpha_mode == AlphaMode::opaque;
+  f.crop = {0, 0, in.width, in.height};
+  for (std::size_t t = 0; t < 2; ++t) f.source += plane_text(in.color[t]) + plane_text(in.grey[t]);
+  if (in.convert) f.source += in.name;
+  if (!in.files.empty() || in.convert) return;
+  f.learned = true;
+  for (std::size_t t = 0; t < 2; ++t) {
+    const std::array<std::uint8_t, 4> texel{in.color[t].constant[0], in.color[t].constant[1],
+                                            in.color[t].constant[2], in.grey[t].constant[0]};
+    add_texels(f.range, both_textures[t], texel.data(), 1);
+    std::uint64_t packed = 0;
+    for (const std::uint8_t code : texel) packed = packed << 8 | code;
+    (t == 0 ? f.color_hash : f.specular_hash) = {packed, std::numeric_limits<std::uint64_t>::max()};
+  }
+}
+
+PackInput input_of(const ManifestMaterial& m, const Resolving& r) {
+  constexpr auto a = static_cast<std::size_t>(Texture::diffuse_alpha);
+  constexpr auto b = static_cast<std::size_t>(Texture::specular_gloss);
+  PackInput in;
+  in.name = m.name;
+  in.alpha_mode = m.alpha_mode;
+  in.alpha_cutoff = m.alpha_cutoff;
+  in.normal.path = m.normal;
+  in.normal.door = &r.reading.door;
+  std::optional<PlaneSource> metal;
+  if (m.base_color) {
+    in.color[a] = color_plane({m, "basecolor"}, *m.base_color, r);
+    metal = m.metallic ? grey_plane({m, "metallic"}, *m.metallic, nullptr, r) : fixed_grey(0);
+    in.streamed = false;
+  } else {
+    if (m.diffuse) in.color[a] = color_plane({m, "diffuse"}, *m.diffuse, r);
+    in.color[b] = color_plane({m, "specular"}, *m.specular, r);
+  }
+  in.grey[a] = m.alpha && m.alpha_mode != AlphaMode::opaque ? grey_plane({m, "alpha"}, *m.alpha, nullptr, r)
+                                                            : fixed_grey(1);
+  in.grey[b] = gloss_plane(m, r);
+  set_size(m, metal, r.reading.door, in);
+  if (metal) set_metallic(*metal, in);
+  set_facts(in);
+  return in;
+}
 
 }  // namespace
 
 PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,
-                            std::optional<GlossForm> gloss, const PictureDoor& door,
-                            const SpaceOpener& open_space, const std::map<std::string, std::string>& spaces) {
-  return Resolver(manifest, library, gloss, door, open_space, spaces).resolve();
+                            const PictureReading& reading) {
+  PackInputs out;
+  out.gloss = reading.gloss.value_or(manifest.gloss);
+  const Resolving resolving{manifest, library, reading, out.gloss, out.remarks};
+  for (const ManifestMaterial& m : manifest.materials) out.materials.push_back(input_of(m, resolving));
+  return out;
 }
 
 }  // namespace etak

@@ -50,15 +50,22 @@ struct PackInputs {
 /// Opens a colour space that etak does not have itself. Throws Error that tells the nearest names.
 using SpaceOpener = std::function<SpaceCurve(const std::string& name)>;
 
-/// Turns manifest entries into inputs: sizes from the headers, constants and library materials into codes.
-///   gloss        what texture B is to hold; as in the manifest where not given
-///   door         must outlive the inputs
-///   open_space   for spaces of pictures other than srgb, linear and power-2.2; empty: there are no others
+/// How the pictures that a manifest names are read.
+///   gloss        what texture B is to hold; none: as the manifest says
+///   door         to pictures other than PNG
+///   open_space   for spaces other than srgb, linear and power-2.2; empty: there are no others
 ///   spaces       of pictures that name none, by role
+struct PictureReading {
+  std::optional<GlossForm> gloss;
+  PictureDoor door;
+  SpaceOpener open_space;
+  std::map<std::string, std::string> spaces;
+};
+
+/// Turns manifest entries into inputs: sizes from the headers, constants and library materials into codes.
+///   reading   must outlive the inputs
 /// Throws Error: files that are missing or of different sizes, unknown materials, spaces and channels.
 PackInputs resolve_manifest(const AtlasManifest& manifest, const MaterialLibrary& library,
-                            std::optional<GlossForm> gloss, const PictureDoor& door,
-                            const SpaceOpener& open_space,
-                            const std::map<std::string, std::string>& spaces = {});
+                            const PictureReading& reading);
 
 }  // namespace etak

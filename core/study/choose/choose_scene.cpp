@@ -59,9 +59,9 @@ std::vector<ChooseSubject> scene_subjects(const std::string& path, const PackOpt
     inputs = scene->inputs();
     scene->add_remarks(remarks);
   } else {
-    manifest =
-        is_folder(path) ? manifest_of_folder(path, options.pattern) : parse_manifest(read_file(path), path);
-    inputs = resolve_manifest(manifest, library, options.gloss, options.door, options.open_space);
+    manifest = is_folder(path) ? manifest_of_folder(path, options.input.pattern)
+                               : parse_manifest(read_file(path), path);
+    inputs = resolve_manifest(manifest, library, options.input.pictures);
   }
   remarks.insert(remarks.end(), inputs.remarks.begin(), inputs.remarks.end());
   std::vector<ChooseSubject> out;

@@ -42,7 +42,7 @@ inline Image8 load_png(const std::string& path) {
   return *image;
 }
 
-inline PackReport pack_text(const TempFolder& folder, const std::string& manifest,
+inline PackResult pack_text(const TempFolder& folder, const std::string& manifest,
                             const PackOptions& options = {}) {
   spit(folder.file("m.json"), manifest);
   return pack(folder.file("m.json"), folder.file("out"), options, built_in_library());
@@ -110,7 +110,7 @@ inline const AtlasMaterialRow& row_named(const AtlasLayout& layout, const std::s
   throw;
 }
 
-inline const LeaveOutLine* line_named(const PackReport& report, const std::string& what) {
+inline const LeaveOutLine* line_named(const PackResult& report, const std::string& what) {
   for (const LeaveOutLine& line : report.left_out.lines)
     if (line.what == what) return &line;
   return nullptr;

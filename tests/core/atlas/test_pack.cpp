@@ -22,9 +22,9 @@ TEST_CASE("every texel comes back, colour under alpha 0 and gloss 0 too") {
       entries.push_back(manifest_entry(name));
     }
     PackOptions options;
-    options.rotate = rotate;
-    options.keep = {"constant", "textures"};
-    options.threads = 2;
+    options.layout.rotate = rotate;
+    options.leave_out.keep = {"constant", "textures"};
+    options.run.threads = 2;
     (void)pack_text(folder, manifest_of(entries), options);
     const AtlasLayout layout = packed_layout(folder);
     REQUIRE(layout.rects.size() == sizes.size());
@@ -51,7 +51,7 @@ TEST_CASE("every texel comes back, colour under alpha 0 and gloss 0 too") {
 
 TEST_CASE("library materials and constants come out as the core's own 8-bit F0") {
   const TempFolder folder;
-  const PackReport report = pack_text(folder, R"({"materials": [
+  const PackResult report = pack_text(folder, R"({"materials": [
     {"name": "gold", "specular": "gold", "gloss": 0.75},
     {"name": "copper in water", "specular": {"material": "copper", "outside": "water"}, "gloss": 1},
     {"name": "plastic", "diffuse": "#336699", "specular": [0.04, 0.04, 0.04], "gloss": 0.5, "alpha": 0.25}]})");
@@ -92,14 +92,14 @@ TEST_CASE("equal pixels are stored once, whatever their files look like") {
   small.level = PngLevel::smallest;
   const Image8 same = load_png(folder.file("a_diffuse.png"));
   spit(folder.file("b_diffuse.png"), png_bytes({{32, 32, 3, 8}, same.values.data(), 96}, small));
-  PackReport report = pack_text(folder, manifest_of({manifest_entry("a"), manifest_entry("b")}));
+  PackResult report = pack_text(folder, manifest_of({manifest_entry("a"), manifest_entry("b")}));
   CHECK(report.regions == 1);
   CHECK(report.passes == 2);  // it took the pixels to know
   const AtlasLayout layout = packed_layout(folder);
   REQUIRE(layout.rects.size() == 2);
   CHECK(layout.rects[0].x == layout.rects[1].x);
   PackOptions keep;
-  keep.keep = {"equal"};
+  keep.leave_out.keep = {"equal"};
   CHECK(pack_text(folder, manifest_of({manifest_entry("a"), manifest_entry("b")}), keep).regions == 2);
   // The same files: known before anything is read.
   std::string again = manifest_entry("a");
@@ -120,7 +120,7 @@ TEST_CASE("gloss changes its form by formula, and what does not fit is told") {
   add_noise_material(folder, "a", 32, 32, 1);
   std::string text = manifest_entry("a");
   text.replace(text.find("\"gloss\""), 7, "\"roughness\"");
-  const PackReport report = pack_text(folder, manifest_of({text}));
+  const PackResult report = pack_text(folder, manifest_of({text}));
   REQUIRE(report.remarks.size() == 1);
   CHECK(contains(report.remarks[0], "brought back to its ends"));
   const AtlasLayout layout = packed_layout(folder);
@@ -136,7 +136,7 @@ TEST_CASE("metal-rough pictures become diffuse and F0 by formula") {
   save_png(folder.file("a_metallic.png"), noise(8, 8, 1, 2));
   save_png(folder.file("a_roughness.png"), noise(8, 8, 1, 3));
   PackOptions options;
-  options.gloss = GlossForm::one_minus_roughness;
+  options.input.pictures.gloss = GlossForm::one_minus_roughness;
   (void)pack(folder.path(), folder.file("out"), options, built_in_library());
   const AtlasRect rect = packed_layout(folder).rects.at(0);
   const Image8 a = load_png(folder.file("out/page0_diffuse_alpha.png")),
@@ -164,8 +164,8 @@ TEST_CASE("the gutter repeats what was bled, of converted pictures too") {
   save_png(folder.file("metal.png"), noise(48, 48, 1, 2));
   save_png(folder.file("gloss.png"), noise(48, 48, 1, 3));
   PackOptions options;
-  options.bleed = true;
-  options.gutter = 4;
+  options.output.bleed = true;
+  options.layout.gutter = 4;
   const std::string colours = GENERATE(R"("basecolor": "base.png", "metallic": "metal.png")",
                                        R"("diffuse": "base.png", "specular": "base.png")");
   (void)pack_text(

@@ -20,14 +20,14 @@ TEST_CASE("the bytes do not depend on the manifest's order or on threads") {
     entries.push_back(manifest_entry(name));
   }
   PackOptions options;
-  options.mips = 4;
+  options.layout.mips = 4;
   (void)pack_text(folder, manifest_of(entries), options);
   std::vector<std::string> before;
   for (const std::string& name : files_in(folder.file("out")))
     if (name != "layout.json") before.push_back(slurp(folder.file("out/" + name)));
   const std::vector<AtlasRect> rects = packed_layout(folder).rects;
   std::reverse(entries.begin(), entries.end());
-  options.threads = 4;
+  options.run.threads = 4;
   (void)pack_text(folder, manifest_of(entries), options);
   std::vector<std::string> after;
   for (const std::string& name : files_in(folder.file("out")))
@@ -46,13 +46,13 @@ TEST_CASE("files of nobody's atlas are not replaced without leave; those of an e
                  "exists already and is of no earlier atlas"));
   CHECK(slurp(folder.file("out/page0_diffuse_alpha.png")) == "mine");
   PackOptions options;
-  options.overwrite = true;
+  options.output.overwrite = true;
   (void)pack_text(folder, manifest_of({manifest_entry("a")}), options);
-  options.overwrite = false;
-  options.mips = 3;
+  options.output.overwrite = false;
+  options.layout.mips = 3;
   (void)pack_text(folder, manifest_of({manifest_entry("a")}), options);
   CHECK(files_in(folder.file("out")).size() == 8);
-  options.mips = 1;
+  options.layout.mips = 1;
   (void)pack_text(folder, manifest_of({manifest_entry("a")}), options);
   CHECK(files_in(folder.file("out")) == std::vector<std::string>{"layout.json", "notes.txt",
                                                                  "page0_diffuse_alpha.png",
@@ -63,12 +63,12 @@ TEST_CASE("-u does nothing until an input or an option changes") {
   const TempFolder folder;
   add_noise_material(folder, "a", 8, 8, 1);
   PackOptions options;
-  options.update = true;
+  options.output.update = true;
   CHECK_FALSE(pack_text(folder, manifest_of({manifest_entry("a")}), options).up_to_date);
   CHECK(pack_text(folder, manifest_of({manifest_entry("a")}), options).up_to_date);
   save_png(folder.file("a_gloss.png"), noise(8, 8, 1, 77));
   CHECK_FALSE(pack_text(folder, manifest_of({manifest_entry("a")}), options).up_to_date);
-  options.mips = 2;
+  options.layout.mips = 2;
   CHECK_FALSE(pack_text(folder, manifest_of({manifest_entry("a")}), options).up_to_date);
   fs::remove(folder.file("out/page0_diffuse_alpha.png"));
   CHECK_FALSE(pack_text(folder, manifest_of({manifest_entry("a")}), options).up_to_date);
@@ -79,7 +79,7 @@ TEST_CASE("a dry run reports and writes nothing") {
   const TempFolder folder;
   add_noise_material(folder, "a", 8, 8, 1);
   PackOptions options;
-  options.dry_run = true;
+  options.output.dry_run = true;
   CHECK(pack_text(folder, manifest_of({manifest_entry("a")}), options).regions == 1);
   CHECK_FALSE(fs::exists(folder.file("out")));
 }
@@ -97,8 +97,8 @@ TEST_CASE("with the previous layout given, regions that did not change stay wher
   fs::copy_file(folder.file("out/layout.json"), folder.file("previous.json"));
   entries.erase(entries.begin() + 5);
   PackOptions options;
-  options.previous = folder.file("previous.json");
-  const PackReport report = pack_text(folder, manifest_of(entries), options);
+  options.layout.previous = folder.file("previous.json");
+  const PackResult report = pack_text(folder, manifest_of(entries), options);
   const AtlasLayout now = packed_layout(folder);
   CHECK(report.kept_previous);
   CHECK(report.moved == 0);

@@ -39,17 +39,17 @@ TEST_CASE("bad inputs are told in one line, and what was there before stays") {
        {std::size_t{0}, std::size_t{20}, std::size_t{60}, whole.size() / 2, whole.size() - 1}) {
     spit(folder.file("a_diffuse.png"), whole.substr(0, size));
     PackOptions options;
-    options.door.header = [](const std::string& path) -> PictureHeader {
+    options.input.pictures.door.header = [](const std::string& path) -> PictureHeader {
       throw Error::at(path, "is no picture");
     };
-    options.door.load = [](const std::string& path) -> std::variant<Image8, Image> {
+    options.input.pictures.door.load = [](const std::string& path) -> std::variant<Image8, Image> {
       throw Error::at(path, "is no picture");
     };
     CHECK(contains(packing_fault(folder, manifest_of({manifest_entry("a")}), options), "a_diffuse.png"));
   }
   spit(folder.file("a_diffuse.png"), whole);
   PackOptions small;
-  small.page = 8;
+  small.layout.page = 8;
   CHECK_FALSE(packing_fault(folder, manifest_of({manifest_entry("a")}), small).empty());
   CHECK(slurp(folder.file("out/layout.json")) == before);
   CHECK(files_in(folder.path()).size() == 7);  // four pictures, b.png, m.json, out: nothing half-made is left
@@ -63,8 +63,10 @@ TEST_CASE("a NaN in a float picture is refused, and values out of range are coun
   spit(folder.file("a_diffuse.exr"), "what the door below reads");
   Image floats(4, 4, 3, 0.5f);
   PackOptions options;
-  options.door.header = [](const std::string&) { return PictureHeader{4, 4, 3, 32, false}; };
-  options.door.load = [&](const std::string&) -> std::variant<Image8, Image> { return floats; };
+  options.input.pictures.door.header = [](const std::string&) { return PictureHeader{4, 4, 3, 32, false}; };
+  options.input.pictures.door.load = [&](const std::string&) -> std::variant<Image8, Image> {
+    return floats;
+  };
   CHECK(pack_text(folder, manifest_of({text}), options).remarks.empty());
   const Image8 page = load_png(folder.file("out/page0_diffuse_alpha.png"));
   const AtlasLayout layout = packed_layout(folder);
@@ -84,7 +86,7 @@ TEST_CASE(
   PackOptions options;
   bool change = true;
   // Called when the pixels of a page are whole, and so after the picture was read.
-  options.check_page = [&](const AtlasLayout&, int page, const PagePixels&) {
+  options.check.page = [&](const AtlasLayout&, int page, const PagePixels&) {
     if (change && page == 0) save_png(picture, noise(32, 32, 3, 77));
     return true;
   };

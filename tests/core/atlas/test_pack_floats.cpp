@@ -23,18 +23,19 @@ namespace {
 // The doors as etak-image opens them.
 PackOptions with_floats(const std::vector<std::string>& formats) {
   PackOptions options;
-  options.write.formats = formats;
-  options.door.header = [](const std::string& path) {
+  options.output.write.formats = formats;
+  options.input.pictures.door.header = [](const std::string& path) {
     const ImageInfo info = read_image_info(path);
     return PictureHeader{info.width, info.height, info.channels, info.floating ? 32 : info.bits, false};
   };
-  options.door.load = [](const std::string& path) -> std::variant<Image8, Image> {
+  options.input.pictures.door.load = [](const std::string& path) -> std::variant<Image8, Image> {
     const LoadedImage loaded = load_picture(path, image_io_decoder());
     if (const auto* codes = std::get_if<Image8>(&loaded.pixels)) return *codes;
     if (const auto* floats = std::get_if<Image>(&loaded.pixels)) return *floats;
     return read_image(path);
   };
-  options.door.encode = [](const Image& image, std::string_view format, std::string_view fourth) {
+  options.input.pictures.door.encode = [](const Image& image, std::string_view format,
+                                          std::string_view fourth) {
     return format == "exr" ? exr_bytes(image, std::string(fourth)) : tiff_bytes(image, std::string(fourth));
   };
   return options;
@@ -80,8 +81,8 @@ TEST_CASE("float files hold the sources' own values: halves, floats, 16 bits, an
     const TempFolder folder;
     save_deep(folder);
     PackOptions options = with_floats({"png", "exr", "tiff"});
-    options.rotate = rotate;
-    const PackReport report = pack_text(folder, deep, options);
+    options.layout.rotate = rotate;
+    const PackResult report = pack_text(folder, deep, options);
     const AtlasLayout layout = packed_layout(folder);
     const Image d = read_image(folder.file("d.exr")), s = read_image(folder.file("s.exr"));
     CHECK(d == halves(40, 24, 3, 1));
@@ -156,7 +157,7 @@ TEST_CASE("mips of floats are files of their own, named in the layout, and those
   save_png(folder.file("g.png"), noise(64, 64, 1, 4));
   save_png(folder.file("e.png"), noise(64, 64, 3, 5));
   PackOptions options = with_floats({"exr"});
-  options.mips = 2;
+  options.layout.mips = 2;
   (void)pack_text(folder,
                   R"({"materials": [{"name": "a", "diffuse": "d.exr", "specular": "s.exr", "gloss": "g.png"},
     {"name": "b", "diffuse": "e.png", "specular": "s.exr", "gloss": "g.png"}]})",
@@ -197,10 +198,10 @@ TEST_CASE("--bleed reaches floats: hidden texels, mips and gutters in every chan
       if (hidden(x, y)) alpha.at(x, y)[0] = 0;
   save_png(folder.file("a.png"), alpha);
   PackOptions options = with_floats({"exr"});
-  options.mips = 2;
-  options.gutter = 2;
+  options.layout.mips = 2;
+  options.layout.gutter = 2;
   const auto packed = [&](bool bleed) {
-    options.bleed = bleed;
+    options.output.bleed = bleed;
     (void)pack_text(
         folder,
         R"({"materials": [{"name": "a", "diffuse": "d.exr", "specular": "s.exr", "gloss": "g.png", "alpha": "a.png"},
@@ -245,8 +246,8 @@ TEST_CASE("metal-rough pictures of 16 bits come out of the formula unrounded") {
   test::write_tiff(folder.file("m_metallic.tif"), codes_16(8, 8, 1, 2));
   test::write_tiff(folder.file("m_roughness.tif"), codes_16(8, 8, 1, 3));
   PackOptions options = with_floats({"tiff"});
-  options.pattern = "{name}_{role}.tif";
-  options.gloss = GlossForm::one_minus_roughness;
+  options.input.pattern = "{name}_{role}.tif";
+  options.input.pictures.gloss = GlossForm::one_minus_roughness;
   (void)pack(folder.path(), folder.file("out"), options, built_in_library());
   const AtlasRect rect = packed_layout(folder).rects.at(0);
   const Image a = read_image(folder.file("out/page0_diffuse_alpha.tiff")),
@@ -267,7 +268,7 @@ TEST_CASE("a space of the caller's opens what its pictures are stored in, before
   write_exr(folder.file("s.exr"), halves(16, 8, 3, 2), true, false);
   PackOptions options = with_floats({"png", "exr"});
   // Channels change places and are halved: what a matrix does.
-  options.open_space = [](const std::string& name) -> SpaceCurve {
+  options.input.pictures.open_space = [](const std::string& name) -> SpaceCurve {
     if (name != "turned") throw Error::at("<config>", "no colour space " + name, "turned");
     return [](float* rgb, std::size_t count) {
       for (std::size_t i = 0; i < count; ++i, rgb += 3) {
@@ -301,7 +302,7 @@ TEST_CASE("a space of the caller's opens what its pictures are stored in, before
   CHECK(contains(unknown(), "/materials/0/diffuse/space: tuned!"));
   CHECK(contains(unknown(), "expected turned"));
   // The option for pictures that name none.
-  options.spaces = {{"diffuse", "turned"}};
+  options.input.pictures.spaces = {{"diffuse", "turned"}};
   std::string plain = text;
   plain.replace(plain.find(R"({"image": "d.png", "space": "turned"})"), 37, "\"d.png\"");
   (void)pack_text(folder, plain, options);

@@ -21,40 +21,40 @@ TEST_CASE("pages made slab by slab are the pages made at once") {
   bool some_slabs = true;
   SECTION("rows of regions, with their mips") {
     for (unsigned i = 0; i < 8; ++i) add("m" + std::to_string(i), 1024, 512, 10 * i);
-    options.mips = GENERATE(1, 0, 3);
-    options.bleed = GENERATE(false, true);
-    options.page = 2048;
+    options.layout.mips = GENERATE(1, 0, 3);
+    options.output.bleed = GENERATE(false, true);
+    options.layout.page = 2048;
   }
   SECTION("a region in several slabs") {
     add("large", 2600, 1700, 7);
-    options.mips = 1;
-    options.gutter = GENERATE(0, 2);
+    options.layout.mips = 1;
+    options.layout.gutter = GENERATE(0, 2);
   }
   SECTION("regions side by side in several slabs, and waste below one") {
     add("a", 2000, 1700, 1);
     add("b", 2001, 1602, 2);
-    options.mips = 1;
-    options.gutter = 0;
+    options.layout.mips = 1;
+    options.layout.gutter = 0;
   }
   SECTION("a page that is too small for slabs") {
     add("small", 1024, 512, 7);
-    options.mips = 4;
+    options.layout.mips = 4;
     some_slabs = false;
   }
   spit(folder.file("m.json"), "{\"gloss\": \"schueler\", \"materials\": [" + list + "]}");
   // The DDS file needs the page whole.
   PackOptions whole = options;
-  whole.write.formats = {"png", "dds"};
-  const auto stages = [](const PackReport& report) {
+  whole.output.write.formats = {"png", "dds"};
+  const auto stages = [](const PackResult& report) {
     std::string out;
     for (const PackStage& stage : report.stages) out += stage.name + ";";
     return out;
   };
   pack(folder.file("m.json"), folder.file("whole"), whole, built_in_library());
   for (const unsigned threads : {1u, 3u}) {
-    options.threads = threads;
+    options.run.threads = threads;
     const std::string out = folder.file("slabs" + std::to_string(threads));
-    const PackReport report = pack(folder.file("m.json"), out, options, built_in_library());
+    const PackResult report = pack(folder.file("m.json"), out, options, built_in_library());
     CHECK((stages(report).find("texels, mips and files;") != std::string::npos) == some_slabs);
     REQUIRE(!report.files.empty());
     for (const std::string& name : report.files)
@@ -72,7 +72,7 @@ TEST_CASE("a region's mips are those of the region alone") {
   add_noise_material(folder, "b", 64, 128, 2);
   add_noise_material(folder, "c", 96, 64, 3);
   PackOptions options;
-  options.mips = 3;
+  options.layout.mips = 3;
   (void)pack_text(folder, manifest_of({manifest_entry("a"), manifest_entry("b"), manifest_entry("c")}),
                   options);
   const AtlasLayout layout = packed_layout(folder);
@@ -108,7 +108,7 @@ TEST_CASE("mips average gloss in the form it has") {
   save_png(folder.file("a_gloss.png"), halves);
   const auto level_1 = [&](const std::string& form) {
     PackOptions options;
-    options.mips = 2;
+    options.layout.mips = 2;
     (void)pack_text(folder, "{\"gloss\": \"" + form + "\", " + manifest_of({manifest_entry("a")}).substr(1),
                     options);
     const AtlasRect rect = packed_layout(folder).rects.at(0);
@@ -138,7 +138,7 @@ TEST_CASE("a rough normal map lowers the gloss of the mips, in every form") {
     }
   save_png(folder.file("a_normal.png"), tilted);
   PackOptions options;
-  options.mips = 2;
+  options.layout.mips = 2;
   const auto level_1 = [&](const std::string& more, const std::string& form) {
     std::string text = manifest_entry("a");
     text.insert(text.size() - 1, more);

@@ -65,10 +65,10 @@ TEST_CASE("smooth content is stored with fewer texels, and no pixel differs by m
       const TempFolder folder;
       save_both(folder);
       PackOptions options;
-      options.max_error = bound;
-      options.rotate = rotate;
-      options.threads = 2;
-      const PackReport report = pack_text(folder, both, options);
+      options.leave_out.max_error = bound;
+      options.layout.rotate = rotate;
+      options.run.threads = 2;
+      const PackResult report = pack_text(folder, both, options);
       const AtlasLayout layout = packed_layout(folder);
       const AtlasRect& smooth = rect_named(layout, "smooth");
       const int width = smooth.rotated ? smooth.height : smooth.width,
@@ -112,9 +112,9 @@ TEST_CASE("without the option, or with --keep resolution, every texel stays") {
   save_both(folder);
   CHECK(rect_named((void(pack_text(folder, both, {})), packed_layout(folder)), "smooth").width == 256);
   PackOptions options;
-  options.max_error = 2;
-  options.keep = {"resolution"};
-  const PackReport report = pack_text(folder, both, options);
+  options.leave_out.max_error = 2;
+  options.leave_out.keep = {"resolution"};
+  const PackResult report = pack_text(folder, both, options);
   CHECK(report.reduced.empty());
   CHECK(rect_named(packed_layout(folder), "smooth").width == 256);
 }
@@ -128,7 +128,7 @@ TEST_CASE("alpha that is tested keeps its texels") {
            R"("gloss": 0.5, "alpha": "alpha.png", "alpha_mode": ")" + mode + "\"}]}";
   };
   PackOptions options;
-  options.max_error = 2;
+  options.leave_out.max_error = 2;
   CHECK(pack_text(folder, text("blend"), options).reduced.size() == 1);
   CHECK(pack_text(folder, text("mask"), options).reduced.empty());
 }
@@ -137,8 +137,8 @@ TEST_CASE("mips of a region with fewer texels are those of what is stored") {
   const TempFolder folder;
   save_both(folder);
   PackOptions options;
-  options.max_error = 2;
-  options.mips = 2;
+  options.leave_out.max_error = 2;
+  options.layout.mips = 2;
   (void)pack_text(folder, both, options);
   const AtlasLayout layout = packed_layout(folder);
   const AtlasRect& rect = rect_named(layout, "smooth");
@@ -178,7 +178,7 @@ std::string square(const TempFolder& folder, int min_filter) {
   return folder.file("s.gltf");
 }
 
-PackReport pack_square(const TempFolder& folder, const std::string& scene, const PackOptions& options) {
+PackResult pack_square(const TempFolder& folder, const std::string& scene, const PackOptions& options) {
   return pack(scene, folder.file("out"), options, built_in_library());
 }
 
@@ -189,21 +189,21 @@ TEST_CASE("a scene's texels beyond what its cameras or a density can show are le
   const std::string scene = square(folder, 9987);
   PackOptions options;
   CHECK(pack_square(folder, scene, options).reduced.empty());
-  options.view_height = 70;  // 256 texels on 70 pixels: 128 are enough, 64 are not
-  PackReport report = pack_square(folder, scene, options);
+  options.leave_out.view_height = 70;  // 256 texels on 70 pixels: 128 are enough, 64 are not
+  PackResult report = pack_square(folder, scene, options);
   REQUIRE(report.reduced.size() == 1);
   CHECK(report.reduced[0].stored_width == 128);
   CHECK(report.reduced[0].seen_delta_e == 0);
   CHECK(report.reduced[0].delta_e > 1);  // from nearer it would be seen
-  options.view_height = 300;
+  options.leave_out.view_height = 300;
   CHECK(pack_square(folder, scene, options).reduced.empty());
-  options.view_height = 0;
-  options.texel_density = 60;
+  options.leave_out.view_height = 0;
+  options.leave_out.texel_density = 60;
   report = pack_square(folder, scene, options);
   REQUIRE(report.reduced.size() == 1);
   CHECK(report.reduced[0].stored_width == 64);
   // Where both speak, both hold.
-  options.view_height = 70;
+  options.leave_out.view_height = 70;
   CHECK(pack_square(folder, scene, options).reduced.at(0).stored_width == 128);
   CHECK(contains(slurp(folder.file("out/scene.gltf")), "page0_diffuse_alpha.png"));
 }
@@ -212,8 +212,8 @@ TEST_CASE(
     "mips that no sampler reads, that no camera comes to, or in which no region has a texel are left out") {
   const TempFolder folder;
   PackOptions options;
-  options.write.formats = {"png", "ktx2"};
-  PackReport report = pack_square(folder, square(folder, 9987), options);
+  options.output.write.formats = {"png", "ktx2"};
+  PackResult report = pack_square(folder, square(folder, 9987), options);
   CHECK(report.levels == 9);
   CHECK(line_named(report, "mips") == nullptr);
   report = pack_square(folder, square(folder, 9729), options);
@@ -223,10 +223,11 @@ TEST_CASE(
   for (std::uint64_t side = 128; side > 0; side /= 2) bytes += 4 * side * side;  // diffuse alone varies
   CHECK(line_named(report, "mips")->bytes == bytes);
   CHECK(line_named(report, "mips")->texels == 0);
-  options.keep = {"mips"};
+  options.leave_out.keep = {"mips"};
   CHECK(pack_square(folder, square(folder, 9729), options).levels == 9);
-  options.keep.clear();
-  options.view_height = 500;  // texels are larger than pixels; three levels more for a look from the side
+  options.leave_out.keep.clear();
+  options.leave_out.view_height =
+      500;  // texels are larger than pixels; three levels more for a look from the side
   CHECK(pack_square(folder, square(folder, 9987), options).levels == 4);
 
   const TempFolder other;
@@ -237,9 +238,9 @@ TEST_CASE(
     text += (text.empty() ? "" : ", ") + std::string("{\"name\": \"") + name + "\", \"diffuse\": \"" + name +
             ".png\", \"specular\": 0.04, \"gloss\": 0.5}";
   PackOptions all;
-  all.write.formats = {"dds"};
-  all.gutter = 0;
-  all.form = PageForm::square;
+  all.output.write.formats = {"dds"};
+  all.layout.gutter = 0;
+  all.layout.form = PageForm::square;
   report = pack_text(other, "{\"materials\": [" + text + "]}", all);
   CHECK(report.pages.at(0).width == 64);
   CHECK(report.levels == 6);  // not 7: on a texel of the last one four regions would meet
@@ -257,8 +258,8 @@ TEST_CASE("the normal map of a scene widens the gloss of its mips, at its own st
   for (std::size_t i = 2; i < rough.values.size(); i += 3) rough.values[i] = 255;
   save_png(folder.file("n.png"), rough);
   PackOptions options;
-  options.mips = 3;
-  options.keep = {"constant", "textures"};
+  options.layout.mips = 3;
+  options.leave_out.keep = {"constant", "textures"};
   const auto level_2 = [&](const std::string& map) {
     spit(scene, replaced(json, "\"name\":\"m\",", "\"name\":\"m\"," + map));
     (void)pack_square(folder, scene, options);

@@ -192,12 +192,12 @@ double worst_difference(const std::string& path, const std::string& packed_path,
   return worst;
 }
 
-PackReport pack_scene(const std::string& path, const std::string& out, bool islands,
+PackResult pack_scene(const std::string& path, const std::string& out, bool islands,
                       PackOptions options = {}) {
-  options.islands = islands;
-  options.threads = 2;
-  options.door.load_bytes = [](std::string_view bytes,
-                               const std::string& label) -> std::variant<Image8, Image> {
+  options.leave_out.islands = islands;
+  options.run.threads = 2;
+  options.input.pictures.door.load_bytes = [](std::string_view bytes,
+                                              const std::string& label) -> std::variant<Image8, Image> {
     return std::get<Image8>(load_picture(bytes, label, image_io_decoder()).pixels);
   };
   return pack(path, out, options, test::library());
@@ -211,7 +211,7 @@ TEST_CASE("real scenes keep at most 60 % of two full-size textures, 45 % with is
     TexelAccount before, after;
     for (const std::string& name : real_models) {
       const TempFolder folder;
-      const PackReport report = pack_scene(*asset(name), folder.file("out"), islands);
+      const PackResult report = pack_scene(*asset(name), folder.file("out"), islands);
       before.channel_texels += report.left_out.before.channel_texels;
       after.channel_texels += report.left_out.after.channel_texels;
       INFO(name << (islands ? " with islands" : ""));
@@ -226,7 +226,7 @@ TEST_CASE("real scenes keep at most 60 % of two full-size textures, 45 % with is
 TEST_CASE("every planted fact of the synthetic scene is found") {
   if (!asset("")) return;
   const TempFolder folder;
-  const PackReport report = pack_scene(*asset("synthetic_a/scene.gltf"), folder.file("out"), false);
+  const PackResult report = pack_scene(*asset("synthetic_a/scene.gltf"), folder.file("out"), false);
   const AtlasLayout layout = parse_layout(slurp(folder.file("out/layout.json")), "layout.json");
   const auto row = [&](const std::string& name) {
     const auto found = std::find_if(layout.materials.begin(), layout.materials.end(),
@@ -335,7 +335,7 @@ TEST_CASE("equal textures of different files, workflows, F0 and tiling are store
     INFO((tiles ? "tiling" : "one period"));
     const std::string scene = folder.file(tiles ? "scene.gltf" : "three.gltf"),
                       out = folder.file(tiles ? "tiled" : "out");
-    const PackReport report = pack_scene(scene, out, false);
+    const PackResult report = pack_scene(scene, out, false);
     const AtlasLayout layout = parse_layout(slurp(out + "/layout.json"), "layout.json");
     CHECK(report.regions == 1);
     REQUIRE(layout.rects.size() == 3);
@@ -355,8 +355,8 @@ TEST_CASE("a scene packed with everything kept keeps everything") {
   if (!asset("")) return;
   const TempFolder folder;
   PackOptions options;
-  options.keep = parse_keep({"all"});
-  const PackReport report =
+  options.leave_out.keep = parse_keep({"all"});
+  const PackResult report =
       pack(*asset("synthetic_a/scene.gltf"), folder.file("out"), options, test::library());
   CHECK(report.left_out.lines.empty());
   CHECK(report.left_out.before == report.left_out.after);
@@ -367,9 +367,9 @@ TEST_CASE("a real scene with fewer texels looks the same within the bound") {
   const double bound = 20;
   const TempFolder folder;
   PackOptions options;
-  options.max_error = bound;
+  options.leave_out.max_error = bound;
   const std::string scene = *asset("tennis_racquet/TennisRacquet.gltf");
-  const PackReport report = pack_scene(scene, folder.file("out"), false, options);
+  const PackResult report = pack_scene(scene, folder.file("out"), false, options);
   CHECK(report.reduced.size() >= 1);
   for (const ReducedRegion& each : report.reduced) CHECK(each.seen_delta_e <= bound);
   const double worst = worst_difference(scene, folder.file("out/scene.gltf"), most_delta_e, Filter::light);

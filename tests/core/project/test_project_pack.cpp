@@ -26,9 +26,9 @@ TEST_CASE("a project file and the same project in memory are packed into the sam
   const std::string file = folder.file("p.json"), out = folder.file("out");
   spit(file, format_project(project, file));
   PackOptions options;
-  options.update = true;
-  options.other_manifest = project_reader(built_in_library());
-  const PackReport first = pack(file, out, options, built_in_library());
+  options.output.update = true;
+  options.input.other_manifest = project_reader(built_in_library());
+  const PackResult first = pack(file, out, options, built_in_library());
   CHECK(first.materials == 2);
   REQUIRE(!first.remarks.empty());
   CHECK(first.remarks.front().find("bright") != std::string::npos);  // its red was brought to 1

@@ -97,7 +97,7 @@ PageSources in_a_row(const std::vector<Island>& islands, int width, int height, 
     const std::array<int, 4> box{islands[i].x, islands[i].y, islands[i].width, islands[i].height};
     const std::array<int, 4> place{x, 0, rotated ? box[3] : box[2], rotated ? box[2] : box[3]};
     out.islands.push_back(
-        {box, region_transform(box, width, height, place, rotated, page_width, page_height)});
+        {box, region_transform({box, width, height, place, rotated, page_width, page_height})});
     page.put(box, width, place, rotated);
     x += place[2];
   }
@@ -125,7 +125,7 @@ TEST_CASE("a turned region is found texel by texel through the material's own tr
       output.images = {"p.png"};
       AtlasMaterial m;
       m.material = 0;
-      m.region = *composed(region_transform(use.box, width, height, place, turned, 64, 64), use.fold);
+      m.region = *composed(region_transform({use.box, width, height, place, turned, 64, 64}), use.fold);
       m.diffuse_alpha_image = 0;
       output.materials = {m};
       const Written written(scene, output);
@@ -144,7 +144,7 @@ TEST_CASE("a shear that no transform can say is written into the UVs") {
   output.images = {"p.png"};
   AtlasMaterial m;
   m.material = 0;
-  m.region = region_transform({0, 0, 32, 32}, 32, 32, {8, 16, 32, 32}, false, 64, 128);
+  m.region = region_transform({{0, 0, 32, 32}, 32, 32, {8, 16, 32, 32}, false, 64, 128});
   m.diffuse_alpha_image = 0;
   output.materials = {m};
   const Written written(scene, output);

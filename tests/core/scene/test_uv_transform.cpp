@@ -46,7 +46,7 @@ TEST_CASE("a region's transform finds every texel of the box at its place, turne
     for (const bool rotated : {false, true}) {
       const std::array<int, 4> place{100, 60, scale * (rotated ? 12 : 16), scale * (rotated ? 16 : 12)};
       const UvTransform t =
-          region_transform(box, texture_width, texture_height, place, rotated, page_width, page_height);
+          region_transform({box, texture_width, texture_height, place, rotated, page_width, page_height});
       for (int j = 0; j < box[3]; ++j)
         for (int i = 0; i < box[2]; ++i) {
           // Centre of the texel.

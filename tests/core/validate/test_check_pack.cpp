@@ -30,7 +30,7 @@ std::string write_manifest(const TempFolder& folder) {
 }
 
 struct Packed {
-  PackReport report;
+  PackResult report;
   ValidationReport findings;
   bool failed = false;
 };
@@ -40,7 +40,7 @@ Packed pack_checked(const TempFolder& folder, PackCheckOptions asked, PackOption
   PackCheck check(folder.file("atlas"), asked);
   CHECK(check.report() == nullptr);
   check.attach(options);
-  options.beside = [&](PackReport& report, OutputFolder*) -> std::unique_ptr<Output> {
+  options.check.beside = [&](PackResult& report, OutputFolder*) -> std::unique_ptr<Output> {
     check.finish(report);
     return nullptr;
   };
@@ -75,7 +75,7 @@ TEST_CASE("what is found while packing is what validate() finds in the atlas on 
 TEST_CASE("an atlas that fails is never up to date, and one under a higher limit is") {
   const TempFolder folder;
   PackOptions update;
-  update.update = true;
+  update.output.update = true;
   CHECK(pack_checked(folder, {}).failed);
   CHECK(!pack_checked(folder, {}, update).report.up_to_date);
   PackCheckOptions lenient;
@@ -87,7 +87,7 @@ TEST_CASE("an atlas that fails is never up to date, and one under a higher limit
 TEST_CASE("the limit of the configuration is part of what an atlas depends on") {
   const TempFolder folder;
   PackOptions update;
-  update.update = true;
+  update.output.update = true;
   PackCheckOptions nothing;
   nothing.config.settings.profile = Profile::custom;  // no rule is on
   CHECK(!pack_checked(folder, nothing).failed);

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+
+#include "core/atlas/pack/settings.h"
+#include "core/base/node_json.h"
+
+namespace etak {
+namespace {
+
+constexpr int jobs_depth = 6;
+
+// One value of a job, by what its row says of it.
+struct SettingReader {
+  const PackSettingRow& row;
+  const JsonNode& node;
+  const std::filesystem::path& folder;
+  PackSettings& to;
+
+  double number() const {
+    const double value = node.number();
+    if (row.least < row.most && (value < row.least || value > row.most))
+      node.fail_type("a number within the option's range");
+    return value;
+  }
+
+  void operator()(int PackSettings::*member) const {
+    to.*member = node.integer(static_cast<int>(row.least), static_cast<int>(row.most));
+  }
+  void operator()(double PackSettings::*member) const { to.*member = number(); }
+  void operator()(std::optional<double> PackSettings::*member) const { to.*member = number(); }
+  void operator()(bool PackSettings::*member) const { to.*member = node.boolean(); }
+  void operator()(std::vector<std::string> PackSettings::*member) const { to.*member = node.texts(); }
+  void operator()(std::string PackSettings::*member) const {
+    // "8" and 8 alike, because some settings take a word as well.
+    std::string text = row.is(PackSettingRow::or_number) && node.value.is_number()
+                           ? std::to_string(node.integer(0))
+                           : node.text();
+    const std::vector<std::string> words = row.word_list();
+    if (!words.empty() && std::find(words.begin(), words.end(), text) == words.end())
+      node.fail_type(row.words);
+    to.*member = row.is(PackSettingRow::file) ? (folder / text).string() : std::move(text);
+  }
+};
+
+PackSettings read_job(const JsonNode& job, const std::filesystem::path& folder, PackSettings out) {
+  job.expect_object();
+  const auto rows = pack_setting_rows();
+  for (const auto& [key, ignored] : job.value.items()) {
+    const auto is_named = [&](const PackSettingRow& row) {
+      return row.name == key && !row.is(PackSettingRow::line_only);
+    };
+    if (key != "input" && key != "out" && std::none_of(rows.begin(), rows.end(), is_named))
+      job.fail("unknown key " + in_quotes(key));
+  }
+  out.input = (folder / job.at("input").text()).string();
+  out.out = (folder / job.at("out").text()).string();
+  for (const PackSettingRow& row : rows)
+    if (!row.is(PackSettingRow::line_only) && job.has(row.name)) {
+      const JsonNode node = job.at(row.name);
+      std::visit(SettingReader{row, node, folder, out}, row.value);
+    }
+  return out;
+}
+
+}  // namespace
+
+std::vector<PackSettings> parse_pack_jobs(std::string_view text, const std::string& file,
+                                          const PackSettings& usual) {
+  const JsonDocument document = parse_json_strictly(text, file, jobs_depth, "a file of pack jobs");
+  const JsonNode root{document, file, {}};
+  root.expect_object({"schema", "jobs"});
+  if (root.has("schema") && root.at("schema").text() != "etak-pack-jobs/1")
+    root.at("schema").fail_type("\"etak-pack-jobs/1\"");
+  const JsonNode jobs = root.at("jobs");
+  jobs.expect_array();
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  std::vector<PackSettings> out;
+  for (std::size_t i = 0; i < jobs.size(); ++i) out.push_back(read_job(jobs.at(i), folder, usual));
+  if (out.empty()) jobs.fail("no job", "at least one");
+  return out;
+}
+
+}  // namespace etak

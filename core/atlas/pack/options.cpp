@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "core/atlas/pack/pack.h"
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+#include "core/base/number.h"
+
+namespace etak {
+namespace {
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> out(1);
+  for (const char c : list)
+    if (c == ',')
+      out.emplace_back();
+    else
+      out.back() += c;
+  return out;
+}
+
+std::vector<std::string> formats(const std::string& list) {
+  std::vector<std::string> out;
+  for (const std::string& each : split(list)) {
+    const bool known = std::find(page_formats.begin(), page_formats.end(), each) != page_formats.end();
+    const bool twice = std::find(out.begin(), out.end(), each) != out.end();
+    if (!known || twice) throw Error::at("--format", printable(each), "png, ktx2, dds, tiff, exr, each once");
+    out.push_back(each);
+  }
+  return out;
+}
+
+int whole_option(const char* option, const std::string& text, int least, int most, const char* other) {
+  double value = 0;
+  if (!parse_number(text, value) || value != std::floor(value) || value < least || value > most)
+    throw Error::at(option, printable(text),
+                    std::string(other) + ", or " + std::to_string(least) + " to " + std::to_string(most));
+  return static_cast<int>(value);
+}
+
+std::optional<PageForm> page_form(const std::string& text) {
+  if (text == "auto") return std::nullopt;
+  return text == "pages"    ? PageForm::pages
+         : text == "square" ? PageForm::square
+         : text == "pot"    ? PageForm::power_of_two
+         : text == "free"   ? PageForm::free
+                            : PageForm::mixed;
+}
+
+PngLevel png_level(const std::string& text) {
+  return text == "small" ? PngLevel::small : text == "smallest" ? PngLevel::smallest : PngLevel::fast;
+}
+
+std::vector<GltfForm> gltf_forms(const std::string& list) {
+  std::vector<GltfForm> out;
+  for (const std::string& each : split(list)) {
+    if (each == "specular-ior")
+      out.push_back(GltfForm::specular_ior);
+    else if (each == "specular-glossiness")
+      out.push_back(GltfForm::specular_glossiness);
+    else if (each == "metal-rough")
+      out.push_back(GltfForm::metal_rough);
+    else
+      throw Error::at("--gltf-form", printable(each), "specular-ior, specular-glossiness or metal-rough");
+  }
+  return out;
+}
+
+// ROLE=SPACE, of the roles that are colours.
+std::map<std::string, std::string> spaces(const std::vector<std::string>& list) {
+  std::map<std::string, std::string> out;
+  for (const std::string& each : list) {
+    const std::size_t at = each.find('=');
+    const std::string role = each.substr(0, at);
+    const bool color = role == "diffuse" || role == "specular" || role == "basecolor";
+    if (at == std::string::npos || at + 1 == each.size() || !color)
+      throw Error::at("--space-of", printable(each), "ROLE=SPACE, of diffuse, specular or basecolor");
+    if (!out.emplace(role, each.substr(at + 1)).second)
+      throw Error::at("--space-of", printable(each), "each role once");
+  }
+  return out;
+}
+
+PackLayoutOptions layout_options(const PackSettings& s) {
+  PackLayoutOptions out;
+  out.page = s.page;
+  out.form = page_form(s.page_form);
+  out.rotate = s.rotate;
+  out.effort = s.effort;
+  out.max_seconds = s.max_seconds;
+  if (s.gutter != "auto") out.gutter = whole_option("--gutter", s.gutter, 0, 4096, "auto");
+  if (s.mips == "all")
+    out.mips = 0;
+  else if (s.mips != "auto")
+    out.mips = whole_option("--mips", s.mips, 1, 15, "auto, all");
+  out.previous = s.previous;
+  out.most_extra_area = s.extra_area / 100;
+  return out;
+}
+
+}  // namespace
+
+PackOptions pack_options(const PackSettings& s) {
+  PackOptions out;
+  out.input.pattern = s.pattern;
+  if (!s.gloss.empty()) out.input.pictures.gloss = gloss_form_named(s.gloss);
+  if (s.scene >= 0) out.input.gltf.scene = s.scene;
+  out.input.gltf.all_scenes = s.all_scenes;
+  out.input.gltf.variants = !s.drop_variants;
+  out.leave_out.keep = parse_keep(s.keep);
+  out.leave_out.islands = s.islands;
+  out.leave_out.max_error = s.max_error;
+  out.leave_out.texel_density = s.texel_density;
+  out.leave_out.view_height = s.view_height;
+  out.input.pictures.spaces = spaces(s.space_of);
+  out.layout = layout_options(s);
+  auto& variants = out.leave_out.variants;
+  if (!s.choice.empty()) variants = parse_choices(read_file(s.choice), s.choice);
+  out.output.write.formats = formats(s.format);
+  out.output.write.png_level = png_level(s.png_level.empty() && variants ? variants->png_level : s.png_level);
+  out.output.write.zstd_level = s.zstd;
+  out.output.forms = gltf_forms(s.gltf_form);
+  out.output.bleed = s.bleed;
+  return out;
+}
+
+}  // namespace etak

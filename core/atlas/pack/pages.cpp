@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/pack/pages.h"
+
+#include <algorithm>
+
+#include "core/atlas/compose_floats.h"
+#include "core/atlas/pack/pack.h"
+#include "core/atlas/pack/progress.h"
+#include "core/atlas/pack/table.h"
+#include "core/atlas/page_stream.h"
+#include "core/base/error.h"
+
+namespace etak {
+namespace {
+
+// The layout says which pages there are: their files are known before their texels.
+void refuse_strangers(const PackOptions& options, const EarlierAtlas& earlier, const PackDecision& decision) {
+  for (int p = 0; p < static_cast<int>(decision.plan().pages.size()); ++p)
+    for (const Texture texture : both_textures)
+      for (const std::string& name :
+           page_files(p, texture, decision.page_levels(p), options.output.write.formats))
+        refuse_stranger(earlier, name, options.output.overwrite);
+}
+
+void check_memory(const PackOptions& options, const PlannedPage& page, int levels) {
+  std::size_t bytes = 0;
+  const std::size_t texel = writes_floats(options.output.write) ? 8 + 32 : 8;
+  for (int l = 0; l < levels; ++l)
+    bytes += texel * static_cast<std::size_t>(std::max(1, page.width >> l)) *
+             static_cast<std::size_t>(std::max(1, page.height >> l));
+  if (options.run.memory != 0 && bytes > options.run.memory)
+    throw Error::at("--memory",
+                    "a page of " + std::to_string(page.width) + " x " + std::to_string(page.height) +
+                        " takes " + std::to_string((bytes >> 20) + 1) + " MiB",
+                    "more memory, or a smaller --page");
+}
+
+// Where pages can be made slab by slab: what else is written of them, and the check, need them whole.
+bool may_be_cut(const PackOptions& options, const PackSource& source) {
+  if (options.check.page && (!options.check.written_page || options.output.dry_run)) return false;
+  return !source.scene && options.output.write.formats == std::vector<std::string>{"png"};
+}
+
+// The files of a page that is whole.
+void write_files(OutputFolder& folder, int p, const PlannedPage& page, const PagePixels& pixels,
+                 const PackSource& source, const WriteOptions& write, const PackStages& stages) {
+  for (const Texture texture : both_textures) {
+    stages.stop_if_cancelled();
+    if (page.has[index_of(texture)]) write_page(folder, p, texture, pixels, write);
+  }
+  if (source.scene) source.scene->write_page(folder, p, pixels, write);
+}
+
+void write_floats(OutputFolder& folder, int p, const FloatPage& page, const PackOptions& options) {
+  for (const std::string& format : options.output.write.formats)
+    if (holds_floats(format)) write_float_page(folder, p, page, format, options.input.pictures.door);
+}
+
+}  // namespace
+
+std::optional<MadePages> make_pages(const PackOptions& options, const PackSource& source,
+                                    const EarlierAtlas& earlier, PackDecision& decision,
+                                    std::vector<Learned>& learned, PackStages& stages) {
+  const std::vector<Region>& regions = decision.regions();
+  const PackingPlan& plan = decision.plan();
+  const std::vector<PackInput>& materials = source.inputs.materials;
+  MadePages made;
+  if (!options.output.dry_run) {
+    made.folder = std::make_unique<OutputFolder>(earlier.folder, may_replace(options.output.overwrite));
+    refuse_strangers(options, earlier, decision);
+  }
+  const ComposeOptions compose{options.run.threads, source.inputs.gloss, options.output.bleed};
+  Composer composer(materials, regions, plan, compose);
+  PagePixels pixels;
+  PackProgress progress(options.run.progress, plan, regions.size(), options.output.write,
+                        made.folder != nullptr);
+  const std::function<void()> region_done = [&] {
+    stages.stop_if_cancelled();
+    progress.region();
+  };
+  WriteOptions write = options.output.write;
+  write.threads = options.run.threads;
+  write.written = [&](std::size_t texels) {
+    stages.stop_if_cancelled();
+    progress.written(texels);
+  };
+  const auto table = [&] { return layout_table(options, source, decision); };
+  const auto check = [&](int p) {
+    if (!options.check.page) return;
+    stages.timed("validate", [&] { made.good = options.check.page(table(), p, pixels) && made.good; });
+  };
+  const auto path_of = [&](int p) {
+    return [&, p](Texture texture) { return made.folder->path_until_commit(page_file(p, texture, "png")); };
+  };
+  const int pages = static_cast<int>(plan.pages.size());
+  for (int p = 0; p < pages; ++p) {
+    const PlannedPage& page = plan.pages[static_cast<std::size_t>(p)];
+    const int levels = decision.page_levels(p);
+    check_memory(options, page, levels);
+    std::vector<int> cuts;
+    if (may_be_cut(options, source))
+      cuts = page_cuts(composer, regions, plan, p, levels, options.output.bleed);
+    if (cuts.size() > 2) {
+      pixels.release();
+      stages.timed("texels, mips and files", [&] {
+        stream_page(composer, {regions, plan, p, levels, cuts, made.folder.get(), write, region_done},
+                    learned);
+      });
+      progress.written(2 * PackProgress::texels_of(page));
+      if (decision.learn(learned)) return std::nullopt;
+      if (options.check.page && made.folder)
+        stages.timed("validate",
+                     [&] { made.good = options.check.written_page(table(), p, path_of(p)) && made.good; });
+      continue;
+    }
+    pixels.start(page, levels);
+    stages.timed("texels", [&] { composer.texels(p, pixels, learned, region_done); });
+    if (decision.learn(learned)) return std::nullopt;
+    stages.timed("gutters and mips", [&] { composer.mips(p, pixels); });
+    check(p);
+    if (!made.folder) continue;
+    stages.timed("write", [&] { write_files(*made.folder, p, page, pixels, source, write, stages); });
+    if (!writes_floats(write)) continue;
+    stages.timed("floats", [&] {
+      write_floats(*made.folder, p, compose_floats(p, levels, materials, regions, plan, compose), options);
+    });
+  }
+  check(pages);
+  return made;
+}
+
+}  // namespace etak

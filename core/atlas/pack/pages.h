@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/atlas/pack/decision.h"
+#include "core/atlas/pack/earlier.h"
+#include "core/atlas/pack/source.h"
+#include "core/atlas/pack/stages.h"
+#include "core/base/files/output_folder.h"
+
+namespace etak {
+
+/// The pages of an atlas.
+struct MadePages {
+  std::unique_ptr<OutputFolder> folder;  // with the files of all pages, not in place yet; null in a dry run
+  bool good = true;                      // what the check says of all pages
+};
+
+/// Composes, checks and writes every page of a decision. None where what the texels taught changes the
+/// layout: then nothing was kept.
+///   learned   by material
+/// Throws Error and PackCancelled.
+std::optional<MadePages> make_pages(const PackOptions& options, const PackSource& source,
+                                    const EarlierAtlas& earlier, PackDecision& decision,
+                                    std::vector<Learned>& learned, PackStages& stages);
+
+}  // namespace etak

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace etak {
+
+/// How to pack, as a person writes it on the command line or in a file of jobs; what the words mean says
+/// pack_options() (core/atlas/pack/pack.h). Ranges, words and help stand in pack_setting_rows().
+struct PackSettings {
+  std::string input, out;
+  // layout
+  int page = 4096, effort = 100;
+  std::string page_form = "auto", gutter = "auto", mips = "auto", previous;
+  bool rotate = false;
+  double max_seconds = 0, extra_area = 5;
+  // leaving out
+  std::vector<std::string> keep;
+  std::string choice;
+  bool islands = false;
+  std::optional<double> max_error;
+  double texel_density = 0;
+  int view_height = 0;
+  // content
+  std::string pattern = "{name}_{role}.png", gloss, ocio, gltf_form = "specular-ior";
+  std::vector<std::string> space_of;
+  bool bleed = false, all_scenes = false, drop_variants = false;
+  int scene = -1;  // the file's own
+  // output
+  std::string format = "png", png_level;
+  int zstd = 0;
+
+  friend bool operator==(const PackSettings&, const PackSettings&) = default;
+};
+
+/// One setting for every reader: `--name` on the command line, a key of a job.
+///   least, most   of numbers; equal: any
+///   value_name    in the help; empty: as the type has it
+///   words         with ' ' between: all that there are; empty: any text
+struct PackSettingRow {
+  using Value = std::variant<int PackSettings::*, double PackSettings::*,
+                             std::optional<double> PackSettings::*, bool PackSettings::*,
+                             std::string PackSettings::*, std::vector<std::string> PackSettings::*>;
+  enum Trait : unsigned {
+    shown = 1,  // the help tells the value of a run that says nothing; where that is empty, the first word
+    file = 2,   // that is read; in a job relative to the file of jobs
+    flag = 4,   // a truth that the name alone says
+    or_number = 8,   // a text that a job may give as a whole number
+    commas = 16,     // on the command line one text holds several, with ',' between
+    line_only = 32,  // no key of a job
+  };
+  std::string_view group, name;
+  Value value;
+  double least, most;
+  std::string_view value_name;
+  unsigned traits;
+  std::string_view help;
+  std::string_view words = {};
+
+  bool is(Trait trait) const { return (traits & trait) != 0; }
+  std::vector<std::string> word_list() const;
+};
+
+/// Every setting but input and output, in the order of the help.
+std::span<const PackSettingRow> pack_setting_rows();
+
+/// Reads a file of jobs: {"jobs": [{"input", "out", and settings by their names}, ...]}. Paths are
+/// relative to the file. Throws Error with the JSON pointer.
+///   usual   what a job does not say
+std::vector<PackSettings> parse_pack_jobs(std::string_view text, const std::string& file,
+                                          const PackSettings& usual);
+
+}  // namespace etak

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/pack/source.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/atlas/pack/pack.h"
+#include "core/atlas/sources/apply_variants.h"
+#include "core/base/error.h"
+#include "core/base/files/file.h"
+#include "core/base/files/input.h"
+
+namespace etak {
+namespace {
+
+PackInputs inputs_of(AtlasManifest manifest, const PackOptions& options, const MaterialLibrary& library) {
+  const auto& variants = options.leave_out.variants;
+  return resolve_manifest(with_methods(std::move(manifest), variants ? &*variants : nullptr), library,
+                          options.input.pictures);
+}
+
+PackInputs inputs_of(const PackManifest& of, const PackOptions& options, const MaterialLibrary& library) {
+  PackInputs out = inputs_of(of.manifest, options, library);
+  out.remarks.insert(out.remarks.begin(), of.remarks.begin(), of.remarks.end());
+  out.settings += of.settings;
+  return out;
+}
+
+PackInputs inputs_of_folder(const std::string& folder, const PackOptions& options,
+                            const MaterialLibrary& library) {
+  std::vector<std::string> skipped;
+  PackInputs out = inputs_of(manifest_of_folder(folder, options.input.pattern, &skipped), options, library);
+  std::sort(skipped.begin(), skipped.end());
+  if (!skipped.empty()) out.remarks.push_back(skipped_remark(skipped));
+  out.settings += options.input.pattern;
+  return out;
+}
+
+PackManifest manifest_in(const std::string& path, const PackOptions& options) {
+  const std::string text = read_file(path);
+  if (options.input.other_manifest)
+    if (auto other = options.input.other_manifest(text, path)) return *std::move(other);
+  return {parse_manifest(text, path), {}, text};
+}
+
+}  // namespace
+
+PackSource read_source(const std::string& input, const PackManifest* manifest, const PackOptions& options,
+                       const MaterialLibrary& library) {
+  PackSource out;
+  std::error_code failure;
+  if (manifest != nullptr) {
+    out.inputs = inputs_of(*manifest, options, library);
+  } else if (std::filesystem::is_directory(input, failure)) {
+    out.inputs = inputs_of_folder(input, options, library);
+  } else if (is_gltf_file(input)) {
+    out.scene = std::make_unique<ScenePack>(input, options);
+    out.inputs = out.scene->inputs();
+  } else {
+    out.inputs = inputs_of(manifest_in(input, options), options, library);
+  }
+  const PackLeaveOutOptions& less = options.leave_out;
+  if (less.variants) apply_variants(*less.variants, less.keep.contains("constant"), input, out.inputs);
+  if (!out.scene && (less.texel_density > 0 || less.view_height > 0))
+    throw Error::at(less.texel_density > 0 ? "--texel-density" : "--view-height",
+                    input + " says nothing of sizes in a world", "a glTF scene");
+  if (out.scene && !options.input.pictures.spaces.empty())
+    throw Error::at("--space-of", "a glTF scene, which says what space its pictures are of",
+                    "a manifest or a folder");
+  return out;
+}
+
+}  // namespace etak

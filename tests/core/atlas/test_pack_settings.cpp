@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <set>
+
+#include "core/atlas/pack/settings.h"
+#include "tests/core/atlas/pack_support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+// A job that says one thing beside input and output.
+std::string job_with(std::string_view key, const std::string& value) {
+  return R"({"jobs": [{"input": "a.json", "out": "b", ")" + std::string(key) + "\": " + value + "}]}";
+}
+
+std::string fault_of_job(std::string_view key, const std::string& value) {
+  return error_of([&] { (void)parse_pack_jobs(job_with(key, value), "dir/jobs.json", {}); });
+}
+
+// Something that a job may say of the setting.
+std::string value_for(const PackSettingRow& row) {
+  if (std::holds_alternative<bool PackSettings::*>(row.value)) return "true";
+  if (std::holds_alternative<std::vector<std::string> PackSettings::*>(row.value)) return R"(["x"])";
+  if (std::holds_alternative<std::string PackSettings::*>(row.value))
+    return '"' + (row.words.empty() ? "x" : row.word_list().back()) + '"';
+  return "7";
+}
+
+}  // namespace
+
+TEST_CASE("every setting of a job is read into its own place, and what is for the line alone is refused") {
+  std::set<std::string_view> names;
+  for (const PackSettingRow& row : pack_setting_rows()) {
+    INFO(row.name);
+    CHECK(names.insert(row.name).second);
+    if (row.is(PackSettingRow::line_only)) {
+      CHECK(contains(fault_of_job(row.name, value_for(row)), "unknown key"));
+      continue;
+    }
+    const auto jobs = parse_pack_jobs(job_with(row.name, value_for(row)), "dir/jobs.json", {});
+    REQUIRE(jobs.size() == 1);
+    PackSettings plain;
+    plain.input = "dir/a.json";
+    plain.out = "dir/b";
+    CHECK_FALSE(jobs[0] == plain);
+    std::visit([&](auto member) { plain.*member = jobs[0].*member; }, row.value);
+    CHECK(jobs[0] == plain);
+  }
+  CHECK(names.size() == 27);
+}
+
+TEST_CASE("a job's numbers and words keep to the ranges and words of the table") {
+  for (const PackSettingRow& row : pack_setting_rows()) {
+    INFO(row.name);
+    if (row.least < row.most && !row.is(PackSettingRow::line_only)) {
+      CHECK_FALSE(fault_of_job(row.name, "-1").empty());
+      CHECK_FALSE(fault_of_job(row.name, "2e12").empty());
+    }
+    if (!row.words.empty()) CHECK(contains(fault_of_job(row.name, "\"no such word\""), row.words));
+  }
+  const auto of = [](const char* key, const char* value) {
+    return parse_pack_jobs(job_with(key, value), "dir/jobs.json", {}).at(0);
+  };
+  CHECK(of("gutter", "8").gutter == of("gutter", R"("8")").gutter);
+  CHECK(of("previous", R"("old.json")").previous == "dir/old.json");
+}
+
+TEST_CASE("pack() returns the layout that it wrote, and the one in place where nothing was done") {
+  const TempFolder folder;
+  add_noise_material(folder, "a", 24, 16, 1);
+  PackOptions options;
+  options.output.update = true;
+  const PackResult first = pack_text(folder, manifest_of({manifest_entry("a")}), options);
+  CHECK_FALSE(first.up_to_date);
+  CHECK(first.layout == packed_layout(folder));
+  const PackResult second = pack_text(folder, manifest_of({manifest_entry("a")}), options);
+  CHECK(second.up_to_date);
+  CHECK(second.layout == first.layout);
+}
