@@ -74,236 +74,241 @@ std::optional<RectPlace> old_place(const AtlasRect& rect, const Cells& cells, in
   return place;
 }
 
-class Planner {
- public:
-  Planner(const std::vector<Region>& regions, const std::vector<std::string>& names,
-          const PlanOptions& options, const AtlasLayout* previous)
-      : regions_(regions), names_(names), options_(options), previous_(previous) {}
-
-  PackingPlan best() {
-    const AtlasLayout* const earlier = std::exchange(previous_, nullptr);
-    PackingPlan fresh = least();
-    if (earlier == nullptr) return fresh;
-    previous_ = earlier;
-    const double allowed = static_cast<double>(fresh.page_texels()) * (1 + options_.most_extra_area);
-    fresh.moved = moved(fresh);
-    PackingPlan best = std::move(fresh);
-    const auto offer = [&](PackingPlan plan) {
-      plan.moved = moved(plan);
-      const auto rank = [](const PackingPlan& p) { return std::make_tuple(p.moved, p.page_texels()); };
-      if (static_cast<double>(plan.page_texels()) <= allowed && rank(plan) < rank(best))
-        best = std::move(plan);
-    };
-    // A new region with more clean mips than any before it would move all others to a coarser grid.
-    const int limits[] = {0, earlier_limit()};
-    for (std::size_t k = 0; k < 2 && best.moved > 0; ++k) {
-      if (k > 0 && limits[k] == 0) break;
-      clean_limit_ = limits[k];
-      for (const bool gutters : {true, false}) {
-        if (!gutters && (!options_.may_inset || options_.gutter)) continue;
-        if (!fits(cells_of(regions_, options_, gutters, clean_limit_))) continue;
-        offer(plan_with(gutters, false));
-        if (may_be_apart()) offer(plan_with(gutters, true));
-      }
-    }
-    best.kept_previous = best.kept_previous || best.moved == 0;
-    return best;
-  }
-
- private:
-  // The plan of least area that gutters are worth, without regard to an earlier one.
-  PackingPlan least() {
-    if (regions_.empty()) return {};
-    // A region by itself needs no gutter when the page is of just its size.
-    if (regions_.size() == 1 && !options_.may_inset && options_.bare_alone && !options_.gutter &&
-        !regions_[0].own_page) {
-      PackingPlan plan = empty_plan();
-      add_own_page(plan, 0);
-      return plan;
-    }
-    const auto smaller = [&](bool gutters) {
-      PackingPlan common = plan_with(gutters, false);
-      if (!may_be_apart()) return common;
-      PackingPlan apart = plan_with(gutters, true);
-      return apart.page_texels() < common.page_texels() ? apart : common;
-    };
-    const bool may_inset = options_.may_inset && !options_.gutter;
-    if (may_inset && !fits(cells_of(regions_, options_, true))) return smaller(false);
-    PackingPlan out = smaller(true);
-    if (!may_inset) return out;
-    PackingPlan bare = smaller(false);
-    if (static_cast<double>(out.page_texels()) > most_gutter_area * static_cast<double>(bare.page_texels()))
-      return bare;
-    return out;
-  }
-  bool fits(const Cells& cells) const {
-    for (std::size_t i = 0; i < regions_.size(); ++i)
-      if (!regions_[i].own_page &&
-          std::max(cells.sizes[i].width, cells.sizes[i].height) > options_.rects.largest_side)
-        return false;
-    return true;
-  }
-
-  // Regions that lack a texture may be a group of pages by themselves.
-  bool may_be_apart() const {
-    return options_.split_textures && std::any_of(regions_.begin(), regions_.end(), [](const Region& r) {
-             return !r.own_page && !(r.in[0] && r.in[1]);
-           });
-  }
-
-  // All regions on common pages, or those that one texture can do without on pages that lack it.
-  PackingPlan plan_with(bool gutters, bool apart) const {
-    const Cells cells = cells_of(regions_, options_, gutters, clean_limit_);
-    std::vector<std::size_t> groups[3];
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-      const auto& in = regions_[i].in;
-      if (!regions_[i].own_page) groups[!apart || (in[0] && in[1]) ? 0 : in[0] ? 1 : 2].push_back(i);
-    }
-    PackingPlan plan = empty_plan();
-    add(plan, cells, groups[0], {true, true});
-    add(plan, cells, groups[1], {true, false});
-    add(plan, cells, groups[2], {false, true});
-    for (std::size_t i = 0; i < regions_.size(); ++i)
-      if (regions_[i].own_page) add_own_page(plan, i);
-    plan.inset = !gutters;
-    plan.clean_limit = clean_limit_;
-    return plan;
-  }
-
-  // Regions of the earlier layout that are the same and lie elsewhere.
-  std::size_t moved(const PackingPlan& plan) const {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-      const AtlasRect* old = earlier_rect(i);
-      const PlannedPlace& now = plan.places[i];
-      if (old != nullptr &&
-          std::tie(old->page, old->x, old->y, old->rotated) != std::tie(now.page, now.x, now.y, now.rotated))
-        ++count;
-    }
-    return count;
-  }
-
-  const AtlasRect* earlier_rect(std::size_t i) const {
-    if (earlier_.empty())
-      for (const AtlasRect& rect : previous_->rects)
-        earlier_[{rect.name, rect.crop.x, rect.crop.y, rect.crop.width, rect.crop.height}] = &rect;
-    const PixelBox& box = regions_[i].box;
-    const auto found = earlier_.find({names_[regions_[i].material], box.x, box.y, box.width, box.height});
-    if (found == earlier_.end()) return nullptr;
-    const AtlasRect& old = *found->second;
-    const bool same = (old.rotated ? old.height : old.width) == regions_[i].width() &&
-                      (old.rotated ? old.width : old.height) == regions_[i].height();
-    return same ? &old : nullptr;
-  }
-
-  // The clean mips that unchanged regions had at most; 0 where the choice of mips itself is another one now.
-  int earlier_limit() const {
-    const bool gutters = !std::any_of(previous_->rects.begin(), previous_->rects.end(),
-                                      [](const AtlasRect& rect) { return rect.inset > 0; });
-    const Cells cells = cells_of(regions_, options_, gutters);
-    int most = 0;
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
-      const AtlasRect* old = regions_[i].own_page ? nullptr : earlier_rect(i);
-      if (old == nullptr) continue;
-      if (old->mips != cells.clean[i] || old->gutter != cells.gutters[i]) return 0;
-      most = std::max(most, old->mips);
-    }
-    return most;
-  }
-
-  void add_own_page(PackingPlan& plan, std::size_t i) const {
-    const int width = regions_[i].width(), height = regions_[i].height();
-    const int levels = options_.levels == 0 ? 16 : options_.levels;
-    const int clean = std::min(levels, 1 + log2_floor(std::max(width, height)));
-    plan.places[i] = {static_cast<int>(plan.pages.size()), 0, 0, false, 0, clean, {0, 0, width, height}};
-    plan.pages.push_back({width, height, options_.split_textures ? regions_[i].in : std::array{true, true}});
-  }
-
-  PackingPlan empty_plan() const {
-    PackingPlan plan;
-    plan.places.resize(regions_.size());
-    return plan;
-  }
-
-  void add(PackingPlan& plan, const Cells& cells, const std::vector<std::size_t>& which,
-           std::array<bool, 2> has) const {
-    if (which.empty()) return;
-    std::vector<RectSize> sizes;
-    for (const std::size_t i : which) sizes.push_back(cells.sizes[i]);
-    RectOptions options = options_.rects;
-    options.align = std::max(options.align, cells.align);
-    if (cells.align > 1 && options.form != PageForm::strip)
-      options.multiple = std::max(options.multiple, cells.align);
-    const std::optional<PreviousRects> previous = previous_rects(cells, which, has);
-    const RectLayout layout = packed(sizes, options, previous ? &*previous : nullptr);
-    const int first = static_cast<int>(plan.pages.size());
-    for (const RectSize& page : layout.pages) plan.pages.push_back({page.width, page.height, has});
-    for (std::size_t k = 0; k < which.size(); ++k) {
-      const std::size_t i = which[k];
-      const RectPlace& at = layout.places[k];
-      const int gutter = cells.gutters[i];
-      const int width = at.rotated ? sizes[k].height : sizes[k].width;
-      const int height = at.rotated ? sizes[k].width : sizes[k].height;
-      plan.places[i] = {first + at.page,
-                        at.x + gutter,
-                        at.y + gutter,
-                        at.rotated,
-                        gutter,
-                        cells.clean[i],
-                        {at.x, at.y, width, height}};
-    }
-    plan.method += (plan.method.empty() ? "" : ", ") + layout.method;
-    plan.tries += layout.tries;
-    plan.cut_by_time = plan.cut_by_time || layout.cut_by_time;
-    plan.kept_previous = plan.kept_previous || layout.kept_previous;
-  }
-
-  // One page of any sides where that was asked for and is possible, else several.
-  RectLayout packed(const std::vector<RectSize>& sizes, const RectOptions& options,
-                    const PreviousRects* previous) const {
-    if (!options_.free_first) return pack_rects(sizes, options, previous);
-    RectOptions free = options;
-    free.form = PageForm::free;
-    free.multiple = std::max(options.multiple, 4);
-    try {
-      return pack_rects(sizes, free, previous);
-    } catch (const Error&) {
-      return pack_rects(sizes, options, previous);
-    }
-  }
-
-  // Where the same regions were, on the pages of the same kind.
-  std::optional<PreviousRects> previous_rects(const Cells& cells, const std::vector<std::size_t>& which,
-                                              std::array<bool, 2> has) const {
-    if (previous_ == nullptr) return std::nullopt;
-    PreviousRects out;
-    std::map<int, int> page_number;  // in the old layout: among the pages of this kind
-    for (std::size_t p = 0; p < previous_->pages.size(); ++p) {
-      const AtlasPage& page = previous_->pages[p];
-      if (page.files[0].empty() == has[0] || page.files[1].empty() == has[1]) continue;
-      page_number[static_cast<int>(p)] = static_cast<int>(out.pages.size());
-      out.pages.push_back({page.width, page.height});
-    }
-    out.most_extra_area = std::numeric_limits<double>::max();  // what it costs is judged of the whole plan
-    for (const std::size_t i : which) {
-      std::optional<RectPlace> place;
-      const AtlasRect* old = earlier_rect(i);
-      if (old != nullptr && page_number.contains(old->page)) {
-        place = old_place(*old, cells, cells.gutters[i]);
-        if (place) place->page = page_number[old->page];
-      }
-      out.places.push_back(place);
-    }
-    return out;
-  }
-
-  const std::vector<Region>& regions_;
-  const std::vector<std::string>& names_;
-  const PlanOptions& options_;
-  const AtlasLayout* previous_;
-  mutable std::map<std::tuple<std::string, int, int, int, int>, const AtlasRect*> earlier_;
-  int clean_limit_ = 0;
+// The regions that are planned, and where the same ones were.
+struct Planning {
+  const std::vector<Region>& regions;
+  const PlanOptions& options;
+  const AtlasLayout* previous = nullptr;    // null: none, or not to be looked at
+  std::vector<const AtlasRect*> earlier{};  // by region; null: it is new
 };
+
+// What is tried: with gutters, with the regions that lack a texture on pages of their own, with so many clean
+// mips at most (0: any).
+struct Attempt {
+  bool gutters = true, apart = false;
+  int clean_limit = 0;
+};
+
+// The rectangles of the earlier layout that hold what the regions hold.
+std::vector<const AtlasRect*> earlier_rects(const std::vector<Region>& regions,
+                                            const std::vector<std::string>& names,
+                                            const AtlasLayout& layout) {
+  std::map<std::tuple<std::string, int, int, int, int>, const AtlasRect*> known;
+  for (const AtlasRect& rect : layout.rects)
+    known[{rect.name, rect.crop.x, rect.crop.y, rect.crop.width, rect.crop.height}] = &rect;
+  std::vector<const AtlasRect*> out;
+  for (const Region& region : regions) {
+    const PixelBox& box = region.box;
+    const auto found = known.find({names[region.material], box.x, box.y, box.width, box.height});
+    const AtlasRect* const old = found == known.end() ? nullptr : found->second;
+    const bool same = old != nullptr && (old->rotated ? old->height : old->width) == region.width() &&
+                      (old->rotated ? old->width : old->height) == region.height();
+    out.push_back(same ? old : nullptr);
+  }
+  return out;
+}
+
+bool fits(const Planning& in, const Cells& cells) {
+  for (std::size_t i = 0; i < in.regions.size(); ++i)
+    if (!in.regions[i].own_page &&
+        std::max(cells.sizes[i].width, cells.sizes[i].height) > in.options.rects.largest_side)
+      return false;
+  return true;
+}
+
+// Regions that lack a texture may be a group of pages by themselves.
+bool may_be_apart(const Planning& in) {
+  return in.options.split_textures && std::any_of(in.regions.begin(), in.regions.end(), [](const Region& r) {
+           return !r.own_page && !(r.in[0] && r.in[1]);
+         });
+}
+
+// Regions of the earlier layout that are the same and lie elsewhere.
+std::size_t moved(const Planning& in, const PackingPlan& plan) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < in.regions.size(); ++i) {
+    const AtlasRect* old = in.earlier[i];
+    const PlannedPlace& now = plan.places[i];
+    if (old != nullptr &&
+        std::tie(old->page, old->x, old->y, old->rotated) != std::tie(now.page, now.x, now.y, now.rotated))
+      ++count;
+  }
+  return count;
+}
+
+// The clean mips that unchanged regions had at most; 0 where the choice of mips itself is another one now.
+int earlier_limit(const Planning& in) {
+  const bool gutters = !std::any_of(in.previous->rects.begin(), in.previous->rects.end(),
+                                    [](const AtlasRect& rect) { return rect.inset > 0; });
+  const Cells cells = cells_of(in.regions, in.options, gutters);
+  int most = 0;
+  for (std::size_t i = 0; i < in.regions.size(); ++i) {
+    const AtlasRect* old = in.regions[i].own_page ? nullptr : in.earlier[i];
+    if (old == nullptr) continue;
+    if (old->mips != cells.clean[i] || old->gutter != cells.gutters[i]) return 0;
+    most = std::max(most, old->mips);
+  }
+  return most;
+}
+
+PackingPlan empty_plan(const Planning& in) {
+  PackingPlan plan;
+  plan.places.resize(in.regions.size());
+  return plan;
+}
+
+void add_own_page(const Planning& in, std::size_t i, PackingPlan& plan) {
+  const Region& region = in.regions[i];
+  const int width = region.width(), height = region.height();
+  const int levels = in.options.levels == 0 ? 16 : in.options.levels;
+  const int clean = std::min(levels, 1 + log2_floor(std::max(width, height)));
+  plan.places[i] = {static_cast<int>(plan.pages.size()), 0, 0, false, 0, clean, {0, 0, width, height}};
+  plan.pages.push_back({width, height, in.options.split_textures ? region.in : std::array{true, true}});
+}
+
+// Where the same regions were, on the pages of the same kind.
+std::optional<PreviousRects> previous_rects(const Planning& in, const Cells& cells,
+                                            const std::vector<std::size_t>& which, std::array<bool, 2> has) {
+  if (in.previous == nullptr) return std::nullopt;
+  PreviousRects out;
+  std::map<int, int> page_number;  // in the old layout: among the pages of this kind
+  for (std::size_t p = 0; p < in.previous->pages.size(); ++p) {
+    const AtlasPage& page = in.previous->pages[p];
+    if (page.files[0].empty() == has[0] || page.files[1].empty() == has[1]) continue;
+    page_number[static_cast<int>(p)] = static_cast<int>(out.pages.size());
+    out.pages.push_back({page.width, page.height});
+  }
+  out.most_extra_area = std::numeric_limits<double>::max();  // what it costs is judged of the whole plan
+  for (const std::size_t i : which) {
+    std::optional<RectPlace> place;
+    const AtlasRect* old = in.earlier[i];
+    if (old != nullptr && page_number.contains(old->page)) {
+      place = old_place(*old, cells, cells.gutters[i]);
+      if (place) place->page = page_number[old->page];
+    }
+    out.places.push_back(place);
+  }
+  return out;
+}
+
+// One page of any sides where that was asked for and is possible, else several.
+RectLayout packed(const std::vector<RectSize>& sizes, const RectOptions& options, bool free_first,
+                  const PreviousRects* previous) {
+  if (!free_first) return pack_rects(sizes, options, previous);
+  RectOptions free = options;
+  free.form = PageForm::free;
+  free.multiple = std::max(options.multiple, 4);
+  try {
+    return pack_rects(sizes, free, previous);
+  } catch (const Error&) {
+    return pack_rects(sizes, options, previous);
+  }
+}
+
+void add_pages(const Planning& in, const Cells& cells, const std::vector<std::size_t>& which,
+               std::array<bool, 2> has, PackingPlan& plan) {
+  if (which.empty()) return;
+  std::vector<RectSize> sizes;
+  for (const std::size_t i : which) sizes.push_back(cells.sizes[i]);
+  RectOptions options = in.options.rects;
+  options.align = std::max(options.align, cells.align);
+  if (cells.align > 1 && options.form != PageForm::strip)
+    options.multiple = std::max(options.multiple, cells.align);
+  const std::optional<PreviousRects> previous = previous_rects(in, cells, which, has);
+  const RectLayout layout = packed(sizes, options, in.options.free_first, previous ? &*previous : nullptr);
+  const int first = static_cast<int>(plan.pages.size());
+  for (const RectSize& page : layout.pages) plan.pages.push_back({page.width, page.height, has});
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const std::size_t i = which[k];
+    const RectPlace& at = layout.places[k];
+    const int gutter = cells.gutters[i];
+    const int width = at.rotated ? sizes[k].height : sizes[k].width;
+    const int height = at.rotated ? sizes[k].width : sizes[k].height;
+    plan.places[i] = {first + at.page,
+                      at.x + gutter,
+                      at.y + gutter,
+                      at.rotated,
+                      gutter,
+                      cells.clean[i],
+                      {at.x, at.y, width, height}};
+  }
+  plan.method += (plan.method.empty() ? "" : ", ") + layout.method;
+  plan.tries += layout.tries;
+  plan.cut_by_time = plan.cut_by_time || layout.cut_by_time;
+  plan.kept_previous = plan.kept_previous || layout.kept_previous;
+}
+
+// All regions on common pages, or those that one texture can do without on pages that lack it.
+PackingPlan plan_with(const Planning& in, const Attempt& attempt) {
+  const Cells cells = cells_of(in.regions, in.options, attempt.gutters, attempt.clean_limit);
+  std::vector<std::size_t> groups[3];
+  for (std::size_t i = 0; i < in.regions.size(); ++i) {
+    const auto& has = in.regions[i].in;
+    if (!in.regions[i].own_page)
+      groups[!attempt.apart || (has[0] && has[1]) ? 0 : has[0] ? 1 : 2].push_back(i);
+  }
+  PackingPlan plan = empty_plan(in);
+  add_pages(in, cells, groups[0], {true, true}, plan);
+  add_pages(in, cells, groups[1], {true, false}, plan);
+  add_pages(in, cells, groups[2], {false, true}, plan);
+  for (std::size_t i = 0; i < in.regions.size(); ++i)
+    if (in.regions[i].own_page) add_own_page(in, i, plan);
+  plan.inset = !attempt.gutters;
+  plan.clean_limit = attempt.clean_limit;
+  return plan;
+}
+
+// The plan of least area that gutters are worth, without regard to an earlier one.
+PackingPlan least_plan(const Planning& in) {
+  const PlanOptions& options = in.options;
+  if (in.regions.empty()) return {};
+  // A region by itself needs no gutter when the page is of just its size.
+  if (in.regions.size() == 1 && !options.may_inset && options.bare_alone && !options.gutter &&
+      !in.regions[0].own_page) {
+    PackingPlan plan = empty_plan(in);
+    add_own_page(in, 0, plan);
+    return plan;
+  }
+  const auto smaller = [&](bool gutters) {
+    PackingPlan common = plan_with(in, {gutters, false});
+    if (!may_be_apart(in)) return common;
+    PackingPlan apart = plan_with(in, {gutters, true});
+    return apart.page_texels() < common.page_texels() ? apart : common;
+  };
+  const bool may_inset = options.may_inset && !options.gutter;
+  if (may_inset && !fits(in, cells_of(in.regions, options, true))) return smaller(false);
+  PackingPlan out = smaller(true);
+  if (!may_inset) return out;
+  PackingPlan bare = smaller(false);
+  if (static_cast<double>(out.page_texels()) > most_gutter_area * static_cast<double>(bare.page_texels()))
+    return bare;
+  return out;
+}
+
+// Of the plans that take little more than `fresh` the one that moves the fewest regions.
+PackingPlan steadiest_plan(const Planning& in, PackingPlan fresh) {
+  const double allowed = static_cast<double>(fresh.page_texels()) * (1 + in.options.most_extra_area);
+  PackingPlan best = std::move(fresh);
+  best.moved = moved(in, best);
+  const auto offer = [&](PackingPlan plan) {
+    plan.moved = moved(in, plan);
+    const auto rank = [](const PackingPlan& p) { return std::make_tuple(p.moved, p.page_texels()); };
+    if (static_cast<double>(plan.page_texels()) <= allowed && rank(plan) < rank(best)) best = std::move(plan);
+  };
+  // A new region with more clean mips than any before it would move all others to a coarser grid.
+  const int limits[] = {0, earlier_limit(in)};
+  for (std::size_t k = 0; k < 2 && best.moved > 0; ++k) {
+    if (k > 0 && limits[k] == 0) break;
+    for (const bool gutters : {true, false}) {
+      if (!gutters && (!in.options.may_inset || in.options.gutter)) continue;
+      if (!fits(in, cells_of(in.regions, in.options, gutters, limits[k]))) continue;
+      offer(plan_with(in, {gutters, false, limits[k]}));
+      if (may_be_apart(in)) offer(plan_with(in, {gutters, true, limits[k]}));
+    }
+  }
+  best.kept_previous = best.kept_previous || best.moved == 0;
+  return best;
+}
 
 }  // namespace
 
@@ -321,7 +326,10 @@ int default_clean_levels(int width, int height) {
 
 PackingPlan plan_pages(const std::vector<Region>& regions, const std::vector<std::string>& names,
                        const PlanOptions& options, const AtlasLayout* previous) {
-  return Planner(regions, names, options, previous).best();
+  PackingPlan fresh = least_plan({regions, options});
+  if (previous == nullptr) return fresh;
+  return steadiest_plan({regions, options, previous, earlier_rects(regions, names, *previous)},
+                        std::move(fresh));
 }
 
 }  // namespace etak
