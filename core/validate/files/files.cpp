@@ -131,19 +131,78 @@ std::string label_beside(const TargetFile& scene, const std::string& path) {
   return (std::filesystem::path(scene.label).parent_path() / relative).generic_string();
 }
 
+std::string image_label(const TargetFile& of_scene, const GltfScene& scene, int image) {
+  const std::string& path = scene.images[static_cast<std::size_t>(image)].path;
+  return path.empty() ? of_scene.label + "#/images/" + std::to_string(image) : label_beside(of_scene, path);
+}
+
+// The two textures that are judged of a material.
+struct JudgedTextures {
+  const std::optional<GltfTexture>& first;
+  const std::optional<GltfTexture>& second;
+  FileRole first_role, second_role;
+};
+JudgedTextures textures_of(const GltfMaterial& m) {
+  if (m.specular_glossiness)
+    return {m.diffuse_texture, m.specular_glossiness_texture, FileRole::diffuse_alpha,
+            FileRole::specular_gloss};
+  return {m.base_color_texture, m.metallic_roughness_texture, FileRole::base_color, FileRole::metal_rough};
+}
+
+// What was found of one material joins what was found of the scene.
+void add_material(const std::string& names, int index, CheckedFile one, CheckedFile& file) {
+  for (Finding& finding : one.findings) {
+    finding.material = names;
+    finding.pointer = "/materials/" + std::to_string(index);
+    file.findings.push_back(std::move(finding));
+  }
+  file.unreadable = file.unreadable || one.unreadable;
+  file.plateau_px += one.plateau_px;
+  file.transition_px += one.transition_px;
+  file.stats.texels += one.stats.texels;
+  file.stats.passes += one.stats.passes;
+  file.stats.byte_seconds += one.stats.byte_seconds;
+  file.stats.region_seconds += one.stats.region_seconds;
+  for (const auto& [what, count] : one.counts) {
+    const auto same = std::ranges::find(file.counts, what, &std::pair<std::string, std::int64_t>::first);
+    if (same == file.counts.end())
+      file.counts.emplace_back(what, count);
+    else if (what == "gloss_min")
+      same->second = std::min(same->second, count);
+    else if (what == "gloss_max")
+      same->second = std::max(same->second, count);
+    else
+      same->second += count;
+  }
+}
+
+// The headers of a scene's textures, each once.
+void check_headers(const TargetFile& of_scene, const GltfScene& scene, const std::map<int, FileRole>& roles,
+                   ScenePictures& pictures, const Settings& settings, CheckedFile& file) {
+  Evidence headers;
+  CheckTarget textures;
+  textures.label = of_scene.label;
+  for (const auto& [image, role] : roles) {
+    TargetFile texture;
+    texture.role = role;
+    texture.label = image_label(of_scene, scene, image);
+    headers.headers.push_back(picture_evidence(texture, pictures.header(image)));
+    file.companions.push_back(texture.label);
+    file.roles.emplace_back(texture.label, name(role));
+  }
+  judge(textures, headers, settings, file);
+}
+
 // Every used material is judged on its own, where triangles read its texels; a texture that two of them use
 // has its header judged once.
-void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, const PictureDecoder& decoder,
+void check_scene(const TargetFile& of_scene, const CheckTarget& target, const PictureDecoder& decoder,
                  const Settings& settings, unsigned threads, CheckedFile& file) {
-  const GltfScene scene = read_gltf(file_of_scene.path, GltfOptions{});
+  const GltfScene scene = read_gltf(of_scene.path, GltfOptions{});
   const MaterialUses uses(scene);
   const MaterialLooks looks(scene);
   ScenePictures pictures(scene.images, decoder);
-  const auto label_of = [&](const std::optional<GltfTexture>& texture) -> std::string {
-    if (!texture) return file_of_scene.label;
-    const auto image = static_cast<std::size_t>(texture->image);
-    if (scene.images[image].path.empty()) return file_of_scene.label + "#/images/" + std::to_string(image);
-    return label_beside(file_of_scene, scene.images[image].path);
+  const auto label_of = [&](const std::optional<GltfTexture>& texture) {
+    return texture ? image_label(of_scene, scene, texture->image) : of_scene.label;
   };
   const bool wants_pixels = needs_of(target, settings).pixels();
   std::map<int, FileRole> roles;  // by image
@@ -158,22 +217,17 @@ void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, con
       done[static_cast<std::size_t>(user)] = true;
       names += (names.empty() ? "" : ", ") + scene.materials[static_cast<std::size_t>(user)].name;
     }
-    CheckTarget part;
-    part.label = file_of_scene.label;
-    part.manifest = target.manifest;
-    part.manifest.tiles.clear();
-    part.manifest.specular_weighs_diffuse = true;
-    const auto& color = material.specular_glossiness ? material.diffuse_texture : material.base_color_texture;
-    const auto& second = material.specular_glossiness ? material.specular_glossiness_texture
-                                                      : material.metallic_roughness_texture;
-    const FileRole first_role = material.specular_glossiness ? FileRole::diffuse_alpha : FileRole::base_color;
-    const FileRole second_role =
-        material.specular_glossiness ? FileRole::specular_gloss : FileRole::metal_rough;
-    part.files = {{first_role, "", label_of(color), false}, {second_role, "", label_of(second), false}};
+    const auto [color, second, first_role, second_role] = textures_of(material);
     if (color) roles.emplace(color->image, first_role);
     if (second) roles.emplace(second->image, second_role);
     if (!wants_pixels) continue;
 
+    CheckTarget part;
+    part.label = of_scene.label;
+    part.files = {{first_role, "", label_of(color), false}, {second_role, "", label_of(second), false}};
+    part.manifest = target.manifest;
+    part.manifest.tiles.clear();
+    part.manifest.specular_weighs_diffuse = true;
     Evidence evidence;
     evidence.metal_rough = !material.specular_glossiness;
     CheckedFile one;
@@ -187,47 +241,12 @@ void check_scene(const TargetFile& file_of_scene, const CheckTarget& target, con
     if (evidence.a) evidence.a->header.channels = material.alpha_mode == AlphaMode::opaque || !color ? 3 : 4;
     if (evidence.b && !second) evidence.b->header.channels = evidence.metal_rough ? 3 : 4;
     judge(part, evidence, settings, one);
-    for (Finding& finding : one.findings) {
-      finding.material = names;
-      finding.pointer = "/materials/" + std::to_string(material.index);
-      file.findings.push_back(std::move(finding));
-    }
-    file.unreadable = file.unreadable || one.unreadable;
-    file.plateau_px += one.plateau_px;
-    file.transition_px += one.transition_px;
-    file.stats.texels += one.stats.texels;
-    file.stats.passes += one.stats.passes;
-    file.stats.byte_seconds += one.stats.byte_seconds;
-    file.stats.region_seconds += one.stats.region_seconds;
-    for (const auto& [what, count] : one.counts) {
-      const auto same = std::ranges::find(file.counts, what, &std::pair<std::string, std::int64_t>::first);
-      if (same == file.counts.end())
-        file.counts.emplace_back(what, count);
-      else if (what == "gloss_min")
-        same->second = std::min(same->second, count);
-      else if (what == "gloss_max")
-        same->second = std::max(same->second, count);
-      else
-        same->second += count;
-    }
-  }
-  Evidence headers;
-  CheckTarget textures;
-  textures.label = file_of_scene.label;
-  for (const auto& [image, role] : roles) {
-    const std::string& path = scene.images[static_cast<std::size_t>(image)].path;
-    TargetFile texture;
-    texture.role = role;
-    texture.label = path.empty() ? file_of_scene.label + "#/images/" + std::to_string(image)
-                                 : label_beside(file_of_scene, path);
-    headers.headers.push_back(picture_evidence(texture, pictures.header(image)));
-    file.companions.push_back(texture.label);
-    file.roles.emplace_back(texture.label, name(role));
+    add_material(names, material.index, std::move(one), file);
   }
   const std::size_t decoded = wants_pixels ? roles.size() : 0;
   file.stats.pictures_decoded += decoded;
   file.stats.pictures_left_out += scene.images.size() - decoded;
-  judge(textures, headers, settings, file);
+  check_headers(of_scene, scene, roles, pictures, settings, file);
 }
 
 void check_material(const TargetFile& part, Evidence& evidence) {

@@ -45,6 +45,40 @@ bool named_in_library(const CheckTarget& target, const Settings& settings) {
                              [&](const CheckTile& tile) { return known(tile.material); });
 }
 
+// The regions that some rule asks for, of the pictures that are there.
+void choose_kinds(const CheckTarget& target, const Settings& settings, PassPlan& plan) {
+  // The encoding rules (401, 402) are asked only where low, gem or zone regions make them likely.
+  const bool encoding = is_on("ETK401", settings) || is_on("ETK402", settings);
+  const bool named = named_in_library(target, settings);
+  const auto want = [&](RegionKind kind, bool wanted) {
+    if (wanted) plan.kinds.push_back(kind);
+  };
+  if (plan.has_b) {
+    want(RegionKind::zone, is_on("ETK101", settings) || is_on("ETK102", settings) || encoding);
+    want(RegionKind::f0_low, is_on("ETK103", settings) || encoding);
+    want(RegionKind::f0_zero, is_on("ETK104", settings));
+    want(RegionKind::gem, is_on("ETK105", settings) || encoding);
+    want(RegionKind::coloured, is_on("ETK106", settings));
+    want(RegionKind::any_f0,
+         is_on("ETK111", settings) || (named && (is_on("ETK112", settings) || is_on("ETK403", settings))));
+  }
+  if (plan.has_a && plan.has_b) {
+    // What little diffuse a metal-rough set has under metal is the metallic channel's doing (ETK113).
+    want(RegionKind::metal_with_diffuse, is_on("ETK108", settings) && !plan.has_metallic);
+    want(RegionKind::black_diffuse, is_on("ETK109", settings) && !plan.transparency);
+  }
+  if (plan.has_metallic && plan.has_b) {
+    want(RegionKind::half_metal, is_on("ETK113", settings));
+    want(RegionKind::dark_metal, is_on("ETK114", settings));
+  }
+  if (plan.has_a) {
+    want(RegionKind::albedo_dark, is_on("ETK202", settings));
+    want(RegionKind::albedo_bright, is_on("ETK203", settings));
+    want(RegionKind::albedo_single, is_on("ETK204", settings));
+    plan.fringe = is_on("ETK502", settings);
+  }
+}
+
 }  // namespace
 
 PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool has_a, bool has_b,
@@ -77,36 +111,7 @@ PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool ha
   plan.energy_limit = of_one(value_of("ETK201", "limit", settings));
   plan.energy_far_limit = of_one(value_of("ETK201", "far_limit", settings));
 
-  // The encoding rules (401, 402) are asked only where low, gem or zone regions make them likely.
-  const bool encoding = is_on("ETK401", settings) || is_on("ETK402", settings);
-  const bool named = named_in_library(target, settings);
-  const auto want = [&](RegionKind kind, bool wanted) {
-    if (wanted) plan.kinds.push_back(kind);
-  };
-  if (has_b) {
-    want(RegionKind::zone, is_on("ETK101", settings) || is_on("ETK102", settings) || encoding);
-    want(RegionKind::f0_low, is_on("ETK103", settings) || encoding);
-    want(RegionKind::f0_zero, is_on("ETK104", settings));
-    want(RegionKind::gem, is_on("ETK105", settings) || encoding);
-    want(RegionKind::coloured, is_on("ETK106", settings));
-    want(RegionKind::any_f0,
-         is_on("ETK111", settings) || (named && (is_on("ETK112", settings) || is_on("ETK403", settings))));
-  }
-  if (has_a && has_b) {
-    // What little diffuse a metal-rough set has under metal is the metallic channel's doing (ETK113).
-    want(RegionKind::metal_with_diffuse, is_on("ETK108", settings) && !has_metallic);
-    want(RegionKind::black_diffuse, is_on("ETK109", settings) && !plan.transparency);
-  }
-  if (has_metallic && has_b) {
-    want(RegionKind::half_metal, is_on("ETK113", settings));
-    want(RegionKind::dark_metal, is_on("ETK114", settings));
-  }
-  if (has_a) {
-    want(RegionKind::albedo_dark, is_on("ETK202", settings));
-    want(RegionKind::albedo_bright, is_on("ETK203", settings));
-    want(RegionKind::albedo_single, is_on("ETK204", settings));
-    plan.fringe = is_on("ETK502", settings);
-  }
+  choose_kinds(target, settings, plan);
   if (!target.manifest.tiles.empty()) {
     plan.check_gutter = is_on("ETK505", settings);
     plan.check_mips = is_on("ETK504", settings);

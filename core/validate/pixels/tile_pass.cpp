@@ -22,6 +22,67 @@ void each_bit(std::uint64_t bits, Act act) {
   for (; bits != 0; bits &= bits - 1) act(std::countr_zero(bits));
 }
 
+// Of 64 texels: from which levels of Y on they lie.
+struct LevelBits {
+  std::uint64_t b_from[ByteLimits::b_levels], a_from[ByteLimits::a_levels];
+};
+
+// In a metal-rough set F0 of whatever is not quite dielectric comes from its base colour, and diffuse is
+// black by the metallic channel: that channel has rules of its own (113, 114), and the others ask dielectrics
+// only.
+struct MetallicBits {
+  std::uint64_t some = 0, half = 0, full = 0;
+};
+
+MetallicBits metallic_bits(std::uint64_t opaque, const RowPointers& row, int x0) {
+  MetallicBits out;
+  if (row.metallic == nullptr) return out;
+  each_bit(opaque, [&](int i) {
+    const std::uint8_t code = row.metallic[4 * (x0 + i)];
+    out.some |= std::uint64_t{code > 0} << i;
+    out.half |= std::uint64_t{code >= half_metal_first_code && code < metal_first_code} << i;
+    out.full |= std::uint64_t{code >= metal_first_code} << i;
+  });
+  return out;
+}
+
+// The texels of a word that may be part of a region.
+std::uint64_t bits_of_kind(RegionKind kind, const MaskWords& m, const LevelBits& y,
+                           const MetallicBits& metallic, bool has_b) {
+  const std::uint64_t below_zone = ~y.b_from[b_zone];
+  const std::uint64_t dielectric = below_zone & ~(metallic.half | metallic.full);
+  switch (kind) {
+    case RegionKind::zone:
+      return y.b_from[b_zone] & ~y.b_from[b_metal];
+    case RegionKind::f0_low:
+      return ~y.b_from[b_low] & ~m.nearly_black;
+    case RegionKind::f0_zero:
+      return m.nearly_black;
+    case RegionKind::gem:
+      return y.b_from[b_gem] & dielectric;
+    case RegionKind::coloured:
+      return below_zone & m.spread & ~metallic.some;
+    case RegionKind::metal_with_diffuse:
+      return y.b_from[b_metal] & m.diffuse_on_metal;
+    case RegionKind::black_diffuse:
+      return dielectric & m.diffuse_black;
+    case RegionKind::any_f0:
+      return ~std::uint64_t{0};
+    case RegionKind::half_metal:
+      return metallic.half;
+    case RegionKind::dark_metal:
+      return metallic.full & below_zone;
+    // Black diffuse is right for metals: only what reflects like a dielectric is asked for its albedo.
+    case RegionKind::albedo_dark:
+      return ~y.a_from[a_dark] & (has_b ? dielectric : ~std::uint64_t{0});
+    case RegionKind::albedo_bright:
+      return y.a_from[a_bright];
+    case RegionKind::albedo_single:
+      return m.single_channel;
+  }
+  return 0;
+}
+
 }  // namespace
 
 TilePass::TilePass(const CheckTile& tile, const PassPlan& plan, int strip_rows, bool every_row)
@@ -105,84 +166,22 @@ void TilePass::count_words(ByteCounts& counts, const std::vector<MaskWords>& wor
     if ((m.energy_doubt & opaque) != 0) count_energy(counts, m.energy_doubt & opaque, x0, y, row);
 
     // Y against the levels: sure from the channels where all agree, else from the sum.
-    std::uint64_t b_from[ByteLimits::b_levels];
-    for (int level = 0; level < ByteLimits::b_levels; ++level) {
-      const std::uint64_t doubt = opaque & ~(m.b_from[level] | m.b_below[level]);
+    LevelBits bits;
+    for (std::size_t level = 0; level < ByteLimits::b_levels; ++level)
       if (plan_.zone.metric == ZoneMetric::max && level >= b_zone)
-        b_from[level] = ~m.b_below[level];  // the largest channel decides the zone's two levels
+        bits.b_from[level] = ~m.b_below[level];  // the largest channel decides the zone's two levels
       else
-        b_from[level] =
-            m.b_from[level] | sum_is_from(doubt, row.b + 4 * x0, plan_.b_y[static_cast<std::size_t>(level)]);
-    }
-    const std::uint64_t metals = b_from[b_metal] & opaque;
+        bits.b_from[level] = m.b_from[level] | sum_is_from(opaque & ~(m.b_from[level] | m.b_below[level]),
+                                                           row.b + 4 * x0, plan_.b_y[level]);
+    const std::uint64_t metals = bits.b_from[b_metal] & opaque;
     if (metals != 0) counts.metals += static_cast<std::uint64_t>(std::popcount(metals));
     if (masks == nullptr) continue;
-
-    std::uint64_t a_from[ByteLimits::a_levels];
-    for (int level = 0; level < ByteLimits::a_levels; ++level) {
-      const std::uint64_t doubt = opaque & ~(m.a_from[level] | m.a_below[level]);
-      a_from[level] =
-          m.a_from[level] | sum_is_from(doubt, row.a + 4 * x0, plan_.a_y[static_cast<std::size_t>(level)]);
-    }
-    // In a metal-rough set F0 of whatever is not quite dielectric comes from its base colour, and diffuse is
-    // black by the metallic channel: that channel has rules of its own (113, 114), and the others ask
-    // dielectrics only.
-    std::uint64_t some_metallic = 0, half_metallic = 0, metallic = 0;
-    if (row.metallic != nullptr)
-      each_bit(opaque, [&](int i) {
-        const std::uint8_t code = row.metallic[4 * (x0 + i)];
-        some_metallic |= std::uint64_t{code > 0} << i;
-        half_metallic |= std::uint64_t{code >= half_metal_first_code && code < metal_first_code} << i;
-        metallic |= std::uint64_t{code >= metal_first_code} << i;
-      });
-    const std::uint64_t below_zone = ~b_from[b_zone];
-    const std::uint64_t dielectric = below_zone & ~(half_metallic | metallic);
-    for (std::size_t k = 0; k < plan_.kinds.size(); ++k) {
-      std::uint64_t bits = 0;
-      switch (plan_.kinds[k]) {
-        case RegionKind::zone:
-          bits = b_from[b_zone] & ~b_from[b_metal];
-          break;
-        case RegionKind::f0_low:
-          bits = ~b_from[b_low] & ~m.nearly_black;
-          break;
-        case RegionKind::f0_zero:
-          bits = m.nearly_black;
-          break;
-        case RegionKind::gem:
-          bits = b_from[b_gem] & dielectric;
-          break;
-        case RegionKind::coloured:
-          bits = below_zone & m.spread & ~some_metallic;
-          break;
-        case RegionKind::metal_with_diffuse:
-          bits = b_from[b_metal] & m.diffuse_on_metal;
-          break;
-        case RegionKind::black_diffuse:
-          bits = dielectric & m.diffuse_black;
-          break;
-        case RegionKind::any_f0:
-          bits = ~std::uint64_t{0};
-          break;
-        case RegionKind::half_metal:
-          bits = half_metallic;
-          break;
-        case RegionKind::dark_metal:
-          bits = metallic & below_zone;
-          break;
-        // Black diffuse is right for metals: only what reflects like a dielectric is asked for its albedo.
-        case RegionKind::albedo_dark:
-          bits = ~a_from[a_dark] & (plan_.has_b ? dielectric : ~std::uint64_t{0});
-          break;
-        case RegionKind::albedo_bright:
-          bits = a_from[a_bright];
-          break;
-        case RegionKind::albedo_single:
-          bits = m.single_channel;
-          break;
-      }
-      masks[k * words_ + w] = bits & opaque;
-    }
+    for (std::size_t level = 0; level < ByteLimits::a_levels; ++level)
+      bits.a_from[level] = m.a_from[level] | sum_is_from(opaque & ~(m.a_from[level] | m.a_below[level]),
+                                                         row.a + 4 * x0, plan_.a_y[level]);
+    const MetallicBits metallic = metallic_bits(opaque, row, x0);
+    for (std::size_t k = 0; k < plan_.kinds.size(); ++k)
+      masks[k * words_ + w] = bits_of_kind(plan_.kinds[k], m, bits, metallic, plan_.has_b) & opaque;
   }
 }
 
