@@ -31,7 +31,7 @@ void write_pngs(OutputFolder& folder, int page, Texture texture, const PagePixel
     png.level = options.png_level;
     png.threads = options.threads;
     folder.write(page_file(page, texture, "png", l), [&](const std::function<void(std::string_view)>& sink) {
-      const PngInfo info{view.width, view.height, 4, 8};
+      const PictureHeader info{view.width, view.height, 4, 8};
       // The file's head comes first, then a strip of rows with each call, then its end.
       int calls = 0, rows = 0;
       const auto telling = [&](std::string_view bytes) {

@@ -6,12 +6,12 @@
 #include <new>
 
 #include "core/base/files/steady_file.h"
+#include "core/image/picture.h"
 
 namespace etak {
 namespace {
 
 constexpr std::size_t huge_page = std::size_t{2} << 20;
-constexpr std::size_t largest_file = std::size_t{4} << 30;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ PageMemory::~PageMemory() {
 
 void FileBytes::load(const std::string& path) {
   size_ = 0;
-  const SteadyFile file(path, largest_file);
+  const SteadyFile file(path, largest_picture_bytes);
   const std::size_t size = file.size();
   // Past the end lie some zero bytes that a reader's vector loads may touch.
   if (memory_.size() < size + 64) {

@@ -68,8 +68,8 @@ class LevelFile {
     PngOptions options;
     options.level = png_level;
     bands_ = std::make_unique<PngBands>(
-        PngInfo{size.width, height, 4, 8}, options, [this](std::string_view bytes) { file_->add(bytes); },
-        scratch);
+        PictureHeader{size.width, height, 4, 8}, options,
+        [this](std::string_view bytes) { file_->add(bytes); }, scratch);
   }
 
   std::size_t next(const PagePixels& pixels) {

@@ -80,4 +80,9 @@ Image shrunk(const Image& image, int width, int height);
 /// floor(255 v + 1/2) of values clamped to [0, 1]; NaN becomes 0.
 std::uint8_t to_code(float value);
 
+/// A 16-bit code as the nearest one of 8 bits.
+constexpr std::uint8_t rounded_code(std::uint16_t code) {
+  return static_cast<std::uint8_t>((code * 255u + 32767u) / 65535u);
+}
+
 }  // namespace etak

@@ -144,19 +144,16 @@ auto with_file(const std::string& path, Use use) {
   return out;
 }
 
-ImageInfo info_of(const Input& input) {
+PictureHeader header_of(const Input& input) {
   const OIIO::ImageSpec& spec = input.reader->spec();
-  ImageInfo out;
-  out.width = spec.width;
-  out.height = spec.height;
-  out.channels = spec.nchannels;
-  out.bits = static_cast<int>(spec.format.basesize() * 8);
-  out.floating = spec.format.is_floating_point();
+  PictureHeader out{spec.width, spec.height, spec.nchannels, static_cast<int>(spec.format.basesize() * 8)};
+  out.floating = spec.format.is_floating_point() || out.bits > 16;
   out.format = input.reader->format_name();
   out.lossy = is_lossy(input.bytes, out.format, spec.get_string_attribute("compression"));
-  out.icc_profile = spec.find_attribute("ICCProfile") != nullptr;
-  out.srgb_tag = spec.get_int_attribute("Exif:ColorSpace") == 1;
-  out.colour_space = spec.get_string_attribute("oiio:ColorSpace");
+  if (spec.find_attribute("ICCProfile") != nullptr)
+    out.colour_space = "icc";
+  else if (spec.get_int_attribute("Exif:ColorSpace") == 1)
+    out.colour_space = "srgb";
   return out;
 }
 
@@ -206,8 +203,8 @@ void write(const std::string& path, const Pixels<Value>& image, const char* form
 
 }  // namespace
 
-ImageInfo read_image_info(const std::string& path) {
-  return with_file(path, info_of);
+PictureHeader read_picture_header(const std::string& path) {
+  return with_file(path, [](const Input& input) { return header_of(input); });
 }
 
 Image read_image(const std::string& path) {
@@ -217,11 +214,11 @@ Image read_image(const std::string& path) {
 
 namespace {
 
-AnyImage read_any(const Input& input, const std::string& label) {
-  AnyImage out{info_of(input), {}};
-  if (!out.info.floating && out.info.bits == 8)
+Picture read_any(const Input& input, const std::string& label) {
+  Picture out{header_of(input), {}};
+  if (!out.header.floating && out.header.bits == 8)
     out.pixels = read_pixels<std::uint8_t>(input, label, OIIO::TypeUInt8);
-  else if (!out.info.floating && out.info.bits == 16)
+  else if (!out.header.floating)
     out.pixels = read_pixels<std::uint16_t>(input, label, OIIO::TypeUInt16);
   else
     out.pixels = read_pixels<float>(input, label, OIIO::TypeFloat);
@@ -230,17 +227,21 @@ AnyImage read_any(const Input& input, const std::string& label) {
 
 }  // namespace
 
-AnyImage read_any_image(const std::string& path) {
+Picture read_picture(const std::string& path) {
   return with_file(path, [&](const Input& input) { return read_any(input, path); });
 }
 
-AnyImage read_any_image(std::string_view bytes, const std::string& label) {
+Picture read_picture(std::string_view bytes, const std::string& label) {
   return read_any(open_bytes(bytes, label), label);
 }
 
-PictureDecoder image_io_decoder() {
-  return {[](const std::string& path) { return read_any_image(path); },
-          [](std::string_view bytes, const std::string& label) { return read_any_image(bytes, label); }};
+PictureDoor picture_door() {
+  return {read_picture_header, [](const std::string& path) { return read_picture(path); },
+          [](std::string_view bytes, const std::string& label) { return read_picture(bytes, label); },
+          [](const Image& image, std::string_view format, std::string_view fourth) {
+            return format == "exr" ? exr_bytes(image, std::string(fourth))
+                                   : tiff_bytes(image, std::string(fourth));
+          }};
 }
 
 void write_png(const std::string& path, const Image8& image, bool overwrite) {

@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/image/any_image.h"
-#include "core/image/image.h"
+#include "core/image/picture.h"
 
 namespace etak {
 
@@ -24,22 +23,22 @@ namespace etak {
 // by a formula that no printer uses), deep pictures, and those of more than max_image_side on a side or 4
 // channels. A palette is expanded to RGB or RGBA.
 
-ImageInfo read_image_info(const std::string& path);
+PictureHeader read_picture_header(const std::string& path);
 
 /// Any picture file OpenImageIO knows, 8- and 16-bit codes as code / 255 and code / 65535. No curve is
 /// undone: PNG codes stay encoded. NaN and infinity stay for the caller to judge.
 Image read_image(const std::string& path);
 
 /// A picture in the kind of values its file has.
-AnyImage read_any_image(const std::string& path);
+Picture read_picture(const std::string& path);
 
 /// The same of a file that is in memory. The format is known by its first bytes, else by the ending of
 /// `label`.
 ///   label   for messages: the path, or what the bytes are a part of
-AnyImage read_any_image(std::string_view bytes, const std::string& label);
+Picture read_picture(std::string_view bytes, const std::string& label);
 
-/// These two for load_picture().
-PictureDecoder image_io_decoder();
+/// These for load_picture(), and those that write floats.
+PictureDoor picture_door();
 
 /// The whole file is made in memory and put in place at once (write_file of core/base/files/file.h).
 ///   overwrite   false: an existing file is an Error

@@ -2,99 +2,178 @@
 #include "core/image/load.h"
 
 #include <algorithm>
+#include <cstring>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files/steady_file.h"
 #include "core/base/memory.h"
-#include "core/image/any_image.h"
-#include "core/image/files/png.h"
+#include "core/color/srgb.h"
 #include "core/image/picture_bytes.h"
 
 namespace etak {
 namespace {
 
-// nullopt: no PNG, or one for the decoder.
-std::optional<LoadedImage> load_png(std::string_view bytes, const std::string& label) {
-  std::optional<PngReader> reader = PngReader::open(bytes, label);
-  if (!reader) return std::nullopt;
-  const PngInfo& info = reader->info();
-  LoadedImage out;
-  const auto read = [&]<class Value>(Pixels<Value> image) {
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): values as bytes
-    reader->read_rows(reinterpret_cast<std::uint8_t*>(image.values.data()),
-                      static_cast<std::size_t>(image.width * image.channels) * sizeof(Value), image.height);
-    out.pixels = std::move(image);
-  };
-  if (info.bits == 8)
-    read(Image8(info.width, info.height, info.channels));
-  else
-    read(Image16(info.width, info.height, info.channels));
-  out.format = "png";
-  return out;
-}
-
-// What `decode` makes of `source`, a path or bytes and their label.
+// The function of `decode` for `source`, a path or bytes and their label.
 template <class Decode, class... Source>
-LoadedImage decoded(const Decode& decode, const std::string& label, const Source&... source) {
+Picture decoded(const Decode& decode, const std::string& label, const Source&... source) {
   if (!decode) throw Error::at(label, "is of a form that needs a decoder of pictures", "a plain PNG");
-  AnyImage image = decode(source...);
-  LoadedImage out;
-  out.pixels = std::move(image.pixels);
-  out.format = image.info.format;
-  out.lossy = image.info.lossy;
-  out.srgb = image.info.srgb_tag;
-  out.icc_profile = image.info.icc_profile;
-  out.oiio_colour_space = image.info.colour_space;
-  return out;
+  return decode(source...);
 }
 
-void add_png_colour(LoadedImage& image, std::string_view bytes) {
-  const PngColour colour = png_colour(bytes);
-  image.srgb = colour.srgb;
-  image.icc_profile = colour.icc_profile;
-  image.gamma = colour.gamma;
+template <class Value>
+Picture whole(PngReader& png) {
+  const PictureHeader& header = png.header();
+  Pixels<Value> pixels(header.width, header.height, header.channels);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): values as bytes
+  png.read_rows(reinterpret_cast<std::uint8_t*>(pixels.values.data()),
+                static_cast<std::size_t>(header.width * header.channels) * sizeof(Value), header.height);
+  return {header, std::move(pixels)};
 }
 
-template <class Get>
-int of_pixels(const LoadedImage& image, Get get) {
-  return std::visit([&](const auto& pixels) { return static_cast<int>(get(pixels)); }, image.pixels);
+// `count` texels of `channels` values, four of each, by code().
+template <class Value, class Out, class Code>
+void spread(const std::vector<Value>& from, std::size_t channels, Out* to, Value full, Code code) {
+  for (std::size_t i = 0; i < from.size(); i += channels, to += 4)
+    std::ranges::transform(four_channels(from.data() + i, channels, full), to, code);
+}
+
+// Looks whether the file stays as it is while its rows are read.
+class FileRows : public RowSource {
+ public:
+  FileRows(std::unique_ptr<SteadyFile> file, ValueRows rows)
+      : RowSource(rows.header()), file_(std::move(file)), rows_(std::move(rows)) {}
+
+  void read_rows(std::uint8_t* rgba, std::size_t stride, int count) override {
+    if (!file_) return convert(rgba, stride, count);
+    file_->read_checked([&] { convert(rgba, stride, count); });
+    if ((read_ += count) == header_.height) file_->check_unchanged();
+  }
+
+  void read_float_rows(float* rgba, std::size_t stride, int count) override {
+    for (int i = 0; i < count; ++i, rgba += stride)
+      spread(next_row(floats_), channels(), rgba, 1.0f, [](float value) { return value; });
+  }
+
+ private:
+  std::size_t channels() const { return static_cast<std::size_t>(header_.channels); }
+
+  template <class Value>
+  const std::vector<Value>& next_row(std::vector<Value>& row) {
+    row.resize(static_cast<std::size_t>(header_.width) * channels());
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): values as bytes
+    rows_.read(reinterpret_cast<std::uint8_t*>(row.data()), row.size() * sizeof(Value), 1);
+    return row;
+  }
+
+  void convert(std::uint8_t* rgba, std::size_t stride, int count) {
+    if (header_.bits == 8 && header_.channels == 4) return rows_.read(rgba, stride, count);
+    for (int i = 0; i < count; ++i, rgba += stride)
+      if (header_.bits == 8)
+        spread(next_row(codes_), channels(), rgba, std::uint8_t{255}, [](std::uint8_t code) { return code; });
+      else
+        spread(next_row(wide_), channels(), rgba, std::uint16_t{65535}, rounded_code);
+  }
+
+  std::unique_ptr<SteadyFile> file_;
+  ValueRows rows_;
+  int read_ = 0;
+  std::vector<std::uint8_t> codes_;
+  std::vector<std::uint16_t> wide_;
+  std::vector<float> floats_;
+};
+
+std::unique_ptr<SteadyFile> open_file(const std::string& path) {
+  auto file = std::make_unique<SteadyFile>(path, largest_picture_bytes);
+  if (file->size() == 0) throw Error::at(path, "an empty file", "a picture");
+  return file;
+}
+
+std::unique_ptr<RowSource> rows_of(Picture picture) {
+  return std::make_unique<FileRows>(nullptr, ValueRows(std::move(picture)));
 }
 
 }  // namespace
 
-int LoadedImage::width() const {
-  return of_pixels(*this, [](const auto& p) { return p.width; });
-}
-
-int LoadedImage::height() const {
-  return of_pixels(*this, [](const auto& p) { return p.height; });
-}
-
-int LoadedImage::channels() const {
-  return of_pixels(*this, [](const auto& p) { return p.channels; });
-}
-
-int LoadedImage::bits() const {
-  return of_pixels(*this, [](const auto& p) { return 8 * sizeof(p.values[0]); });
-}
-
-LoadedImage load_picture(std::string_view bytes, const std::string& label, const PictureDecoder& decoder) {
+Picture load_picture(std::string_view bytes, const std::string& label, const PictureDoor& door) {
   return with_memory_for(
       label, [] { return "its pixels"; },
       [&] {
-        if (picture_format(bytes, label) != "png") return decoded(decoder.bytes, label, bytes, label);
-        std::optional<LoadedImage> png = load_png(bytes, label);
-        LoadedImage out = png ? std::move(*png) : decoded(decoder.bytes, label, bytes, label);
-        add_png_colour(out, bytes);
+        BytesInMemory file(bytes);
+        if (auto png = PngReader::open(file, label))
+          return png->header().bits == 8 ? whole<std::uint8_t>(*png) : whole<std::uint16_t>(*png);
+        Picture out = decoded(door.bytes, label, bytes, label);
+        if (const auto png = png_header(file)) {
+          out.header.palette = png->palette;
+          out.header.colour_space = png->colour_space;
+        }
         return out;
       });
 }
 
-LoadedImage load_picture(const std::string& path, const PictureDecoder& decoder) {
+Picture load_picture(const std::string& path, const PictureDoor& door) {
   if (picture_format(read_head(path, 8), path) != "png")
     return with_memory_for(
-        path, [] { return "its pixels"; }, [&] { return decoded(decoder.file, path, path); });
-  return load_picture(SteadyFile(path, largest_picture_bytes).all(), path, decoder);
+        path, [] { return "its pixels"; }, [&] { return decoded(door.file, path, path); });
+  return load_picture(SteadyFile(path, largest_picture_bytes).all(), path, door);
+}
+
+Picture load_picture(const PictureFile& file, const PictureDoor& door) {
+  if (!file.bytes.empty()) return load_picture(file.bytes, file.label, door);
+  (void)open_file(file.path);  // an empty one is refused
+  return load_picture(file.path, door);
+}
+
+const PictureHeader& ValueRows::header() const {
+  if (const auto* png = std::get_if<PngReader>(&from_)) return png->header();
+  return std::get<Picture>(from_).header;
+}
+
+void ValueRows::read(std::uint8_t* out, std::size_t stride, int count) {
+  if (auto* png = std::get_if<PngReader>(&from_)) return png->read_rows(out, stride, count);
+  std::visit(
+      [&](const auto& pixels) {
+        for (int i = 0; i < count; ++i, out += stride) {
+          const auto row = pixels.at(0, next_++);
+          std::memcpy(out, row.data(), static_cast<std::size_t>(pixels.width) * row.size_bytes());
+        }
+      },
+      std::get<Picture>(from_).pixels);
+}
+
+std::unique_ptr<RowSource> open_rows(const std::string& path) {
+  auto file = open_file(path);
+  auto png = file->read_checked([&] { return PngReader::open(*file, path); });
+  return png ? std::make_unique<FileRows>(std::move(file), ValueRows(std::move(*png))) : nullptr;
+}
+
+std::unique_ptr<RowSource> open_picture(const std::string& path, const PictureDoor& door) {
+  if (auto rows = open_rows(path)) return rows;
+  return rows_of(load_picture(path, door));
+}
+
+std::unique_ptr<RowSource> open_picture(const PictureFile& file, const PictureDoor& door) {
+  if (file.bytes.empty()) return open_picture(file.path, door);
+  if (auto png = PngReader::open(file.bytes, file.label))
+    return std::make_unique<FileRows>(nullptr, ValueRows(std::move(*png)));
+  return rows_of(load_picture(file.bytes, file.label, door));
+}
+
+Image8 codes_of(Picture picture, bool floats_linear) {
+  if (auto* codes = std::get_if<Image8>(&picture.pixels)) return std::move(*codes);
+  const PictureHeader& header = picture.header;
+  Image8 out(header.width, header.height, header.channels);
+  if (const auto* wide = std::get_if<Image16>(&picture.pixels)) {
+    std::ranges::transform(wide->values, out.values.begin(), rounded_code);
+    return out;
+  }
+  const auto& floats = std::get<Image>(picture.pixels).values;
+  for (std::size_t i = 0; i < floats.size(); ++i) {
+    const bool plain = !floats_linear || i % static_cast<std::size_t>(header.channels) == 3;
+    const float v = floats[i] > 0 ? std::min(1.0f, floats[i]) : 0;  // NaN too
+    out.values[i] = plain ? to_code(v) : srgb_u8(double{v});
+  }
+  return out;
 }
 
 }  // namespace etak

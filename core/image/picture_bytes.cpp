@@ -9,6 +9,7 @@
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/image/files/png.h"
+#include "core/image/files/png_chunks.h"
 
 namespace etak {
 namespace {
@@ -18,7 +19,7 @@ struct Signature {
 };
 
 constexpr std::array signatures{
-    Signature{{"\x89PNG\r\n\x1a\n", 8}, "png"},
+    Signature{png_signature, "png"},
     Signature{{"\xFF\xD8\xFF", 3}, "jpeg"},
     Signature{{"\x76\x2F\x31\x01", 4}, "openexr"},
     Signature{{"#?RADIANCE", 10}, "hdr"},

@@ -9,9 +9,6 @@ namespace etak {
 
 // What can be said of a picture file by looking at its bytes, before a decoder sees them.
 
-/// The largest picture file that is read into memory whole.
-inline constexpr std::size_t largest_picture_bytes = std::size_t{1} << 31;
-
 /// OpenImageIO's name of the format ("png", "jpeg", "webp", "openexr", "hdr", "tiff", ...) by the first
 /// bytes, for Targa, which begins with nothing of its own, by the ending of `name`; "" when neither says.
 std::string picture_format(std::string_view bytes, std::string_view name);

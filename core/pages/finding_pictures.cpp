@@ -25,13 +25,6 @@
 namespace etak {
 namespace {
 
-std::string png_of(const Image8& image) {
-  const PngRows rows{{image.width, image.height, image.channels, 8},
-                     image.values.data(),
-                     static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels)};
-  return png_bytes(rows, {});
-}
-
 bool has_place(const Finding& finding) {
   const Rule* rule = find_rule(finding.rule);
   return counts(finding) && ((rule != nullptr && rule->region) || finding.box);
@@ -86,7 +79,7 @@ std::string file_name(const Finding& finding) {
 // The pictures of a checked file, loaded again: the check itself reads in strips and keeps none.
 class PictureSource {
  public:
-  PictureSource(const CheckTarget& target, const PictureDecoder& decoder) {
+  PictureSource(const CheckTarget& target, const PictureDoor& door) {
     if (target.files.empty()) return;
     const FileRole role = target.files.front().role;
     try {
@@ -94,9 +87,9 @@ class PictureSource {
         scene_.emplace(read_gltf(target.files.front().path, {}));
         uses_.emplace(*scene_);
         looks_.emplace(*scene_);
-        textures_.emplace(scene_->images, decoder);
+        textures_.emplace(scene_->images, door);
       } else if (role != FileRole::material && role != FileRole::spectrum) {
-        files_ = load_pictures(target, decoder);
+        files_ = load_pictures(target, door);
       }
     } catch (const Error&) {
       // The report says so already; there is nothing to show.
@@ -148,7 +141,7 @@ std::vector<std::size_t> with_places(const ValidationReport& report) {
 }  // namespace
 
 std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& settings,
-                              const PictureDecoder& decoder, const std::string& folder, unsigned threads) {
+                              const PictureDoor& door, const std::string& folder, unsigned threads) {
   auto out = std::make_unique<OutputFolder>(folder, Replace::files);
   // Names are given out in the report's order, so that they do not depend on the threads.
   const auto wanted = with_places(report);
@@ -165,7 +158,7 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& se
     for (std::size_t w = begin; w < end; ++w) {
       const CheckedFile& file = report.files[wanted[w]];
       const CheckTarget& target = *file.target;
-      PictureSource source(target, decoder);
+      PictureSource source(target, door);
       for (std::size_t i = 0; i < file.findings.size(); ++i) {
         const Finding& finding = file.findings[i];
         const LoadedPictures* pictures = names[w][i].empty() ? nullptr : source.of(finding);
@@ -173,7 +166,7 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& se
         const Image8& picture = is_about_a(finding, target, *pictures) ? pictures->a : pictures->b;
         if (picture.pixel_count() == 0) continue;
         const Image8 marks = marks_of(finding, target, *pictures, picture, settings);
-        out->write(names[w][i] + ".png", png_of(mask_picture(picture, marks)));
+        out->write(names[w][i] + ".png", png_bytes(mask_picture(picture, marks), {}));
       }
     }
   });
@@ -192,7 +185,7 @@ ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Fi
   out.width = picture.width;
   out.height = picture.height;
   const Image8 small = thumbnail(picture, thumbnail_side);
-  out.png = png_of(small);
+  out.png = png_bytes(small, {});
   Image8 all(picture.width, picture.height, 1);
   bool any = false;
   for (const Finding* finding : findings) {
@@ -204,15 +197,14 @@ ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Fi
     if (finding->box) out.boxes.push_back(*finding->box);
     any = true;
   }
-  if (any) out.heat_png = png_of(heat_map(all, small.width, small.height));
+  if (any) out.heat_png = png_bytes(heat_map(all, small.width, small.height), {});
   return out;
 }
 
-ValidationPageFile page_file(const CheckedFile& file, const Settings& settings,
-                             const PictureDecoder& decoder) {
+ValidationPageFile page_file(const CheckedFile& file, const Settings& settings, const PictureDoor& door) {
   ValidationPageFile out;
   const CheckTarget& target = *file.target;
-  PictureSource source(target, decoder);
+  PictureSource source(target, door);
   // Of a scene every material with findings is shown, of other targets the one pair.
   std::map<std::string, std::vector<const Finding*>> groups;
   for (const Finding& finding : file.findings)
@@ -246,8 +238,7 @@ ValidationPageFile page_file(const CheckedFile& file, const Settings& settings,
 }  // namespace
 
 std::vector<ValidationPageFile> page_pictures(const ValidationReport& report, const Settings& settings,
-                                              const PictureDecoder& decoder, std::size_t most,
-                                              unsigned threads) {
+                                              const PictureDoor& door, std::size_t most, unsigned threads) {
   std::vector<ValidationPageFile> out(report.files.size());
   std::vector<std::size_t> wanted;
   for (std::size_t i = 0; i < report.files.size() && wanted.size() < most; ++i)
@@ -255,7 +246,7 @@ std::vector<ValidationPageFile> page_pictures(const ValidationReport& report, co
       wanted.push_back(i);
   parallel_chunks(wanted.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t w = begin; w < end; ++w)
-      out[wanted[w]] = page_file(report.files[wanted[w]], settings, decoder);
+      out[wanted[w]] = page_file(report.files[wanted[w]], settings, door);
   });
   return out;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/files/output.h"
-#include "core/image/any_image.h"
+#include "core/image/picture.h"
 #include "core/pages/validation_page.h"
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
@@ -15,17 +15,16 @@
 namespace etak {
 
 // Pictures of the findings of validate() (target etak::finding_pictures). The check reads in strips and keeps
-// no texels, so that the files are read once more, by `decoder` where they are no plain PNG.
+// no texels, so that the files are read once more, by `door` where they are no plain PNG.
 
 /// A mask picture for every finding that counts and has a place in a picture, as FOLDER/LABEL.TILE.RULE.png
 /// with '/' in names as '_', to be put in place with the other outputs of the run. Throws Error.
 std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& settings,
-                              const PictureDecoder& decoder, const std::string& folder, unsigned threads);
+                              const PictureDoor& door, const std::string& folder, unsigned threads);
 
 /// Thumbnails, heat maps and histograms of the files with findings for the HTML page; of the first `most` of
 /// them, so that the page of a folder of thousands still opens.
 std::vector<ValidationPageFile> page_pictures(const ValidationReport& report, const Settings& settings,
-                                              const PictureDecoder& decoder, std::size_t most,
-                                              unsigned threads);
+                                              const PictureDoor& door, std::size_t most, unsigned threads);
 
 }  // namespace etak

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image/picture.h"
 #include "core/image/wrap.h"
 #include "core/scene/uv_transform.h"
 
@@ -26,13 +27,6 @@ struct GltfSampler {
   bool mipmaps = true;  // the minification filter reads mips
   bool nearest = false;
   friend bool operator==(const GltfSampler&, const GltfSampler&) = default;
-};
-
-/// A picture: a file beside the scene, or bytes inside it.
-struct GltfImage {
-  std::string path;   // empty when inside
-  std::string bytes;  // PNG or JPEG file, when inside (buffer view or data URI)
-  std::string label;  // for messages: the path, or "SCENE#/images/3"
 };
 
 /// One lookup of a material: which picture, read how, where.
@@ -116,8 +110,9 @@ struct GltfOptions {
 
 struct GltfScene {
   std::string path;
-  GltfOptions options;                  // what it was read with
-  std::vector<GltfImage> images;        // all of the document
+  GltfOptions options;  // what it was read with
+  // All of the document: files beside it, or bytes inside (buffer view or data URI) under "SCENE#/images/3".
+  std::vector<PictureFile> images;
   std::vector<GltfMaterial> materials;  // all of the document; [i].index == i
   std::vector<bool> material_used;      // reached from the scene (and from variants, when those are kept)
   std::vector<bool> image_used;         // by a used material

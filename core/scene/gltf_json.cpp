@@ -90,14 +90,14 @@ std::string_view bytes_of_view(const GltfDocument& document, const JsonNode& num
   return bytes.substr(offset, length);
 }
 
-std::vector<GltfImage> images_of(const GltfDocument& document) {
-  std::vector<GltfImage> out;
+std::vector<PictureFile> images_of(const GltfDocument& document) {
+  std::vector<PictureFile> out;
   const int count = static_cast<int>(document.count("images"));
   std::size_t inside = 0;
   for (int i = 0; i < count; ++i) {
     const JsonNode node = document.element("images", i);
     const std::string place = std::string(document.file) + '#' + node.pointer;
-    GltfImage& image = out.emplace_back();
+    PictureFile& image = out.emplace_back();
     image.label = place;
     if (node.has("uri")) {
       const std::string uri = node.at("uri").text();

@@ -4,18 +4,18 @@
 #include <utility>
 #include <vector>
 
+#include "core/image/load.h"
 #include "core/validate/engine.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/find_targets.h"
-#include "core/validate/files/open_pictures.h"
 #include "core/validate/output/formats.h"
 
 namespace etak {
 namespace {
 
 // The head that the page's PNG has; the other formats hold the same.
-TextureHeader header_of_page() {
-  TextureHeader header;
+PictureHeader header_of_page() {
+  PictureHeader header;
   header.format = "png";
   header.colour_space = "srgb";
   return header;

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/image/image.h"
+#include "core/image/picture.h"
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
 
@@ -84,31 +84,6 @@ struct CheckTarget {
   friend bool operator==(const CheckTarget&, const CheckTarget&) = default;
 };
 
-/// What the header of a picture file says.
-struct TextureHeader {
-  int width = 0, height = 0;
-  int channels = 0;  // as stored
-  int bits = 8;
-  bool floating = false;
-  bool palette = false;
-  bool lossy = false;        // JPEG, lossy WebP
-  std::string format;        // "png", "openexr", ...
-  std::string colour_space;  // declared: "srgb", "linear", "gamma 0.45455", "icc: NAME"; empty: not said
-  friend bool operator==(const TextureHeader&, const TextureHeader&) = default;
-};
-
-/// Rows of one picture from the top, as RGBA codes: grey is spread over three channels, a missing fourth is
-/// 255, 16 bits are rounded to 8. Of float pictures the values as they are.
-class RowSource {
- public:
-  virtual ~RowSource() = default;
-  virtual const TextureHeader& header() const = 0;
-  /// The next `count` rows; 4 bytes a texel, rows `stride` bytes apart. Throws Error for broken data.
-  virtual void read_rows(std::uint8_t* rgba, std::size_t stride, int count) = 0;
-  /// Only where header().floating: 4 floats a texel, rows `stride` floats apart; RGB linear.
-  virtual void read_float_rows(float* rgba, std::size_t stride, int count);
-};
-
 /// The pictures of a target, opened: null where there is none or no rule wants it.
 struct PictureRows {
   std::unique_ptr<RowSource> a, b;      // diffuse + alpha, specular + gloss
@@ -121,11 +96,5 @@ struct PicturesInMemory {
   const Image8* b = nullptr;         // 4 channels
   const Image8* metallic = nullptr;  // 1 channel
 };
-
-/// Rows of a picture in memory (1 to 4 channels), which must outlive the source.
-std::unique_ptr<RowSource> rows_of(const Image8& image);
-
-/// Rows of pixels that the caller keeps in memory, under the header of the file to be written.
-std::unique_ptr<RowSource> rows_of(const ConstPixelsView8& pixels, TextureHeader header);
 
 }  // namespace etak

@@ -82,10 +82,10 @@ class Checks {
     const Settings& settings = request_.config.settings;
     const MaterialsToCheck& materials = request_.materials;
     if (i >= targets_.size()) {
-      files_[i] = check_material(materials.materials[i - targets_.size()], *materials.library, materials.door,
+      files_[i] = check_material(materials.materials[i - targets_.size()], *materials.library, request_.door,
                                  settings, materials.most_texels, threads);
     } else {
-      files_[i] = check(targets_[i].target, request_.decoder, settings, threads);
+      files_[i] = check(targets_[i].target, request_.door, settings, threads);
       if (cache_) cache_->keep(keys_[i], targets_[i], files_[i]);
     }
     done_[i] = 1;

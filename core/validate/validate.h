@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/sources/plane.h"
-#include "core/image/any_image.h"
+#include "core/image/picture.h"
 #include "core/project/project.h"
 #include "core/validate/baseline.h"
 #include "core/validate/config.h"
@@ -29,7 +28,6 @@ namespace etak {
 struct MaterialsToCheck {
   std::vector<ProjectMaterial> materials;
   std::shared_ptr<const MaterialLibrary> library;
-  PictureDoor door;
   std::size_t most_texels = 0;
 };
 
@@ -52,7 +50,7 @@ struct ValidationRequest {
   bool renew_known = false;  // everything found counts as known, in the place of `known`
 
   // How.
-  PictureDecoder decoder;    // of pictures that are no plain PNG
+  PictureDoor door;          // of pictures that are no plain PNG
   std::string cache_folder;  // results of earlier runs; made where it is missing; empty: none
   std::string cache_key;     // the bytes of a secret: only entries written with it count; empty: all of them
   std::string version;       // of the program: results of other versions do not count

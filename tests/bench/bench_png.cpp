@@ -16,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/image/files/png.h"
+#include "tests/core/image/png_of.h"
 
 using namespace etak;
 
@@ -71,7 +72,7 @@ std::string libpng_write(const Image8& image, int level) {
 }
 
 Image8 read(std::string_view bytes) {
-  auto image = read_png8(bytes, "picture");
+  auto image = test::read_png8(bytes, "picture");
   if (!image) throw Error("only 8-bit grey, grey + alpha, RGB and RGBA");
   return std::move(*image);
 }

@@ -13,10 +13,10 @@
 
 #include "core/base/parallel.h"
 #include "core/image/image_io.h"
+#include "core/image/load.h"
 #include "core/scene/gltf.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/metal_rough.h"
-#include "core/validate/files/open_pictures.h"
 #include "core/validate/rules.h"
 #include "tests/core/validate/corpus.h"
 
@@ -72,11 +72,11 @@ Image8 middle(const Image8& image, int side) {
 
 // The materials of scenes, as check() converts them.
 void print_real(const std::vector<std::string>& paths) {
-  const PictureDecoder decoder = image_io_decoder();
+  const PictureDoor door = picture_door();
   std::vector<TextureSet> sets;
   for (const std::string& path : paths) {
     const GltfScene scene = read_gltf(path, GltfOptions{});
-    ScenePictures pictures(scene.images, decoder);
+    ScenePictures pictures(scene.images, door);
     for (const GltfMaterial& material : scene.materials) {
       if (!scene.material_used[static_cast<std::size_t>(material.index)]) continue;
       const LoadedPictures loaded = convert_material(material, pictures);
@@ -96,7 +96,7 @@ void print_real(const std::vector<std::string>& paths) {
 }
 
 void print_speed(const char* diffuse, const char* specular) {
-  const PictureDecoder decoder = image_io_decoder();
+  const PictureDoor door = picture_door();
   CheckTarget target;
   target.files = {{FileRole::diffuse_alpha, diffuse, diffuse, false},
                   {FileRole::specular_gloss, specular, specular, false}};
@@ -113,16 +113,16 @@ void print_speed(const char* diffuse, const char* specular) {
     for (int round = 0; round < 5; ++round) {  // in turn, so that a busy machine is busy for all
       best[0] = std::min(best[0], seconds([&] {
                            parallel_chunks(2, threads, 1, [&](std::size_t i, std::size_t, unsigned) {
-                             const auto source = open_picture(i == 0 ? diffuse : specular, decoder);
-                             const TextureHeader& h = source->header();
+                             const auto source = open_picture(i == 0 ? diffuse : specular, door);
+                             const PictureHeader& h = source->header();
                              const std::size_t stride = 4 * static_cast<std::size_t>(h.width);
                              std::vector<std::uint8_t> rows(16 * stride);
                              for (int y = 0; y < h.height; y += 16)
                                source->read_rows(rows.data(), stride, std::min(16, h.height - y));
                            });
                          }));
-      best[1] = std::min(best[1], seconds([&] { check(target, decoder, bytes, threads); }));
-      best[2] = std::min(best[2], seconds([&] { check(target, decoder, all, threads); }));
+      best[1] = std::min(best[1], seconds([&] { check(target, door, bytes, threads); }));
+      best[2] = std::min(best[2], seconds([&] { check(target, door, all, threads); }));
     }
     std::printf(
         "%u threads: decoding %.3f s, byte rules %.3f s (%.2fx), all rules %.3f s (%.2fx; %.2fx of byte "

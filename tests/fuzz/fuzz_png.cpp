@@ -40,13 +40,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if ((data[0] & 1) == 0) put_checksums_right(file);
   const std::vector<char> bytes(file.begin(), file.end());
   const std::string_view view(bytes.data(), bytes.size());
-  (void)png_colour(view);
+  BytesInMemory source(view);
+  (void)png_header(source);
   std::vector<std::uint8_t> whole;
-  PngInfo info;
+  PictureHeader info;
   try {
     auto reader = PngReader::open(view, "f.png");
     if (!reader) return 0;
-    info = reader->info();
+    info = reader->header();
     const std::size_t row =
         static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.channels * info.bits / 8);
     whole.resize(row * static_cast<std::size_t>(info.height));
@@ -66,7 +67,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string written =
       png_bytes({info, whole.data(), row}, {PngLevel::fast, 1u + (data[0] >> 1 & 1u)});
   auto back = PngReader::open(written, "w.png");
-  assert(back && back->info() == info);
+  assert(back && back->header().width == info.width && back->header().height == info.height &&
+         back->header().channels == info.channels && back->header().bits == info.bits);
   std::vector<std::uint8_t> read(whole.size());
   back->read_rows(read.data(), row, info.height);
   assert(read == whole);

@@ -17,11 +17,7 @@ constexpr int most_shown = 640;
 constexpr int shown_squares = 40;
 
 std::string png_of(const Image8& image) {
-  const Image8 small = thumbnail(image, most_shown);
-  const PngRows rows{{small.width, small.height, small.channels, 8},
-                     small.values.data(),
-                     static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.channels)};
-  return png_bytes(rows, {});
+  return png_bytes(thumbnail(image, most_shown), {});
 }
 
 // RGB of a texture, each texel by `color(texel, x, y)`.

@@ -4,7 +4,6 @@
 #include "app/cli/pictures/pictures.h"
 #include "app/cli/pictures/render.h"
 #include "app/cli/pictures/report.h"
-#include "core/atlas/sources/picture_door.h"
 #include "core/base/error.h"
 #include "core/color/ocio.h"
 #include "core/image/image_io.h"
@@ -35,8 +34,8 @@ CustomSpace open_space(const std::string& config, const std::string& name) {
 
 extern "C" const etak::cli::PicturesModule* etak_pictures_module() {
   using namespace etak;
-  static const cli::PicturesModule module{ETAK_VERSION,      &image_io_decoder,     &picture_door,
-                                          &cli::open_source, &cli::open_space,      &cli::draw,
-                                          &cli::measure,     &cli::stability_on_gl, &cli::choose_materials};
+  static const cli::PicturesModule module{
+      ETAK_VERSION, &picture_door, &cli::open_source,     &cli::open_space,
+      &cli::draw,   &cli::measure, &cli::stability_on_gl, &cli::choose_materials};
   return &module;
 }

@@ -92,21 +92,12 @@ const PicturesModule& pictures(const std::string& place) {
   return *opened.module;
 }
 
-PictureDecoder picture_decoder() {
-  PictureDecoder decoder;
-  decoder.file = [](const std::string& path) { return pictures(path).picture_decoder().file(path); };
-  decoder.bytes = [](std::string_view bytes, const std::string& label) {
-    return pictures(label).picture_decoder().bytes(bytes, label);
-  };
-  return decoder;
-}
-
 PictureDoor picture_door() {
   PictureDoor door;
   door.header = [](const std::string& path) { return pictures(path).picture_door().header(path); };
-  door.load = [](const std::string& path) { return pictures(path).picture_door().load(path); };
-  door.load_bytes = [](std::string_view bytes, const std::string& label) {
-    return pictures(label).picture_door().load_bytes(bytes, label);
+  door.file = [](const std::string& path) { return pictures(path).picture_door().file(path); };
+  door.bytes = [](std::string_view bytes, const std::string& label) {
+    return pictures(label).picture_door().bytes(bytes, label);
   };
   door.encode = [](const Image& image, std::string_view format, std::string_view fourth) {
     return pictures("--format").picture_door().encode(image, format, fourth);

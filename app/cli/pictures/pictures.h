@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/atlas/sources/sources.h"
-#include "core/image/any_image.h"
+#include "core/image/picture.h"
 #include "core/material/f0.h"
 #include "core/study/stability/stability.h"
 
@@ -22,7 +22,6 @@ struct ReportArguments;
 struct PicturesModule {
   const char* version;  // of the etak that it was built with; another's is refused
 
-  PictureDecoder (*picture_decoder)();
   PictureDoor (*picture_door)();
 
   // Spaces of an OpenColorIO config; `config` empty: $OCIO, else etak's own.
@@ -41,7 +40,6 @@ struct PicturesModule {
 const PicturesModule& pictures(const std::string& place);
 
 /// The same for pictures that are no plain PNG and for files of floats, opened with the first of them.
-PictureDecoder picture_decoder();
 PictureDoor picture_door();
 
 /// The spaces that need no config, for messages.

@@ -76,7 +76,7 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   if (!arguments.baseline.empty())
     out.known = read_baseline(read_file(arguments.baseline), arguments.baseline);
   out.renew_known = !arguments.write_baseline.empty();
-  out.decoder = picture_decoder();
+  out.door = picture_door();
   out.cache_folder = arguments.cache_folder;
   if (!arguments.cache_key.empty()) out.cache_key = read_cache_key(arguments.cache_key);
   out.version = ETAK_VERSION;

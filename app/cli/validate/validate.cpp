@@ -37,7 +37,7 @@ std::string form_of(const ValidationReport& report, const ValidateArguments& arg
   if (format == "github") return validation_github(report);
   if (format == "csv") return validation_csv(report);
   if (format != "html") return validation_text(report, use_color(arguments.output));
-  const auto pictures = page_pictures(report, settings, picture_decoder(), most_pages_with_pictures,
+  const auto pictures = page_pictures(report, settings, picture_door(), most_pages_with_pictures,
                                       thread_count(arguments.threads));
   return validation_page(report, pictures, {ETAK_VERSION, settings});
 }
@@ -110,8 +110,7 @@ int check_files(ValidateArguments& arguments) {
   if (arguments.max_warnings && report.warnings > *arguments.max_warnings) report.passed = false;
   std::unique_ptr<Output> marks;
   if (!arguments.mask_folder.empty())
-    marks =
-        masks(report, settings, picture_decoder(), arguments.mask_folder, thread_count(arguments.threads));
+    marks = masks(report, settings, picture_door(), arguments.mask_folder, thread_count(arguments.threads));
   const std::unique_ptr<Output> said = output(arguments.output, form_of(report, arguments, settings));
   Output* const outputs[] = {marks.get(), baseline.get(), said.get()};
   put_in_place(outputs);

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "app/viewport/background.h"
-#include "core/atlas/sources/picture_door.h"
+#include "core/image/image_io.h"
 #include "core/validate/validate.h"
 
 namespace etak::editor {
@@ -74,7 +74,8 @@ void Validator::begin() {
       pool_, this,
       [this, batch = std::move(batch), library = document_.library()]() mutable {
         ValidationRequest request;
-        request.materials = {std::move(batch), std::move(library), picture_door(), most_texels};
+        request.materials = {std::move(batch), std::move(library), most_texels};
+        request.door = picture_door();
         request.stop = [this] { return stop_.load(); };  // the destructor waits for this thread
         return validate(std::move(request)).files;
       },

@@ -11,8 +11,8 @@
 
 #include "app/viewport/background.h"
 #include "core/atlas/pack/pack.h"
-#include "core/atlas/sources/picture_door.h"
 #include "core/base/error.h"
+#include "core/image/image_io.h"
 #include "core/project/project_pack.h"
 #include "core/validate/check_pack.h"
 #include "core/validate/output/formats.h"

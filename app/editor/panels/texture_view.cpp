@@ -11,8 +11,8 @@
 #include "app/editor/panels/sections.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
-#include "core/atlas/sources/picture_door.h"
 #include "core/base/error.h"
+#include "core/image/image_io.h"
 #include "core/project/project_pictures.h"
 
 namespace etak::editor {

@@ -79,7 +79,7 @@ struct ScenePack::State {
       : options(options_), gloss(options_.input.pictures.gloss.value_or(GlossForm::one_minus_roughness)) {}
 
   // The bytes of an image, inside the document or from its file.
-  std::string_view bytes_of(const GltfImage& image, FileBytes& file) const {
+  std::string_view bytes_of(const PictureFile& image, FileBytes& file) const {
     if (image.path.empty()) return image.bytes;
     file.load(image.path);
     return file.view();
@@ -90,12 +90,9 @@ struct ScenePack::State {
     const SceneFloats floats = [&](int index) -> const Image& {
       const auto [found, fresh] = images.try_emplace(index);
       if (!fresh) return found->second;
-      const GltfImage& image = scene.images[static_cast<std::size_t>(index)];
+      const PictureFile& image = scene.images[static_cast<std::size_t>(index)];
       FileBytes file;
-      const std::string_view bytes = bytes_of(image, file);
-      auto png = png_fractions(bytes, image.label);
-      return found->second = png ? std::move(*png)
-                                 : fractions(options.input.pictures.door.load_bytes(bytes, image.label));
+      return found->second = fractions(load_picture(bytes_of(image, file), image.label, options.input.pictures.door));
     };
     return scene_material_floats(scene.materials[static_cast<std::size_t>(material)], floats, gloss,
                                  options.leave_out.keep.contains("alpha"));
@@ -105,17 +102,10 @@ struct ScenePack::State {
     const std::lock_guard lock(pictures_lock);
     auto [found, fresh] = pictures.try_emplace(index);
     if (!fresh) return found->second;
-    const GltfImage& image = scene.images[static_cast<std::size_t>(index)];
+    const PictureFile& image = scene.images[static_cast<std::size_t>(index)];
     FileBytes file;
-    const std::string_view bytes = bytes_of(image, file);
     try {
-      if (auto codes = read_png8(bytes, image.label)) return found->second = std::move(*codes);
-      const auto loaded = options.input.pictures.door.load_bytes(bytes, image.label);
-      if (const auto* codes = std::get_if<Image8>(&loaded)) return found->second = *codes;
-      const Image& wide = std::get<Image>(loaded);
-      Image8 codes(wide.width, wide.height, wide.channels);
-      std::transform(wide.values.begin(), wide.values.end(), codes.values.begin(), to_code);
-      return found->second = std::move(codes);
+      return found->second = codes_of(load_picture(bytes_of(image, file), image.label, options.input.pictures.door), false);
     } catch (...) {
       pictures.erase(index);
       throw;

@@ -25,12 +25,7 @@ void write_mapped(OutputFolder& folder, const std::string& name, const PagePixel
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x)
       map(a.data != nullptr ? a.at(x, y) : none, b.data != nullptr ? b.at(x, y) : none, out.at(x, y).data());
-  folder.write(name, [&](const std::function<void(std::string_view)>& sink) {
-    write_png({{out.width, out.height, channels, 8},
-               out.values.data(),
-               static_cast<std::size_t>(out.width) * static_cast<std::size_t>(channels)},
-              png, sink);
-  });
+  folder.write(name, [&](const std::function<void(std::string_view)>& sink) { write_png(out, png, sink); });
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/base/hash/content_hash.h"
 #include "core/color/srgb.h"
-#include "core/image/files/png.h"
 
 namespace etak {
 namespace {
@@ -32,39 +31,10 @@ Numbers numbers_of(const Pixels<Code>& codes) {
   return out;
 }
 
-template <class Code>
-Numbers read_all(PngReader& reader) {
-  const PngInfo& info = reader.info();
-  Pixels<Code> codes(info.width, info.height, info.channels);
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): codes as bytes
-  reader.read_rows(reinterpret_cast<std::uint8_t*>(codes.values.data()),
-                   static_cast<std::size_t>(info.width * info.channels) * sizeof(Code), info.height);
-  return numbers_of(codes);
-}
-
-std::optional<Numbers> png_numbers(std::string_view bytes, const std::string& label) {
-  auto png = PngReader::open(bytes, label);
-  if (!png) return std::nullopt;
-  return png->info().bits == 16 ? read_all<std::uint16_t>(*png) : read_all<std::uint8_t>(*png);
-}
-
-Numbers numbers_of(const PlaneSource& source) {
-  FileBytes file;
-  file.load(source.path);
-  if (auto png = png_numbers(file.view(), source.path)) return std::move(*png);
-  auto loaded = source.door->load(source.path);
-  if (const auto* codes = std::get_if<Image8>(&loaded)) return numbers_of(*codes);
-  Image& image = std::get<Image>(loaded);
-  if (source.door->header(source.path).bits != 16) return {std::move(image), 1, true};
-  constexpr float full = 65535;
-  for (float& v : image.values) v = std::round(full * v);
-  return {std::move(image), double{full}, false};
-}
-
-Image fractions_of(const Numbers& numbers) {
-  Image out = numbers.image;
-  for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = static_cast<float>(numbers.at(i));
-  return out;
+Numbers numbers_of(Picture picture) {
+  if (auto* floats = std::get_if<Image>(&picture.pixels)) return {std::move(*floats), 1, true};
+  if (const auto* wide = std::get_if<Image16>(&picture.pixels)) return numbers_of(*wide);
+  return numbers_of(std::get<Image8>(picture.pixels));
 }
 
 double value_of(const PlaneSource& source, double v, bool floats) {
@@ -92,15 +62,11 @@ std::uint8_t code(std::size_t channel, float value) {
 
 }  // namespace
 
-Image fractions(const std::variant<Image8, Image>& picture) {
-  if (const auto* codes = std::get_if<Image8>(&picture)) return fractions_of(numbers_of(*codes));
-  return std::get<Image>(picture);
-}
-
-std::optional<Image> png_fractions(std::string_view bytes, const std::string& label) {
-  const auto numbers = png_numbers(bytes, label);
-  if (!numbers) return std::nullopt;
-  return fractions_of(*numbers);
+Image fractions(Picture picture) {
+  Numbers numbers = numbers_of(std::move(picture));
+  for (std::size_t i = 0; i < numbers.image.values.size(); ++i)
+    numbers.image.values[i] = static_cast<float>(numbers.at(i));
+  return std::move(numbers.image);
 }
 
 Image plane_floats(const PlaneSource& source, int width, int height) {
@@ -111,7 +77,7 @@ Image plane_floats(const PlaneSource& source, int width, int height) {
       out.values[i] = static_cast<float>(source.exact[i % channels]);
     return out;
   }
-  const Numbers numbers = numbers_of(source);
+  const Numbers numbers = numbers_of(load_picture(source.path, *source.door));
   const Image& from = numbers.image;
   if (from.width != width || from.height != height)
     throw Error::at(source.path, "is " + std::to_string(from.width) + " x " + std::to_string(from.height),

@@ -2,23 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <variant>
 
 #include "core/atlas/leave_out.h"
 #include "core/atlas/sources/sources.h"
-#include "core/image/image.h"
+#include "core/image/picture.h"
 
 namespace etak {
 
 // Materials as floats, for outputs that hold floats: from the numbers of the files, not from 8-bit codes.
 
 /// A picture as floats, codes as fractions of full scale.
-Image fractions(const std::variant<Image8, Image>& picture);
-/// A PNG file of png.h likewise, of 8 or 16 bits; none for other files.
-std::optional<Image> png_fractions(std::string_view bytes, const std::string& label);
+Image fractions(Picture picture);
 
 /// One plane at its full size: a colour in linear light (three channels) or a grey quantity (one). Values
 /// outside of 0..1 stay. Throws Error: what PlaneRows throws, and for values that are not finite.

@@ -2,10 +2,9 @@
 #include "core/atlas/sources/plane.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstring>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/base/files/input.h"
@@ -13,28 +12,6 @@
 
 namespace etak {
 namespace {
-
-std::uint32_t big_endian(const unsigned char* bytes) {
-  return (std::uint32_t{bytes[0]} << 24) | (std::uint32_t{bytes[1]} << 16) | (std::uint32_t{bytes[2]} << 8) |
-         bytes[3];
-}
-
-// The head of a PNG that png.h reads, without its other bytes. What is wrong with it PngReader tells later.
-std::optional<PictureHeader> png_header(const std::string& path) {
-  std::array<unsigned char, 29> head{};
-  const std::string bytes = read_head(path, head.size());
-  constexpr unsigned char first[] = {0x89, 'P', 'N', 'G', 13, 10, 26, 10, 0, 0, 0, 13, 'I', 'H', 'D', 'R'};
-  if (bytes.size() < head.size() || std::memcmp(bytes.data(), first, sizeof first) != 0) return std::nullopt;
-  std::copy(bytes.begin(), bytes.end(), head.begin());
-  const std::uint32_t width = big_endian(&head[16]), height = big_endian(&head[20]);
-  const int bits = head[24], color = head[25];
-  const int channels = color == 0 ? 1 : color == 4 ? 2 : color == 2 ? 3 : color == 6 ? 4 : 0;
-  const bool ours = (bits == 8 || bits == 16) && channels != 0 && head[28] == 0;
-  const bool sizes = width >= 1 && height >= 1 && width <= std::uint32_t{max_image_side} &&
-                     height <= std::uint32_t{max_image_side};
-  if (!ours || !sizes) return std::nullopt;
-  return PictureHeader{static_cast<int>(width), static_cast<int>(height), channels, bits, true};
-}
 
 std::uint8_t code_of(double encoded) {
   const double clamped = encoded > 0 ? (encoded < 1 ? encoded : 1.0) : 0.0;
@@ -62,28 +39,28 @@ std::vector<std::uint8_t> CodeCurve::codes(int bits, std::vector<bool>* clamped)
 }
 
 PictureHeader picture_header(const std::string& path, const PictureDoor& door) {
-  if (const auto png = png_header(path)) return *png;
-  PictureHeader header = door.header(path);
-  header.strips = false;
-  return header;
+  constexpr std::size_t signature_and_first_chunk = 33;
+  const std::string head = read_head(path, signature_and_first_chunk);
+  BytesInMemory bytes(head);
+  // What is wrong with it PngReader tells later.
+  if (auto png = png_header(bytes); png && png->strips) return *png;
+  return door.header(path);
 }
 
 PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&source) {
   if (!source.is_image()) return;
   memory.load(source.path);
-  png_ = PngReader::open(memory.view(), source.path);
-  if (!png_) {
-    open_whole(source);
-    return;
-  }
-  const PngInfo& info = png_->info();
-  width_ = info.width;
-  height_ = info.height;
-  bits_ = info.bits;
-  check_channels(info.channels);
-  if (!source.space && (bits_ == 16 || (source.curve && source.curve->apply))) {
-    static const CodeCurve unchanged;
-    codes_ = (source.curve ? *source.curve : unchanged).codes(bits_, &clamps_);
+  if (auto png = PngReader::open(memory.view(), source.path))
+    file_.emplace(std::move(*png));
+  else
+    file_.emplace(load_picture(source.path, *source.door));
+  const PictureHeader& header = file_->header();
+  width_ = header.width;
+  height_ = header.height;
+  check_channels(header.channels);
+  if (source.space || header.floating) return;
+  if (header.bits == 16 || (source.curve && source.curve->apply)) {
+    codes_ = (source.curve ? *source.curve : CodeCurve()).codes(header.bits, &clamps_);
     for (const bool each : clamps_) may_clamp_ = may_clamp_ || each;
   }
 }
@@ -127,49 +104,18 @@ void PlaneRows::convert_space(const Sample* in, std::size_t texels, int step, fl
   }
 }
 
-// Formats without strips of their own: the whole picture at once, as codes.
-void PlaneRows::open_whole(const PlaneSource& source) {
-  const auto loaded = source.door->load(source.path);
-  std::visit(
-      [&](const auto& picture) {
-        width_ = picture.width;
-        height_ = picture.height;
-        check_channels(picture.channels);
-      },
-      loaded);
-  if (source.space) {
-    std::visit(
-        [&](const auto& picture) {
-          const bool codes = sizeof(picture.values[0]) == 1;
-          convert_space(picture.values.data(), picture.pixel_count(), picture.channels,
-                        codes ? 255.0f : 1.0f);
-        },
-        loaded);
-    whole_.values.swap(rows_);
-    return;
-  }
+// Codes in rows_ of numbers in values_, which are linear colours by themselves.
+void PlaneRows::convert_floats() {
   static const CodeCurve unchanged;
-  const CodeCurve& curve = source.curve ? *source.curve : unchanged;
-  if (const auto* codes = std::get_if<Image8>(&loaded)) {
-    whole_ = *codes;
-    if (curve.apply) {
-      codes_ = curve.codes(8, &clamps_);
-      convert(codes->values.data(), codes->values.size());
-      whole_.values.swap(rows_);
-    }
-    return;
-  }
-  const Image& picture = std::get<Image>(loaded);
-  whole_ = Image8(picture.width, picture.height, picture.channels);
-  // Files of floats hold linear colours, codes of 16 bits encoded ones.
-  const bool floats = source.door->header(source.path).bits != 16;
-  const auto& apply = floats && curve.apply_float ? curve.apply_float : curve.apply;
-  for (std::size_t i = 0; i < picture.values.size(); ++i) {
-    const double value = double{picture.values[i]};
+  const CodeCurve& curve = source_->curve ? *source_->curve : unchanged;
+  const auto& apply = curve.apply_float ? curve.apply_float : curve.apply;
+  rows_.resize(values_.size());
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const double value = double{values_[i]};
     if (!std::isfinite(value))
-      throw Error::at(source.path, "holds a value that is no finite number", "finite numbers");
+      throw Error::at(source_->path, "holds a value that is no finite number", "finite numbers");
     const double encoded = apply ? apply(value) : value;
-    whole_.values[i] = code_of(encoded);
+    rows_[i] = code_of(encoded);
     clamped_ += outside(encoded) ? 1 : 0;
   }
 }
@@ -183,30 +129,34 @@ void PlaneRows::convert(const Sample* in, std::size_t samples) {
 }
 
 const std::uint8_t* PlaneRows::read(int count) {
-  assert(width_ > 0 && row_ + count <= height_);
+  assert(width_ > 0);
   const auto texels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(count);
-  const auto first =
-      static_cast<std::size_t>(row_) * static_cast<std::size_t>(width_) * static_cast<std::size_t>(channels_);
-  row_ += count;
-  if (!png_) return whole_.values.data() + first;
-  const std::size_t all = texels * static_cast<std::size_t>(file_channels_),
-                    bytes = all * static_cast<std::size_t>(bits_ / 8);
-  raw_.resize(bytes);
-  png_->read_rows(raw_.data(), bytes / static_cast<std::size_t>(count), count);
-  if (bits_ == 8) {
+  const std::size_t all = texels * static_cast<std::size_t>(file_channels_);
+  const auto fill = [&]<class Value>(std::vector<Value>& values) {
+    values.resize(all);
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): values as bytes
+    file_->read(reinterpret_cast<std::uint8_t*>(values.data()),
+                all * sizeof(Value) / static_cast<std::size_t>(count), count);
+  };
+  const auto coded = [&]<class Code>(const std::vector<Code>& values) {
     if (source_->space)
-      convert_space(raw_.data(), texels, file_channels_, 255);
-    else if (codes_.empty())
-      return raw_.data();
+      convert_space(values.data(), texels, file_channels_, float{std::numeric_limits<Code>::max()});
     else
-      convert(raw_.data(), all);
+      convert(values.data(), all);
+  };
+  if (file_->header().floating) {
+    fill(values_);
+    if (source_->space)
+      convert_space(values_.data(), texels, file_channels_, 1);
+    else
+      convert_floats();
+  } else if (file_->header().bits == 16) {
+    fill(wide_);
+    coded(wide_);
   } else {
-    std::vector<std::uint16_t> wide(all);
-    std::memcpy(wide.data(), raw_.data(), 2 * all);
-    if (source_->space)
-      convert_space(wide.data(), texels, file_channels_, 65535);
-    else
-      convert(wide.data(), all);
+    fill(raw_);
+    if (!source_->space && codes_.empty()) return raw_.data();
+    coded(raw_);
   }
   return rows_.data();
 }

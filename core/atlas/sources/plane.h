@@ -7,33 +7,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <variant>
 #include <vector>
 
 #include "core/atlas/page_memory.h"
-#include "core/image/files/png.h"
-#include "core/image/image.h"
+#include "core/image/load.h"
 
 namespace etak {
-
-/// What a picture's header says.
-struct PictureHeader {
-  int width = 0, height = 0, channels = 0, bits = 0;
-  bool strips = false;  // readable row by row
-};
-
-/// How pictures other than the PNGs of png.h are read: OpenImageIO's door (image_io.h), which etak opens when it is first
-/// needed, because loading that library takes as long and as much memory as packing does. Codes of 16 bits come as
-/// floats, code / 65535. Both throw Error.
-struct PictureDoor {
-  std::function<PictureHeader(const std::string& path)> header;
-  std::function<std::variant<Image8, Image>(const std::string& path)> load;
-  std::function<std::variant<Image8, Image>(std::string_view bytes, const std::string& label)> load_bytes;
-
-  /// The way out: a file of 32-bit floats, "tiff" or "exr". `fourth` names the fourth channel.
-  std::function<std::string(const Image& image, std::string_view format, std::string_view fourth)> encode;
-};
 
 /// Colours of a space that etak does not have itself: linear sRGB from its values, `count` pixels of three in
 /// place.
@@ -92,22 +71,21 @@ class PlaneRows {
   std::size_t clamped() const { return clamped_; }
 
  private:
-  void open_whole(const PlaneSource& source);
   void check_channels(int channels);
   template <class Sample>
   void convert_space(const Sample* in, std::size_t texels, int step, float scale);
   template <class Sample>
   void convert(const Sample* in, std::size_t samples);
+  void convert_floats();
 
   const PlaneSource* source_;
-  std::optional<PngReader> png_;
-  Image8 whole_;  // where the file is not read in strips
-  int row_ = 0;
-  int width_ = 0, height_ = 0, bits_ = 8;
+  std::optional<ValueRows> file_;
+  int width_ = 0, height_ = 0;
   int file_channels_ = 0, channels_ = 0;  // as read; as given
   std::array<int, 3> pick_{0, 1, 2};
   std::vector<std::uint8_t> codes_, raw_, rows_;
-  std::vector<float> floats_;
+  std::vector<std::uint16_t> wide_;
+  std::vector<float> values_, floats_;  // of a file of floats; in the space
   std::vector<bool> clamps_;
   bool may_clamp_ = false;
   std::size_t clamped_ = 0;

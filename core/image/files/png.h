@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/files/steady_file.h"
-#include "core/image/image.h"
+#include "core/image/picture.h"
 
 namespace etak {
 
@@ -19,13 +19,6 @@ namespace etak {
 // where it was found when etak was built, zlib elsewhere. Only what etak's textures are made of: 8 and 16
 // bits, grey, grey + alpha, RGB, RGBA, not interlaced; colour is never multiplied by the last channel.
 // Everything else (palette, 1-4 bits, Adam7, tRNS) is the business of image_io.h.
-
-struct PngInfo {
-  int width = 0, height = 0;
-  int channels = 0;  // 1 grey, 2 grey + alpha, 3 RGB, 4 RGBA
-  int bits = 0;      // 8 or 16
-  friend bool operator==(const PngInfo&, const PngInfo&) = default;
-};
 
 /// Reads rows from the top, in strips, so that no more than a strip needs to be held. Stricter than the
 /// standard asks of decoders, and than libpng is: a texture that is damaged anywhere is refused. Beyond what
@@ -47,7 +40,7 @@ class PngReader {
   PngReader& operator=(PngReader&&) noexcept;
   ~PngReader();
 
-  const PngInfo& info() const;
+  const PictureHeader& header() const;
 
   /// The next `count` rows (fewer than that left is the caller's mistake) to `out`, row i at out + i *
   /// stride; 16-bit samples in the machine's byte order. After the last row the stream's end and checksum are
@@ -61,11 +54,21 @@ class PngReader {
   std::unique_ptr<State> state_;
 };
 
-/// Rows of codes in memory, `stride` bytes apart; samples of 16 bits in the machine's byte order.
+/// Rows of codes in memory, `stride` bytes apart; samples of 16 bits in the machine's byte order. Of the header
+/// the sides, channels (1 grey, 2 grey + alpha, 3 RGB, 4 RGBA) and bits (8 or 16) count.
 struct PngRows {
-  PngInfo info;
+  PictureHeader header;
   const std::uint8_t* rows = nullptr;
   std::size_t stride = 0;
+
+  PngRows(PictureHeader header_, const std::uint8_t* rows_, std::size_t stride_)
+      : header(std::move(header_)), rows(rows_), stride(stride_) {}
+  /// Of a whole picture, which stays as long as this.
+  template <class Code>
+  PngRows(const Pixels<Code>& image)
+      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): values as bytes
+      : PngRows(header_of(image), reinterpret_cast<const std::uint8_t*>(image.values.data()),
+                static_cast<std::size_t>(image.width * image.channels) * sizeof(Code)) {}
 };
 
 /// How hard to compress. What a level means is fixed for one build of etak, and so are the bytes for any
@@ -97,7 +100,7 @@ class PngBands {
   static std::shared_ptr<Scratch> scratch();
 
   /// `sink` as of write_png(); options.threads is not looked at.
-  PngBands(const PngInfo& info, const PngOptions& options, std::function<void(std::string_view)> sink,
+  PngBands(const PictureHeader& header, const PngOptions& options, std::function<void(std::string_view)> sink,
            std::shared_ptr<Scratch> scratch);
   ~PngBands();
   PngBands(const PngBands&) = delete;
@@ -121,17 +124,9 @@ class PngBands {
 /// The same in memory.
 std::string png_bytes(const PngRows& image, const PngOptions& options);
 
-/// A whole picture of 8 bits. Same forms and errors as PngReader; nullopt for 16 bits too.
-std::optional<Image8> read_png8(std::string_view bytes, std::string_view path);
-
-/// What a PNG file says of its colours, whatever its form; nothing is checked. All false for other files.
-struct PngColour {
-  bool srgb = false;            // sRGB chunk
-  bool icc_profile = false;     // iCCP chunk
-  std::optional<double> gamma;  // gAMA chunk: the exponent of code from light, 0.45455 for 1 / 2.2
-  friend bool operator==(const PngColour&, const PngColour&) = default;
-};
-PngColour png_colour(std::string_view bytes);
+/// What the chunks before the image data of a PNG file say, whatever its form; nothing is trusted but lengths that
+/// fit. An sRGB chunk wins over gAMA, as the standard says. nullopt for other files.
+std::optional<PictureHeader> png_header(ByteSource& bytes);
 
 /// Throws Error when a PNG file of any form is cut short or damaged: goes through its chunks up to IEND and
 /// their checksums, and inflates its image data. Decoders of others then have nothing left to complain of.

@@ -2,8 +2,11 @@
 #include "core/image/files/png_chunks.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <span>
 
+#include "core/base/number.h"
 #include "core/image/files/deflate.h"
 #include "core/image/files/png.h"
 
@@ -12,6 +15,13 @@ namespace {
 
 // A chunk may be as long as the file: it is summed in pieces that stay in the second-level cache.
 constexpr std::size_t piece_bytes = std::size_t{64} << 10;
+
+std::string gamma_name(double gamma) {
+  if (std::abs(gamma - 1) < 0.01) return "linear";
+  // 0.45455 stands in countless sRGB files as the nearest power.
+  if (std::abs(gamma - 0.45455) < 0.005) return "gamma22";
+  return "gamma " + number(gamma, 5);
+}
 
 }  // namespace
 
@@ -48,16 +58,43 @@ std::uint32_t checksum(ByteSource& bytes, const PngChunk& chunk) {
   return out;
 }
 
-PngColour png_colour(std::string_view in_memory) {
-  PngColour out;
-  BytesInMemory bytes(in_memory);
-  if (!has_png_signature(bytes)) return out;
+PngForm png_form(std::string_view ihdr) {
+  const auto byte = [&](std::size_t i) { return int{static_cast<std::uint8_t>(ihdr[i])}; };
+  return {big_endian(ihdr, 0), big_endian(ihdr, 4), byte(8), byte(9), byte(10), byte(11), byte(12)};
+}
+
+int png_channels(int colour) {
+  constexpr std::array channels{1, 0, 3, 1, 2, 0, 4};
+  return colour < 7 ? channels[static_cast<std::size_t>(colour)] : 0;
+}
+
+std::optional<PictureHeader> png_header(ByteSource& bytes) {
+  if (!has_png_signature(bytes)) return std::nullopt;
+  PictureHeader out;
+  out.format = "png";
   for (auto chunk = png_chunk_at(bytes, png_signature.size()); chunk && chunk->type != "IDAT";
        chunk = png_chunk_at(bytes, chunk->end())) {
-    if (chunk->type == "sRGB") out.srgb = true;
-    if (chunk->type == "iCCP") out.icc_profile = true;
-    if (chunk->type == "gAMA" && chunk->size == 4)
-      out.gamma = big_endian(bytes.view(chunk->data(), 4), 0) / 1e5;
+    // No more than the longest name of a colour profile.
+    const std::string_view data = bytes.view(chunk->data(), std::min<std::size_t>(chunk->size, 80));
+    if (chunk->start == png_signature.size() && chunk->type == "IHDR" && chunk->size == 13) {
+      const PngForm form = png_form(data);
+      const auto side = [](std::uint32_t s) { return s >= 1 && s <= std::uint32_t{max_image_side}; };
+      out.width = static_cast<int>(form.width);
+      out.height = static_cast<int>(form.height);
+      out.channels = png_channels(form.colour);
+      out.bits = std::max(8, form.bits);
+      out.palette = form.colour == 3;
+      out.strips = (form.bits == 8 || form.bits == 16) && out.channels != 0 && !out.palette &&
+                   form.interlace == 0 && side(form.width) && side(form.height);
+    }
+    if (chunk->type == "gAMA" && chunk->size == 4 && out.colour_space.empty())
+      out.colour_space = gamma_name(big_endian(data, 0) / 1e5);
+    if (chunk->type == "iCCP")
+      out.colour_space = "icc: " + std::string(data.substr(0, std::min<std::size_t>(data.find('\0'), 79)));
+    if (chunk->type == "sRGB") {
+      out.colour_space = "srgb";
+      break;
+    }
   }
   return out;
 }

@@ -37,6 +37,16 @@ inline std::span<const std::uint8_t> octets(std::string_view bytes) {
 
 bool has_png_signature(ByteSource& bytes);
 
+/// The data of an IHDR chunk.
+struct PngForm {
+  std::uint32_t width, height;
+  int bits, colour, compression, filter, interlace;
+};
+PngForm png_form(std::string_view ihdr);
+
+/// Which channels a colour type has; 0 for those that PNG does not have.
+int png_channels(int colour);
+
 /// The chunk at `start`; nullopt when it is not whole.
 std::optional<PngChunk> png_chunk_at(ByteSource& bytes, std::size_t start);
 

@@ -21,32 +21,10 @@ constexpr std::size_t deflate_at_most = 1032;  // bytes from one byte of a defla
 constexpr std::size_t input_bytes = std::size_t{64} << 10;
 constexpr std::size_t filtered_bytes = std::size_t{256} << 10;
 
-struct Header {
-  std::uint32_t width, height;
-  int bits, colour, compression, filter, interlace;
-};
-
-// Which channels a colour type has; 0 for those that PNG does not have.
-int channels_of(int colour) {
-  switch (colour) {
-    case 0:
-    case 3:
-      return 1;
-    case 2:
-      return 3;
-    case 4:
-      return 2;
-    case 6:
-      return 4;
-    default:
-      return 0;
-  }
-}
-
-bool valid(const Header& h) {
+bool valid(const PngForm& h) {
   const bool depth = h.bits == 8 || (h.bits == 16 && h.colour != 3) ||
                      ((h.bits == 1 || h.bits == 2 || h.bits == 4) && (h.colour == 0 || h.colour == 3));
-  return channels_of(h.colour) != 0 && depth && h.compression == 0 && h.filter == 0 && h.interlace <= 1;
+  return png_channels(h.colour) != 0 && depth && h.compression == 0 && h.filter == 0 && h.interlace <= 1;
 }
 
 }  // namespace
@@ -55,7 +33,7 @@ struct PngReader::State {
   std::unique_ptr<ByteSource> own;  // where the reader was given bytes in memory
   ByteSource* bytes = nullptr;
   std::string path;
-  PngInfo info;
+  PictureHeader info;
   std::size_t row_bytes = 0;
   int rows_done = 0;
 
@@ -84,7 +62,7 @@ struct PngReader::State {
 
   PngChunk next_chunk(std::size_t start) const;
   PngChunk checked_chunk(std::size_t start) const;
-  Header header() const;
+  PngForm form() const;
   bool read_header();
   bool read_until_idat();
   void begin_idat(const PngChunk& chunk);
@@ -114,13 +92,11 @@ PngChunk PngReader::State::checked_chunk(std::size_t start) const {
   return chunk;
 }
 
-Header PngReader::State::header() const {
+PngForm PngReader::State::form() const {
   const PngChunk chunk = checked_chunk(png_signature.size());
   if (chunk.type != "IHDR") fail(chunk, "comes first, where IHDR belongs");
   if (chunk.size != 13) fail(chunk, "is not 13 bytes long");
-  const std::string data(bytes->view(chunk.data(), chunk.size));
-  const auto byte = [&](std::size_t i) { return int{static_cast<std::uint8_t>(data[i])}; };
-  const Header h{big_endian(data, 0), big_endian(data, 4), byte(8), byte(9), byte(10), byte(11), byte(12)};
+  const PngForm h = png_form(bytes->view(chunk.data(), chunk.size));
   if (!valid(h))
     fail("PNG header with bit depth " + std::to_string(h.bits) + ", colour type " + std::to_string(h.colour) +
              ", compression " + std::to_string(h.compression) + ", filter " + std::to_string(h.filter) +
@@ -134,9 +110,9 @@ Header PngReader::State::header() const {
 
 // False for forms that are not read here.
 bool PngReader::State::read_header() {
-  const Header h = header();
-  if (h.colour == 3 || h.bits < 8 || h.interlace != 0) return false;
-  info = {static_cast<int>(h.width), static_cast<int>(h.height), channels_of(h.colour), h.bits};
+  const PngForm h = form();
+  info = *png_header(*bytes);
+  if (!info.strips) return false;
   row_bytes = std::size_t{h.width} * static_cast<std::size_t>(info.channels * info.bits / 8);
   data_left = (row_bytes + 1) * h.height;
   // Before any memory is taken: no deflate stream of this length can hold so much.
@@ -326,7 +302,7 @@ PngReader::PngReader(PngReader&&) noexcept = default;
 PngReader& PngReader::operator=(PngReader&&) noexcept = default;
 PngReader::~PngReader() = default;
 
-const PngInfo& PngReader::info() const {
+const PictureHeader& PngReader::header() const {
   return state_->info;
 }
 
@@ -362,15 +338,6 @@ void PngReader::read_rows(std::uint8_t* out, std::size_t stride, int count) {
   if (s.rows_done == s.info.height) s.finish();
 }
 
-std::optional<Image8> read_png8(std::string_view bytes, std::string_view path) {
-  std::optional<PngReader> reader = PngReader::open(bytes, path);
-  if (!reader || reader->info().bits != 8) return std::nullopt;
-  const PngInfo& info = reader->info();
-  Image8 out(info.width, info.height, info.channels);
-  reader->read_rows(out.values.data(), static_cast<std::size_t>(info.width * info.channels), info.height);
-  return out;
-}
-
 void check_png(std::string_view in_memory, std::string_view path) {
   BytesInMemory bytes(in_memory);
   PngReader::State s;
@@ -387,7 +354,7 @@ void check_png(std::string_view in_memory, std::string_view path) {
     image |= chunk.type == "IDAT";
     at = chunk.end();
   }
-  const Header h = s.header();
+  const PngForm h = s.form();
   bool palette = false;
   std::size_t at = png_signature.size() + png_chunk_overhead + 13;
   for (PngChunk chunk = s.checked_chunk(at); chunk.type != "IDAT"; chunk = s.checked_chunk(at)) {
@@ -402,7 +369,6 @@ void check_png(std::string_view in_memory, std::string_view path) {
     at = chunk.end();
   }
   if (h.colour == 3 && !palette) s.fail("holds codes of a palette before any palette");
-  s.info = {static_cast<int>(h.width), static_cast<int>(h.height), channels_of(h.colour), h.bits};
   s.begin_idat(s.next_chunk(at));
   s.input.resize(std::min(input_bytes, bytes.size()));
   s.filtered.resize(filtered_bytes);
@@ -419,7 +385,7 @@ void check_png(std::string_view in_memory, std::string_view path) {
                                         {1, 0, 2, 2},
                                         {0, 1, 1, 2},
                                         {0, 0, 1, 1}}};
-  const auto bits = static_cast<std::size_t>(channels_of(h.colour) * h.bits);
+  const auto bits = static_cast<std::size_t>(png_channels(h.colour) * h.bits);
   for (const Pass& pass : h.interlace != 0 ? std::span(passes).first(7) : std::span(passes).last(1)) {
     if (pass.x >= h.width || pass.y >= h.height) continue;
     const std::size_t columns = (h.width - pass.x + pass.dx - 1) / pass.dx;

@@ -7,6 +7,6 @@ namespace etak {
 
 /// Rows that write_png() hands to its sink with each call, the last one excepted: so long work can tell how
 /// far it is.
-int png_strip_rows(const PngInfo& info, PngLevel level);
+int png_strip_rows(const PictureHeader& header, PngLevel level);
 
 }  // namespace etak

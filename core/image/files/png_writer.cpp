@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/image/files/deflate.h"
 #include "core/image/files/png.h"
+#include "core/image/files/png_chunks.h"
 #include "core/image/files/png_filters.h"
 #include "core/image/files/png_strips.h"
 
@@ -60,10 +61,10 @@ void append_chunk(Bytes& out, std::string_view type, std::span<const std::uint8_
   end_chunk(out, start, crc32_of(0, std::span(out).subspan(start + 4)));
 }
 
-Bytes head(const PngInfo& info, bool srgb) {
+Bytes head(const PictureHeader& info, bool srgb) {
   static constexpr std::array<std::uint8_t, 5> colour_type{0, 0, 4, 2, 6};  // by channels
   Bytes out;
-  append_text(out, {"\x89PNG\r\n\x1a\n", 8});
+  append_text(out, png_signature);
   Bytes header;
   append_big_endian(header, static_cast<std::uint32_t>(info.width));
   append_big_endian(header, static_cast<std::uint32_t>(info.height));
@@ -131,7 +132,7 @@ class PngBands::Scratch {
 struct PngBands::State {
   static constexpr std::size_t most_waiting = 16;
 
-  PngInfo info;
+  PictureHeader info;
   PngOptions options;
   std::function<void(std::string_view)> sink;
   std::shared_ptr<Scratch> scratch;
@@ -238,8 +239,8 @@ std::shared_ptr<PngBands::Scratch> PngBands::scratch() {
   return std::make_shared<Scratch>();
 }
 
-PngBands::PngBands(const PngInfo& info, const PngOptions& options, std::function<void(std::string_view)> sink,
-                   std::shared_ptr<Scratch> scratch)
+PngBands::PngBands(const PictureHeader& info, const PngOptions& options,
+                   std::function<void(std::string_view)> sink, std::shared_ptr<Scratch> scratch)
     : state_(std::make_unique<State>()) {
   assert(info.width >= 1 && info.height >= 1 && info.channels >= 1 && info.channels <= 4);
   assert(info.bits == 8 || info.bits == 16);
@@ -300,7 +301,7 @@ void PngBands::finish() {
   state_->sink(characters(tail));
 }
 
-int png_strip_rows(const PngInfo& info, PngLevel level) {
+int png_strip_rows(const PictureHeader& info, PngLevel level) {
   const std::size_t row_bytes =
       static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.channels * info.bits / 8);
   return static_cast<int>(std::clamp<std::size_t>(strip_bytes(level) / (row_bytes + 1), 1,
@@ -309,8 +310,8 @@ int png_strip_rows(const PngInfo& info, PngLevel level) {
 
 void write_png(const PngRows& image, const PngOptions& options,
                const std::function<void(std::string_view)>& sink) {
-  PngBands bands(image.info, options, sink, PngBands::scratch());
-  const std::size_t strips = bands.next(image.rows, image.stride, image.info.height);
+  PngBands bands(image.header, options, sink, PngBands::scratch());
+  const std::size_t strips = bands.next(image.rows, image.stride, image.header.height);
   parallel_chunks(strips, options.threads, 1,
                   [&](std::size_t strip, std::size_t, unsigned) { bands.make(strip); });
   bands.finish();

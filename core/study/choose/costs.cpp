@@ -91,8 +91,8 @@ void add_textures(std::vector<TimedCase>& cases) {
                        options.level = level;
                        std::size_t bytes = 0;
                        for (const MadePage& page : *pages)
-                         write_png({{png_side, png_side, 4, 8}, page.pixels.values.data(), png_side * 4},
-                                   options, [&](std::string_view part) { bytes += part.size(); });
+                         write_png(page.pixels, options,
+                                   [&](std::string_view part) { bytes += part.size(); });
                        keep(&bytes);
                      }});
 }

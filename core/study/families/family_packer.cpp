@@ -120,11 +120,7 @@ std::string png_of(const MadePage& page, PngLevel level, unsigned threads) {
   PngOptions options;
   options.level = level;
   options.threads = threads;
-  const int channels = page.pixels.channels;
-  return png_bytes({{page.pixels.width, page.pixels.height, channels, 8},
-                    page.pixels.values.data(),
-                    static_cast<std::size_t>(page.pixels.width) * static_cast<std::size_t>(channels)},
-                   options);
+  return png_bytes(page.pixels, options);
 }
 
 // As many repeats as fit; `once` is what one round over all cases took.

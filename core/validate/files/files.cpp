@@ -11,13 +11,13 @@
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/exchange/content_kind.h"
+#include "core/image/load.h"
 #include "core/image/picture_bytes.h"
 #include "core/image/picture_endings.h"
 #include "core/scene/gltf.h"
 #include "core/validate/engine.h"
 #include "core/validate/files/material_evidence.h"
 #include "core/validate/files/metal_rough.h"
-#include "core/validate/files/open_pictures.h"
 #include "core/validate/files/scene_use.h"
 #include "core/validate/pixels/flat_rows.h"
 #include "core/validate/rules.h"
@@ -43,7 +43,7 @@ std::unique_ptr<RowSource> open_role(const CheckTarget& target, const PictureOpe
   return file == nullptr ? nullptr : opener(*file);
 }
 
-PictureEvidence picture_evidence(const TargetFile& file, const TextureHeader& header) {
+PictureEvidence picture_evidence(const TargetFile& file, const PictureHeader& header) {
   PictureEvidence picture;
   picture.header = header;
   picture.label = file.label;
@@ -81,7 +81,7 @@ void check_pair(const CheckTarget& target, const PictureOpener& opener, const Se
       ++file.stats.pictures_left_out;
     }
     // What an atlas has left out of its pages because it does not vary.
-    const TextureHeader* page = rows.a ? &rows.a->header() : rows.b ? &rows.b->header() : nullptr;
+    const PictureHeader* page = rows.a ? &rows.a->header() : rows.b ? &rows.b->header() : nullptr;
     const int width = page == nullptr ? 0 : page->width, height = page == nullptr ? 0 : page->height;
     if (needs.has(Need::bytes_a) && !rows.a) rows.a = flat_rows(target, 0, width, height);
     if (needs.has(Need::bytes_b) && !rows.b) rows.b = flat_rows(target, 1, width, height);
@@ -98,9 +98,9 @@ PictureRows rows_of_pictures(const LoadedPictures& pictures) {
   return rows;
 }
 
-void check_metal_rough(const CheckTarget& target, const PictureDecoder& decoder, const Settings& settings,
+void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                        unsigned threads, Evidence& evidence, CheckedFile& file) {
-  MetalRoughSet set(target, decoder);
+  MetalRoughSet set(target, door);
   int image = 0;
   for (const TargetFile& part : target.files)
     if (MetalRoughSet::is_part(part.role))
@@ -195,12 +195,12 @@ void check_headers(const TargetFile& of_scene, const GltfScene& scene, const std
 
 // Every used material is judged on its own, where triangles read its texels; a texture that two of them use
 // has its header judged once.
-void check_scene(const TargetFile& of_scene, const CheckTarget& target, const PictureDecoder& decoder,
+void check_scene(const TargetFile& of_scene, const CheckTarget& target, const PictureDoor& door,
                  const Settings& settings, unsigned threads, CheckedFile& file) {
   const GltfScene scene = read_gltf(of_scene.path, GltfOptions{});
   const MaterialUses uses(scene);
   const MaterialLooks looks(scene);
-  ScenePictures pictures(scene.images, decoder);
+  ScenePictures pictures(scene.images, door);
   const auto label_of = [&](const std::optional<GltfTexture>& texture) {
     return texture ? image_label(of_scene, scene, texture->image) : of_scene.label;
   };
@@ -308,15 +308,15 @@ CheckedFile checked(const CheckTarget& target, const Settings& settings, Look lo
 
 }  // namespace
 
-CheckedFile check(const CheckTarget& target, const PictureDecoder& decoder, const Settings& settings,
+CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                   unsigned threads) {
   return checked(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
     if (const TargetFile* scene = with_role(target, {FileRole::scene}))
-      return check_scene(*scene, target, decoder, own, threads, file);
+      return check_scene(*scene, target, door, own, threads, file);
     if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
       return check_material(*material, evidence);
-    if (is_metal_rough(target)) return check_metal_rough(target, decoder, own, threads, evidence, file);
-    const auto open = [&](const TargetFile& part) { return open_picture(part.path, decoder); };
+    if (is_metal_rough(target)) return check_metal_rough(target, door, own, threads, evidence, file);
+    const auto open = [&](const TargetFile& part) { return open_picture(part.path, door); };
     check_pair(target, open, own, threads, evidence, file);
   });
 }
@@ -377,22 +377,16 @@ PicturesInMemory LoadedPictures::in_memory() const {
           metallic.width == 0 ? nullptr : &metallic};
 }
 
-LoadedPictures load_pictures(const CheckTarget& target, const PictureDecoder& decoder) {
-  if (is_metal_rough(target)) return MetalRoughSet(target, decoder).convert();
+LoadedPictures load_pictures(const CheckTarget& target, const PictureDoor& door) {
+  if (is_metal_rough(target)) return MetalRoughSet(target, door).convert();
   LoadedPictures out;
   const auto load = [&](const TargetFile* file, Image8& to) {
     if (file == nullptr) return;
-    const auto source = open_picture(file->path, decoder);
-    const TextureHeader& header = source->header();
-    if (header.floating) {
-      TextureHeader ignored;
-      const Image8 codes = load_codes(file->path, "", file->label, decoder, ignored);
-      to = Image8(header.width, header.height, 4);
-      rows_of(codes)->read_rows(to.values.data(), 4 * static_cast<std::size_t>(header.width), header.height);
-      return;
-    }
-    to = Image8(header.width, header.height, 4);
-    source->read_rows(to.values.data(), 4 * static_cast<std::size_t>(header.width), header.height);
+    Image8 codes;
+    auto source = open_picture(file->path, door);
+    if (source->header().floating) source = rows_of(codes = codes_of(load_picture(file->path, door), true));
+    to = Image8(source->header().width, source->header().height, 4);
+    source->read_rows(to.values.data(), 4 * static_cast<std::size_t>(to.width), to.height);
   };
   load(with_role(target, {FileRole::diffuse_alpha}), out.a);
   load(with_role(target, {FileRole::specular_gloss, FileRole::f0_only}), out.b);

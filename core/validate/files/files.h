@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/image/any_image.h"
+#include "core/image/picture.h"
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
 #include "core/validate/target.h"
@@ -22,7 +22,7 @@ struct AtlasLayout;
 
 /// Checks one target. Never throws for what is in the files: an unreadable one is finding ETK001, an error of
 /// a rule ETK901, and the file is marked `unreadable`.
-CheckedFile check(const CheckTarget& target, const PictureDecoder& decoder, const Settings& settings,
+CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                   unsigned threads = 1);
 
 /// Where the rows of a target's picture come from; called once per pass over the pixels.
@@ -54,6 +54,6 @@ struct LoadedPictures {
   Image8 a, b, metallic;
   PicturesInMemory in_memory() const;
 };
-LoadedPictures load_pictures(const CheckTarget& target, const PictureDecoder& decoder);
+LoadedPictures load_pictures(const CheckTarget& target, const PictureDoor& door);
 
 }  // namespace etak

@@ -59,7 +59,7 @@ struct Candidate {
 };
 
 // A picture with the role its name gives, and the name without that.
-struct Picture {
+struct NamedPicture {
   std::string path, stem;  // stem: folder and the name before the role, in lower case
   FileRole role = FileRole::specular_gloss;
   bool guessed = false, companion = false;
@@ -273,14 +273,14 @@ class Finder {
   }
 
   // The role of a picture by its name; none when no pattern matches.
-  std::optional<Picture> named_picture(const std::string& path) const {
+  std::optional<NamedPicture> named_picture(const std::string& path) const {
     const std::string relative = label(path), name = relative.substr(folder_of(relative).size());
-    Picture out{path,
-                lower_case(path.substr(0, folder_of(path).size())),
-                FileRole::specular_gloss,
-                false,
-                false,
-                Named::as_companion};
+    NamedPicture out{path,
+                     lower_case(path.substr(0, folder_of(path).size())),
+                     FileRole::specular_gloss,
+                     false,
+                     false,
+                     Named::as_companion};
     for (const RolePattern& pattern : request_.config.roles)
       if (glob_matches(pattern.pattern, relative)) {
         out.role = pattern.role;
@@ -323,7 +323,7 @@ class Finder {
     if (request_.role) return;
     std::unordered_set<std::string> have, stems;
     std::set<std::string> folders;
-    for (const Picture& picture : pictures_) {
+    for (const NamedPicture& picture : pictures_) {
       have.insert(picture.path);
       stems.insert(picture.stem);
       folders.insert(std::string(folder_of(picture.path)));
@@ -354,7 +354,7 @@ class Finder {
 
   void group_pictures() {
     add_companions();
-    std::sort(pictures_.begin(), pictures_.end(), [](const Picture& a, const Picture& b) {
+    std::sort(pictures_.begin(), pictures_.end(), [](const NamedPicture& a, const NamedPicture& b) {
       return std::tie(a.stem, a.role, a.companion, a.path) < std::tie(b.stem, b.role, b.companion, b.path);
     });
     for (std::size_t begin = 0, end = 0; begin < pictures_.size(); begin = end) {
@@ -364,15 +364,15 @@ class Finder {
   }
 
   // Pictures of one stem: the first of each role form the pair or set, others stand alone.
-  void group(std::span<Picture> same) {
+  void group(std::span<NamedPicture> same) {
     const auto has = [&](FileRole role) {
-      return std::ranges::any_of(same, [&](const Picture& picture) { return picture.role == role; });
+      return std::ranges::any_of(same, [&](const NamedPicture& picture) { return picture.role == role; });
     };
     // Beside metallic or roughness, and without F0, "diffuse" is another word for the base colour.
     const bool parts = has(FileRole::metallic) || has(FileRole::roughness);
     const bool metal_rough = parts || has(FileRole::metal_rough);
     if (metal_rough && !has(FileRole::specular_gloss) && !has(FileRole::base_color))
-      for (Picture& picture : same)
+      for (NamedPicture& picture : same)
         if (picture.role == FileRole::diffuse_alpha) picture.role = FileRole::base_color;
     std::vector<char> used(same.size());
     // They say nothing on their own.
@@ -384,7 +384,7 @@ class Finder {
             skip({same[i].path, same[i].named, {}}, "there is no base colour beside it");
         }
     const auto take = [&](std::initializer_list<FileRole> roles) {
-      std::vector<const Picture*> members;
+      std::vector<const NamedPicture*> members;
       bool wanted = false;
       for (const FileRole role : roles)
         for (std::size_t i = 0; i < same.size(); ++i)
@@ -403,10 +403,10 @@ class Finder {
     while (take({FileRole::f0_only})) continue;
   }
 
-  void add_set(const std::vector<const Picture*>& members) {
+  void add_set(const std::vector<const NamedPicture*>& members) {
     FoundTarget found;
     found.target.manifest = request_.manifest;
-    for (const Picture* member : members) {
+    for (const NamedPicture* member : members) {
       found.target.files.push_back({member->role, member->path, label(member->path), member->guessed});
       found.depends.push_back(member->path);
     }
@@ -416,7 +416,7 @@ class Finder {
 
   ValidationRequest& request_;
   std::vector<Candidate> candidates_;
-  std::vector<Picture> pictures_;
+  std::vector<NamedPicture> pictures_;
   std::unordered_set<std::string> claimed_, failed_;  // by a scene or a layout
   FoundTargets out_;
 };

@@ -8,8 +8,8 @@
 #include <mutex>
 
 #include "core/color/srgb.h"
+#include "core/image/load.h"
 #include "core/scene/gltf_convert.h"
-#include "core/validate/files/open_pictures.h"
 
 namespace etak {
 
@@ -22,14 +22,15 @@ int under(int x, int width, int source) {
 
 }  // namespace
 
-ScenePictures::ScenePictures(const std::vector<GltfImage>& images, const PictureDecoder& decoder)
-    : images_(&images), decoder_(&decoder), codes_(images.size()), headers_(images.size()) {}
+ScenePictures::ScenePictures(const std::vector<PictureFile>& images, const PictureDoor& door)
+    : images_(&images), door_(&door), codes_(images.size()), headers_(images.size()) {}
 
 void ScenePictures::load(int image) {
   const auto i = static_cast<std::size_t>(image);
   if (codes_[i].width != 0) return;
-  const GltfImage& image_at = (*images_)[i];
-  codes_[i] = load_codes(image_at.path, image_at.bytes, image_at.label, *decoder_, headers_[i]);
+  Picture picture = load_picture((*images_)[i], *door_);
+  headers_[i] = picture.header;
+  codes_[i] = codes_of(std::move(picture), true);
 }
 
 void ScenePictures::set(int image, Image8 codes) {
@@ -41,11 +42,9 @@ const Image8& ScenePictures::codes(int image) {
   return codes_[static_cast<std::size_t>(image)];
 }
 
-const TextureHeader& ScenePictures::header(int image) {
+const PictureHeader& ScenePictures::header(int image) {
   const auto i = static_cast<std::size_t>(image);
-  const GltfImage& image_at = (*images_)[i];
-  if (headers_[i].width == 0)
-    headers_[i] = read_texture_header(image_at.path, image_at.bytes, image_at.label, *decoder_);
+  if (headers_[i].width == 0) headers_[i] = open_picture((*images_)[i], *door_)->header();
   return headers_[i];
 }
 
@@ -77,8 +76,8 @@ bool MetalRoughSet::is_part(FileRole role) {
   return role >= FileRole::base_color && role <= FileRole::roughness;
 }
 
-MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDecoder& decoder)
-    : decoder_(&decoder), pictures_(images_, decoder) {
+MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
+    : door_(&door), pictures_(images_, door) {
   material_.alpha_mode = AlphaMode::blend;  // the file's alpha is kept
   const auto texture = [](int image) {
     GltfTexture out;
@@ -103,7 +102,7 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDecoder& de
   }
   // A base colour without anything on metal is taken for that of a dielectric.
   if (!whole && metallic_ < 0) material_.metallic = 0;
-  pictures_ = ScenePictures(images_, decoder);
+  pictures_ = ScenePictures(images_, door);
 }
 
 LoadedPictures MetalRoughSet::convert() {
@@ -136,7 +135,7 @@ LoadedPictures MetalRoughSet::convert(ScenePictures& pictures) const {
 class MetalRoughStrips {
  public:
   MetalRoughStrips(const MetalRoughSet& set, std::vector<std::unique_ptr<RowSource>> files)
-      : set_(set), files_(std::move(files)), pictures_(set.images_, *set.decoder_) {}
+      : set_(set), files_(std::move(files)), pictures_(set.images_, *set.door_) {}
 
   void copy_rows(Image8 LoadedPictures::*picture, int first, int count, std::uint8_t* rgba,
                  std::size_t stride) {
@@ -177,10 +176,8 @@ namespace {
 class ConvertedRows final : public RowSource {
  public:
   ConvertedRows(std::shared_ptr<MetalRoughStrips> strips, Image8 LoadedPictures::*picture,
-                TextureHeader header)
-      : strips_(std::move(strips)), picture_(picture), header_(std::move(header)) {}
-
-  const TextureHeader& header() const override { return header_; }
+                PictureHeader header)
+      : RowSource(std::move(header)), strips_(std::move(strips)), picture_(picture) {}
 
   void read_rows(std::uint8_t* rgba, std::size_t stride, int count) override {
     strips_->copy_rows(picture_, next_, count, rgba, stride);
@@ -190,7 +187,6 @@ class ConvertedRows final : public RowSource {
  private:
   std::shared_ptr<MetalRoughStrips> strips_;
   Image8 LoadedPictures::*picture_;
-  TextureHeader header_;
   int next_ = 0;
 };
 
@@ -198,7 +194,7 @@ class ConvertedRows final : public RowSource {
 
 PictureRows MetalRoughSet::rows() const {
   std::vector<std::unique_ptr<RowSource>> files;
-  for (const GltfImage& image : images_) {
+  for (const PictureFile& image : images_) {
     if (image.path.empty()) continue;  // the joined one, which is last
     auto file = open_rows(image.path);
     if (!file || file->header().floating ||
@@ -208,10 +204,7 @@ PictureRows MetalRoughSet::rows() const {
     files.push_back(std::move(file));
   }
   if (files.empty()) return {};
-  TextureHeader header;
-  header.width = files[0]->header().width;
-  header.height = files[0]->header().height;
-  header.channels = 4;
+  PictureHeader header{files[0]->header().width, files[0]->header().height, 4};
   header.format = "memory";
   const auto strips = std::make_shared<MetalRoughStrips>(*this, std::move(files));
   PictureRows rows;

@@ -14,18 +14,18 @@ namespace etak {
 class ScenePictures {
  public:
   /// Both outlive this.
-  ScenePictures(const std::vector<GltfImage>& images, const PictureDecoder& decoder);
+  ScenePictures(const std::vector<PictureFile>& images, const PictureDoor& door);
   const Image8& codes(int image);
-  const TextureHeader& header(int image);
+  const PictureHeader& header(int image);
   /// An image that is no file's: in place of what would be loaded.
   void set(int image, Image8 codes);
 
  private:
   void load(int image);
-  const std::vector<GltfImage>* images_;
-  const PictureDecoder* decoder_;
+  const std::vector<PictureFile>* images_;
+  const PictureDoor* door_;
   std::vector<Image8> codes_;
-  std::vector<TextureHeader> headers_;
+  std::vector<PictureHeader> headers_;
 };
 
 /// A material as the rules see it: diffuse + alpha, F0 + gloss (as 1 - roughness, so that what clips is the
@@ -37,15 +37,15 @@ LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pic
 /// of their own become one picture of the larger's size (the texel under the centre is taken).
 class MetalRoughSet {
  public:
-  /// Opens nothing yet. The decoder outlives this.
-  MetalRoughSet(const CheckTarget& target, const PictureDecoder& decoder);
+  /// Opens nothing yet. `door` outlives this.
+  MetalRoughSet(const CheckTarget& target, const PictureDoor& door);
   /// Throws Error for a file that cannot be read.
   LoadedPictures convert();
   /// The same in strips of rows, from the top whenever it is called; the three must be read in step, on any
   /// threads. No rows where a file must be loaded whole or the files differ in size.
   PictureRows rows() const;
   /// Of the n-th file of the set, in the target's order.
-  const TextureHeader& header(int file) { return pictures_.header(file); }
+  const PictureHeader& header(int file) { return pictures_.header(file); }
 
   static bool is_part(FileRole role);
 
@@ -53,8 +53,8 @@ class MetalRoughSet {
   friend class MetalRoughStrips;
   LoadedPictures convert(ScenePictures& pictures) const;
 
-  const PictureDecoder* decoder_;
-  std::vector<GltfImage> images_;
+  const PictureDoor* door_;
+  std::vector<PictureFile> images_;
   GltfMaterial material_;
   int metallic_ = -1, roughness_ = -1, joined_ = -1;  // images
   ScenePictures pictures_;

@@ -120,7 +120,7 @@ struct MaterialEvidence {
 
 /// One opened picture.
 struct PictureEvidence {
-  TextureHeader header;
+  PictureHeader header;
   std::string label;
   FileRole role = FileRole::specular_gloss;
   std::optional<FloatFacts> floats;

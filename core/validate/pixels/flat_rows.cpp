@@ -22,12 +22,9 @@ constexpr int most_flat_in_row = 64;
 class FlatRows : public RowSource {
  public:
   FlatRows(const CheckTarget& target, std::size_t texture, int width, int height)
-      : target_(target), texture_(texture) {
-    header_.width = width;
-    header_.height = height;
+      : RowSource({width, height, 4}), target_(target), texture_(texture) {
     header_.format = "memory";
     // An alpha that is 255 everywhere is stored nowhere.
-    header_.channels = 4;
     if (texture == 0)
       header_.channels = std::ranges::all_of(target.manifest.tiles,
                                              [](const CheckTile& tile) { return (*tile.flat[0])[3] == 255; })
@@ -38,8 +35,6 @@ class FlatRows : public RowSource {
     std::ranges::stable_sort(coming_, std::ranges::greater{},
                              [&](std::size_t i) { return rows_of(i).first; });
   }
-
-  const TextureHeader& header() const override { return header_; }
 
   void read_rows(std::uint8_t* rgba, std::size_t stride, int count) override {
     const Manifest& manifest = target_.manifest;
@@ -76,7 +71,6 @@ class FlatRows : public RowSource {
 
   const CheckTarget& target_;
   const std::size_t texture_;
-  TextureHeader header_;
   std::vector<std::size_t> coming_;  // tiles that begin later, the next ones at the end
   std::vector<std::size_t>
       here_;  // those of the row, in the manifest's order: the later one covers the earlier

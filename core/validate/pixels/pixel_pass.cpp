@@ -279,7 +279,7 @@ class Pass {
   std::span<const CheckTile> tiles_;
   const std::vector<bool>& every_row_;
   const PassPlan& plan_;
-  const TextureHeader header_;
+  const PictureHeader header_;
   const int strip_;
   // While one strip is read, the one before is counted and the one before that is followed, which looks back
   // into the fourth. Alone, all is done to one strip before the next.

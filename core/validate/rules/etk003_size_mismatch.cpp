@@ -8,9 +8,9 @@ namespace {
 void etk003(RuleCheck& check) {
   const auto &a = check.evidence.a, &b = check.evidence.b;
   if (!a || !b || check.evidence.metal_rough) return;
-  const TextureHeader &first = a->header, &second = b->header;
+  const PictureHeader &first = a->header, &second = b->header;
   if (first.width == second.width && first.height == second.height) return;
-  const auto size = [](const TextureHeader& h) {
+  const auto size = [](const PictureHeader& h) {
     return std::to_string(h.width) + " x " + std::to_string(h.height);
   };
   Finding& finding = check.report(*b);

@@ -7,7 +7,7 @@ namespace {
 
 void etk004(RuleCheck& check) {
   for (const PictureEvidence& picture : check.evidence.headers) {
-    const TextureHeader& h = picture.header;
+    const PictureHeader& h = picture.header;
     const bool pair = picture.role == FileRole::diffuse_alpha || picture.role == FileRole::specular_gloss;
     const bool grey = picture.role == FileRole::metallic || picture.role == FileRole::roughness;
     const int wanted = pair ? 4 : grey ? 1 : 3;

@@ -8,7 +8,7 @@ namespace {
 void etk009(RuleCheck& check) {
   const auto power_of_two = [](int side) { return side > 0 && (side & (side - 1)) == 0; };
   for (const PictureEvidence& picture : check.evidence.headers) {
-    const TextureHeader& h = picture.header;
+    const PictureHeader& h = picture.header;
     if (power_of_two(h.width) && power_of_two(h.height)) continue;
     Finding& finding = check.report(picture);
     finding.value = std::to_string(h.width) + " x " + std::to_string(h.height);

@@ -12,6 +12,7 @@
 #include "core/atlas/pack/pack.h"
 #include "core/image/files/png.h"
 #include "core/image/load.h"
+#include "tests/core/image/png_of.h"
 #include "tests/support.h"
 
 /// What the tests of `etak pack` share.
@@ -30,10 +31,7 @@ inline Image8 noise(int width, int height, int channels, unsigned seed) {
 }
 
 inline void save_png(const std::string& path, const Image8& image) {
-  const PngRows rows{{image.width, image.height, image.channels, 8},
-                     image.values.data(),
-                     static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels)};
-  spit(path, png_bytes(rows, {}));
+  spit(path, png_bytes(image, {}));
 }
 
 inline Image8 load_png(const std::string& path) {

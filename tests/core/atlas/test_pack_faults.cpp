@@ -42,9 +42,7 @@ TEST_CASE("bad inputs are told in one line, and what was there before stays") {
     options.input.pictures.door.header = [](const std::string& path) -> PictureHeader {
       throw Error::at(path, "is no picture");
     };
-    options.input.pictures.door.load = [](const std::string& path) -> std::variant<Image8, Image> {
-      throw Error::at(path, "is no picture");
-    };
+    options.input.pictures.door.file = [](const std::string& path) -> Picture { throw Error::at(path, "is no picture"); };
     CHECK(contains(packing_fault(folder, manifest_of({manifest_entry("a")}), options), "a_diffuse.png"));
   }
   spit(folder.file("a_diffuse.png"), whole);
@@ -63,10 +61,8 @@ TEST_CASE("a NaN in a float picture is refused, and values out of range are coun
   spit(folder.file("a_diffuse.exr"), "what the door below reads");
   Image floats(4, 4, 3, 0.5f);
   PackOptions options;
-  options.input.pictures.door.header = [](const std::string&) { return PictureHeader{4, 4, 3, 32, false}; };
-  options.input.pictures.door.load = [&](const std::string&) -> std::variant<Image8, Image> {
-    return floats;
-  };
+  options.input.pictures.door.header = [&](const std::string&) { return header_of(floats); };
+  options.input.pictures.door.file = [&](const std::string&) { return Picture{header_of(floats), floats}; };
   CHECK(pack_text(folder, manifest_of({text}), options).remarks.empty());
   const Image8 page = load_png(folder.file("out/page0_diffuse_alpha.png"));
   const AtlasLayout layout = packed_layout(folder);

@@ -20,24 +20,10 @@ using namespace etak::test;
 
 namespace {
 
-// The doors as etak-image opens them.
 PackOptions with_floats(const std::vector<std::string>& formats) {
   PackOptions options;
   options.output.write.formats = formats;
-  options.input.pictures.door.header = [](const std::string& path) {
-    const ImageInfo info = read_image_info(path);
-    return PictureHeader{info.width, info.height, info.channels, info.floating ? 32 : info.bits, false};
-  };
-  options.input.pictures.door.load = [](const std::string& path) -> std::variant<Image8, Image> {
-    const LoadedImage loaded = load_picture(path, image_io_decoder());
-    if (const auto* codes = std::get_if<Image8>(&loaded.pixels)) return *codes;
-    if (const auto* floats = std::get_if<Image>(&loaded.pixels)) return *floats;
-    return read_image(path);
-  };
-  options.input.pictures.door.encode = [](const Image& image, std::string_view format,
-                                          std::string_view fourth) {
-    return format == "exr" ? exr_bytes(image, std::string(fourth)) : tiff_bytes(image, std::string(fourth));
-  };
+  options.input.pictures.door = picture_door();
   return options;
 }
 
@@ -115,7 +101,7 @@ TEST_CASE("float files hold the sources' own values: halves, floats, 16 bits, an
             read_image(folder.file("out/page" + std::to_string(gilt.page) + "_specular_gloss" + ending));
         CHECK(texel(gb, gilt, 7, 9)[0] == static_cast<float>(gold.r));
       }
-      CHECK(read_image_info(page + "specular_gloss" + ending).floating);
+      CHECK(read_picture_header(page + "specular_gloss" + ending).floating);
     }
     // A material of numbers alone has them in the table, as they are.
     const AtlasMaterialRow& row = row_named(layout, "gold");

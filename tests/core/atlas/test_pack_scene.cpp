@@ -34,9 +34,9 @@ const std::vector<std::string> real_models{"flight_helmet/FlightHelmet.gltf",
                                            "tennis_racquet/TennisRacquet.gltf",
                                            "wicker_chair/WickerChair.gltf", "mixer/Mixer.gltf"};
 
-Image8 picture_of(const GltfImage& image) {
+Image8 picture_of(const PictureFile& image) {
   const std::string bytes = image.path.empty() ? image.bytes : slurp(image.path);
-  return std::get<Image8>(load_picture(bytes, image.label, image_io_decoder()).pixels);
+  return std::get<Image8>(load_picture(bytes, image.label, picture_door()).pixels);
 }
 
 // The pictures of a scene, read when first asked for.
@@ -196,10 +196,7 @@ PackResult pack_scene(const std::string& path, const std::string& out, bool isla
                       PackOptions options = {}) {
   options.leave_out.islands = islands;
   options.run.threads = 2;
-  options.input.pictures.door.load_bytes = [](std::string_view bytes,
-                                              const std::string& label) -> std::variant<Image8, Image> {
-    return std::get<Image8>(load_picture(bytes, label, image_io_decoder()).pixels);
-  };
+  options.input.pictures.door = picture_door();
   return pack(path, out, options, test::library());
 }
 

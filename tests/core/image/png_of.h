@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/image/files/png.h"
 
@@ -12,10 +14,17 @@ namespace etak::test {
 inline std::string png_of(const Image8& image, bool srgb = false) {
   PngOptions options;
   options.srgb = srgb;
-  return png_bytes({{image.width, image.height, image.channels, 8},
-                    image.values.data(),
-                    static_cast<std::size_t>(image.width * image.channels)},
-                   options);
+  return png_bytes(image, options);
+}
+
+/// A whole picture of 8 bits. Same forms and errors as PngReader; nullopt for 16 bits too.
+inline std::optional<Image8> read_png8(std::string_view bytes, std::string_view path) {
+  std::optional<PngReader> reader = PngReader::open(bytes, path);
+  if (!reader || reader->header().bits != 8) return std::nullopt;
+  const PictureHeader& header = reader->header();
+  Image8 out(header.width, header.height, header.channels);
+  reader->read_rows(out.values.data(), static_cast<std::size_t>(out.width * out.channels), out.height);
+  return out;
 }
 
 }  // namespace etak::test

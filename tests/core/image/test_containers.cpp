@@ -238,7 +238,7 @@ TEST_CASE("OpenImageIO reads our DDS files with a legacy header") {
   const test::TempFolder folder;
   const auto levels = chain(20, 12);
   test::spit(folder.file("a.dds"), dds_bytes({levels, false}, true, DdsHeader::legacy));
-  CHECK(std::get<Image8>(read_any_image(folder.file("a.dds")).pixels) == levels[0]);
+  CHECK(std::get<Image8>(read_picture(folder.file("a.dds")).pixels) == levels[0]);
 }
 
 }  // namespace etak

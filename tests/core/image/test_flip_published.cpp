@@ -7,6 +7,7 @@
 #include "core/base/files/file.h"
 #include "core/image/files/png.h"
 #include "core/image/flip.h"
+#include "tests/core/image/png_of.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -27,7 +28,7 @@ std::optional<std::string> pictures_folder() {
 }
 
 FlipView seen(const std::string& path) {
-  const auto codes = read_png8(read_file(path), path);
+  const auto codes = test::read_png8(read_file(path), path);
   REQUIRE(codes);
   return flip_view(*codes);
 }

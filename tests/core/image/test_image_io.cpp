@@ -40,7 +40,7 @@ TEST_CASE("PNG: colour under opacity 0 and gloss in the fourth channel come back
   const std::string path = folder.file("t.png");
   const Image8 image = two_textures();
   write_png(path, image, false);
-  CHECK(std::get<Image8>(read_any_image(path).pixels) == image);
+  CHECK(std::get<Image8>(read_picture(path).pixels) == image);
   CHECK(leaves_only(folder.path(), "t.png"));
   const Image values = read_image(path);
   for (std::size_t i = 0; i < image.values.size(); ++i) REQUIRE(to_code(values.values[i]) == image.values[i]);
@@ -64,7 +64,7 @@ TEST_CASE("OpenImageIO without oiio:UnassociatedAlpha destroys such a texture, b
   REQUIRE(output->open(bad, OIIO::ImageSpec(16, 16, 4, OIIO::TypeUInt8)));
   REQUIRE(output->write_image(OIIO::TypeUInt8, image.values.data()));
   REQUIRE(output->close());
-  CHECK(std::get<Image8>(read_any_image(bad).pixels) != image);
+  CHECK(std::get<Image8>(read_picture(bad).pixels) != image);
 }
 
 TEST_CASE("EXR: float comes back bit for bit, half to 11 bits, colour never times the fourth channel") {
@@ -82,7 +82,7 @@ TEST_CASE("EXR: float comes back bit for bit, half to 11 bits, colour never time
   for (std::size_t i = 1; i < image.values.size(); ++i)
     if (image.values[i] < 65504 && image.values[i] > 1e-4f)
       CHECK(half.values[i] == Approx(image.values[i]).epsilon(1.0 / 2048));
-  const ImageInfo info = read_image_info(folder.file("h.exr"));
+  const PictureHeader info = read_picture_header(folder.file("h.exr"));
   CHECK((info.width == 5 && info.height == 3 && info.channels == 4 && info.bits == 16 && info.floating));
 }
 

@@ -11,6 +11,7 @@
 #include "core/image/files/deflate.h"
 #include "core/image/files/png_filters.h"
 #include "tests/core/image/png_maker.h"
+#include "tests/core/image/png_of.h"
 #include "tests/support.h"
 
 namespace etak {
@@ -31,18 +32,10 @@ Pixels<Value> picture(int width, int height, int channels, unsigned seed = 5) {
   return out;
 }
 
-template <class Value>
-PngRows png_rows_of(const Pixels<Value>& image) {
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): values as bytes
-  return {{image.width, image.height, image.channels, static_cast<int>(8 * sizeof(Value))},
-          reinterpret_cast<const std::uint8_t*>(image.values.data()),
-          static_cast<std::size_t>(image.width * image.channels) * sizeof(Value)};
-}
-
 Image16 read_16(const std::string& bytes) {
   PngReader reader = PngReader::open(bytes, "t.png").value();
-  REQUIRE(reader.info().bits == 16);
-  Image16 out(reader.info().width, reader.info().height, reader.info().channels);
+  REQUIRE(reader.header().bits == 16);
+  Image16 out(reader.header().width, reader.header().height, reader.header().channels);
   reader.read_rows(reinterpret_cast<std::uint8_t*>(out.values.data()),
                    static_cast<std::size_t>(2 * out.width * out.channels), out.height);
   return out;
@@ -50,18 +43,18 @@ Image16 read_16(const std::string& bytes) {
 
 template <class Value>
 void comes_back(const Pixels<Value>& image, PngLevel level = PngLevel::fast) {
-  const std::string bytes = png_bytes(png_rows_of(image), {level, 1, false});
+  const std::string bytes = png_bytes(image, {level, 1, false});
   CAPTURE(image.width, image.height, image.channels, sizeof(Value));
   if constexpr (sizeof(Value) == 1) {
-    REQUIRE(read_png8(bytes, "t.png") == image);
+    REQUIRE(test::read_png8(bytes, "t.png") == image);
   } else {
     REQUIRE(read_16(bytes) == image);
-    REQUIRE(read_png8(bytes, "t.png") == std::nullopt);
+    REQUIRE(test::read_png8(bytes, "t.png") == std::nullopt);
   }
 }
 
 std::string png_refusal(const std::string& bytes) {
-  return test::error_of([&] { (void)read_png8(bytes, "t.png"); });
+  return test::error_of([&] { (void)test::read_png8(bytes, "t.png"); });
 }
 
 std::string with_chunk(const test::PngSpec& spec, std::string before, std::string behind = {}) {
@@ -99,13 +92,13 @@ TEST_CASE("colour under 0 in the fourth channel stays as it is") {
 
 TEST_CASE("the bytes are the same for any number of threads, and come in order") {
   const Image8 image = picture<std::uint8_t>(700, 1500, 4);
-  const std::string one = png_bytes(png_rows_of(image), {PngLevel::fast, 1});
-  CHECK(read_png8(one, "t.png") == image);
+  const std::string one = png_bytes(image, {PngLevel::fast, 1});
+  CHECK(test::read_png8(one, "t.png") == image);
   for (unsigned threads = 2; threads <= 9; ++threads)
-    REQUIRE(png_bytes(png_rows_of(image), {PngLevel::fast, threads}) == one);
-  const std::string small = png_bytes(png_rows_of(image), {PngLevel::small, 1});
-  CHECK(read_png8(small, "t.png") == image);
-  CHECK(png_bytes(png_rows_of(image), {PngLevel::small, 3}) == small);
+    REQUIRE(png_bytes(image, {PngLevel::fast, threads}) == one);
+  const std::string small = png_bytes(image, {PngLevel::small, 1});
+  CHECK(test::read_png8(small, "t.png") == image);
+  CHECK(png_bytes(image, {PngLevel::small, 3}) == small);
   CHECK(small.size() <= one.size());
 }
 
@@ -131,12 +124,12 @@ TEST_CASE("a deflater's address is not in its bytes") {
 TEST_CASE("rows in bands of any heights become the bytes of the whole picture") {
   const auto image = picture<std::uint8_t>(333, 700, 4);
   const auto wide = picture<std::uint16_t>(1025, 203, 3);
-  for (const PngRows& rows : {png_rows_of(image), png_rows_of(wide)})
+  for (const PngRows& rows : {PngRows(image), PngRows(wide)})
     for (const std::vector<int>& heights : {std::vector<int>{1, 7, 300, 2}, {393}, {64, 64, 64}, {0, 2, 0}}) {
       const PngOptions options;
       std::string out;
       PngBands bands(
-          rows.info, options, [&](std::string_view piece) { out += piece; }, PngBands::scratch());
+          rows.header, options, [&](std::string_view piece) { out += piece; }, PngBands::scratch());
       int done = 0;
       std::vector<std::uint8_t> band;
       const auto next = [&](int height) {
@@ -150,8 +143,8 @@ TEST_CASE("rows in bands of any heights become the bytes of the whole picture") 
         done += height;
       };
       for (const int height : heights)
-        if (done + height < rows.info.height) next(height);
-      next(rows.info.height - done);
+        if (done + height < rows.header.height) next(height);
+      next(rows.header.height - done);
       bands.finish();
       const bool same = out == png_bytes(rows, options);
       CHECK(same);
@@ -163,7 +156,7 @@ TEST_CASE("what the sink throws comes out for any number of threads") {
   for (unsigned threads = 1; threads <= 4; ++threads)
     for (int pieces = 0; pieces < 8; pieces += 3) {
       int left = pieces;
-      CHECK_THROWS_AS(write_png(png_rows_of(image), {PngLevel::fast, threads},
+      CHECK_THROWS_AS(write_png(image, {PngLevel::fast, threads},
                                 [&](std::string_view) {
                                   if (left-- == 0) throw std::runtime_error("full");
                                 }),
@@ -193,7 +186,7 @@ class ForgetfulBytes : public ByteSource {
 
 TEST_CASE("found 4.03: a file is read as rows are asked for, whatever the size of its chunks") {
   const Image8 image = picture<std::uint8_t>(301, 267, 4);
-  const std::string bytes = png_bytes(png_rows_of(image), {});
+  const std::string bytes = png_bytes(image, {});
   std::string data;
   for (std::size_t at = 33; at + 12 < bytes.size();) {
     std::size_t size = 0;
@@ -217,11 +210,14 @@ TEST_CASE("found 4.03: a file is read as rows are asked for, whatever the size o
 
 TEST_CASE("rows can be read a few at a time, and nothing beside them is written") {
   const Image8 image = picture<std::uint8_t>(101, 67, 3);
-  const std::string bytes = png_bytes(png_rows_of(image), {});
+  const std::string bytes = png_bytes(image, {});
   for (const int step : {1, 2, 5, 66, 67}) {
     auto reader = PngReader::open(bytes, "t.png");
     REQUIRE(reader);
-    CHECK(reader->info() == PngInfo{101, 67, 3, 8});
+    PictureHeader expected{101, 67, 3, 8};
+    expected.strips = true;
+    expected.format = "png";
+    CHECK(reader->header() == expected);
     const std::size_t stride = 303 + 9;
     std::vector<std::uint8_t> out(stride * 67, 77);
     for (int y = 0; y < 67; y += step) {
@@ -330,16 +326,24 @@ TEST_CASE("the inflater gives all output however its input and output are cut, a
 
 TEST_CASE("what a file says of its colours is found in any form") {
   const test::PngSpec spec{3, 2};
-  CHECK(png_colour(test::make_png(spec)) == PngColour{});
+  const auto declared = [](const std::string& bytes) {
+    BytesInMemory file(bytes);
+    return png_header(file).value().colour_space;
+  };
+  CHECK(declared(test::make_png(spec)).empty());
   const std::string gamma = test::png_chunk("gAMA", test::big_endian(45455));
-  const PngColour colour = png_colour(with_chunk(spec, gamma + test::png_chunk("iCCP", "x\0\0y")));
-  CHECK((!colour.srgb && colour.icc_profile && colour.gamma == Approx(0.45455)));
-  CHECK(png_colour(with_chunk({3, 2, 3, 4}, test::png_chunk("sRGB", "x"))).srgb);
-  CHECK(png_colour("no picture") == PngColour{});
+  CHECK(declared(with_chunk(spec, gamma)) == "gamma22");
+  CHECK(declared(with_chunk(spec, test::png_chunk("gAMA", test::big_endian(100000)))) == "linear");
+  CHECK(declared(with_chunk(spec, test::png_chunk("gAMA", test::big_endian(60000)))) == "gamma 0.6");
+  CHECK(declared(with_chunk(spec, gamma + test::png_chunk("iCCP", std::string("x\0\0y", 4)))) == "icc: x");
+  CHECK(declared(with_chunk(spec, gamma + test::png_chunk("sRGB", "x"))) == "srgb");
+  CHECK(declared(with_chunk({3, 2, 3, 4}, test::png_chunk("sRGB", "x"))) == "srgb");
+  BytesInMemory other("no picture");
+  CHECK(!png_header(other));
   const Image8 image(2, 2, 3, 9);
-  const std::string bytes = png_bytes(png_rows_of(image), {PngLevel::fast, 1, true});
-  CHECK(png_colour(bytes).srgb);
-  CHECK(read_png8(bytes, "t.png") == image);
+  const std::string bytes = png_bytes(image, {PngLevel::fast, 1, true});
+  CHECK(declared(bytes) == "srgb");
+  CHECK(test::read_png8(bytes, "t.png") == image);
 }
 
 TEST_CASE("forms that are not read here are left to others") {
@@ -348,7 +352,7 @@ TEST_CASE("forms that are not read here are left to others") {
         test::make_png({5, 4, 3, 1}), test::make_png({5, 4, 0, 4}), test::make_png({5, 4, 6, 8, 1}),
         with_chunk({5, 4, 2, 8}, test::png_chunk("tRNS", std::string(6, '\0')))}) {
     CHECK(!PngReader::open(bytes, "t.png"));
-    CHECK(!read_png8(bytes, "t.png"));
+    CHECK(!test::read_png8(bytes, "t.png"));
   }
 }
 
@@ -397,13 +401,13 @@ TEST_CASE("broken files are refused with the place and the reason") {
 TEST_CASE("a window said to be smaller than the stream needs does no harm") {
   const test::PngSpec spec{200, 50};
   std::string stream = test::zlib_stream(test::png_filtered_rows(spec));
-  const auto expected = read_png8(test::png_around(spec, stream), "t.png");
+  const auto expected = test::read_png8(test::png_around(spec, stream), "t.png");
   REQUIRE(expected);
   for (int window = 8; window < 15; ++window) {
     const int header = (window - 8) << 12 | 0x800;
     stream[0] = static_cast<char>(header >> 8);
     stream[1] = static_cast<char>(31 - header % 31);
-    CHECK(read_png8(test::png_around(spec, stream), "t.png") == expected);
+    CHECK(test::read_png8(test::png_around(spec, stream), "t.png") == expected);
   }
   const int header = 8 << 12 | 0x800;
   stream[0] = static_cast<char>(header >> 8);
@@ -417,10 +421,10 @@ TEST_CASE("a file cut anywhere and a file with any bit flipped is refused") {
     spec.idat = idat;
     spec.before = test::png_chunk("gAMA", test::big_endian(45455));
     const std::string whole = test::make_png(spec);
-    REQUIRE(read_png8(whole, "t.png"));
+    REQUIRE(test::read_png8(whole, "t.png"));
     const auto read = [](const std::string& bytes) {
       try {
-        return read_png8(bytes, "t.png").has_value();
+        return test::read_png8(bytes, "t.png").has_value();
       } catch (const Error&) {
         return false;
       }

@@ -60,7 +60,7 @@ Answer our_read(const std::string& bytes, std::vector<std::uint8_t>& out, std::s
   try {
     auto reader = PngReader::open(bytes, "t.png");
     if (!reader) return Answer::other_form;
-    const PngInfo& info = reader->info();
+    const PictureHeader& info = reader->header();
     const auto row = static_cast<std::size_t>(info.width * info.channels * info.bits / 8);
     out.assign(row * static_cast<std::size_t>(info.height), 0);
     reader->read_rows(out.data(), row, info.height);

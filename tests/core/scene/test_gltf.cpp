@@ -253,7 +253,7 @@ TEST_CASE("the real scenes read with what their documents say") {
     const GltfScene scene = read_gltf(*shared + "/data/assets/" + row.file, {});
     CHECK((scene.materials.size() == row.materials && scene.images.size() == row.images &&
            scene.cameras.size() == row.cameras));
-    for (const GltfImage& image : scene.images)
+    for (const PictureFile& image : scene.images)
       CHECK((image.path.empty() ? image.bytes.size() > 100 : std::filesystem::exists(image.path)));
     for (std::size_t i = 0; i < row.materials; ++i)
       CHECK(scene.material_used[i] == (scene.materials[i].name != "m07"));

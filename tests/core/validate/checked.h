@@ -15,7 +15,7 @@ inline ValidationReport report_on(std::vector<CheckTarget> targets, const Settin
   ValidationRequest request;
   request.targets = std::move(targets);
   request.config.settings = settings;
-  request.decoder = image_io_decoder();
+  request.door = picture_door();
   request.threads = threads;
   return validate(std::move(request));
 }

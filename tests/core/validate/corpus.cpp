@@ -66,15 +66,9 @@ namespace {
 
 class FloatRows final : public RowSource {
  public:
-  explicit FloatRows(const Pixels<float>& image) : image_(image) {
-    header_.width = image.width;
-    header_.height = image.height;
-    header_.channels = image.channels;
-    header_.bits = 32;
-    header_.floating = true;
+  explicit FloatRows(const Pixels<float>& image) : RowSource(header_of(image)), image_(image) {
     header_.format = "openexr";
   }
-  const TextureHeader& header() const override { return header_; }
   void read_rows(std::uint8_t*, std::size_t, int) override {}
   void read_float_rows(float* rgba, std::size_t stride, int count) override {
     for (int i = 0; i < count; ++i, ++y_)
@@ -85,7 +79,6 @@ class FloatRows final : public RowSource {
 
  private:
   const Pixels<float>& image_;
-  TextureHeader header_;
   int y_ = 0;
 };
 

@@ -148,9 +148,9 @@ TEST_CASE("a metal-rough set read in strips says what the whole says, for any nu
   target.files = {{FileRole::base_color, folder.file("color.png"), "color.png", false},
                   {FileRole::metallic, folder.file("metallic.png"), "metallic.png", false},
                   {FileRole::roughness, folder.file("roughness.png"), "roughness.png", false}};
-  const PictureDecoder decoder = image_io_decoder();
-  CHECK(MetalRoughSet(target, decoder).rows().b != nullptr);
-  const LoadedPictures loaded = load_pictures(target, decoder);
+  const PictureDoor door = picture_door();
+  CHECK(MetalRoughSet(target, door).rows().b != nullptr);
+  const LoadedPictures loaded = load_pictures(target, door);
   CheckTarget weighed = target;
   weighed.manifest.specular_weighs_diffuse = true;
   const CheckedFile whole = check_pictures(weighed, loaded.in_memory(), {});

@@ -110,11 +110,11 @@ TEST_CASE("the decoder is asked for what is no plain PNG, and without one that i
   write_pair(folder, "crate", 1);
   int asked = 0;
   ValidationRequest request = request_for(folder);
-  request.decoder.bytes = [&](std::string_view, const std::string&) {
+  request.door.file = [&](const std::string&) {
     ++asked;
-    AnyImage out;
-    out.info.format = "tiff";
-    out.pixels = Image8(64, 64, 4, 90);
+    const Image8 pixels(64, 64, 4, 90);
+    Picture out{header_of(pixels), pixels};
+    out.header.format = "tiff";
     return out;
   };
   CHECK(find_in_report(validate(request), "ETK001") == nullptr);
@@ -122,7 +122,7 @@ TEST_CASE("the decoder is asked for what is no plain PNG, and without one that i
   spit(folder.file("other_spec.tif"), "II*");
   CHECK(find_in_report(validate(request), "ETK001") == nullptr);
   CHECK(asked > 0);
-  request.decoder = {};
+  request.door = {};
   const ValidationReport report = validate(request);
   REQUIRE(find_in_report(report, "ETK001") != nullptr);
   CHECK(contains(find_in_report(report, "ETK001")->message, "needs a decoder of pictures"));

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/files/open_pictures.h"
+#include "core/image/load.h"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/image/files/png.h"
 #include "tests/core/image/png_of.h"
 #include "tests/support.h"
 
