@@ -98,14 +98,20 @@ double variance(std::span<const float> mean) {
   return std::max(0.0, (1 - length) / length);
 }
 
+double plain(std::uint8_t code) {
+  return code / 255.0;
+}
+double plain(float value) {
+  return double{value};
+}
+
 // mip_pair() takes gloss as Schueler's. Each level from the first.
-template <class Value, class Read, class Write>
-void average_roughness(std::vector<Pixels<Value>>& levels, GlossForm form, const Image8* normals, Read read,
-                       Write write) {
+template <class Value>
+void average_roughness(std::vector<Pixels<Value>>& levels, GlossForm form, const Image8* normals) {
   const Pixels<Value>& first = levels.front();
   Image squared(first.width, first.height, 1);
   for (std::size_t i = 0; i < squared.values.size(); ++i) {
-    const double r = converted_gloss(read(first.values[4 * i + 3]), form, GlossForm::roughness);
+    const double r = converted_gloss(plain(first.values[4 * i + 3]), form, GlossForm::roughness);
     squared.values[i] = static_cast<float>(r * r * r * r);
   }
   const Image units = normals != nullptr ? unit_normals(*normals) : Image();
@@ -115,36 +121,30 @@ void average_roughness(std::vector<Pixels<Value>>& levels, GlossForm form, const
     for (std::size_t i = 0; i < mean.values.size(); ++i) {
       double width = std::max(double{mean.values[i]}, 0.0);
       if (normals != nullptr) width += 2 * variance({spread.values.data() + 3 * i, 3});
-      const double r = std::sqrt(std::sqrt(std::min(width, 1.0)));
-      levels[l].values[4 * i + 3] = write(converted_gloss(r, GlossForm::roughness, form));
+      const double gloss =
+          converted_gloss(std::sqrt(std::sqrt(std::min(width, 1.0))), GlossForm::roughness, form);
+      if constexpr (sizeof(Value) == 1)
+        levels[l].values[4 * i + 3] = plain_u8(gloss);
+      else
+        levels[l].values[4 * i + 3] = static_cast<float>(gloss);
     }
   }
 }
 
-template <class Picture, class Read, class Write>
-auto chain_of(const Picture& a, const Picture& b, MipOptions options, GlossForm gloss, unsigned threads,
-              Read read, Write write) {
+}  // namespace
+
+template <class Value>
+MipPairOf<Value> region_chain(const Pixels<Value>& a, const Pixels<Value>& b, MipOptions options,
+                              GlossForm gloss, unsigned threads) {
   if (gloss == GlossForm::schueler) return mip_pair(a, b, options, threads);
   const Image8* normals = std::exchange(options.normals, nullptr);
   auto out = mip_pair(a, b, options, threads);
-  average_roughness(out.specular_gloss, gloss, normals, read, write);
+  average_roughness(out.specular_gloss, gloss, normals);
   return out;
 }
 
-}  // namespace
-
-MipPair region_chain(const Image8& a, const Image8& b, const MipOptions& options, GlossForm gloss,
-                     unsigned threads) {
-  return chain_of(
-      a, b, options, gloss, threads, [](std::uint8_t code) { return code / 255.0; }, plain_u8);
-}
-
-MipPairFloat region_chain(const Image& a, const Image& b, const MipOptions& options, GlossForm gloss,
-                          unsigned threads) {
-  return chain_of(
-      a, b, options, gloss, threads, [](float v) { return double{v}; },
-      [](double v) { return static_cast<float>(v); });
-}
+template MipPair region_chain(const Image8&, const Image8&, MipOptions, GlossForm, unsigned);
+template MipPairFloat region_chain(const Image&, const Image&, MipOptions, GlossForm, unsigned);
 
 ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& fewer, const WrapBoth& wrap,
                                  double enough, unsigned threads) {

@@ -47,10 +47,9 @@ Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap,
 /// Mips of a region in whatever form its gloss is; as mip_pair() otherwise. Roughness averages as the squared
 /// width of its lobe, to which normals add twice their variance s2 = (1 - |N|) / |N|: alpha^2 = mean(alpha^2)
 /// + 2 s2 (Beckmann slopes; Olano and Baker 2010, with Toksvig's 2005 estimate of the variance).
-MipPair region_chain(const Image8& a, const Image8& b, const MipOptions& options, GlossForm gloss,
-                     unsigned threads = 1);
-MipPairFloat region_chain(const Image& a, const Image& b, const MipOptions& options, GlossForm gloss,
-                          unsigned threads = 1);
+template <class Value>
+MipPairOf<Value> region_chain(const Pixels<Value>& a, const Pixels<Value>& b, MipOptions options,
+                              GlossForm gloss, unsigned threads = 1);
 
 /// A box of a picture of four channels.
 template <class Value>

@@ -7,7 +7,6 @@
 
 #include "core/color/gloss.h"
 #include "core/image/linear_tables.h"
-#include "core/image/mips.h"
 
 namespace etak {
 namespace {
@@ -93,6 +92,31 @@ void push(BlockLevel& base) {
   base = std::move(levels[0]);
 }
 
+// Texels as the lanes of a Block, and back.
+template <class Value>
+struct Lanes;
+
+template <>
+struct Lanes<std::uint8_t> {
+  const LinearTables& tables = linear_tables();
+  Float4 a(const std::uint8_t* c) const {
+    return Float4{tables.srgb[c[0]], tables.srgb[c[1]], tables.srgb[c[2]], 1};
+  }
+  Float4 b(const std::uint8_t* c) const {
+    return Float4{tables.srgb[c[0]], tables.srgb[c[1]], tables.srgb[c[2]], tables.inverse[c[3]]};
+  }
+  std::uint8_t color(float v) const { return tables.srgb_code(v); }
+  std::uint8_t gloss(float v) const { return tables.gloss_code(v); }
+};
+
+template <>
+struct Lanes<float> {
+  Float4 a(const float* v) const { return Float4{v[0], v[1], v[2], 1}; }
+  Float4 b(const float* v) const { return Float4{v[0], v[1], v[2], variance_of_gloss(v[3])}; }
+  float color(float v) const { return v; }
+  float gloss(float v) const { return gloss_of_variance(v); }
+};
+
 }  // namespace
 
 void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBox& cell) {
@@ -109,82 +133,52 @@ void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBo
     std::memcpy(page.at(cell.x, y), page.at(cell.x, last), bytes);
 }
 
-std::size_t bleed_under_alpha(const PixelsView8& a, const PixelsView8& b) {
+template <class Value>
+std::size_t bleed_under_alpha(const PixelsViewOf<Value>& a, const PixelsViewOf<Value>& b) {
   assert(a.channels == 4);
   assert(b.data == nullptr || (b.channels == 4 && b.width == a.width && b.height == a.height));
   std::size_t hidden = 0;
   for (int y = 0; y < a.height; ++y) {
-    const std::uint8_t* row = a.row(y);
+    const Value* row = a.row(y);
     for (int x = 0; x < a.width; ++x) hidden += row[4 * x + 3] == 0 ? 1 : 0;
   }
   if (hidden == 0 || hidden == static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height))
     return 0;
 
-  const LinearTables& tables = linear_tables();
-  const auto linear = [&](const std::uint8_t* c, float last) {
-    return Float4{tables.srgb[c[0]], tables.srgb[c[1]], tables.srgb[c[2]], last};
-  };
+  const Lanes<Value> lanes;
   BlockLevel blocks = pulled(a.width, a.height, [&](int x, int y) {
     Block out;
-    const std::uint8_t* code = a.at(x, y);
-    if (code[3] == 0) return out;
-    out.a = linear(code, 1);
-    if (b.data == nullptr) return out;
-    code = b.at(x, y);
-    out.b = linear(code, tables.inverse[code[3]]);
+    const Value* const texel = a.at(x, y);
+    if (texel[3] == 0) return out;
+    out.a = lanes.a(texel);
+    if (b.data != nullptr) out.b = lanes.b(b.at(x, y));
     return out;
   });
   push(blocks);
 
   for (int y = 0; y < a.height; ++y) {
-    std::uint8_t *row_a = a.row(y), *row_b = b.data == nullptr ? nullptr : b.row(y);
-    int filled_column = -1;  // of blocks; its codes are in these two
-    std::uint8_t code_a[3]{}, code_b[4]{};
+    Value *row_a = a.row(y), *row_b = b.data == nullptr ? nullptr : b.row(y);
+    int filled_column = -1;  // of blocks; its values are in these two
+    Value value_a[3]{}, value_b[4]{};
     for (int x = 0; x < a.width; ++x) {
       if (row_a[4 * x + 3] != 0) continue;
       if (x / 2 != filled_column) {
         filled_column = x / 2;
         const Block& block = blocks.row(y / 2)[x / 2];
         for (int c = 0; c < 3; ++c) {
-          code_a[c] = tables.srgb_code(block.a[c]);
-          code_b[c] = tables.srgb_code(block.b[c]);
+          value_a[c] = lanes.color(block.a[c]);
+          value_b[c] = lanes.color(block.b[c]);
         }
-        code_b[3] = tables.gloss_code(block.b[3]);
+        value_b[3] = lanes.gloss(block.b[3]);
       }
-      std::copy_n(code_a, 3, row_a + 4 * x);
-      if (row_b != nullptr) std::copy_n(code_b, 4, row_b + 4 * x);
+      std::copy_n(value_a, 3, row_a + 4 * x);
+      if (row_b != nullptr) std::copy_n(value_b, 4, row_b + 4 * x);
     }
   }
   return hidden;
 }
 
-std::size_t bleed_under_alpha(Image8& a, Image8& b) {
-  return bleed_under_alpha(view(a), view(b));
-}
-
-std::size_t bleed_under_alpha(Image& a, Image& b) {
-  assert(a.channels == 4 && b.channels == 4 && a.width == b.width && a.height == b.height);
-  std::size_t hidden = 0;
-  for (std::size_t i = 3; i < a.values.size(); i += 4) hidden += a.values[i] == 0 ? 1 : 0;
-  if (hidden == 0 || hidden == a.pixel_count()) return 0;
-  BlockLevel blocks = pulled(a.width, a.height, [&](int x, int y) {
-    Block out;
-    const auto from = a.at(x, y), other = b.at(x, y);
-    if (from[3] == 0) return out;
-    out.a = Float4{from[0], from[1], from[2], 1};
-    out.b = Float4{other[0], other[1], other[2], variance_of_gloss(other[3])};
-    return out;
-  });
-  push(blocks);
-  for (int y = 0; y < a.height; ++y)
-    for (int x = 0; x < a.width; ++x) {
-      const auto to = a.at(x, y), other = b.at(x, y);
-      if (to[3] != 0) continue;
-      const Block& block = blocks.row(y / 2)[x / 2];
-      for (std::size_t c = 0; c < 3; ++c) to[c] = block.a[c], other[c] = block.b[c];
-      other[3] = gloss_of_variance(block.b[3]);
-    }
-  return hidden;
-}
+template std::size_t bleed_under_alpha(const PixelsView8&, const PixelsView8&);
+template std::size_t bleed_under_alpha(const PixelsViewOf<float>&, const PixelsViewOf<float>&);
 
 }  // namespace etak

@@ -24,12 +24,14 @@ void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBo
 /// by alpha nor blurred, so that what is filled stays in flat squares, which compress well.
 ///
 /// Visible texels do not change; nothing changes where none is visible. Idempotent as alpha stays.
+///   Value     std::uint8_t, or float: colours in linear light, which may lie outside of 0..1, nothing rounded
 ///   a, b      4 channels, of one size; b.data may be null
 ///   returns   how many texels were filled
-std::size_t bleed_under_alpha(const PixelsView8& a, const PixelsView8& b);
-
-/// The same of floats: colours in linear light, which may lie outside of 0..1, nothing rounded.
-///   a, b   4 channels, of one size
-std::size_t bleed_under_alpha(Image& a, Image& b);
+template <class Value>
+std::size_t bleed_under_alpha(const PixelsViewOf<Value>& a, const PixelsViewOf<Value>& b);
+template <class Value>
+std::size_t bleed_under_alpha(Pixels<Value>& a, Pixels<Value>& b) {
+  return bleed_under_alpha(view(a), view(b));
+}
 
 }  // namespace etak

@@ -7,16 +7,15 @@
 namespace etak {
 
 /// Both textures of a material in memory, of one size, RGBA.
-struct MaterialPair {
-  Image8 diffuse_alpha, specular_gloss;
-  const Image8& of(Texture texture) const {
+template <class Value>
+struct PairOf {
+  Pixels<Value> diffuse_alpha, specular_gloss;
+  const Pixels<Value>& of(Texture texture) const {
     return texture == Texture::diffuse_alpha ? diffuse_alpha : specular_gloss;
   }
 };
-
-/// The same as floats: colours in linear light, alpha and gloss as they are, nothing clamped.
-struct FloatPair {
-  Image diffuse_alpha, specular_gloss;
-};
+using MaterialPair = PairOf<std::uint8_t>;
+/// As floats: colours in linear light, alpha and gloss as they are, nothing clamped.
+using FloatPair = PairOf<float>;
 
 }  // namespace etak

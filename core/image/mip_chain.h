@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the 8-bit and the float mip chains share; for mips.cpp and mips_float.cpp only.
+// The mip chain whatever its pictures hold; for mips.cpp and mips_coverage.cpp only.
 
 #include <algorithm>
 #include <array>

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/image/channels.h"
 #include "core/image/image.h"
 #include "core/image/pixels_view.h"
 
@@ -44,12 +45,21 @@ struct MipOptions {
 };
 
 /// Levels of the pair; [0] is the input.
-struct MipPair {
-  std::vector<Image8> diffuse_alpha, specular_gloss;
-  std::size_t gloss_clamped = 0;  // texels of levels 1 and on whose lobe is wider than gloss 0 (e < 1)
+template <class Value>
+struct MipPairOf {
+  std::vector<Pixels<Value>> diffuse_alpha, specular_gloss;
+  // Of codes: texels of levels 1 and on whose lobe is wider than gloss 0 (e < 1).
+  std::size_t gloss_clamped = 0;
+  std::vector<Pixels<Value>>& of(Texture texture) {
+    return texture == Texture::diffuse_alpha ? diffuse_alpha : specular_gloss;
+  }
 };
+using MipPair = MipPairOf<std::uint8_t>;
+using MipPairFloat = MipPairOf<float>;
 
-/// 8 bits. Colours are averaged in linear light and rounded half up once, at the end of each level, from the
+/// Value is std::uint8_t or float, whose colours are linear and whose alpha and gloss are plain; what is not
+/// finite stays so.
+/// Codes: colours are averaged in linear light and rounded half up once, at the end of each level, from the
 /// level above kept as floats; gloss g of exponent e = 2^(12 g) by the mean of 1/e, weighted by F0's
 /// luminance (where that is 0 everywhere: plain mean). Colours under different alphas are weighted by alpha.
 /// Coverage (share of 4 x 4 bilinear samples between each four texel centres with alpha >= cutoff) is brought
@@ -58,8 +68,10 @@ struct MipPair {
 ///   a, b      4 channels, of one size
 ///   threads   never changes the result
 ///   error     against the same in double from level 0: at most 1 code (without alpha_cutoff, whose factor
-///             2^(k/256) is found on the stored codes)
-MipPair mip_pair(const Image8& a, const Image8& b, const MipOptions& options, unsigned threads = 1);
+///             2^(k/256) is found on the stored codes); of floats relative 1e-5
+template <class Value>
+MipPairOf<Value> mip_pair(const Pixels<Value>& a, const Pixels<Value>& b, const MipOptions& options,
+                          unsigned threads = 1);
 
 /// The same into pictures that somebody else holds: level l to to_a[l] and to_b[l], which have its size; [0]
 /// is not touched and may be the input. options.levels is at most to_a.size().
@@ -68,18 +80,7 @@ std::size_t mip_levels(const ConstPixelsView8& a, const ConstPixelsView8& b, con
                        unsigned threads, std::span<const PixelsView8> to_a,
                        std::span<const PixelsView8> to_b);
 
-/// The same for float pictures: colours linear, alpha and gloss plain. What is not finite stays so.
-///   error   relative 1e-5 against double
-struct MipPairFloat {
-  std::vector<Image> diffuse_alpha, specular_gloss;
-};
-MipPairFloat mip_pair(const Image& a, const Image& b, const MipOptions& options, unsigned threads = 1);
-
 /// Number of levels of a full chain.
 int full_mip_levels(int width, int height);
-
-/// Colour of texels of alpha 0 from the nearest visible ones (pull-push), all channels of A but alpha, and B.
-/// Texels with alpha above 0 do not change. Returns how many were filled. More in dilate.h.
-std::size_t bleed_under_alpha(Image8& a, Image8& b);
 
 }  // namespace etak

@@ -15,18 +15,18 @@ struct PixelBox {
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
-/// Codes that somebody else holds: a whole picture or a box of a page, rows `stride` bytes apart.
-template <class Byte>
+/// Values that somebody else holds: a whole picture or a box of a page, rows `stride` values apart.
+template <class Value>
 struct PixelsViewOf {
-  Byte* data = nullptr;
+  Value* data = nullptr;
   std::size_t stride = 0;
   int width = 0, height = 0, channels = 0;
 
-  Byte* row(int y) const {
+  Value* row(int y) const {
     assert(y >= 0 && y < height);
     return data + static_cast<std::size_t>(y) * stride;
   }
-  Byte* at(int x, int y) const {
+  Value* at(int x, int y) const {
     assert(x >= 0 && x < width);
     return row(y) + static_cast<std::size_t>(x) * static_cast<std::size_t>(channels);
   }
@@ -36,16 +36,18 @@ struct PixelsViewOf {
     assert(box.x + box.width <= width && box.y + box.height <= height);
     return {at(box.x, box.y), stride, box.width, box.height, channels};
   }
-  operator PixelsViewOf<const Byte>() const { return {data, stride, width, height, channels}; }
+  operator PixelsViewOf<const Value>() const { return {data, stride, width, height, channels}; }
 };
 using PixelsView8 = PixelsViewOf<std::uint8_t>;
 using ConstPixelsView8 = PixelsViewOf<const std::uint8_t>;
 
-inline PixelsView8 view(Image8& image) {
+template <class Value>
+PixelsViewOf<Value> view(Pixels<Value>& image) {
   const auto stride = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
   return {image.values.data(), stride, image.width, image.height, image.channels};
 }
-inline ConstPixelsView8 view(const Image8& image) {
+template <class Value>
+PixelsViewOf<const Value> view(const Pixels<Value>& image) {
   const auto stride = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
   return {image.values.data(), stride, image.width, image.height, image.channels};
 }

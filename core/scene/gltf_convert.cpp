@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "core/base/error.h"
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"
+#include "core/image/picture.h"
 #include "core/image/wrap.h"
 #include "core/scene/material_texels.h"
 
@@ -23,187 +25,252 @@ std::optional<UvMatrix> inverse(const UvMatrix& m) {
   return UvMatrix{turn[0], turn[1], -origin[0], turn[3], turn[4], -origin[1]};
 }
 
-// A texture at the pair's size: four channels, where the picture has fewer as glTF fills them up.
-class CodeLookup {
+// A texel of codes stays in codes; one of floats is linear light and plain numbers.
+template <class Value>
+using Texel = std::array<std::conditional_t<sizeof(Value) == 1, std::uint8_t, double>, 4>;
+
+double linear_of(std::uint8_t code) {
+  static const auto& linear = linear_tables().srgb;
+  return double{linear[code]};
+}
+double linear_of(double linear) {
+  return linear;
+}
+double plain_of(std::uint8_t code) {
+  return code / 255.0;
+}
+double plain_of(double value) {
+  return value;
+}
+
+void put(double linear, std::uint8_t& to) {
+  to = srgb_u8(linear);
+}
+void put(double linear, float& to) {
+  to = static_cast<float>(linear);
+}
+
+template <class Value>
+Vec3 color_of(const Texel<Value>& texel, const double* factor) {
+  return {linear_of(texel[0]) * factor[0], linear_of(texel[1]) * factor[1], linear_of(texel[2]) * factor[2]};
+}
+
+// A texture at the pair's size, as glTF fills up channels that are missing; full where there is none.
+template <class Value>
+class TextureLookup {
  public:
-  CodeLookup(const std::optional<GltfTexture>& texture, const SceneImages& images, int width, int height,
-             bool color) {
+  TextureLookup(const std::optional<GltfTexture>& texture, const SceneImages<Value>& images, int width,
+                int height, bool color)
+      : width_(width), height_(height), color_(color) {
     if (!texture) return;
-    const Image8& image = images(texture->image);
-    if (image.width == width && image.height == height)
-      source_ = &image;
-    else
-      scale(image, texture->sampler, width, height, color);
+    image_ = &images(texture->image);
+    sampler_ = texture->sampler;
   }
 
-  explicit operator bool() const { return source_ != nullptr || !scaled_.values.empty(); }
+  explicit operator bool() const { return image_ != nullptr; }
 
-  std::array<std::uint8_t, 4> at(std::size_t texel) const {
-    const Image8& image = source_ != nullptr ? *source_ : scaled_;
-    const auto channels = static_cast<std::size_t>(image.channels);
-    const std::uint8_t* v = image.values.data() + texel * channels;
-    switch (channels) {
-      case 1:
-        return {v[0], v[0], v[0], 255};
-      case 2:
-        return {v[0], v[0], v[0], v[1]};
-      case 3:
-        return {v[0], v[1], v[2], 255};
-      default:
-        return {v[0], v[1], v[2], v[3]};
+  // Bilinear where the picture is smaller, texel centres at halves, as a sampler magnifies.
+  Texel<Value> at(int x, int y) const {
+    Texel<Value> out;
+    if (image_ == nullptr) {
+      out.fill(full);
+      return out;
     }
+    if (image_->width == width_ && image_->height == height_) {
+      if constexpr (codes)
+        return stored(x, y);
+      else
+        return numbers(x, y);
+    }
+    const double u = (x + 0.5) * image_->width / width_ - 0.5, v = (y + 0.5) * image_->height / height_ - 0.5;
+    const int left = static_cast<int>(std::floor(u)), top = static_cast<int>(std::floor(v));
+    const double right_share = sampler_.nearest ? std::round(u - left) : u - left;
+    const double low_share = sampler_.nearest ? std::round(v - top) : v - top;
+    const auto corner = [&](int i, int j) {
+      return numbers(wrapped_texel(left + i, image_->width, sampler_.wrap_u),
+                     wrapped_texel(top + j, image_->height, sampler_.wrap_v));
+    };
+    const auto a = corner(0, 0), b = corner(1, 0), c = corner(0, 1), d = corner(1, 1);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double mean = (a[i] * (1 - right_share) + b[i] * right_share) * (1 - low_share) +
+                          (c[i] * (1 - right_share) + d[i] * right_share) * low_share;
+      if constexpr (codes)
+        out[i] = color_ && i < 3 ? srgb_u8(mean) : plain_u8(mean);
+      else
+        out[i] = mean;
+    }
+    return out;
   }
 
  private:
-  // Bilinear, texel centres at halves, as a sampler magnifies.
-  void scale(const Image8& image, const GltfSampler& sampler, int width, int height, bool color) {
-    scaled_ = Image8(width, height, image.channels);
-    const auto& linear = linear_tables().srgb;
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        const double u = (x + 0.5) * image.width / width - 0.5, v = (y + 0.5) * image.height / height - 0.5;
-        const int left = static_cast<int>(std::floor(u)), top = static_cast<int>(std::floor(v));
-        const double right_share = sampler.nearest ? std::round(u - left) : u - left;
-        const double low_share = sampler.nearest ? std::round(v - top) : v - top;
-        const int xs[2] = {wrapped_texel(left, image.width, sampler.wrap_u),
-                           wrapped_texel(left + 1, image.width, sampler.wrap_u)};
-        const int ys[2] = {wrapped_texel(top, image.height, sampler.wrap_v),
-                           wrapped_texel(top + 1, image.height, sampler.wrap_v)};
-        for (std::size_t c = 0; c < static_cast<std::size_t>(image.channels); ++c) {
-          const bool curve = color && c < 3;
-          const auto value = [&](int i, int j) {
-            const std::uint8_t one = image.at(xs[i], ys[j])[c];
-            return curve ? double{linear[one]} : one / 255.0;
-          };
-          const double mean =
-              (value(0, 0) * (1 - right_share) + value(1, 0) * right_share) * (1 - low_share) +
-              (value(0, 1) * (1 - right_share) + value(1, 1) * right_share) * low_share;
-          scaled_.at(x, y)[c] = curve ? srgb_u8(mean) : plain_u8(mean);
-        }
-      }
+  static constexpr bool codes = sizeof(Value) == 1;
+  static constexpr Value full = codes ? 255 : 1;
+
+  std::array<Value, 4> stored(int x, int y) const {
+    return four_channels(image_->at(x, y).data(), static_cast<std::size_t>(image_->channels), full);
+  }
+  std::array<double, 4> numbers(int x, int y) const {
+    const std::array<Value, 4> values = stored(x, y);
+    std::array<double, 4> out;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const bool curve = color_ && c < 3;
+      if constexpr (codes)
+        out[c] = curve ? linear_of(values[c]) : plain_of(values[c]);
+      else
+        out[c] = curve ? srgb_decode(double{values[c]}) : double{values[c]};
+    }
+    return out;
   }
 
-  const Image8* source_ = nullptr;
-  Image8 scaled_;
+  const Pixels<Value>* image_ = nullptr;
+  GltfSampler sampler_;
+  int width_, height_;
+  bool color_;
 };
 
-struct Target {
-  std::uint8_t *a, *b;
+// Colours under a factor, and gloss, as the pair holds them: of codes from tables.
+template <class Value>
+struct FactorOf {
+  const double* factor;
+  float operator()(double linear, std::size_t c) const { return static_cast<float>(linear * factor[c]); }
 };
 
+template <>
+struct FactorOf<std::uint8_t> {
+  explicit FactorOf(const double* factor) {
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < 256; ++i)
+        codes[c][i] = srgb_u8(linear_of(static_cast<std::uint8_t>(i)) * factor[c]);
+  }
+  std::uint8_t operator()(std::uint8_t code, std::size_t c) const { return codes[c][code]; }
+  std::array<std::array<std::uint8_t, 256>, 3> codes;
+};
+
+template <class Value>
+struct GlossOf {
+  double factor;
+  GlossForm from, to;
+  float operator()(double v, std::size_t&) const {
+    return static_cast<float>(converted_gloss(v * factor, from, to));
+  }
+};
+
+template <>
+struct GlossOf<std::uint8_t> {
+  GlossOf(double factor, GlossForm from, GlossForm to) {
+    for (std::size_t i = 0; i < 256; ++i) {
+      const double value = converted_gloss(static_cast<double>(i) / 255 * factor, from, to);
+      codes[i] = plain_u8(value);
+      outside[i] = value < -1e-12 || value > 1 + 1e-12;
+    }
+  }
+  std::uint8_t operator()(std::uint8_t code, std::size_t& clamped) const {
+    clamped += outside[code] ? 1 : 0;
+    return codes[code];
+  }
+  std::array<std::uint8_t, 256> codes{};
+  std::array<bool, 256> outside{};
+};
+
+template <class Value>
 class Converter {
  public:
-  Converter(const GltfMaterial& material, const SceneImages& images, GlossForm gloss, bool keep_alpha)
-      : m_(material), images_(images), gloss_(gloss), keep_alpha_(keep_alpha) {
+  Converter(const GltfMaterial& material, const SceneImages<Value>& images, GlossForm gloss, bool keep_alpha,
+            std::size_t& clamped)
+      : m_(material),
+        images_(images),
+        gloss_(gloss),
+        opaque_(material.alpha_mode == AlphaMode::opaque && !keep_alpha),
+        clamped_(clamped) {
     for (const GltfTexture* texture : replaced_textures(m_)) {
-      const Image8& image = images_(texture->image);
+      const Pixels<Value>& image = images_(texture->image);
       width_ = std::max(width_, image.width);
       height_ = std::max(height_, image.height);
     }
   }
 
-  MaterialPair run(std::size_t& clamped) {
-    MaterialPair out{Image8(width_, height_, 4), Image8(width_, height_, 4)};
-    const std::size_t texels = out.diffuse_alpha.pixel_count();
-    const auto target = [&](std::size_t i) {
-      return Target{out.diffuse_alpha.values.data() + 4 * i, out.specular_gloss.values.data() + 4 * i};
-    };
+  PairOf<Value> run() {
+    out_ = {Pixels<Value>(width_, height_, 4), Pixels<Value>(width_, height_, 4)};
     if (m_.specular_glossiness)
-      specular_glossiness(texels, target, clamped);
+      specular_glossiness();
     else
-      metal_rough(texels, target, clamped);
-    return out;
+      metal_rough();
+    return std::move(out_);
   }
 
  private:
-  CodeLookup lookup(const std::optional<GltfTexture>& texture, bool color) const {
+  TextureLookup<Value> lookup(const std::optional<GltfTexture>& texture, bool color) const {
     return {texture, images_, width_, height_, color};
   }
 
-  std::uint8_t alpha(std::uint8_t texture, double factor) const {
-    if (m_.alpha_mode == AlphaMode::opaque && !keep_alpha_) return 255;
-    return plain_u8(texture / 255.0 * factor);
+  Value alpha(double texture, double factor) const {
+    const double value = opaque_ ? 1 : texture * factor;
+    if constexpr (sizeof(Value) == 1)
+      return plain_u8(value);
+    else
+      return static_cast<float>(value);
   }
 
-  // Codes of gloss for codes of roughness (or of glossiness) under a factor.
-  struct GlossTable {
-    std::array<std::uint8_t, 256> codes{};
-    std::array<bool, 256> clamped{};
-  };
-  GlossTable gloss_table(double factor, bool glossiness) const {
-    GlossTable out;
-    for (std::size_t i = 0; i < 256; ++i) {
-      const double v = static_cast<double>(i) / 255 * factor;
-      const double value =
-          converted_gloss(v, glossiness ? GlossForm::one_minus_roughness : GlossForm::roughness, gloss_);
-      out.codes[i] = plain_u8(value);
-      out.clamped[i] = value < -1e-12 || value > 1 + 1e-12;
-    }
-    return out;
+  // Calls texel(x, y, a, b) with where the two textures' values of a texel go.
+  template <class Each>
+  void each_texel(Each texel) {
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x)
+        texel(x, y, out_.diffuse_alpha.at(x, y).data(), out_.specular_gloss.at(x, y).data());
   }
 
-  template <class At>
-  void metal_rough(std::size_t texels, At at, std::size_t& clamped) const {
-    const CodeLookup base = lookup(m_.base_color_texture, true),
-                     rough = lookup(m_.metallic_roughness_texture, false),
-                     specular = lookup(m_.specular_texture, false),
-                     tint = lookup(m_.specular_color_texture, true);
-    const Vec3 color{m_.base_color[0], m_.base_color[1], m_.base_color[2]};
-    const Vec3 tint_factor{m_.specular_color[0], m_.specular_color[1], m_.specular_color[2]};
-    const MetalRoughCodes codes(color, m_.metallic, dielectric_f0(m_.ior, m_.specular, tint_factor));
-    const GlossTable gloss = gloss_table(m_.roughness, false);
-    const auto& linear = linear_tables().srgb;
-    for (std::size_t i = 0; i < texels; ++i) {
-      const Target to = at(i);
-      const auto b = base ? base.at(i) : std::array<std::uint8_t, 4>{255, 255, 255, 255};
-      const auto r = rough ? rough.at(i) : std::array<std::uint8_t, 4>{255, 255, 255, 255};
-      if (specular || tint) {
-        const double scale = m_.specular * (specular ? specular.at(i)[3] / 255.0 : 1);
-        Vec3 one = tint_factor;
-        if (tint)
-          for (std::size_t c = 0; c < 3; ++c) one[c] *= double{linear[tint.at(i)[c]]};
-        Vec3 texel = color;
-        for (std::size_t c = 0; c < 3; ++c) texel[c] *= double{linear[b[c]]};
+  void metal_rough() {
+    const TextureLookup<Value> base = lookup(m_.base_color_texture, true),
+                               rough = lookup(m_.metallic_roughness_texture, false),
+                               specular = lookup(m_.specular_texture, false),
+                               tint = lookup(m_.specular_color_texture, true);
+    const Vec3 no_tint{m_.specular_color[0], m_.specular_color[1], m_.specular_color[2]};
+    const MetalRoughCodes codes({m_.base_color[0], m_.base_color[1], m_.base_color[2]}, m_.metallic,
+                                dielectric_f0(m_.ior, m_.specular, no_tint));
+    const GlossOf<Value> gloss{m_.roughness, GlossForm::roughness, gloss_};
+    each_texel([&](int x, int y, Value* to_a, Value* to_b) {
+      const Texel<Value> b = base.at(x, y), r = rough.at(x, y);
+      const auto by_numbers = [&] {
+        const Vec3 color = tint ? color_of<Value>(tint.at(x, y), m_.specular_color.data()) : no_tint;
+        const double scale = m_.specular * plain_of(specular.at(x, y)[3]);
         const DiffuseSpecular ds =
-            diffuse_specular(texel, m_.metallic * r[2] / 255, dielectric_f0(m_.ior, scale, one));
-        for (std::size_t c = 0; c < 3; ++c) to.a[c] = srgb_u8(ds.diffuse[c]), to.b[c] = srgb_u8(ds.f0[c]);
+            diffuse_specular(color_of<Value>(b, m_.base_color.data()), m_.metallic * plain_of(r[2]),
+                             dielectric_f0(m_.ior, scale, color));
+        for (std::size_t c = 0; c < 3; ++c) put(ds.diffuse[c], to_a[c]), put(ds.f0[c], to_b[c]);
+      };
+      if constexpr (sizeof(Value) == 1) {
+        if (specular || tint)
+          by_numbers();
+        else
+          codes.convert(b.data(), r[2], to_a, to_b);
       } else {
-        codes.convert(b.data(), r[2], to.a, to.b);
+        by_numbers();
       }
-      to.a[3] = alpha(b[3], m_.base_color[3]);
-      to.b[3] = gloss.codes[r[1]];
-      clamped += gloss.clamped[r[1]] ? 1 : 0;
-    }
+      to_a[3] = alpha(plain_of(b[3]), m_.base_color[3]);
+      to_b[3] = gloss(r[1], clamped_);
+    });
   }
 
-  template <class At>
-  void specular_glossiness(std::size_t texels, At at, std::size_t& clamped) const {
-    const CodeLookup diffuse = lookup(m_.diffuse_texture, true),
-                     f0 = lookup(m_.specular_glossiness_texture, true);
-    std::array<std::array<std::uint8_t, 256>, 3> diffuse_codes, f0_codes;
-    const auto& linear = linear_tables().srgb;
-    for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t i = 0; i < 256; ++i) {
-        diffuse_codes[c][i] = srgb_u8(double{linear[i]} * m_.diffuse[c]);
-        f0_codes[c][i] = srgb_u8(double{linear[i]} * m_.specular_f0[c]);
-      }
-    const GlossTable gloss = gloss_table(m_.glossiness, true);
-    for (std::size_t i = 0; i < texels; ++i) {
-      const Target to = at(i);
-      const auto d = diffuse ? diffuse.at(i) : std::array<std::uint8_t, 4>{255, 255, 255, 255};
-      const auto s = f0 ? f0.at(i) : std::array<std::uint8_t, 4>{255, 255, 255, 255};
-      for (std::size_t c = 0; c < 3; ++c) to.a[c] = diffuse_codes[c][d[c]], to.b[c] = f0_codes[c][s[c]];
-      to.a[3] = alpha(d[3], m_.diffuse[3]);
-      to.b[3] = gloss.codes[s[3]];
-      clamped += gloss.clamped[s[3]] ? 1 : 0;
-    }
+  void specular_glossiness() {
+    const TextureLookup<Value> diffuse = lookup(m_.diffuse_texture, true),
+                               f0 = lookup(m_.specular_glossiness_texture, true);
+    const FactorOf<Value> diffuse_color{m_.diffuse.data()}, f0_color{m_.specular_f0.data()};
+    const GlossOf<Value> gloss{m_.glossiness, GlossForm::one_minus_roughness, gloss_};
+    each_texel([&](int x, int y, Value* to_a, Value* to_b) {
+      const Texel<Value> d = diffuse.at(x, y), s = f0.at(x, y);
+      for (std::size_t c = 0; c < 3; ++c) to_a[c] = diffuse_color(d[c], c), to_b[c] = f0_color(s[c], c);
+      to_a[3] = alpha(plain_of(d[3]), m_.diffuse[3]);
+      to_b[3] = gloss(s[3], clamped_);
+    });
   }
 
   const GltfMaterial& m_;
-  const SceneImages& images_;
+  const SceneImages<Value>& images_;
   const GlossForm gloss_;
-  const bool keep_alpha_;
+  const bool opaque_;
+  std::size_t& clamped_;
   int width_ = 1, height_ = 1;
+  PairOf<Value> out_;
 };
 
 }  // namespace
@@ -261,9 +328,15 @@ Image8 scaled_normals(const Image8& map, double scale, int width, int height, co
   return out;
 }
 
-MaterialPair scene_material_pair(const GltfMaterial& material, const SceneImages& images, GlossForm gloss,
-                                 bool keep_alpha, std::size_t& clamped) {
-  return Converter(material, images, gloss, keep_alpha).run(clamped);
+template <class Value>
+PairOf<Value> scene_material_pair(const GltfMaterial& material, const SceneImages<Value>& images,
+                                  GlossForm gloss, bool keep_alpha, std::size_t& clamped) {
+  return Converter<Value>(material, images, gloss, keep_alpha, clamped).run();
 }
+
+template MaterialPair scene_material_pair(const GltfMaterial&, const SceneImages<std::uint8_t>&, GlossForm,
+                                          bool, std::size_t&);
+template FloatPair scene_material_pair(const GltfMaterial&, const SceneImages<float>&, GlossForm, bool,
+                                       std::size_t&);
 
 }  // namespace etak

@@ -15,22 +15,18 @@
 
 namespace etak {
 
-/// The picture of an image of the document, 8-bit codes.
-using SceneImages = std::function<const Image8&(int image)>;
+/// The picture of an image of the document: 8-bit codes, or floats, which are fractions of full scale.
+template <class Value>
+using SceneImages = std::function<const Pixels<Value>&(int image)>;
 
 /// A glTF material as texture pair of its largest texture's size; smaller textures are filtered up
-/// bilinearly, colours in linear light. Alpha is 255 for opaque materials unless `keep_alpha`. Diffuse
+/// bilinearly, colours in linear light. Alpha is full for opaque materials unless `keep_alpha`. Diffuse
 /// colours are those that glTF reduces when shading (material_texels.h).
-///   clamped   texels whose gloss had to be brought back to 0..1
-MaterialPair scene_material_pair(const GltfMaterial& material, const SceneImages& images, GlossForm gloss,
-                                 bool keep_alpha, std::size_t& clamped);
-
-/// The picture of an image of the document as floats: codes as fractions of full scale.
-using SceneFloats = std::function<const Image&(int image)>;
-
-/// The same as floats (FloatPair), from pictures of any depth; nothing is clamped.
-FloatPair scene_material_floats(const GltfMaterial& material, const SceneFloats& images, GlossForm gloss,
-                                bool keep_alpha);
+///   Value     std::uint8_t, or float: nothing is clamped
+///   clamped   texels whose gloss had to be brought back to 0..1 are added
+template <class Value>
+PairOf<Value> scene_material_pair(const GltfMaterial& material, const SceneImages<Value>& images,
+                                  GlossForm gloss, bool keep_alpha, std::size_t& clamped);
 
 /// Where the texels of one texture of a material lie on another.
 struct TextureOnTexture {

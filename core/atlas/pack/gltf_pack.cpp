@@ -87,15 +87,16 @@ struct ScenePack::State {
 
   FloatPair floats_of(int material) const {
     std::map<int, Image> images;
-    const SceneFloats floats = [&](int index) -> const Image& {
+    const SceneImages<float> floats = [&](int index) -> const Image& {
       const auto [found, fresh] = images.try_emplace(index);
       if (!fresh) return found->second;
       const PictureFile& image = scene.images[static_cast<std::size_t>(index)];
       FileBytes file;
       return found->second = fractions(load_picture(bytes_of(image, file), image.label, options.input.pictures.door));
     };
-    return scene_material_floats(scene.materials[static_cast<std::size_t>(material)], floats, gloss,
-                                 options.leave_out.keep.contains("alpha"));
+    std::size_t clamped = 0;
+    return scene_material_pair(scene.materials[static_cast<std::size_t>(material)], floats, gloss,
+                               options.leave_out.keep.contains("alpha"), clamped);
   }
 
   const Image8& picture(int index) {
@@ -158,7 +159,7 @@ struct ScenePack::State {
     PackInput& in = inputs.materials[i];
     Entry& entry = entries[i];
     const GltfMaterial& m = scene.materials[static_cast<std::size_t>(entry.material)];
-    const SceneImages images = [this](int index) -> const Image8& { return picture(index); };
+    const SceneImages<std::uint8_t> images = [this](int index) -> const Image8& { return picture(index); };
     std::size_t clamped = 0;
     auto pair = std::make_shared<MaterialPair>(
         scene_material_pair(m, images, gloss, options.leave_out.keep.contains("alpha"), clamped));
@@ -172,13 +173,13 @@ struct ScenePack::State {
       scale_of(in, entry, *lead);
       normals_of(in, m, entry, *lead);
     }
-    look_at(*pair, entry.use ? &*entry.use : nullptr, in.facts.opaque, in.facts);
+    const bool masked =
+        entry.use && entry.use->touched > 0 && entry.use->mask.size() == pair->diffuse_alpha.pixel_count();
+    const std::uint8_t* const used = masked ? entry.use->mask.data() : nullptr;
+    look_at(*pair, used, in.facts.opaque, in.facts);
     if (writes_floats(options.output.write)) {
       in.convert_floats = [this, material = entry.material] { return floats_of(material); };
-      const bool masked =
-          entry.use && entry.use->touched > 0 && entry.use->mask.size() == pair->diffuse_alpha.pixel_count();
-      look_at_floats(floats_of(entry.material), masked ? entry.use->mask.data() : nullptr, in.facts.opaque,
-                     in.facts);
+      look_at(floats_of(entry.material), used, in.facts.opaque, in.facts);
     }
     if (clamped > 0)
       clamped_[i] =

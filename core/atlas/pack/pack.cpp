@@ -9,6 +9,7 @@
 #include "core/atlas/pack/earlier.h"
 #include "core/atlas/pack/identity.h"
 #include "core/atlas/pack/pages.h"
+#include "core/atlas/pack/scene_facts.h"
 #include "core/atlas/pack/source.h"
 #include "core/atlas/pack/stages.h"
 #include "core/atlas/pack/table.h"
@@ -53,7 +54,7 @@ std::optional<std::string> content_to_compare(const PackOptions& options, const 
 void learn_floats(PackInputs& inputs) {
   for (PackInput& m : inputs.materials)
     if (!m.facts.learned || m.files.empty())  // else somebody said that its texels count as equal
-      look_at_floats(load_floats(m), nullptr, m.facts.opaque, m.facts);
+      look_at(load_floats(m), nullptr, m.facts.opaque, m.facts);
 }
 
 // The files that stand beside the pages, and what of the earlier atlas goes: returns all names, sorted.

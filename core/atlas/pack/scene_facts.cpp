@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/pack/scene_facts.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
 #include "core/base/hash/content_hash.h"
 #include "core/color/srgb.h"
 #include "core/scene/gltf_convert.h"
@@ -8,31 +14,57 @@
 
 namespace etak {
 
-void look_at(const MaterialPair& pair, const TexelUse* use, bool opaque, MaterialFacts& facts) {
+template <class Value>
+void look_at(const PairOf<Value>& pair, const std::uint8_t* used, bool opaque, MaterialFacts& facts) {
   const std::size_t texels = pair.diffuse_alpha.pixel_count();
-  const bool masked = use != nullptr && use->touched > 0 && use->mask.size() == texels;
-  ContentHash color, alpha, specular;
-  std::vector<std::uint8_t> rgb, a;
   const auto width = static_cast<std::size_t>(pair.diffuse_alpha.width);
+  std::array<Value, channel_count> least, most;
+  least.fill(std::numeric_limits<Value>::max());
+  most.fill(std::numeric_limits<Value>::lowest());
+  facts.range = {};
+  ContentHash color, alpha, specular;
+  std::vector<Value> rgb, a;
   for (std::size_t row = 0; row < texels; row += width) {
     rgb.clear(), a.clear();
     for (std::size_t i = row; i < row + width; ++i) {
-      const std::uint8_t* t = pair.diffuse_alpha.values.data() + 4 * i;
-      rgb.insert(rgb.end(), {t[0], t[1], t[2]});
-      a.push_back(t[3]);
-      if (masked && use->mask[i] == 0) continue;
-      add_texels(facts.range, Texture::diffuse_alpha, t, 1);
-      add_texels(facts.range, Texture::specular_gloss, pair.specular_gloss.values.data() + 4 * i, 1);
+      const Value *da = pair.diffuse_alpha.values.data() + 4 * i,
+                  *sg = pair.specular_gloss.values.data() + 4 * i;
+      rgb.insert(rgb.end(), {da[0], da[1], da[2]});
+      a.push_back(da[3]);
+      if (used != nullptr && used[i] == 0) continue;
+      for (std::size_t c = 0; c < channel_count; ++c) {
+        const Value v = c < 4 ? da[c] : sg[c - 4];
+        least[c] = std::min(least[c], v);
+        most[c] = std::max(most[c], v);
+      }
+      facts.range.grey = facts.range.grey && sg[0] == sg[1] && sg[1] == sg[2];
     }
-    color.add(rgb.data(), rgb.size());
-    alpha.add(a.data(), a.size());
-    specular.add(pair.specular_gloss.values.data() + 4 * row, 4 * width);
+    color.add(rgb.data(), sizeof(Value) * rgb.size());
+    alpha.add(a.data(), sizeof(Value) * a.size());
+    specular.add(pair.specular_gloss.values.data() + 4 * row, sizeof(Value) * 4 * width);
+  }
+  if constexpr (std::is_same_v<Value, float>) {
+    facts.floats = true;
+    for (std::size_t c = 0; c < channel_count; ++c) {
+      if (!(least[c] <= most[c])) continue;
+      const auto code = [c](float v) { return c % 4 != 3 ? srgb_u8(double{v}) : plain_u8(double{v}); };
+      facts.exact[c] = double{least[c]};
+      facts.range.least[c] = code(least[c]);
+      facts.range.most[c] = code(most[c]);
+      if (least[c] != most[c] && facts.range.constant(c)) facts.range.least[c] = 0, facts.range.most[c] = 255;
+    }
+  } else {
+    facts.range.least = least;
+    facts.range.most = most;
   }
   facts.color_hash = color.value();
   facts.alpha_hash = opaque ? std::array<std::uint64_t, 2>{} : alpha.value();
   facts.specular_hash = specular.value();
   facts.learned = true;
 }
+
+template void look_at(const MaterialPair&, const std::uint8_t*, bool, MaterialFacts&);
+template void look_at(const FloatPair&, const std::uint8_t*, bool, MaterialFacts&);
 
 void scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to) {
   if (replaced_textures(m).empty()) {

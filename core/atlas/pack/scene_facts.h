@@ -5,14 +5,15 @@
 #include "core/color/gloss.h"
 #include "core/image/material_pair.h"
 #include "core/scene/gltf.h"
-#include "core/scene/uv_use.h"
 
 namespace etak {
 
-/// What the texels of a scene's material are: ranges of the channels and hashes.
-///   use      the texels that triangles touch, which alone count for the ranges; may be null
-///   opaque   alpha does not matter
-void look_at(const MaterialPair& pair, const TexelUse* use, bool opaque, MaterialFacts& facts);
+/// What the texels of a material are: what is constant and what is equal. Decided on floats, where a channel
+/// whose floats differ varies, though its codes may be one, or on codes.
+///   used     1 per texel in use, which alone count for the ranges; null for all
+///   opaque   alpha plays no part
+template <class Value>
+void look_at(const PairOf<Value>& pair, const std::uint8_t* used, bool opaque, MaterialFacts& facts);
 
 /// What a material is where it has no texture: its own factors where it never had one, else the codes of `facts`.
 void scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to);

@@ -7,13 +7,10 @@
 #include <limits>
 
 #include "core/base/error.h"
-#include "core/base/hash/content_hash.h"
 #include "core/color/srgb.h"
 
 namespace etak {
 namespace {
-
-constexpr std::size_t piece = 1024;  // texels hashed at a time
 
 // A picture's numbers: codes as they are, which floats hold exactly.
 struct Numbers {
@@ -53,11 +50,6 @@ Image joined(const Image& color, const Image& grey) {
     out.values[4 * i + 3] = grey.values[i];
   }
   return out;
-}
-
-// Which channel of a pair: a colour's code or a plain one.
-std::uint8_t code(std::size_t channel, float value) {
-  return channel % 4 != 3 ? srgb_u8(double{value}) : plain_u8(double{value});
 }
 
 }  // namespace
@@ -122,47 +114,6 @@ FloatPair metallic_floats(const PlaneSource& base, const PlaneSource& alpha, con
     }
   return {joined(diffuse, plane_floats(alpha, width, height)),
           joined(f0, plane_floats(gloss, width, height))};
-}
-
-void look_at_floats(const FloatPair& pair, const std::uint8_t* used, bool opaque, MaterialFacts& facts) {
-  std::array<float, channel_count> least, most;
-  least.fill(std::numeric_limits<float>::infinity());
-  most.fill(-std::numeric_limits<float>::infinity());
-  facts.range = {};
-  ContentHash color, alpha, specular;
-  std::vector<float> rgb, a;
-  const auto flush = [&] {
-    color.add(rgb.data(), sizeof(float) * rgb.size());
-    alpha.add(a.data(), sizeof(float) * a.size());
-    rgb.clear(), a.clear();
-  };
-  for (std::size_t i = 0; i < pair.diffuse_alpha.pixel_count(); ++i) {
-    const float *da = pair.diffuse_alpha.values.data() + 4 * i,
-                *sg = pair.specular_gloss.values.data() + 4 * i;
-    rgb.insert(rgb.end(), {da[0], da[1], da[2]});
-    a.push_back(da[3]);
-    if (a.size() == piece) flush();
-    if (used != nullptr && used[i] == 0) continue;
-    for (std::size_t c = 0; c < channel_count; ++c) {
-      const float v = c < 4 ? da[c] : sg[c - 4];
-      least[c] = std::min(least[c], v);
-      most[c] = std::max(most[c], v);
-    }
-    facts.range.grey = facts.range.grey && sg[0] == sg[1] && sg[1] == sg[2];
-  }
-  flush();
-  specular.add(pair.specular_gloss.values.data(), sizeof(float) * pair.specular_gloss.values.size());
-  for (std::size_t c = 0; c < channel_count; ++c) {
-    if (!(least[c] <= most[c])) continue;
-    facts.exact[c] = double{least[c]};
-    facts.range.least[c] = code(c, least[c]);
-    facts.range.most[c] = code(c, most[c]);
-    if (least[c] != most[c] && facts.range.constant(c)) facts.range.least[c] = 0, facts.range.most[c] = 255;
-  }
-  facts.color_hash = color.value();
-  facts.alpha_hash = opaque ? std::array<std::uint64_t, 2>{} : alpha.value();
-  facts.specular_hash = specular.value();
-  facts.learned = facts.floats = true;
 }
 
 }  // namespace etak

@@ -25,10 +25,4 @@ FloatPair load_floats(const PackInput& material);
 FloatPair metallic_floats(const PlaneSource& base, const PlaneSource& alpha, const PlaneSource& metallic,
                           const PlaneSource& gloss, int width, int height);
 
-/// What is constant and what is equal, decided on floats: a channel whose floats differ varies, though its
-/// codes may be one.
-///   used     1 per texel in use, null for all
-///   opaque   alpha plays no part
-void look_at_floats(const FloatPair& pair, const std::uint8_t* used, bool opaque, MaterialFacts& facts);
-
 }  // namespace etak

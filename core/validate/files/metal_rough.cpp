@@ -50,7 +50,7 @@ const PictureHeader& ScenePictures::header(int image) {
 
 LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pictures) {
   std::size_t clamped = 0;
-  MaterialPair pair = scene_material_pair(
+  MaterialPair pair = scene_material_pair<std::uint8_t>(
       material, [&](int image) -> const Image8& { return pictures.codes(image); },
       GlossForm::one_minus_roughness, material.alpha_mode != AlphaMode::opaque, clamped);
   LoadedPictures out;

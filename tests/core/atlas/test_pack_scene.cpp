@@ -168,7 +168,7 @@ double worst_difference(const std::string& path, const std::string& packed_path,
     auto [pair, fresh] = pairs.try_emplace(from.material);
     std::size_t clamped = 0;
     if (fresh)
-      pair->second = scene_material_pair(
+      pair->second = scene_material_pair<std::uint8_t>(
           m, [&](int image) -> const Image8& { return old_pictures(image); }, GlossForm::one_minus_roughness,
           false, clamped);
     const GltfTexture *lead = leading_texture(m), *new_lead = leading_texture(p);
