@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/bytes_le.h"
 #include "core/base/error.h"
 
 namespace etak {
@@ -12,17 +13,10 @@ namespace {
 
 constexpr std::uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
-std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t out = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    out |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-  return out;
-}
-
 }  // namespace
 
 bool is_glb(std::string_view bytes) {
-  return bytes.size() >= 4 && u32_at(bytes, 0) == glb_magic;
+  return bytes.size() >= 4 && bytes_le::number32(bytes, 0) == glb_magic;
 }
 
 GlbParts split_glb(std::string_view bytes, std::string_view file) {
@@ -30,8 +24,9 @@ GlbParts split_glb(std::string_view bytes, std::string_view file) {
     throw Error::at(file, found, expected);
   };
   if (bytes.size() < 12 || !is_glb(bytes)) fail("no header of 12 bytes", "a binary glTF");
-  if (u32_at(bytes, 4) != 2) fail("container version " + std::to_string(u32_at(bytes, 4)), "version 2");
-  const std::size_t length = u32_at(bytes, 8);
+  if (bytes_le::number32(bytes, 4) != 2)
+    fail("container version " + std::to_string(bytes_le::number32(bytes, 4)), "version 2");
+  const std::size_t length = bytes_le::number32(bytes, 8);
   if (length > bytes.size())
     fail("a header that says " + std::to_string(length) + " bytes in a file of " +
              std::to_string(bytes.size()),
@@ -41,8 +36,8 @@ GlbParts split_glb(std::string_view bytes, std::string_view file) {
   for (int chunk = 0; at < length; ++chunk) {
     const std::string name = "chunk " + std::to_string(chunk);
     if (length - at < 8) fail(name + " cut off", "a length and a type");
-    const std::size_t size = u32_at(bytes, at);
-    const std::uint32_t type = u32_at(bytes, at + 4);
+    const std::size_t size = bytes_le::number32(bytes, at);
+    const std::uint32_t type = bytes_le::number32(bytes, at + 4);
     at += 8;
     if (size > length - at)
       fail(name + " of " + std::to_string(size) + " bytes with " + std::to_string(length - at) + " left",

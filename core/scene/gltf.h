@@ -4,9 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -206,19 +206,29 @@ struct GltfOutput {
   // KHR_materials_specular may not stand beside the other two in one material: that takes two files.
   std::vector<GltfForm> forms{GltfForm::specular_ior};
   std::string buffer_name = "scene.bin";
-  // What files of the document are called from the written one: URI to URI. Files that are not named here
-  // keep theirs, so `images` must not be called as one of them is.
-  std::map<std::string, std::string> uris;
+  // The files that the document still stands on are to lie beside the written one, where these names are taken: a
+  // number is put before such a name, so that a picture of the scene whose name is that of a page of the atlas stays
+  // a picture of its own. None: they keep their URIs, and `images` must not be called as one of them is.
+  std::optional<std::set<std::string>> taken;
+};
+
+/// A file that a written scene stands on, and its name beside that.
+struct CopiedFile {
+  std::string from, name;
+};
+
+struct WrittenGltf {
+  std::string json;               // the document's text
+  std::string buffer;             // the bytes of the one buffer it names, without inside images that went
+  std::vector<CopiedFile> files;  // where GltfOutput::taken is given
 };
 
 /// The document with the materials' textures replaced by the atlas: everything else (meshes, nodes, cameras,
 /// animations, other textures such as normal maps) stays; materials not named in `output` stay as they are.
 /// Unreached materials, images, textures and samplers are left out, and primitives that only unreached scenes
-/// draw lose their material. Returns the JSON text; `buffer` gets the bytes of the one buffer it names,
-/// without inside images that went. Files the document names get their URIs of `output.uris`.
-/// KHR_texture_transform becomes required where it is used. Throws Error for what cannot be kept: animated
+/// draw lose their material. KHR_texture_transform becomes required where it is used. Throws Error for what cannot be kept: animated
 /// materials, EXT_lights_image_based, morphed UVs that would have to be rewritten; and for `output` that
 /// contradicts itself.
-std::string write_gltf(const GltfScene& scene, const GltfOutput& output, std::string& buffer);
+WrittenGltf write_gltf(const GltfScene& scene, const GltfOutput& output);
 
 }  // namespace etak

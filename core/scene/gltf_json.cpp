@@ -193,24 +193,15 @@ GltfFiles files_of_gltf(const std::string& path) {
     read_file(path, bytes, most_gltf_buffer_bytes);
     const JsonDocument read = parse_json_strictly(is_glb(bytes) ? split_glb(bytes, path).json : bytes, path,
                                                   most_depth, "a glTF document");
-    const Json& document = *read;
     const auto folder = std::filesystem::path(path).parent_path();
-    const auto add = [&](const char* list, bool picture) {
-      if (!document.is_object() || !document.contains(list) || !document[list].is_array()) return;
-      for (const Json& entry : document[list]) {
-        if (!entry.is_object() || !entry.contains("uri") || !entry["uri"].is_string()) continue;
-        const std::string uri = entry["uri"].get<std::string>();
-        if (uri.starts_with("data:")) continue;
-        try {
-          out.all.push_back((folder / file_of_uri(uri, path)).lexically_normal().string());
-        } catch (const Error&) {
-          continue;
-        }
-        if (picture) out.pictures.push_back(out.all.back());
+    each_file(*read, [&](const Json& uri, bool picture) {
+      try {
+        out.all.push_back((folder / file_of_uri(uri.get<std::string>(), path)).lexically_normal().string());
+      } catch (const Error&) {
+        return;
       }
-    };
-    add("images", true);
-    add("buffers", false);
+      if (picture) out.pictures.push_back(out.all.back());
+    });
   } catch (const Error&) {
     return {};
   }

@@ -90,6 +90,21 @@ void each_key(Value& json, const See& see) {
   if (json.is_structured())
     for (auto& child : json) each_key(child, see);
 }
+/// Calls see(uri, is_picture) for the URI of every image and buffer that is a file of its own, images first;
+/// passes over what is no such list.
+template <class Value, class See>
+void each_file(Value& root, const See& see) {
+  if (!root.is_object()) return;
+  for (const char* array : {"images", "buffers"}) {
+    const auto list = root.find(array);
+    if (list == root.end() || !list->is_array()) continue;
+    for (auto& element : *list)
+      if (element.is_object())
+        if (const auto uri = element.find("uri"); uri != element.end() && uri->is_string())
+          if (!uri->template get_ref<const std::string&>().starts_with("data:"))
+            see(*uri, std::string_view(array) == "images");
+  }
+}
 /// Calls see(texture_info) for every texture a material refers to, extensions included: what the glTF family
 /// of specifications calls a textureInfo stands under a key that ends so.
 template <class Value, class See>

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/scene/gltf_write_json.h"
 
+#include <filesystem>
+
+#include "core/scene/uri.h"
+
 namespace etak {
 namespace {
 
@@ -39,14 +43,18 @@ void remove_variants(Json& root) {
       for (Json& primitive : mesh["primitives"]) remove_extension(primitive, "KHR_materials_variants");
 }
 
-/// Before anything is added: the writer's own images may be called what a file of the document was called.
-void rename_files(Json& root, const std::map<std::string, std::string>& uris) {
-  for (const char* array : {"images", "buffers"})
-    if (root.contains(array))
-      for (Json& element : root[array])
-        if (element.contains("uri"))
-          if (const auto found = uris.find(element["uri"].get<std::string>()); found != uris.end())
-            element["uri"] = found->second;
+/// What the document's files are called beside the written one: URI to name.
+std::map<std::string, std::string> names_beside(const GltfRewrite& rewrite) {
+  std::map<std::string, std::string> out;
+  std::set<std::string> taken = *rewrite.output.taken;
+  each_file(rewrite.root, [&](const Json& uri, bool) {
+    std::string& name = out[uri.get<std::string>()];
+    if (!name.empty()) return;
+    const std::string file = file_of_uri(uri.get<std::string>(), rewrite.scene.path);
+    const std::string plain = name = std::filesystem::path(file).filename().string();
+    for (int i = 1; !taken.insert(name).second; ++i) name = std::to_string(i) + "_" + plain;
+  });
+  return out;
 }
 
 }  // namespace
@@ -68,13 +76,18 @@ void remove_extension(Json& object, const char* name) {
 
 namespace {
 
-std::string written(const GltfScene& scene, const GltfOutput& output, std::string& buffer) {
+WrittenGltf written(const GltfScene& scene, const GltfOutput& output) {
   GltfRewrite rewrite{
       scene, output, parse_json_strictly(*scene.json, scene.path, 64, "a glTF document").take(), {}, {}, {}};
   rewrite.buffers.assign(scene.buffers->begin(), scene.buffers->end());
   check_output(rewrite);
   refuse_unkept(rewrite);
-  rename_files(rewrite.root, output.uris);
+  // Before anything is added: the writer's own images may be called what a file of the document was called.
+  std::map<std::string, std::string> names;
+  if (output.taken) {
+    names = names_beside(rewrite);
+    each_file(rewrite.root, [&](Json& uri, bool) { uri = uri_of_file(names[uri.get<std::string>()]); });
+  }
   const JsonDocument before(rewrite.root);
   remove_compression(rewrite.root);
   if (!scene.options.variants) remove_variants(rewrite.root);
@@ -90,16 +103,24 @@ std::string written(const GltfScene& scene, const GltfOutput& output, std::strin
     rewrite_uvs(rewrite, material, set);
   }
   drop_unused(rewrite, before);
-  buffer = compact_buffers(rewrite);
+  WrittenGltf out;
+  out.buffer = compact_buffers(rewrite);
   name_extensions(rewrite, before);
-  return rewrite.root.dump(1) + "\n";
+  out.json = rewrite.root.dump(1) + "\n";
+  std::set<std::string> used;
+  each_file(rewrite.root, [&](const Json& uri, bool) { used.insert(uri.get<std::string>()); });
+  const auto folder = std::filesystem::path(scene.path).parent_path();
+  for (const auto& [uri, name] : names)
+    if (used.contains(uri_of_file(name)))
+      out.files.push_back({(folder / file_of_uri(uri, scene.path)).string(), name});
+  return out;
 }
 
 }  // namespace
 
-std::string write_gltf(const GltfScene& scene, const GltfOutput& output, std::string& buffer) {
+WrittenGltf write_gltf(const GltfScene& scene, const GltfOutput& output) {
   try {
-    return written(scene, output, buffer);
+    return written(scene, output);
   } catch (const Json::exception& e) {
     // What no scene reaches was not looked at when the document was read.
     throw Error::at(scene.path, printable(e.what(), 200), "a document that follows the specification");

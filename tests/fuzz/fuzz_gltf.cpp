@@ -59,12 +59,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::vector<char> bytes(data + 1, data + size);
   GltfScene scene;
   GltfOutput output;
-  std::string text, buffer;
+  std::string text;
   try {
     scene = parse_gltf({bytes.data(), bytes.size()}, "no such folder/scene.gltf", options);
     check(scene);
     output = atlas_of(scene);
-    text = write_gltf(scene, output, buffer);
+    text = write_gltf(scene, output).json;
   } catch (const Error&) {
     return 0;
   }

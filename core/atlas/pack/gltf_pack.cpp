@@ -9,7 +9,6 @@
 #include <set>
 
 #include "core/atlas/pack/decision.h"
-#include "core/atlas/pack/gltf_files.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/scene_facts.h"
 #include "core/atlas/pack/scene_pictures.h"
@@ -23,7 +22,6 @@
 #include "core/scene/gltf_convert.h"
 #include "core/scene/material_texels.h"
 #include "core/scene/texel_scale.h"
-#include "core/scene/uri.h"
 #include "core/scene/uv_use.h"
 
 namespace etak {
@@ -383,26 +381,22 @@ std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const Atla
     if (s.scene.material_used[static_cast<std::size_t>(s.entries[i].material)])
       out.materials.push_back(s.atlas_material(i, layout, decision, images));
   out.images = std::move(images.names);
-  std::set<std::string> taken(s.written.begin(), s.written.end());
+  out.taken.emplace(s.written.begin(), s.written.end());
   for (const AtlasPage& page : layout.pages)
-    for (const auto& files : page.files) taken.insert(files.begin(), files.end());
-  taken.insert({out.buffer_name, "scene.gltf", layout_file_name});
-  const auto copied_names = names_beside(*s.scene.json, s.scene.path, taken);
-  for (const auto& [uri, name] : copied_names) out.uris[uri] = uri_of_file(name);
-  std::string buffer;
-  const std::string json = write_gltf(s.scene, out, buffer);
+    for (const auto& files : page.files) out.taken->insert(files.begin(), files.end());
+  out.taken->insert({out.buffer_name, "scene.gltf", layout_file_name});
+  const WrittenGltf written = write_gltf(s.scene, out);
   std::vector<std::string> names(s.written.begin(), s.written.end());
-  for (const CopiedFile& copy :
-       files_to_copy(json, fs::path(s.scene.path).parent_path().string(), copied_names)) {
+  for (const CopiedFile& copy : written.files) {
     FileBytes file;
     file.load(copy.from);
     folder.write(copy.name, file.view());
     names.push_back(copy.name);
   }
-  folder.write("scene.gltf", json);
+  folder.write("scene.gltf", written.json);
   names.push_back("scene.gltf");
-  if (!buffer.empty()) {
-    folder.write(out.buffer_name, buffer);
+  if (!written.buffer.empty()) {
+    folder.write(out.buffer_name, written.buffer);
     names.push_back(out.buffer_name);
   }
   return names;

@@ -25,8 +25,7 @@ TEST_CASE("output that contradicts itself, and scenes that cannot be kept, are r
   const auto refusal = [&](const AtlasMaterial& material, const GltfScene& from) {
     GltfOutput output;
     output.materials = {material};
-    std::string buffer;
-    return error_of([&] { write_gltf(from, output, buffer); });
+    return error_of([&] { (void)write_gltf(from, output); });
   };
   CHECK(refusal(m, scene).empty());
   AtlasMaterial bad = m;

@@ -21,8 +21,7 @@ TEST_CASE("unreached materials go and every index follows, variants too") {
       json, R"("material":0}]}])",
       R"("material":1,"extensions":{"KHR_materials_variants":{"mappings":[{"material":2,"variants":[0]}]}}}]},
 {"primitives":[{"attributes":{"POSITION":0},"material":0}]}])");
-  std::string buffer;
-  const Json kept = Json::parse(write_gltf(parsed(json), {}, buffer));
+  const Json kept = Json::parse(write_gltf(parsed(json), {}).json);
   CHECK(kept["materials"].size() == 2);
   CHECK(kept["materials"][0]["name"] == "a");
   CHECK(kept["materials"][0]["normalTexture"]["index"] == 0);
@@ -37,7 +36,7 @@ TEST_CASE("unreached materials go and every index follows, variants too") {
   // View 1 is also an accessor's.
   CHECK(kept["bufferViews"].size() == 3);
 
-  const Json without = Json::parse(write_gltf(parsed(json, {.scene = {}, .variants = false}), {}, buffer));
+  const Json without = Json::parse(write_gltf(parsed(json, {.scene = {}, .variants = false}), {}).json);
   CHECK(without["materials"].size() == 1);
   CHECK(!without.contains("extensionsUsed"));
   CHECK(!without.contains("extensions"));
@@ -61,8 +60,8 @@ TEST_CASE("bytes of inside images that went are cut out of the buffer, and the r
   AtlasMaterial m;
   m.material = 0;
   output.materials = {m};
-  std::string buffer;
-  const std::string text = write_gltf(scene, output, buffer);
+  const auto [text, buffer, files] = write_gltf(scene, output);
+  CHECK(files.empty());
   CHECK(buffer.find("GONE") == buffer.npos);
   CHECK(buffer.size() < 92 + 16);
   const TempFolder folder;

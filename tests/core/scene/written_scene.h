@@ -46,7 +46,9 @@ struct Written {
   std::string buffer;
   GltfScene scene;
   Written(const GltfScene& from, const GltfOutput& output, const std::vector<std::string>& folders = {}) {
-    const std::string text = write_gltf(from, output, buffer);
+    const WrittenGltf written = write_gltf(from, output);
+    const std::string& text = written.json;
+    buffer = written.buffer;
     spit(folder.file("out.gltf"), text);
     if (!buffer.empty()) spit(folder.file("scene.bin"), buffer);
     // The smallest PNG there is: one grey pixel.
