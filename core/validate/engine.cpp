@@ -67,11 +67,7 @@ void add_stats(CheckStats& to, const CheckStats& from) {
 
 void fill_evidence(std::optional<PictureEvidence>& picture, const RowSource* source, const std::string& label,
                    FileRole role) {
-  if (source == nullptr || picture) return;
-  picture.emplace();
-  picture->header = source->header();
-  picture->label = label;
-  picture->role = role;
+  if (source != nullptr && !picture) picture = {source->header(), label, role, {}};
 }
 
 std::string label_with(const CheckTarget& target, std::initializer_list<FileRole> roles) {
@@ -263,14 +259,8 @@ CheckedFile check_rows(const CheckTarget& target, const std::function<PictureRow
 
 CheckedFile check_pictures(const CheckTarget& target, const PicturesInMemory& pictures,
                            const Settings& settings, unsigned threads) {
-  const auto open = [&](Needs) {
-    PictureRows rows;
-    if (pictures.a != nullptr) rows.a = rows_of(*pictures.a);
-    if (pictures.b != nullptr) rows.b = rows_of(*pictures.b);
-    if (pictures.metallic != nullptr) rows.metallic = rows_of(*pictures.metallic);
-    return rows;
-  };
-  return check_rows(target, open, settings, threads);
+  return check_rows(
+      target, [&](Needs) { return pictures.rows(); }, settings, threads);
 }
 
 Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const CheckTarget& target,
@@ -296,10 +286,7 @@ Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const C
       PassPlan part = plan;
       part.recorder = mark(plateaus ? 2 : 1);
       if (!plateaus) part.zone.erode = 0;
-      PictureRows rows;
-      if (pictures.a != nullptr) rows.a = rows_of(*pictures.a);
-      if (pictures.b != nullptr) rows.b = rows_of(*pictures.b);
-      if (pictures.metallic != nullptr) rows.metallic = rows_of(*pictures.metallic);
+      PictureRows rows = pictures.rows();
       pixel_pass(rows, {&tile, 1}, {false}, part);
     }
     demote_small_groups(

@@ -34,4 +34,9 @@ std::optional<FileRole> role_named(std::string_view text) {
   return std::nullopt;
 }
 
+PictureRows PicturesInMemory::rows() const {
+  const auto of = [](const Image8* image) { return image == nullptr ? nullptr : rows_of(*image); };
+  return {of(a), of(b), of(metallic)};
+}
+
 }  // namespace etak

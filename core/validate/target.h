@@ -95,6 +95,8 @@ struct PicturesInMemory {
   const Image8* a = nullptr;         // 4 channels
   const Image8* b = nullptr;         // 4 channels
   const Image8* metallic = nullptr;  // 1 channel
+
+  PictureRows rows() const;
 };
 
 }  // namespace etak

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "core/image/dilate.h"
 #include "core/image/mips.h"
 #include "tests/core/image/mip_reference.h"
 

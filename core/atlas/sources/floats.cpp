@@ -74,13 +74,8 @@ Image plane_floats(const PlaneSource& source, int width, int height) {
   if (from.width != width || from.height != height)
     throw Error::at(source.path, "is " + std::to_string(from.width) + " x " + std::to_string(from.height),
                     std::to_string(width) + " x " + std::to_string(height) + ", as when it was looked at");
-  std::array<int, 3> pick = source.pick;
-  if (source.color && !source.picked && from.channels <= 2) pick = {0, 0, 0};
+  const std::array<int, 3> pick = picked_channels(source, from.channels);
   const auto step = static_cast<std::size_t>(from.channels);
-  for (std::size_t c = 0; c < channels; ++c)
-    if (pick[c] >= from.channels)
-      throw Error::at(source.path, "has " + std::to_string(from.channels) + " channels",
-                      "at least " + std::to_string(pick[c] + 1));
   for (std::size_t i = 0; i < out.pixel_count(); ++i)
     for (std::size_t c = 0; c < channels; ++c) {
       const double v = numbers.at(step * i + static_cast<std::size_t>(pick[c]));

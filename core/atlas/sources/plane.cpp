@@ -47,6 +47,16 @@ PictureHeader picture_header(const std::string& path, const PictureDoor& door) {
   return door.header(path);
 }
 
+std::array<int, 3> picked_channels(const PlaneSource& source, int channels) {
+  // A colour that is to be a grey quantity must say which channel.
+  const auto pick = source.color && !source.picked && channels <= 2 ? std::array{0, 0, 0} : source.pick;
+  const int last = source.color ? std::ranges::max(pick) : pick[0];
+  if (last >= channels)
+    throw Error::at(source.path, "has " + std::to_string(channels) + " channels",
+                    "at least " + std::to_string(last + 1));
+  return pick;
+}
+
 PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&source) {
   if (!source.is_image()) return;
   memory.load(source.path);
@@ -57,24 +67,14 @@ PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&so
   const PictureHeader& header = file_->header();
   width_ = header.width;
   height_ = header.height;
-  check_channels(header.channels);
+  pick_ = picked_channels(source, header.channels);
+  file_channels_ = header.channels;
+  channels_ = source.space ? 3 : header.channels;
   if (source.space || header.floating) return;
   if (header.bits == 16 || (source.curve && source.curve->apply)) {
     codes_ = (source.curve ? *source.curve : CodeCurve()).codes(header.bits, &clamps_);
     for (const bool each : clamps_) may_clamp_ = may_clamp_ || each;
   }
-}
-
-void PlaneRows::check_channels(int channels) {
-  channels_ = file_channels_ = channels;
-  pick_ = source_->pick;
-  // A grey picture serves as a colour; a colour that is to be a grey quantity must say which channel.
-  if (source_->color && !source_->picked && channels <= 2) pick_ = {0, 0, 0};
-  const int last = source_->color ? std::max({pick_[0], pick_[1], pick_[2]}) : pick_[0];
-  if (last >= channels)
-    throw Error::at(source_->path, "has " + std::to_string(channels) + " channels",
-                    "at least " + std::to_string(last + 1));
-  if (source_->space) channels_ = 3;
 }
 
 // Three channels of codes in rows_, from what the space makes of the picked ones.

@@ -50,6 +50,10 @@ struct PlaneSource {
 /// Looks at the head of a PNG only; other formats go through the door. Throws Error.
 PictureHeader picture_header(const std::string& path, const PictureDoor& door);
 
+/// Which channels of a picture that has so many the source takes: a grey picture serves as a colour. Throws Error
+/// for channels that are not there.
+std::array<int, 3> picked_channels(const PlaneSource& source, int channels);
+
 /// Reads one plane from the top: 8-bit codes, converted.
 class PlaneRows {
  public:
@@ -71,7 +75,6 @@ class PlaneRows {
   std::size_t clamped() const { return clamped_; }
 
  private:
-  void check_channels(int channels);
   template <class Sample>
   void convert_space(const Sample* in, std::size_t texels, int step, float scale);
   template <class Sample>

@@ -43,14 +43,6 @@ std::unique_ptr<RowSource> open_role(const CheckTarget& target, const PictureOpe
   return file == nullptr ? nullptr : opener(*file);
 }
 
-PictureEvidence picture_evidence(const TargetFile& file, const PictureHeader& header) {
-  PictureEvidence picture;
-  picture.header = header;
-  picture.label = file.label;
-  picture.role = file.role;
-  return picture;
-}
-
 // A pair, or F0 alone: read in strips.
 void check_pair(const CheckTarget& target, const PictureOpener& opener, const Settings& settings,
                 unsigned threads, Evidence& evidence, CheckedFile& file) {
@@ -66,7 +58,7 @@ void check_pair(const CheckTarget& target, const PictureOpener& opener, const Se
       if (source != nullptr && evidence.headers.size() < target.files.size())
         for (const TargetFile& part : target.files)
           if (std::ranges::find(roles, part.role) != roles.end())
-            evidence.headers.push_back(picture_evidence(part, source->header()));
+            evidence.headers.push_back({source->header(), part.label, part.role, {}});
     // Pictures needed for their header only are not decoded.
     if (!needs.has(Need::bytes_a) && !(rows.a && rows.a->header().floating && needs.has(Need::floats)) &&
         rows.a) {
@@ -90,21 +82,13 @@ void check_pair(const CheckTarget& target, const PictureOpener& opener, const Se
   look_at_pixels(target, open, settings, threads, evidence, file);
 }
 
-PictureRows rows_of_pictures(const LoadedPictures& pictures) {
-  PictureRows rows;
-  rows.a = rows_of(pictures.a);
-  rows.b = rows_of(pictures.b);
-  if (pictures.metallic.width != 0) rows.metallic = rows_of(pictures.metallic);
-  return rows;
-}
-
 void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                        unsigned threads, Evidence& evidence, CheckedFile& file) {
   MetalRoughSet set(target, door);
   int image = 0;
   for (const TargetFile& part : target.files)
     if (MetalRoughSet::is_part(part.role))
-      evidence.headers.push_back(picture_evidence(part, set.header(image++)));
+      evidence.headers.push_back({set.header(image++), part.label, part.role, {}});
   evidence.metal_rough = true;
   CheckTarget weighed = target;
   weighed.manifest.specular_weighs_diffuse = true;
@@ -113,7 +97,7 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
     if (!whole)
       if (PictureRows rows = set.rows(); rows.b) return rows;
     if (!whole) whole = set.convert();
-    return rows_of_pictures(*whole);
+    return whole->in_memory().rows();
   };
   look_at_pixels(weighed, open, settings, threads, evidence, file);
   // Alpha is that of the base colour's file.
@@ -183,12 +167,10 @@ void check_headers(const TargetFile& of_scene, const GltfScene& scene, const std
   CheckTarget textures;
   textures.label = of_scene.label;
   for (const auto& [image, role] : roles) {
-    TargetFile texture;
-    texture.role = role;
-    texture.label = image_label(of_scene, scene, image);
-    headers.headers.push_back(picture_evidence(texture, pictures.header(image)));
-    file.companions.push_back(texture.label);
-    file.roles.emplace_back(texture.label, name(role));
+    const std::string label = image_label(of_scene, scene, image);
+    headers.headers.push_back({pictures.header(image), label, role, {}});
+    file.companions.push_back(label);
+    file.roles.emplace_back(label, name(role));
   }
   judge(textures, headers, settings, file);
 }
@@ -235,7 +217,7 @@ void check_scene(const TargetFile& of_scene, const CheckTarget& target, const Pi
     const std::size_t hidden =
         hide_unused(converted, texels_in_use(uses, users, converted.a.width, converted.a.height));
     look_at_pixels(
-        part, [&](Needs) { return rows_of_pictures(converted); }, settings, threads, evidence, one);
+        part, [&](Needs) { return converted.in_memory().rows(); }, settings, threads, evidence, one);
     forget_unused(evidence, hidden);
     // An opaque material's alpha is not looked at by anybody.
     if (evidence.a) evidence.a->header.channels = material.alpha_mode == AlphaMode::opaque || !color ? 3 : 4;
