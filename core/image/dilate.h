@@ -24,7 +24,8 @@ void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBo
 /// by alpha nor blurred, so that what is filled stays in flat squares, which compress well.
 ///
 /// Visible texels do not change; nothing changes where none is visible. Idempotent as alpha stays.
-///   Value     std::uint8_t, or float: colours in linear light, which may lie outside of 0..1, nothing rounded
+///   Value     std::uint8_t, or float: colours in linear light, which may lie outside of 0..1; nothing is
+///             rounded
 ///   a, b      4 channels, of one size; b.data may be null
 ///   returns   how many texels were filled
 template <class Value>

@@ -24,8 +24,8 @@ Picture load_picture(const std::string& path, const PictureDoor& door);
 Picture load_picture(std::string_view bytes, const std::string& label, const PictureDoor& door);
 Picture load_picture(const PictureFile& file, const PictureDoor& door);
 
-/// A picture's rows from the top in the values that its file has, in the machine's byte order: of a PNG as they
-/// are asked for, of others from the whole picture.
+/// A picture's rows from the top in the values that its file has, in the machine's byte order: of a PNG as
+/// they are asked for, of others from the whole picture.
 class ValueRows {
  public:
   explicit ValueRows(PngReader png) : from_(std::move(png)) {}
@@ -48,8 +48,8 @@ std::unique_ptr<RowSource> open_picture(const PictureFile& file, const PictureDo
 std::unique_ptr<RowSource> open_rows(const std::string& path);
 
 /// A picture as codes, 16 bits rounded to 8. Floats are clamped to 0..1. Channels as stored.
-///   floats_linear   floats are linear light and are, but for the fourth channel, encoded to sRGB; else they are
-///                   fractions of full scale
+///   floats_linear   floats are linear light and are, but for the fourth channel, encoded to sRGB; else they
+///                   are fractions of full scale
 Image8 codes_of(Picture picture, bool floats_linear);
 
 }  // namespace etak

@@ -41,8 +41,8 @@ PictureHeader header_of(const Pixels<Value>& pixels) {
           sizeof(Value) > 2};
 }
 
-/// A picture in the kind of values its file has: 8-bit codes, 16-bit codes, or float for the rest. No curve is
-/// undone, colour is not multiplied by the last channel, NaN and infinity stay.
+/// A picture in the kind of values its file has: 8-bit codes, 16-bit codes, or float for the rest. No curve
+/// is undone, colour is not multiplied by the last channel, NaN and infinity stay.
 struct Picture {
   PictureHeader header;
   std::variant<Image8, Image16, Image> pixels;
@@ -55,9 +55,9 @@ struct PictureFile {
   std::string label;  // for messages: the path, or what the bytes are a part of
 };
 
-/// How pictures that are no plain PNG are read, and files of floats written. The program says it: by OpenImageIO
-/// (picture_door() of image_io.h), or by what loads that library (120 MB, a quarter of a second) when it is first
-/// needed. All throw Error that names the file. Empty functions: such pictures are refused.
+/// How pictures that are no plain PNG are read, and files of floats written. The program says it: by
+/// OpenImageIO (picture_door() of image_io.h), or by what loads that library (120 MB, a quarter of a second)
+/// when it is first needed. All throw Error that names the file. Empty functions: such pictures are refused.
 ///   label    of the bytes, for messages
 ///   encode   a file of 32-bit floats, "tiff" or "exr"; `fourth` names the fourth channel
 struct PictureDoor {
@@ -92,8 +92,16 @@ std::unique_ptr<RowSource> rows_of(const ConstPixelsView8& pixels, PictureHeader
 /// A texel as red, green, blue and a fourth: grey is spread over three, a missing fourth is `full`.
 template <class Value>
 std::array<Value, 4> four_channels(const Value* texel, std::size_t channels, Value full) {
-  const std::size_t g = channels >= 3 ? 1 : 0, b = 2 * g;
-  return {texel[0], texel[g], texel[b], channels % 2 == 0 ? texel[channels - 1] : full};
+  switch (channels) {
+    case 1:
+      return {texel[0], texel[0], texel[0], full};
+    case 2:
+      return {texel[0], texel[0], texel[0], texel[1]};
+    case 3:
+      return {texel[0], texel[1], texel[2], full};
+    default:
+      return {texel[0], texel[1], texel[2], texel[3]};
+  }
 }
 
 }  // namespace etak

@@ -206,9 +206,10 @@ struct GltfOutput {
   // KHR_materials_specular may not stand beside the other two in one material: that takes two files.
   std::vector<GltfForm> forms{GltfForm::specular_ior};
   std::string buffer_name = "scene.bin";
-  // The files that the document still stands on are to lie beside the written one, where these names are taken: a
-  // number is put before such a name, so that a picture of the scene whose name is that of a page of the atlas stays
-  // a picture of its own. None: they keep their URIs, and `images` must not be called as one of them is.
+  // The files that the document still stands on are to lie beside the written one, where these names are
+  // taken: a number is put before such a name, so that a picture of the scene whose name is that of a page of
+  // the atlas stays a picture of its own. None: they keep their URIs, and `images` must not be called as one
+  // of them is.
   std::optional<std::set<std::string>> taken;
 };
 
@@ -226,9 +227,9 @@ struct WrittenGltf {
 /// The document with the materials' textures replaced by the atlas: everything else (meshes, nodes, cameras,
 /// animations, other textures such as normal maps) stays; materials not named in `output` stay as they are.
 /// Unreached materials, images, textures and samplers are left out, and primitives that only unreached scenes
-/// draw lose their material. KHR_texture_transform becomes required where it is used. Throws Error for what cannot be kept: animated
-/// materials, EXT_lights_image_based, morphed UVs that would have to be rewritten; and for `output` that
-/// contradicts itself.
+/// draw lose their material. KHR_texture_transform becomes required where it is used. Throws Error for what
+/// cannot be kept: animated materials, EXT_lights_image_based, morphed UVs that would have to be rewritten;
+/// and for `output` that contradicts itself.
 WrittenGltf write_gltf(const GltfScene& scene, const GltfOutput& output);
 
 }  // namespace etak

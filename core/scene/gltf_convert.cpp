@@ -29,13 +29,6 @@ std::optional<UvMatrix> inverse(const UvMatrix& m) {
 template <class Value>
 using Texel = std::array<std::conditional_t<sizeof(Value) == 1, std::uint8_t, double>, 4>;
 
-double linear_of(std::uint8_t code) {
-  static const auto& linear = linear_tables().srgb;
-  return double{linear[code]};
-}
-double linear_of(double linear) {
-  return linear;
-}
 double plain_of(std::uint8_t code) {
   return code / 255.0;
 }
@@ -50,11 +43,6 @@ void put(double linear, float& to) {
   to = static_cast<float>(linear);
 }
 
-template <class Value>
-Vec3 color_of(const Texel<Value>& texel, const double* factor) {
-  return {linear_of(texel[0]) * factor[0], linear_of(texel[1]) * factor[1], linear_of(texel[2]) * factor[2]};
-}
-
 // A texture at the pair's size, as glTF fills up channels that are missing; full where there is none.
 template <class Value>
 class TextureLookup {
@@ -64,68 +52,73 @@ class TextureLookup {
       : width_(width), height_(height), color_(color) {
     if (!texture) return;
     image_ = &images(texture->image);
+    channels_ = static_cast<std::size_t>(image_->channels);
     sampler_ = texture->sampler;
+    if (image_->width == width && image_->height == height) same_ = image_->values.data();
   }
 
   explicit operator bool() const { return image_ != nullptr; }
 
-  // Bilinear where the picture is smaller, texel centres at halves, as a sampler magnifies.
   Texel<Value> at(int x, int y) const {
-    Texel<Value> out;
-    if (image_ == nullptr) {
-      out.fill(full);
+    if (same_ == nullptr) return image_ == nullptr ? Texel<Value>{full, full, full, full} : scaled(x, y);
+    const std::size_t texel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    const std::array<Value, 4> stored = four_channels(same_ + channels_ * texel, channels_, full);
+    if constexpr (codes) {
+      return stored;
+    } else {
+      Texel<Value> out;
+      for (std::size_t c = 0; c < 4; ++c) out[c] = number(stored[c], color_ && c < 3);
       return out;
     }
-    if (image_->width == width_ && image_->height == height_) {
-      if constexpr (codes)
-        return stored(x, y);
-      else
-        return numbers(x, y);
-    }
-    const double u = (x + 0.5) * image_->width / width_ - 0.5, v = (y + 0.5) * image_->height / height_ - 0.5;
-    const int left = static_cast<int>(std::floor(u)), top = static_cast<int>(std::floor(v));
-    const double right_share = sampler_.nearest ? std::round(u - left) : u - left;
-    const double low_share = sampler_.nearest ? std::round(v - top) : v - top;
-    const auto corner = [&](int i, int j) {
-      return numbers(wrapped_texel(left + i, image_->width, sampler_.wrap_u),
-                     wrapped_texel(top + j, image_->height, sampler_.wrap_v));
-    };
-    const auto a = corner(0, 0), b = corner(1, 0), c = corner(0, 1), d = corner(1, 1);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double mean = (a[i] * (1 - right_share) + b[i] * right_share) * (1 - low_share) +
-                          (c[i] * (1 - right_share) + d[i] * right_share) * low_share;
-      if constexpr (codes)
-        out[i] = color_ && i < 3 ? srgb_u8(mean) : plain_u8(mean);
-      else
-        out[i] = mean;
-    }
-    return out;
   }
 
  private:
   static constexpr bool codes = sizeof(Value) == 1;
   static constexpr Value full = codes ? 255 : 1;
 
-  std::array<Value, 4> stored(int x, int y) const {
-    return four_channels(image_->at(x, y).data(), static_cast<std::size_t>(image_->channels), full);
+  // Linear light of a colour, which a curve stands for, or the number itself.
+  double number(Value value, bool curve) const {
+    if constexpr (codes)
+      return curve ? double{linear_[value]} : plain_of(value);
+    else
+      return curve ? srgb_decode(double{value}) : double{value};
   }
-  std::array<double, 4> numbers(int x, int y) const {
-    const std::array<Value, 4> values = stored(x, y);
-    std::array<double, 4> out;
-    for (std::size_t c = 0; c < 4; ++c) {
-      const bool curve = color_ && c < 3;
+
+  // Bilinear, texel centres at halves, as a sampler magnifies.
+  Texel<Value> scaled(int x, int y) const {
+    const double u = (x + 0.5) * image_->width / width_ - 0.5, v = (y + 0.5) * image_->height / height_ - 0.5;
+    const int left = static_cast<int>(std::floor(u)), top = static_cast<int>(std::floor(v));
+    const double right_share = sampler_.nearest ? std::round(u - left) : u - left;
+    const double low_share = sampler_.nearest ? std::round(v - top) : v - top;
+    const auto corner = [&](int i, int j) {
+      return image_
+          ->at(wrapped_texel(left + i, image_->width, sampler_.wrap_u),
+               wrapped_texel(top + j, image_->height, sampler_.wrap_v))
+          .data();
+    };
+    const Value *a = corner(0, 0), *b = corner(1, 0), *c = corner(0, 1), *d = corner(1, 1);
+    Texel<Value> out;
+    for (std::size_t i = 0; i < channels_; ++i) {
+      const bool curve = color_ && i < (channels_ < 3 ? 1 : 3);
+      const double mean =
+          (number(a[i], curve) * (1 - right_share) + number(b[i], curve) * right_share) * (1 - low_share) +
+          (number(c[i], curve) * (1 - right_share) + number(d[i], curve) * right_share) * low_share;
       if constexpr (codes)
-        out[c] = curve ? linear_of(values[c]) : plain_of(values[c]);
+        out[i] = curve ? srgb_u8(mean) : plain_u8(mean);
       else
-        out[c] = curve ? srgb_decode(double{values[c]}) : double{values[c]};
+        out[i] = mean;
     }
-    return out;
+    return four_channels(out.data(), channels_, typename Texel<Value>::value_type{full});
   }
 
   const Pixels<Value>* image_ = nullptr;
+  const Value* same_ = nullptr;  // the values of a picture of the pair's size
+  std::size_t channels_ = 0;
   GltfSampler sampler_;
   int width_, height_;
   bool color_;
+  const std::array<float, 256>& linear_ = linear_tables().srgb;
 };
 
 // Colours under a factor, and gloss, as the pair holds them: of codes from tables.
@@ -140,7 +133,7 @@ struct FactorOf<std::uint8_t> {
   explicit FactorOf(const double* factor) {
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t i = 0; i < 256; ++i)
-        codes[c][i] = srgb_u8(linear_of(static_cast<std::uint8_t>(i)) * factor[c]);
+        codes[c][i] = srgb_u8(double{linear_tables().srgb[i]} * factor[c]);
   }
   std::uint8_t operator()(std::uint8_t code, std::size_t c) const { return codes[c][code]; }
   std::array<std::array<std::uint8_t, 256>, 3> codes;
@@ -211,12 +204,22 @@ class Converter {
       return static_cast<float>(value);
   }
 
+  Vec3 color_of(const Texel<Value>& texel, const std::array<double, 3>& factor) const {
+    Vec3 out;
+    for (std::size_t c = 0; c < 3; ++c)
+      if constexpr (sizeof(Value) == 1)
+        out[c] = double{linear_[texel[c]]} * factor[c];
+      else
+        out[c] = texel[c] * factor[c];
+    return out;
+  }
+
   // Calls texel(x, y, a, b) with where the two textures' values of a texel go.
   template <class Each>
   void each_texel(Each texel) {
+    Value *a = out_.diffuse_alpha.values.data(), *b = out_.specular_gloss.values.data();
     for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x)
-        texel(x, y, out_.diffuse_alpha.at(x, y).data(), out_.specular_gloss.at(x, y).data());
+      for (int x = 0; x < width_; ++x, a += 4, b += 4) texel(x, y, a, b);
   }
 
   void metal_rough() {
@@ -225,17 +228,16 @@ class Converter {
                                specular = lookup(m_.specular_texture, false),
                                tint = lookup(m_.specular_color_texture, true);
     const Vec3 no_tint{m_.specular_color[0], m_.specular_color[1], m_.specular_color[2]};
-    const MetalRoughCodes codes({m_.base_color[0], m_.base_color[1], m_.base_color[2]}, m_.metallic,
-                                dielectric_f0(m_.ior, m_.specular, no_tint));
+    const Vec3 base_factor{m_.base_color[0], m_.base_color[1], m_.base_color[2]};
+    const MetalRoughCodes codes(base_factor, m_.metallic, dielectric_f0(m_.ior, m_.specular, no_tint));
     const GlossOf<Value> gloss{m_.roughness, GlossForm::roughness, gloss_};
     each_texel([&](int x, int y, Value* to_a, Value* to_b) {
       const Texel<Value> b = base.at(x, y), r = rough.at(x, y);
       const auto by_numbers = [&] {
-        const Vec3 color = tint ? color_of<Value>(tint.at(x, y), m_.specular_color.data()) : no_tint;
-        const double scale = m_.specular * plain_of(specular.at(x, y)[3]);
-        const DiffuseSpecular ds =
-            diffuse_specular(color_of<Value>(b, m_.base_color.data()), m_.metallic * plain_of(r[2]),
-                             dielectric_f0(m_.ior, scale, color));
+        const Vec3 color = tint ? color_of(tint.at(x, y), no_tint) : no_tint;
+        const double scale = specular ? m_.specular * plain_of(specular.at(x, y)[3]) : m_.specular;
+        const DiffuseSpecular ds = diffuse_specular(color_of(b, base_factor), m_.metallic * plain_of(r[2]),
+                                                    dielectric_f0(m_.ior, scale, color));
         for (std::size_t c = 0; c < 3; ++c) put(ds.diffuse[c], to_a[c]), put(ds.f0[c], to_b[c]);
       };
       if constexpr (sizeof(Value) == 1) {
@@ -269,6 +271,7 @@ class Converter {
   const GlossForm gloss_;
   const bool opaque_;
   std::size_t& clamped_;
+  const std::array<float, 256>& linear_ = linear_tables().srgb;
   int width_ = 1, height_ = 1;
   PairOf<Value> out_;
 };

@@ -50,8 +50,8 @@ struct PlaneSource {
 /// Looks at the head of a PNG only; other formats go through the door. Throws Error.
 PictureHeader picture_header(const std::string& path, const PictureDoor& door);
 
-/// Which channels of a picture that has so many the source takes: a grey picture serves as a colour. Throws Error
-/// for channels that are not there.
+/// Which channels of a picture that has so many the source takes: a grey picture serves as a colour. Throws
+/// Error for channels that are not there.
 std::array<int, 3> picked_channels(const PlaneSource& source, int channels);
 
 /// Reads one plane from the top: 8-bit codes, converted.

@@ -54,8 +54,8 @@ class PngReader {
   std::unique_ptr<State> state_;
 };
 
-/// Rows of codes in memory, `stride` bytes apart; samples of 16 bits in the machine's byte order. Of the header
-/// the sides, channels (1 grey, 2 grey + alpha, 3 RGB, 4 RGBA) and bits (8 or 16) count.
+/// Rows of codes in memory, `stride` bytes apart; samples of 16 bits in the machine's byte order. Of the
+/// header the sides, channels (1 grey, 2 grey + alpha, 3 RGB, 4 RGBA) and bits (8 or 16) count.
 struct PngRows {
   PictureHeader header;
   const std::uint8_t* rows = nullptr;
@@ -124,8 +124,8 @@ class PngBands {
 /// The same in memory.
 std::string png_bytes(const PngRows& image, const PngOptions& options);
 
-/// What the chunks before the image data of a PNG file say, whatever its form; nothing is trusted but lengths that
-/// fit. An sRGB chunk wins over gAMA, as the standard says. nullopt for other files.
+/// What the chunks before the image data of a PNG file say, whatever its form; nothing is trusted but lengths
+/// that fit. An sRGB chunk wins over gAMA, as the standard says. nullopt for other files.
 std::optional<PictureHeader> png_header(ByteSource& bytes);
 
 /// Throws Error when a PNG file of any form is cut short or damaged: goes through its chunks up to IEND and
