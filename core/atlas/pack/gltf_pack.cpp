@@ -90,7 +90,8 @@ struct ScenePack::State {
       if (!fresh) return found->second;
       const PictureFile& image = scene.images[static_cast<std::size_t>(index)];
       FileBytes file;
-      return found->second = fractions(load_picture(bytes_of(image, file), image.label, options.input.pictures.door));
+      return found->second =
+                 fractions(load_picture(bytes_of(image, file), image.label, options.input.pictures.door));
     };
     std::size_t clamped = 0;
     return scene_material_pair(scene.materials[static_cast<std::size_t>(material)], floats, gloss,
@@ -104,7 +105,8 @@ struct ScenePack::State {
     const PictureFile& image = scene.images[static_cast<std::size_t>(index)];
     FileBytes file;
     try {
-      return found->second = codes_of(load_picture(bytes_of(image, file), image.label, options.input.pictures.door), false);
+      return found->second = codes_of(
+                 load_picture(bytes_of(image, file), image.label, options.input.pictures.door), false);
     } catch (...) {
       pictures.erase(index);
       throw;

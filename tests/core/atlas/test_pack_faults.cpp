@@ -42,7 +42,9 @@ TEST_CASE("bad inputs are told in one line, and what was there before stays") {
     options.input.pictures.door.header = [](const std::string& path) -> PictureHeader {
       throw Error::at(path, "is no picture");
     };
-    options.input.pictures.door.file = [](const std::string& path) -> Picture { throw Error::at(path, "is no picture"); };
+    options.input.pictures.door.file = [](const std::string& path) -> Picture {
+      throw Error::at(path, "is no picture");
+    };
     CHECK(contains(packing_fault(folder, manifest_of({manifest_entry("a")}), options), "a_diffuse.png"));
   }
   spit(folder.file("a_diffuse.png"), whole);
