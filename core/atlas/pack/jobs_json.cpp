@@ -47,8 +47,8 @@ PackSettings read_job(const JsonNode& job, const std::filesystem::path& folder, 
   job.expect_object();
   const auto rows = pack_setting_rows();
   for (const auto& [key, ignored] : job.value.items()) {
-    const auto is_named = [&](const PackSettingRow& row) {
-      return row.name == key && !row.is(PackSettingRow::line_only);
+    const auto is_named = [&name = key](const PackSettingRow& row) {
+      return row.name == name && !row.is(PackSettingRow::line_only);
     };
     if (key != "input" && key != "out" && std::none_of(rows.begin(), rows.end(), is_named))
       job.fail("unknown key " + in_quotes(key));
