@@ -53,10 +53,6 @@ std::string rect_json(const AtlasRect& r) {
   return out + "}";
 }
 
-const char* mode_name(AlphaMode mode) {
-  return mode == AlphaMode::opaque ? "opaque" : mode == AlphaMode::mask ? "mask" : "blend";
-}
-
 std::string material_json(const AtlasMaterialRow& m) {
   std::string constants;
   for (std::size_t c = 0; c < channel_count; ++c)
@@ -64,7 +60,7 @@ std::string material_json(const AtlasMaterialRow& m) {
       constants +=
           (constants.empty() ? "" : ", ") + json(channel_names[c]) + ": " + std::to_string(*m.constant[c]);
   std::string out = "{\"name\": " + json(m.name) + ", \"texels\": " + json(m.texels) +
-                    ", \"alpha_mode\": " + json(mode_name(m.alpha_mode));
+                    ", \"alpha_mode\": " + json(name(m.alpha_mode));
   if (m.alpha_mode == AlphaMode::mask) out += ", \"alpha_cutoff\": " + json(m.alpha_cutoff);
   out += ", \"constant\": {" + constants + "}";
   std::string values;
@@ -115,8 +111,9 @@ AtlasPage read_page(const JsonNode& node) {
     const JsonNode first = node.at(name(texture));
     if (!first.value.is_null()) files.push_back(read_file_name(first));
     const std::string more = std::string(name(texture)) + "_more";
-    if (node.has(more))
-      for (std::string& each : read_file_names(node.at(more))) files.push_back(std::move(each));
+    if (!node.has(more)) continue;
+    if (files.empty()) node.at(more).fail_type("nothing where " + std::string(name(texture)) + " is null");
+    for (std::string& each : read_file_names(node.at(more))) files.push_back(std::move(each));
   }
   return out;
 }
@@ -140,7 +137,10 @@ AtlasRect read_rect(const JsonNode& node, std::size_t pages) {
   out.gutter = node.at("gutter").integer(0, max_image_side);
   out.mips = node.at("mips").integer(1, 15);
   if (node.has("island")) out.island = node.at("island").integer(0);
-  if (node.has("inset")) out.inset = node.at("inset").number();
+  if (node.has("inset")) {
+    out.inset = node.at("inset").number();
+    if (out.inset < 0) node.at("inset").fail_type("a number of texels, 0 or above");
+  }
   if (node.has("repeats")) out.repeats = node.at("repeats").boolean();
   if (node.has("source_gutter")) out.source_gutter = node.at("source_gutter").boolean();
   return out;
@@ -151,9 +151,11 @@ AtlasMaterialRow read_material(const JsonNode& node) {
   AtlasMaterialRow out;
   out.name = node.at("name").text();
   out.texels = node.at("texels").boolean();
-  const std::string mode = node.at("alpha_mode").text();
-  out.alpha_mode = mode == "opaque" ? AlphaMode::opaque : mode == "mask" ? AlphaMode::mask : AlphaMode::blend;
-  if (node.has("alpha_cutoff")) out.alpha_cutoff = node.at("alpha_cutoff").number();
+  const auto mode = alpha_mode_named(node.at("alpha_mode").text());
+  if (!mode) node.at("alpha_mode").fail_type(alpha_mode_names);
+  out.alpha_mode = *mode;
+  if (out.alpha_mode == AlphaMode::mask && node.has("alpha_cutoff"))
+    out.alpha_cutoff = node.at("alpha_cutoff").number();
   const JsonNode constant = node.at("constant");
   constant.expect_object();
   for (std::size_t c = 0; c < channel_count; ++c)

@@ -44,9 +44,9 @@ std::string read_name(const JsonNode& material) {
 }
 
 AlphaMode read_alpha_mode(const JsonNode& node) {
-  const std::string mode = node.text();
-  if (mode != "opaque" && mode != "mask" && mode != "blend") node.fail_type("opaque, mask or blend");
-  return mode == "opaque" ? AlphaMode::opaque : mode == "mask" ? AlphaMode::mask : AlphaMode::blend;
+  const auto mode = alpha_mode_named(node.text());
+  if (!mode) node.fail_type(alpha_mode_names);
+  return *mode;
 }
 
 /// The member "channels" of an image: letters, three for a colour; empty where there is none.

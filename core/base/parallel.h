@@ -31,20 +31,25 @@ bool start_thread(std::vector<std::thread>& threads, Work&& work, Arguments... a
 
 /// Calls body(begin, end, worker) for consecutive chunks of [0, count) on `threads` threads (the caller is
 /// one of them, and the only one where no other can be started). Chunks are handed out in order; which worker
-/// gets which is not fixed, so results belong in places named by the index. The first exception is rethrown
-/// after all workers have stopped.
+/// gets which is not fixed, so results belong in places named by the index. The exception of the first chunk
+/// that throws one, the same for any number of threads, is rethrown after all workers have stopped.
 template <class Body>
 void parallel_chunks(std::size_t count, unsigned threads, std::size_t chunk, Body body) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
+  std::size_t failed_at = count;
   std::mutex failure_lock;
   const auto work = [&](unsigned worker) {
+    std::size_t begin = 0;
     try {
-      for (std::size_t begin; (begin = next.fetch_add(chunk)) < count;)
-        body(begin, std::min(count, begin + chunk), worker);
+      while ((begin = next.fetch_add(chunk)) < count) body(begin, std::min(count, begin + chunk), worker);
     } catch (...) {
+      // All chunks before this one have been handed out, so that the first of those that fail is always found.
       const std::lock_guard lock(failure_lock);
-      if (!failure) failure = std::current_exception();
+      if (begin < failed_at) {
+        failed_at = begin;
+        failure = std::current_exception();
+      }
       next = count;
     }
   };

@@ -277,8 +277,7 @@ class Writer {
       }
     if (!textures.empty()) members.push_back({"textures", json_object(textures, -1)});
     const ProjectMaterial standard;
-    if (m.alpha_mode != standard.alpha_mode)
-      members.push_back({"alpha_mode", json(m.alpha_mode == AlphaMode::opaque ? "opaque" : "mask")});
+    if (m.alpha_mode != standard.alpha_mode) members.push_back({"alpha_mode", json(name(m.alpha_mode))});
     if (m.alpha_cutoff != standard.alpha_cutoff) members.push_back({"alpha_cutoff", json(m.alpha_cutoff)});
     members.push_back({"model", json(m.specular_model)});
     members.push_back({"diffuse_model", json(m.diffuse_model)});

@@ -40,6 +40,20 @@ struct GltfTexture {
 
 enum class AlphaMode { opaque, mask, blend };
 
+/// "opaque", "mask" or "blend", as manifests, projects and layouts write it.
+constexpr const char* name(AlphaMode mode) {
+  return mode == AlphaMode::opaque ? "opaque" : mode == AlphaMode::mask ? "mask" : "blend";
+}
+
+inline constexpr const char* alpha_mode_names = "opaque, mask or blend";
+
+/// The mode of that name, if there is one.
+constexpr std::optional<AlphaMode> alpha_mode_named(std::string_view text) {
+  for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::mask, AlphaMode::blend})
+    if (text == name(mode)) return mode;
+  return {};
+}
+
 /// A material with the defaults of the specification filled in. Factors are linear.
 struct GltfMaterial {
   std::string name;

@@ -37,7 +37,8 @@ void Crew::run(const std::vector<Task>& tasks) {
 void Crew::work(unsigned worker) {
   std::unique_lock guard(lock_);
   while (tasks_ != nullptr && next_ < tasks_->size()) {
-    const Task& task = (*tasks_)[next_++];
+    const std::size_t index = next_++;
+    const Task& task = (*tasks_)[index];
     ++running_;
     guard.unlock();
     std::exception_ptr failure;
@@ -49,7 +50,11 @@ void Crew::work(unsigned worker) {
     guard.lock();
     --running_;
     if (failure) {
-      if (!failure_) failure_ = failure;
+      // All tasks before this one have begun, so that the first of those that fail is always found.
+      if (!failure_ || index < failed_) {
+        failed_ = index;
+        failure_ = failure;
+      }
       next_ = tasks_->size();
     }
     if (running_ == 0 && next_ >= tasks_->size()) end_.notify_all();

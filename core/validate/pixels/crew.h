@@ -23,8 +23,8 @@ class Crew {
 
   using Task = std::function<void(unsigned worker)>;
 
-  /// Runs the tasks, begun in their order, each on some worker, and waits for all. The first exception is
-  /// rethrown then; tasks not yet begun are left out.
+  /// Runs the tasks, begun in their order, each on some worker, and waits for all. Of the exceptions that
+  /// of the first task is rethrown then; tasks not yet begun are left out.
   void run(const std::vector<Task>& tasks);
 
  private:
@@ -34,9 +34,9 @@ class Crew {
   std::mutex lock_;
   std::condition_variable begin_, end_;
   const std::vector<Task>* tasks_ = nullptr;
-  std::size_t next_ = 0, running_ = 0;
+  std::size_t next_ = 0, running_ = 0, failed_ = 0;
   bool stop_ = false;
-  std::exception_ptr failure_;
+  std::exception_ptr failure_;  // of the task `failed_`
   std::vector<std::thread> threads_;
 };
 

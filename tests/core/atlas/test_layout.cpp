@@ -56,6 +56,10 @@ TEST_CASE("a layout that is wrong is told where") {
   CHECK(contains(fault("etak-atlas-layout/1", "other"), "l.json#/: not an atlas layout"));
   CHECK(contains(fault("\"page\": 0", "\"page\": 1"), "#/rects/0/page"));
   CHECK(contains(fault("\"w\": 10", "\"w\": 0"), "#/rects/0/w"));
+  CHECK(contains(fault("\"inset\": 0.5", "\"inset\": -0.5"), "#/rects/0/inset"));
+  CHECK(contains(fault("\"mask\"", "\"mksa\""), "#/materials/0/alpha_mode: \"mksa\""));
+  CHECK(contains(fault("\"diffuse_alpha\": \"page0_diffuse_alpha.png\"", "\"diffuse_alpha\": null"),
+                 "#/pages/0/diffuse_alpha_more"));
   CHECK(contains(fault("\"specular_r\": 56", "\"specular_r\": 256"), "#/materials/0/constant/specular_r"));
   CHECK(contains(error_of([] { (void)parse_layout("[]", "l.json"); }), "l.json"));
 }

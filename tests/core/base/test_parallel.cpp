@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/base/error.h"
@@ -66,4 +68,15 @@ TEST_CASE("an exception of any worker reaches the caller after all have stopped"
   });
   CHECK(message == "page 100: broken");
   CHECK(running == 0);
+}
+
+TEST_CASE("of several exceptions that of the first chunk reaches the caller, whichever came first") {
+  for (int run = 0; run < 20; ++run)
+    CHECK(error_of([] {
+            parallel_chunks(1000, 8, 1, [](std::size_t begin, std::size_t, unsigned) {
+              if (begin < 100) return;
+              if (begin == 100) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+              throw Error::at("page " + std::to_string(begin), "broken");
+            });
+          }) == "page 100: broken");
 }
