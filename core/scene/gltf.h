@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -79,6 +80,8 @@ struct GltfMaterial {
 
   std::optional<GltfTexture> normal_texture;
   double normal_scale = 1;
+  std::optional<GltfTexture> occlusion_texture;  // R
+  std::optional<GltfTexture> emissive_texture;   // sRGB RGB
   AlphaMode alpha_mode = AlphaMode::opaque;
   double alpha_cutoff = 0.5;
   bool double_sided = false;
@@ -200,6 +203,12 @@ struct AtlasMaterial {
   std::optional<int> metallic_roughness_image;  // G roughness, B metallic
   std::array<double, 4> base_color{1, 1, 1, 1};
   double metallic = 0;
+  // The two hold the texels of the material's own textures, under its own factors: lossless. Where one is absent
+  // the material keeps that texture as it is.
+  bool own_factors = false;
+
+  // The material's other textures, where they lie on the pages as the pair does; none: they stay as they are.
+  std::optional<int> normal_image, occlusion_image, emissive_image;
 
   // How the page is sampled; none: clamped, filtered as leading_texture() is.
   std::optional<GltfSampler> sampler;
@@ -210,8 +219,13 @@ struct AtlasMaterial {
 ///                         KHR_materials_ior 0, which makes that F0's scale 1: lossless. Where light passes
 ///                         through (transmission, volume) the index stays and the scale is divided out.
 ///   specular_glossiness   KHR_materials_pbrSpecularGlossiness
-///   metal_rough           plain core glTF, solved from F0 and diffuse: lossy
+///   metal_rough           plain core glTF: lossless where the material was of that form and its textures are
+///                         placed as they are, else solved from F0 and diffuse: lossy
 enum class GltfForm { specular_ior, specular_glossiness, metal_rough };
+
+inline bool has_form(const std::vector<GltfForm>& forms, GltfForm form) {
+  return std::find(forms.begin(), forms.end(), form) != forms.end();
+}
 
 struct GltfOutput {
   std::vector<std::string> images;  // file names beside the glTF

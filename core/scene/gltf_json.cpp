@@ -121,7 +121,7 @@ void mark_used_images(const GltfDocument& document, GltfScene& scene) {
   scene.image_used.assign(scene.images.size(), false);
   for (std::size_t i = 0; i < scene.material_used.size(); ++i) {
     if (!scene.material_used[i]) continue;
-    each_texture_info(document.root["materials"][i], [&](const Json& info) {
+    each_texture_info(document.root["materials"][i], [&](const std::string&, const Json& info) {
       const std::string pointer = "/materials/" + std::to_string(i) + "/.../index";
       const int texture = document.index({info["index"], document.file, pointer}, "textures");
       if (const int image = image_of_texture(document, texture); image >= 0)

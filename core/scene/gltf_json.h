@@ -105,13 +105,13 @@ void each_file(Value& root, const See& see) {
             see(*uri, std::string_view(array) == "images");
   }
 }
-/// Calls see(texture_info) for every texture a material refers to, extensions included: what the glTF family
-/// of specifications calls a textureInfo stands under a key that ends so.
+/// Calls see(key, texture_info) for every texture a material refers to, extensions included: what the glTF
+/// family of specifications calls a textureInfo stands under a key that ends so.
 template <class Value, class See>
 void each_texture_info(Value& material, const See& see) {
   each_key(material, [&](const std::string& key, auto& value) {
     if ((key.ends_with("Texture") || key == "texture") && value.is_object() && value.contains("index"))
-      see(value);
+      see(key, value);
   });
 }
 

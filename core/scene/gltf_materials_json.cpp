@@ -112,6 +112,8 @@ GltfMaterial material_of(const GltfDocument& document, int index) {
   out.normal_texture = texture_at(document, node, "normalTexture");
   if (out.normal_texture)
     out.normal_scale = number_at(node.at("normalTexture"), "scale", 1, -unbounded, unbounded);
+  out.occlusion_texture = texture_at(document, node, "occlusionTexture");
+  out.emissive_texture = texture_at(document, node, "emissiveTexture");
   if (node.has("alphaMode")) {
     const std::string mode = node.at("alphaMode").text();
     if (mode == "MASK")

@@ -74,7 +74,8 @@ void drop_textures(GltfRewrite& rewrite) {
   Json& root = rewrite.root;
   const auto each_info = [&](const auto& see) {
     if (!root.contains("materials")) return;
-    for (Json& material : root["materials"]) each_texture_info(material, see);
+    for (Json& material : root["materials"])
+      each_texture_info(material, [&](const std::string&, Json& info) { see(info); });
   };
   std::vector<bool> keep = none_of(rewrite, "textures");
   Renumbering same(keep.size());

@@ -11,10 +11,6 @@
 namespace etak {
 namespace {
 
-bool has_form(const GltfOutput& output, GltfForm form) {
-  return std::find(output.forms.begin(), output.forms.end(), form) != output.forms.end();
-}
-
 Json sampler_json(const GltfSampler& sampler) {
   const auto wrap = [](Wrap w) { return w == Wrap::repeat ? 10497 : w == Wrap::mirrored ? 33648 : 33071; };
   const int mag = sampler.nearest ? 9728 : 9729;
@@ -42,18 +38,22 @@ class Writer {
   void write(Json& json) {
     const bool unlit = extension(json, "KHR_materials_unlit") != nullptr;
     for (const char* name : atlas_extensions) remove_extension(json, name);
+    own_ = json.value("pbrMetallicRoughness", Json::object());
     json.erase("pbrMetallicRoughness");
+    place(json, "normalTexture", material_.normal_image);
+    place(json, "occlusionTexture", material_.occlusion_image);
+    place(json, "emissiveTexture", material_.emissive_image);
     const GltfOutput& output = rewrite_.output;
-    if (has_form(output, GltfForm::metal_rough)) {
+    if (has_form(output.forms, GltfForm::metal_rough)) {
       core(json, material_.base_color_image, material_.base_color, material_.metallic_roughness_image,
            material_.metallic);
-    } else if (has_form(output, GltfForm::specular_ior) || unlit) {
+    } else if (has_form(output.forms, GltfForm::specular_ior) || unlit) {
       core(json, material_.diffuse_alpha_image, material_.diffuse, material_.roughness_image, 0);
     }
     // An unlit material has no highlights, and its extension may not stand beside theirs.
     if (unlit) return;
-    if (has_form(output, GltfForm::specular_ior)) specular_ior(json);
-    if (has_form(output, GltfForm::specular_glossiness)) specular_glossiness(json);
+    if (has_form(output.forms, GltfForm::specular_ior)) specular_ior(json);
+    if (has_form(output.forms, GltfForm::specular_glossiness)) specular_glossiness(json);
   }
 
  private:
@@ -61,21 +61,39 @@ class Writer {
     return rewrite_.scene.materials[static_cast<std::size_t>(material_.material)];
   }
 
+  /// Another texture of the material, now on a page; its scale or strength stays.
+  void place(Json& json, const char* key, const std::optional<int>& image) {
+    if (!image || !json.contains(key)) return;
+    Json& to = json[key];
+    remove_extension(to, "KHR_texture_transform");
+    to.erase("texCoord");
+    Json placed = info(*image);
+    if (placed.contains("extensions")) {
+      to["extensions"]["KHR_texture_transform"] = std::move(placed["extensions"]["KHR_texture_transform"]);
+      placed.erase("extensions");
+    }
+    to.update(placed);
+  }
+
   void core(Json& json, const std::optional<int>& color, const std::array<double, 4>& color_factor,
             const std::optional<int>& roughness, double metallic) {
     Json& out = json["pbrMetallicRoughness"] = Json::object();
+    const bool factors = material_.own_factors;
     if (color)
       out["baseColorTexture"] = info(*color);
-    else if (color_factor != std::array<double, 4>{1, 1, 1, 1})
+    else if (factors && own_.contains("baseColorTexture"))
+      out["baseColorTexture"] = own_["baseColorTexture"];
+    if ((!color || factors) && color_factor != std::array<double, 4>{1, 1, 1, 1})
       out["baseColorFactor"] = color_factor;
     // A roughness texture carries metal in blue: it counts where metal is asked for, and is 0 elsewhere
     // anyway.
-    const bool metal_texture = roughness && has_form(rewrite_.output, GltfForm::metal_rough);
-    if (!metal_texture) out["metallicFactor"] = metallic;
+    const bool metal_texture = roughness && has_form(rewrite_.output.forms, GltfForm::metal_rough);
+    if (!metal_texture || (factors && metallic != 1)) out["metallicFactor"] = metallic;
     if (roughness)
       out["metallicRoughnessTexture"] = info(*roughness);
-    else if (material_.roughness != 1)
-      out["roughnessFactor"] = material_.roughness;
+    else if (factors && own_.contains("metallicRoughnessTexture"))
+      out["metallicRoughnessTexture"] = own_["metallicRoughnessTexture"];
+    if ((!roughness || factors) && material_.roughness != 1) out["roughnessFactor"] = material_.roughness;
   }
 
   void specular_ior(Json& json) {
@@ -157,6 +175,7 @@ class Writer {
   int uv_set_;
   UvTransform transform_;
   GltfSampler sampler_;
+  Json own_;  // what the material says in metal-rough form
 };
 
 }  // namespace
@@ -168,7 +187,7 @@ void check_output(const GltfRewrite& rewrite) {
   };
   if (output.forms.empty())
     fail("no material form asked for", "specular_ior, specular_glossiness or metal_rough");
-  if (has_form(output, GltfForm::specular_ior) && output.forms.size() > 1)
+  if (has_form(output.forms, GltfForm::specular_ior) && output.forms.size() > 1)
     fail("the form specular_ior beside another in one file",
          "one alone: KHR_materials_specular may not be combined with them");
   std::vector<bool> seen(rewrite.scene.materials.size(), false);
@@ -179,14 +198,15 @@ void check_output(const GltfRewrite& rewrite) {
            "each material of the document at most once");
     seen[index] = true;
     const std::string place = "material " + std::to_string(m.material);
-    for (const auto& image : {m.diffuse_alpha_image, m.specular_gloss_image, m.roughness_image,
-                              m.base_color_image, m.metallic_roughness_image})
+    for (const auto& image :
+         {m.diffuse_alpha_image, m.specular_gloss_image, m.roughness_image, m.base_color_image,
+          m.metallic_roughness_image, m.normal_image, m.occlusion_image, m.emissive_image})
       if (image && (*image < 0 || static_cast<std::size_t>(*image) >= output.images.size()))
         fail(place + " with image " + std::to_string(*image), "one of the images of the atlas");
     if (m.uv_set < 0) fail(place + " with UV set " + std::to_string(m.uv_set), "0 or more");
     if (!m.islands.empty() && (m.texture_width < 1 || m.texture_height < 1))
       fail(place + " with islands of a texture without a size", "its width and height");
-    if (has_form(output, GltfForm::specular_glossiness) && m.roughness_image && !m.specular_gloss_image)
+    if (has_form(output.forms, GltfForm::specular_glossiness) && m.roughness_image && !m.specular_gloss_image)
       fail(place + " with varying roughness and constant F0",
            "a specular-gloss image for form specular_glossiness");
   }

@@ -286,7 +286,7 @@ int uv_set_for(const GltfRewrite& rewrite, const AtlasMaterial& material) {
   bool needed = false;
   int next = 0;
   const Json& json = rewrite.root["materials"][static_cast<std::size_t>(material.material)];
-  each_texture_info(json, [&](const Json& info) {
+  each_texture_info(json, [&](const std::string&, const Json& info) {
     for (const auto& [key, texture] : rewrite.textures)
       if (info["index"] == texture) return;  // of the atlas itself
     int set = info.value("texCoord", 0);

@@ -8,6 +8,7 @@
 #include "core/atlas/compose.h"
 #include "core/atlas/layout.h"
 #include "core/atlas/outputs.h"
+#include "core/atlas/pack/totals.h"
 #include "core/atlas/sources/sources.h"
 #include "core/base/files/output_folder.h"
 #include "core/scene/gltf.h"
@@ -25,6 +26,8 @@ class ScenePack {
   ScenePack(const std::string& path, const PackOptions& options);
   ~ScenePack();
 
+  const GltfScene& scene() const;
+
   /// The materials, once.
   PackInputs inputs();
 
@@ -34,15 +37,24 @@ class ScenePack {
   void add_files(std::vector<std::string>& files) const;
   void add_remarks(std::vector<std::string>& remarks) const;
 
-  /// The third texture that plain glTF needs: G = roughness, B = 0.
-  void write_page(OutputFolder& folder, int page, const PagePixels& pixels, const WriteOptions& options);
+  /// Which of the scene's other textures are placed on the pages, what each form would take, and where the
+  /// smallest is asked for, which it is. Before pages are written, of the decision they are written by.
+  void choose_pictures(const PackDecision& decision);
+  /// What the textures that scene.gltf reads would take in each form. Empty before choose_pictures(), and where
+  /// no scene is written.
+  const std::vector<FormCost>& form_costs() const;
+
+  /// The pictures of a page that the scene reads beside the page's two textures.
+  void write_page(OutputFolder& folder, int page, const PagePixels& pixels, const PackDecision& decision,
+                  const WriteOptions& options);
 
   /// scene.gltf and its buffer; returns the names of all files it stands on beside the pages' own.
   std::vector<std::string> write_scene(OutputFolder& folder, const AtlasLayout& layout,
                                        const PackDecision& decision);
 
- private:
   struct State;
+
+ private:
   std::unique_ptr<State> state_;
 };
 

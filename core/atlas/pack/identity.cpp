@@ -16,6 +16,7 @@ std::string settings_hash(const PackOptions& options, const PackInputs& inputs) 
   std::string text = options.run.version + '|' + inputs.settings + '|' + options.check.settings + '|';
   for (const std::string& each : options.leave_out.keep) text += each + ',';
   for (const std::string& each : options.output.write.formats) text += each + ',';
+  if (options.output.smallest_form) text += "smallest,";
   for (const GltfForm form : options.output.forms) text += std::to_string(static_cast<int>(form)) + ',';
   const auto number = [&](auto value) { text += std::to_string(value) + '|'; };
   number(static_cast<int>(inputs.gloss));

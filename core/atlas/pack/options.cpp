@@ -62,7 +62,8 @@ std::vector<GltfForm> gltf_forms(const std::string& list) {
     else if (each == "metal-rough")
       out.push_back(GltfForm::metal_rough);
     else
-      throw Error::at("--gltf-form", printable(each), "specular-ior, specular-glossiness or metal-rough");
+      throw Error::at("--gltf-form", printable(each),
+                      "smallest, or specular-ior, specular-glossiness or metal-rough");
   }
   return out;
 }
@@ -120,7 +121,8 @@ PackOptions pack_options(const PackSettings& s) {
   out.output.write.formats = formats(s.format);
   out.output.write.png_level = png_level(s.png_level.empty() && variants ? variants->png_level : s.png_level);
   out.output.write.zstd_level = s.zstd;
-  out.output.forms = gltf_forms(s.gltf_form);
+  out.output.smallest_form = s.gltf_form == "smallest";
+  if (!out.output.smallest_form) out.output.forms = gltf_forms(s.gltf_form);
   out.output.bleed = s.bleed;
   return out;
 }

@@ -169,6 +169,10 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   });
   if (made->folder) result.files = complete(*made->folder, options, source, decision, earlier, result.layout);
   tell(source, decision, learned, result);
+  if (source.scene) result.forms = source.scene->form_costs();
+  if (made->folder)
+    stages.timed("totals",
+                 [&] { result.totals = pack_totals(source, options, result.layout, *made->folder); });
   result.stages = stages.all();
   put_all_in_place(options, made->folder.get(), stages, result);
   result.stages = stages.all();

@@ -17,6 +17,7 @@
 #include "core/atlas/manifest.h"
 #include "core/atlas/outputs.h"
 #include "core/atlas/pack/settings.h"
+#include "core/atlas/pack/totals.h"
 #include "core/atlas/plan.h"
 #include "core/atlas/sources/sources.h"
 #include "core/atlas/variant.h"
@@ -84,6 +85,8 @@ struct PackLayoutOptions {
 struct PackOutputOptions {
   WriteOptions write;
   std::vector<GltfForm> forms{GltfForm::specular_ior};
+  bool smallest_form =
+      false;  // of the exact ones that whose textures take least on a GPU, in place of `forms`
   bool bleed = false;
   bool overwrite = false;
   bool update = false;   // nothing is done when the result in place is of the same input and options
@@ -165,6 +168,8 @@ struct PackResult {
   std::vector<std::string> files, remarks;
   std::vector<PackStage> stages;
   std::vector<ReducedRegion> reduced;
+  std::optional<PackTotals> totals;  // none where nothing was written
+  std::vector<FormCost> forms;       // of a scene
   std::string validation;  // JSON of the validator's report on the pages; empty: they were not checked
   GlossForm gloss = GlossForm::schueler;
 };

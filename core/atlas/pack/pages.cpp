@@ -43,12 +43,13 @@ bool may_be_cut(const PackOptions& options, const PackSource& source) {
 
 // The files of a page that is whole.
 void write_files(OutputFolder& folder, int p, const PlannedPage& page, const PagePixels& pixels,
-                 const PackSource& source, const WriteOptions& write, const PackStages& stages) {
+                 const PackSource& source, const PackDecision& decision, const WriteOptions& write,
+                 const PackStages& stages) {
   for (const Texture texture : both_textures) {
     stages.stop_if_cancelled();
     if (page.has[index_of(texture)]) write_page(folder, p, texture, pixels, write);
   }
-  if (source.scene) source.scene->write_page(folder, p, pixels, write);
+  if (source.scene) source.scene->write_page(folder, p, pixels, decision, write);
 }
 
 void write_floats(OutputFolder& folder, int p, const FloatPage& page, const PackOptions& options) {
@@ -69,6 +70,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, const PackSource
     made.folder = std::make_unique<OutputFolder>(earlier.folder, may_replace(options.output.overwrite));
     refuse_strangers(options, earlier, decision);
   }
+  if (source.scene) source.scene->choose_pictures(decision);
   const ComposeOptions compose{options.run.threads, source.inputs.gloss, options.output.bleed};
   Composer composer(materials, regions, plan, compose);
   PagePixels pixels;
@@ -119,7 +121,8 @@ std::optional<MadePages> make_pages(const PackOptions& options, const PackSource
     stages.timed("gutters and mips", [&] { composer.mips(p, pixels); });
     check(p);
     if (!made.folder) continue;
-    stages.timed("write", [&] { write_files(*made.folder, p, page, pixels, source, write, stages); });
+    stages.timed("write",
+                 [&] { write_files(*made.folder, p, page, pixels, source, decision, write, stages); });
     if (!writes_floats(write)) continue;
     stages.timed("floats", [&] {
       write_floats(*made.folder, p, compose_floats(p, levels, materials, regions, plan, compose), options);

@@ -56,6 +56,91 @@ std::string list_json(const Items& items, Form form) {
   return '[' + joined(items, ", ", form) + ']';
 }
 
+std::string totals_json(const TextureTotals& totals) {
+  return "{\"files\": " + json(totals.files) + ", \"disk\": " + json(totals.disk) +
+         ", \"gpu\": " + json(totals.gpu) + "}";
+}
+
+std::string side_json(const std::vector<RoleTotals>& roles) {
+  return "{\"all\": " + totals_json(PackTotals::all(roles)) +
+         ", \"material\": " + totals_json(PackTotals::of_materials(roles)) + ", \"roles\": " +
+         list_json(roles,
+                   [](const RoleTotals& each) {
+                     return "{\"role\": " + json(each.role) + ", \"material\": " + json(each.material) +
+                            ", \"totals\": " + totals_json(each.totals) + "}";
+                   }) +
+         "}";
+}
+
+std::string totals_json(const PackTotals& totals) {
+  std::string out = "{\"input\": " + side_json(totals.input) + ", \"output\": " + side_json(totals.output);
+  if (totals.scene) out += ", \"scene\": " + totals_json(*totals.scene);
+  return out + "}";
+}
+
+std::string megabytes(std::uint64_t bytes) {
+  return fixed(static_cast<double>(bytes) / 1e6, 2) + " MB";
+}
+
+// A row of the table of textures, with shares of `whole` where there is one.
+std::string totals_row(const std::string& what, const TextureTotals& totals, const TextureTotals* whole) {
+  const auto share = [](std::uint64_t part, std::uint64_t all) {
+    return right(all == 0 ? "" : fixed(percent(part, all), 0) + " %", 7);
+  };
+  return padded(what, 34) + right(std::to_string(totals.files), 6) + right(megabytes(totals.disk), 13) +
+         share(totals.disk, whole ? whole->disk : 0) + right(megabytes(totals.gpu), 13) +
+         (whole && whole->gpu > 0 ? share(totals.gpu, whole->gpu) : "") + "\n";
+}
+
+// What people pay for in the end: all textures of the folder beside all of the input.
+std::string totals_text(const PackTotals& totals) {
+  const TextureTotals input = PackTotals::all(totals.input), output = PackTotals::all(totals.output);
+  if (input.files + output.files == 0) return "";
+  std::string out = "\n" + padded("textures", 34) + right("files", 6) + right("on disk", 13) + right("", 7) +
+                    right("on the GPU, with mips", 21) + "\n";
+  out += totals_row("the input", input, nullptr);
+  for (const RoleTotals& each : totals.input) out += totals_row("  " + each.role, each.totals, nullptr);
+  out += totals_row("this folder", output, &input);
+  for (const RoleTotals& each : totals.output) out += totals_row("  " + each.role, each.totals, &input);
+  if (totals.scene) out += totals_row("  of these, what scene.gltf reads", *totals.scene, &input);
+  const TextureTotals before = PackTotals::of_materials(totals.input);
+  const TextureTotals pair = PackTotals::of_materials(totals.output);
+  if (before.gpu > 0 && (before != input || pair != output))
+    out += "the pair's pages alone, which is what an engine loads with layout.json: " +
+           fixed(percent(pair.gpu, before.gpu), 0) +
+           " % of the input's colour and material textures on the GPU\n";
+  return out;
+}
+
+struct FormText {
+  const char *name, *remark;
+};
+FormText text_of(GltfForm form) {
+  if (form == GltfForm::specular_ior) return {"specular-ior", "a third texture for roughness"};
+  if (form == GltfForm::specular_glossiness) return {"specular-glossiness", "not every viewer reads it"};
+  return {"metal-rough", "base colour and metal-rough pages instead of the pair"};
+}
+
+std::string form_json(const FormCost& form) {
+  return "{\"form\": " + json(text_of(form.form).name) + ", \"gpu\": " + json(form.gpu) +
+         ", \"exact\": " + json(form.exact) + ", \"written\": " + json(form.written) + "}";
+}
+
+// What the scene's textures take on a GPU in each form that glTF has for them.
+std::string forms_text(const PackResult& r) {
+  if (r.forms.empty()) return "";
+  std::string out = "\nscene.gltf in each form: its textures on the GPU\n";
+  const std::uint64_t input = r.totals ? PackTotals::all(r.totals->input).gpu : 0;
+  for (const FormCost& each : r.forms) {
+    const FormText text = text_of(each.form);
+    out += padded(each.written ? "* " + std::string(text.name) : "  " + std::string(text.name), 34) +
+           right(megabytes(each.gpu), 13);
+    if (input > 0) out += right(fixed(percent(each.gpu, input), 0) + " %", 7) + " of the input";
+    out += std::string("; ") + text.remark + (each.exact ? "" : "; not exact in this scene") + "\n";
+  }
+  return out;
+}
+
 std::string pages_text(const PackResult& r) {
   std::string out;
   for (const PlannedPage& page : r.pages) {
@@ -93,6 +178,8 @@ std::string report_text(const PackResult& r, bool stages) {
     out += line_text(each.material) + ": " + std::to_string(each.width) + "x" + std::to_string(each.height) +
            " stored as " + std::to_string(each.stored_width) + "x" + std::to_string(each.stored_height) +
            ", dE " + number(each.delta_e, 3) + ", " + number(each.seen_delta_e, 3) + " of what is seen\n";
+  if (r.totals) out += totals_text(*r.totals);
+  out += forms_text(r);
   if (stages)
     for (const PackStage& stage : r.stages)
       out += padded(stage.name, 18) + right(fixed(1000 * stage.seconds, 1), 9) + " ms\n";
@@ -124,6 +211,8 @@ std::string report_json(const PackResult& r, bool stages) {
       {"files", json_array_of(r.files)},
       {"remarks", json_array_of(r.remarks)},
   };
+  if (!r.forms.empty()) members.push_back({"forms", list_json(r.forms, form_json)});
+  if (r.totals) members.push_back({"totals", totals_json(*r.totals)});
   if (!r.validation.empty()) members.push_back({"validation", r.validation});
   if (stages)
     members.push_back({"stages", list_json(r.stages, [](const PackStage& stage) {

@@ -2,6 +2,7 @@
 #include "core/atlas/pack/scene_pictures.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 
@@ -12,21 +13,144 @@
 namespace etak {
 namespace {
 
-// Texel `out` of a picture, of the texels `a` and `b` of a page's two textures.
-using TexelMap = std::function<void(const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* out)>;
+using Texel = std::array<std::uint8_t, 4>;
+// A texel of a picture, of the texels of a page's two textures.
+using PairMap = std::function<Texel(const std::uint8_t* diffuse_alpha, const std::uint8_t* specular_gloss)>;
+// What the texels of placed textures say of the texel in their place; null of a texture that is not placed.
+using MapsMap =
+    std::function<void(const MaterialMaps& of, const std::uint8_t* a, const std::uint8_t* b, Texel&)>;
+
+constexpr std::uint8_t none[4] = {0, 0, 0, 255};
+
+const std::uint8_t* texel_or_none(const PixelsView8& view, int x, int y) {
+  return view.data != nullptr ? view.at(x, y) : none;
+}
 
 // A texture that the page does not have reads as 0, 0, 0, 255.
-void write_mapped(OutputFolder& folder, const std::string& name, const PagePixels& pixels, int channels,
-                  const PngOptions& png, const TexelMap& map) {
-  const PixelsView8 a = pixels.view(Texture::diffuse_alpha), b = pixels.view(Texture::specular_gloss);
-  const PixelsView8& some = a.data != nullptr ? a : b;
-  constexpr std::uint8_t none[4] = {0, 0, 0, 255};
-  Image8 out(some.width, some.height, channels);
+Image8 mapped(const ScenePictureInput& in, const PairMap& map) {
+  const PlannedPage& page = in.decision.plan().pages[static_cast<std::size_t>(in.page)];
+  const PixelsView8 a = in.pixels.view(Texture::diffuse_alpha), b = in.pixels.view(Texture::specular_gloss);
+  Image8 out(page.width, page.height, 4);
   for (int y = 0; y < out.height; ++y)
-    for (int x = 0; x < out.width; ++x)
-      map(a.data != nullptr ? a.at(x, y) : none, b.data != nullptr ? b.at(x, y) : none, out.at(x, y).data());
-  folder.write(name, [&](const std::function<void(std::string_view)>& sink) { write_png(out, png, sink); });
+    for (int x = 0; x < out.width; ++x) {
+      const Texel texel = map(texel_or_none(a, x, y), texel_or_none(b, x, y));
+      std::copy(texel.begin(), texel.end(), out.at(x, y).begin());
+    }
+  return out;
 }
+
+void put_maps(const ScenePictureInput& in, const std::optional<PagePixels>& pixels, const MapsMap& map,
+              Image8& out) {
+  if (!pixels) return;
+  const PixelsView8 a = pixels->view(Texture::diffuse_alpha), b = pixels->view(Texture::specular_gloss);
+  for (const std::size_t r : in.maps.regions) {
+    const MaterialMaps& of = in.by_owner.at(in.decision.regions()[r].material);
+    const PixelBox cell = cut(in.decision.plan().places[r].cell, out.width, out.height);
+    for (int y = cell.y; y < cell.y + cell.height; ++y)
+      for (int x = cell.x; x < cell.x + cell.width; ++x) {
+        Texel texel;
+        std::copy_n(out.at(x, y).begin(), 4, texel.begin());
+        map(of, a.at(x, y), b.at(x, y), texel);
+        std::copy(texel.begin(), texel.end(), out.at(x, y).begin());
+      }
+  }
+}
+
+// Grey where red, green and blue are one, and without an alpha that is full everywhere.
+Image8 with_fewest_channels(const Image8& rgba) {
+  bool grey = true, full = true;
+  for (std::size_t i = 0; i < rgba.values.size(); i += 4) {
+    const std::uint8_t* t = rgba.values.data() + i;
+    grey = grey && t[0] == t[1] && t[1] == t[2];
+    full = full && t[3] == 255;
+  }
+  if (!full && !grey) return rgba;
+  const std::size_t colours = grey ? 1 : 3, channels = colours + (full ? 0 : 1);
+  Image8 out(rgba.width, rgba.height, static_cast<int>(channels));
+  for (std::size_t i = 0; i < rgba.pixel_count(); ++i) {
+    const std::uint8_t* from = rgba.values.data() + 4 * i;
+    std::uint8_t* to = out.values.data() + channels * i;
+    std::copy_n(from, colours, to);
+    if (!full) to[colours] = from[3];
+  }
+  return out;
+}
+
+// The pictures of one page.
+struct ScenePictures {
+  const ScenePictureInput& in;
+  std::array<std::uint8_t, 256> roughness = roughness_codes(in.gloss);
+
+  Image8 roughness_picture() const {
+    Image8 out = mapped(in, [&](const std::uint8_t*, const std::uint8_t* sg) {
+      return Texel{255, roughness[sg[3]], 0, 255};
+    });
+    put_maps(in, in.maps.color, occlusion, out);
+    return out;
+  }
+  Image8 occlusion_alone() const {
+    Image8 out = mapped(in, [](const std::uint8_t*, const std::uint8_t*) {
+      return Texel{255, 255, 255, 255};
+    });
+    put_maps(
+        in, in.maps.color,
+        [](const MaterialMaps& of, const std::uint8_t*, const std::uint8_t* b, Texel& to) {
+          if (of.occlusion) to = {b[0], b[0], b[0], 255};
+        },
+        out);
+    return out;
+  }
+  Image8 base_color() const {
+    Image8 out = mapped(in, [&](const std::uint8_t* da, const std::uint8_t* sg) {
+      const MetalRough m = solved(da, sg);
+      return Texel{srgb_u8(m.base[0]), srgb_u8(m.base[1]), srgb_u8(m.base[2]), da[3]};
+    });
+    put_maps(
+        in, in.maps.color,
+        [](const MaterialMaps& of, const std::uint8_t* a, const std::uint8_t*, Texel& to) {
+          if (of.exact && of.base_color) to = {a[0], a[1], a[2], a[3]};
+        },
+        out);
+    return out;
+  }
+  Image8 metal_rough() const {
+    Image8 out = mapped(in, [&](const std::uint8_t* da, const std::uint8_t* sg) {
+      const double metallic = std::clamp(solved(da, sg).metallic, 0.0, 1.0);
+      return Texel{255, roughness[sg[3]], static_cast<std::uint8_t>(255 * metallic + 0.5), 255};
+    });
+    put_maps(
+        in, in.maps.color,
+        [](const MaterialMaps& of, const std::uint8_t* a, const std::uint8_t* b, Texel& to) {
+          if (of.exact && of.metal_rough) to = {255, b[1], b[2], 255};
+          occlusion(of, a, b, to);
+        },
+        out);
+    return out;
+  }
+  // Of geometry: `first` or second texture, over a texel that says nothing.
+  Image8 other(std::optional<int> MaterialMaps::*which, bool first, const Texel& nothing) const {
+    Image8 out = mapped(in, [&](const std::uint8_t*, const std::uint8_t*) { return nothing; });
+    put_maps(
+        in, in.maps.geometry,
+        [&](const MaterialMaps& of, const std::uint8_t* a, const std::uint8_t* b, Texel& to) {
+          const std::uint8_t* from = first ? a : b;
+          if (of.*which) to = {from[0], from[1], from[2], 255};
+        },
+        out);
+    return out;
+  }
+
+ private:
+  static void occlusion(const MaterialMaps& of, const std::uint8_t*, const std::uint8_t* b, Texel& out) {
+    if (of.occlusion) out[0] = b[0];
+  }
+  static MetalRough solved(const std::uint8_t* da, const std::uint8_t* sg) {
+    DiffuseSpecular texel;
+    for (std::size_t c = 0; c < 3; ++c)
+      texel.diffuse[c] = srgb_decode(da[c] / 255.0), texel.f0[c] = srgb_decode(sg[c] / 255.0);
+    return metal_rough_of(texel);
+  }
+};
 
 }  // namespace
 
@@ -34,35 +158,32 @@ std::string scene_picture(int page, const std::string& what) {
   return "page" + std::to_string(page) + "_" + what + ".png";
 }
 
-std::vector<std::string> write_scene_pictures(OutputFolder& folder, int page, const PagePixels& pixels,
-                                              std::span<const GltfForm> forms, GlossForm gloss,
+std::string occlusion_picture(const std::vector<GltfForm>& forms, bool specular_gloss) {
+  if (has_form(forms, GltfForm::metal_rough)) return "metal_rough";
+  return has_form(forms, GltfForm::specular_ior) && specular_gloss ? "roughness" : "occlusion";
+}
+
+std::vector<std::string> write_scene_pictures(OutputFolder& folder, const ScenePictureInput& in,
                                               const PngOptions& png) {
   std::vector<std::string> names;
-  const auto has = [&](GltfForm form) { return std::find(forms.begin(), forms.end(), form) != forms.end(); };
-  const auto roughness = roughness_codes(gloss);
-  const bool b = pixels.view(Texture::specular_gloss).data != nullptr;
-  const auto write = [&](const char* what, int channels, const TexelMap& map) {
-    write_mapped(folder, names.emplace_back(scene_picture(page, what)), pixels, channels, png, map);
+  const auto write = [&](const char* what, const Image8& picture) {
+    const Image8 out = with_fewest_channels(picture);
+    folder.write(names.emplace_back(scene_picture(in.page, what)),
+                 [&](const std::function<void(std::string_view)>& sink) { write_png(out, png, sink); });
   };
-  if (b && has(GltfForm::specular_ior))
-    write("roughness", 3, [&](const std::uint8_t*, const std::uint8_t* sg, std::uint8_t* out) {
-      out[0] = 255, out[1] = roughness[sg[3]], out[2] = 0;
-    });
-  if (!has(GltfForm::metal_rough)) return names;
-  const auto solved = [](const std::uint8_t* da, const std::uint8_t* sg) {
-    DiffuseSpecular texel;
-    for (std::size_t c = 0; c < 3; ++c)
-      texel.diffuse[c] = srgb_decode(da[c] / 255.0), texel.f0[c] = srgb_decode(sg[c] / 255.0);
-    return metal_rough_of(texel);
+  const ScenePictures pictures{in};
+  const auto write_where_read = [&](const char* what, const auto& picture) {
+    if (in.read.contains(scene_picture(in.page, what))) write(what, picture());
   };
-  write("base_color", 4, [&](const std::uint8_t* da, const std::uint8_t* sg, std::uint8_t* out) {
-    const MetalRough m = solved(da, sg);
-    for (std::size_t c = 0; c < 3; ++c) out[c] = srgb_u8(m.base[c]);
-    out[3] = da[3];
+  write_where_read("roughness", [&] { return pictures.roughness_picture(); });
+  write_where_read("occlusion", [&] { return pictures.occlusion_alone(); });
+  write_where_read("base_color", [&] { return pictures.base_color(); });
+  write_where_read("metal_rough", [&] { return pictures.metal_rough(); });
+  write_where_read("normal", [&] {
+    return pictures.other(&MaterialMaps::normal, true, {128, 128, 255, 255});
   });
-  write("metal_rough", 3, [&](const std::uint8_t* da, const std::uint8_t* sg, std::uint8_t* out) {
-    const double metallic = std::clamp(solved(da, sg).metallic, 0.0, 1.0);
-    out[0] = 255, out[1] = roughness[sg[3]], out[2] = static_cast<std::uint8_t>(255 * metallic + 0.5);
+  write_where_read("emissive", [&] {
+    return pictures.other(&MaterialMaps::emissive, false, {0, 0, 0, 255});
   });
   return names;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "core/atlas/pack/scene_maps.h"
 #include "core/atlas/page_pixels.h"
 #include "core/base/files/output_folder.h"
 #include "core/color/gloss.h"
@@ -14,14 +15,27 @@
 namespace etak {
 
 /// Name of a picture of a page that only the scene reads.
-///   what   "roughness", "base_color" or "metal_rough"
+///   what   "roughness", "base_color", "metal_rough", "occlusion", "normal" or "emissive"
 std::string scene_picture(int page, const std::string& what);
 
-/// Writes the pictures that the scene's forms need beside the page's two textures, level 0, as PNG files.
-///   gloss    of texture B
-///   returns  the names of the files
-std::vector<std::string> write_scene_pictures(OutputFolder& folder, int page, const PagePixels& pixels,
-                                              std::span<const GltfForm> forms, GlossForm gloss,
+/// Which picture of a page holds occlusion in its red channel: one that is there anyhow, else one of its own.
+///   specular_gloss   whether the page has texture B
+std::string occlusion_picture(const std::vector<GltfForm>& forms, bool specular_gloss);
+
+/// A page, and what the scene's pictures of it are made of.
+struct ScenePictureInput {
+  int page = 0;
+  const PagePixels& pixels;
+  const MapPixels& maps;
+  const SceneMaps& by_owner;
+  const PackDecision& decision;
+  const std::set<std::string>& read;  // names of the files that the scene reads
+  GlossForm gloss;                    // of texture B
+};
+
+/// Writes those pictures that the scene reads beside the page's two textures, level 0, as PNG files of as few
+/// channels as hold them. Returns the names of the files.
+std::vector<std::string> write_scene_pictures(OutputFolder& folder, const ScenePictureInput& in,
                                               const PngOptions& png);
 
 }  // namespace etak

@@ -68,7 +68,9 @@ constexpr PackSettingRow setting_rows[] = {
      "materials that only KHR_materials_variants uses do not count"},
     {content, "gltf-form", &S::gltf_form, 0, 0, "", shown,
      "materials of the written glTF: specular-ior (KHR_materials_specular and _ior, lossless), "
-     "specular-glossiness or metal-rough; the first is the material, more with ',' between are added"},
+     "specular-glossiness or metal-rough; the first is the material, more with ',' between are added; "
+     "smallest: "
+     "of the forms that are exact in this scene the one whose textures take least on a GPU"},
     {output, "format", &S::format, 0, 0, "LIST", shown,
      "of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between"},
     {output, "png-level", &S::png_level, 0, 0, "", shown, "fast, small or smallest", "fast small smallest"},

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/pack/scene_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "core/atlas/compose.h"
+#include "core/atlas/pack/scene_pictures.h"
+#include "core/image/texture_bytes.h"
+
+namespace etak {
+namespace {
+
+using Users = std::vector<const GltfMaterial*>;
+using ImageOf = std::optional<int> MaterialMaps::*;
+using TextureOf = std::optional<GltfTexture> GltfMaterial::*;
+
+bool lies_on(const GltfTexture& map, const GltfTexture& lead) {
+  return map.uv_set == lead.uv_set && map.transform == lead.transform && map.sampler == lead.sampler;
+}
+
+// The image that all users of some texels read as this texture; none where they do not agree, or where it does not
+// lie as the pair does.
+template <class Fits>
+std::optional<int> shared_image(const Users& users, TextureOf which, const Fits& fits) {
+  std::optional<int> out;
+  for (const GltfMaterial* m : users) {
+    const std::optional<GltfTexture>& texture = m->*which;
+    if (!texture) continue;
+    const GltfTexture* const lead = leading_texture(*m);
+    if (lead == nullptr || !lies_on(*texture, *lead) || !fits(texture->image)) return std::nullopt;
+    if (out && *out != texture->image) return std::nullopt;
+    out = texture->image;
+  }
+  return out;
+}
+
+// Where the regions of an owner lie, and how.
+struct Placing {
+  bool any = false, whole_size = true, turned = false;
+};
+Placing placing_of(std::size_t owner, const PackDecision& decision) {
+  Placing out;
+  for (std::size_t r = 0; r < decision.regions().size(); ++r) {
+    if (decision.regions()[r].material != owner) continue;
+    out.any = true;
+    out.whole_size = out.whole_size && decision.regions()[r].shrink == 0;
+    out.turned = out.turned || decision.plan().places[r].rotated;
+  }
+  return out;
+}
+
+// As RGBA; 255 where there is no picture.
+Image8 four(const std::optional<int>& image, int width, int height,
+            const std::function<Image8(int)>& picture) {
+  Image8 out(width, height, 4, 255);
+  if (!image) return out;
+  const Image8 from = picture(*image);
+  const auto channels = static_cast<std::size_t>(from.channels);
+  for (std::size_t i = 0; i < out.pixel_count(); ++i) {
+    const auto texel = four_channels(from.values.data() + channels * i, channels, std::uint8_t{255});
+    std::copy(texel.begin(), texel.end(), out.values.begin() + static_cast<std::ptrdiff_t>(4 * i));
+  }
+  return out;
+}
+
+void copy_channel(const Image8& from, Image8& to, std::size_t channel) {
+  for (std::size_t i = channel; i < to.values.size(); i += 4) to.values[i] = from.values[i];
+}
+
+MaterialPair color_of(const MaterialMaps& maps, const PackInput& in,
+                      const std::function<Image8(int)>& picture) {
+  const std::optional<int> base = maps.exact ? maps.base_color : std::nullopt;
+  const std::optional<int> metal = maps.exact ? maps.metal_rough : std::nullopt;
+  MaterialPair out{four(base, in.width, in.height, picture), four(metal, in.width, in.height, picture)};
+  if (in.facts.opaque) copy_channel(Image8(in.width, in.height, 4, 255), out.diffuse_alpha, 3);
+  copy_channel(Image8(in.width, in.height, 4, 255), out.specular_gloss, 3);
+  if (maps.occlusion != metal || !metal)
+    copy_channel(four(maps.occlusion, in.width, in.height, picture), out.specular_gloss, 0);
+  return out;
+}
+
+MaterialPair geometry_of(const MaterialMaps& maps, const PackInput& in,
+                         const std::function<Image8(int)>& picture) {
+  return {four(maps.normal, in.width, in.height, picture), four(maps.emissive, in.width, in.height, picture)};
+}
+
+// The regions of a page whose owners have maps, on a page that has both textures.
+struct MappedPage {
+  std::vector<Region> regions;
+  PackingPlan plan;
+};
+
+template <class PairOfOwner>
+void compose(int page, const MappedPage& on, const SceneMaps& maps, const PackInputs& inputs,
+             unsigned threads, const PairOfOwner& pair_of, PagePixels& pixels) {
+  std::vector<PackInput> materials(inputs.materials.size());
+  for (const auto& [owner, of] : maps) {
+    PackInput& in = materials[owner] = inputs.materials[owner];
+    in.facts.learned = true;
+    in.convert = [&pair_of, &of = of, &from = inputs.materials[owner]](std::vector<std::string>&) {
+      return pair_of(of, from);
+    };
+  }
+  std::vector<Learned> learned(materials.size());
+  pixels.start(on.plan.pages[static_cast<std::size_t>(page)], 1);
+  Composer composer(materials, on.regions, on.plan, {threads});
+  composer.texels(page, pixels, learned);
+  composer.mips(page, pixels);
+}
+
+}  // namespace
+
+bool is_plain_metal_rough(const GltfMaterial& m) {
+  return !m.specular_glossiness && m.ior == 1.5 && m.specular == 1 && !m.specular_texture &&
+         m.specular_color == std::array<double, 3>{1, 1, 1} && !m.specular_color_texture;
+}
+
+SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, const PackInputs& inputs,
+                     const PackDecision& decision, const std::function<PictureHeader(int image)>& header) {
+  std::map<std::size_t, Users> users;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const MaterialFate& fate = decision.left_out().fates[i];
+    const auto material = static_cast<std::size_t>(materials[i]);
+    if (fate.texels && scene.material_used[material]) users[fate.owner].push_back(&scene.materials[material]);
+  }
+  SceneMaps out;
+  for (const auto& [owner, of] : users) {
+    const Placing placing = placing_of(owner, decision);
+    if (!placing.any || !placing.whole_size) continue;
+    const PackInput& in = inputs.materials[owner];
+    const auto fits = [&](int image) {
+      const PictureHeader h = header(image);
+      return h.width == in.width && h.height == in.height && h.bits == 8 && !h.floating;
+    };
+    MaterialMaps maps;
+    maps.base_color = shared_image(of, &GltfMaterial::base_color_texture, fits);
+    maps.metal_rough = shared_image(of, &GltfMaterial::metallic_roughness_texture, fits);
+    maps.occlusion = shared_image(of, &GltfMaterial::occlusion_texture, fits);
+    maps.emissive = shared_image(of, &GltfMaterial::emissive_texture, fits);
+    // Some viewers take the directions of a normal map from its UVs, which would turn with the region.
+    if (!placing.turned) maps.normal = shared_image(of, &GltfMaterial::normal_texture, fits);
+    maps.exact =
+        std::all_of(of.begin(), of.end(), [](const GltfMaterial* m) { return is_plain_metal_rough(*m); });
+    out.emplace(owner, maps);
+  }
+  return out;
+}
+
+SceneMaps worthwhile(const SceneMaps& maps, const std::vector<GltfForm>& forms, const PackDecision& decision,
+                     const std::function<PictureHeader(int image)>& header) {
+  SceneMaps out = maps;
+  for (int p = 0; p < static_cast<int>(decision.plan().pages.size()); ++p) {
+    const PlannedPage& page = decision.plan().pages[static_cast<std::size_t>(p)];
+    std::set<std::size_t> owners;
+    for (std::size_t r = 0; r < decision.regions().size(); ++r)
+      if (decision.plan().places[r].page == p) owners.insert(decision.regions()[r].material);
+    // Takes kinds of textures off the page where they take no less there than as they are.
+    const auto weigh = [&](std::initializer_list<ImageOf> kinds, int channels) {
+      std::set<int> images;
+      for (const std::size_t owner : owners)
+        if (const auto found = out.find(owner); found != out.end())
+          for (const ImageOf kind : kinds)
+            if (const auto& image = found->second.*kind) images.insert(*image);
+      std::uint64_t kept = 0;
+      for (const int image : images) kept += texture_bytes(header(image), true);
+      if (texture_bytes({page.width, page.height, channels}, true) < kept) return;
+      for (const std::size_t owner : owners)
+        if (const auto found = out.find(owner); found != out.end())
+          for (const ImageOf kind : kinds) (found->second.*kind).reset();
+    };
+    weigh({&MaterialMaps::normal}, 3);
+    weigh({&MaterialMaps::emissive}, 3);
+    const auto is_exact = [&](std::size_t owner) {
+      const auto found = out.find(owner);
+      return found != out.end() && found->second.exact;
+    };
+    // Materials that are solved from the pair need both of the pages anyhow.
+    const bool needed = !std::all_of(owners.begin(), owners.end(), is_exact);
+    if (!has_form(forms, GltfForm::metal_rough)) {
+      if (occlusion_picture(forms, page.has[1]) == "occlusion") weigh({&MaterialMaps::occlusion}, 1);
+    } else if (!needed) {
+      weigh({&MaterialMaps::base_color}, 4);
+      weigh({&MaterialMaps::metal_rough, &MaterialMaps::occlusion}, 3);
+    }
+  }
+  return out;
+}
+
+MapPixels map_pixels(int page, const SceneMaps& maps, const PackInputs& inputs, const PackDecision& decision,
+                     unsigned threads, const std::function<Image8(int image)>& picture) {
+  MapPixels out;
+  MappedPage on;
+  on.plan = decision.plan();
+  on.plan.places.clear();
+  on.plan.pages[static_cast<std::size_t>(page)].has = {true, true};
+  bool color = false, geometry = false;
+  for (std::size_t r = 0; r < decision.regions().size(); ++r) {
+    const auto found = maps.find(decision.regions()[r].material);
+    if (decision.plan().places[r].page != page || found == maps.end()) continue;
+    const MaterialMaps& of = found->second;
+    out.regions.push_back(r);
+    on.regions.push_back(decision.regions()[r]);
+    on.plan.places.push_back(decision.plan().places[r]);
+    color = color || of.occlusion || (of.exact && (of.base_color || of.metal_rough));
+    geometry = geometry || of.normal || of.emissive;
+  }
+  if (color)
+    compose(
+        page, on, maps, inputs, threads,
+        [&](const MaterialMaps& of, const PackInput& in) { return color_of(of, in, picture); },
+        out.color.emplace());
+  if (geometry)
+    compose(
+        page, on, maps, inputs, threads,
+        [&](const MaterialMaps& of, const PackInput& in) { return geometry_of(of, in, picture); },
+        out.geometry.emplace());
+  return out;
+}
+
+}  // namespace etak

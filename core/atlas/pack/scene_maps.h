@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/atlas/pack/decision.h"
+#include "core/atlas/page_pixels.h"
+#include "core/atlas/sources/sources.h"
+#include "core/image/picture.h"
+#include "core/scene/gltf.h"
+
+namespace etak {
+
+/// Whether the factors and textures of core glTF's metal-rough form are all that the material's diffuse and F0
+/// depend on.
+bool is_plain_metal_rough(const GltfMaterial& material);
+
+/// Textures of a scene that are placed on the atlas's pages just as the pair is: they are looked up at the same
+/// place, are of its size, and are the same for all materials that share the texels. Images of the document;
+/// none: there is no such texture, or it cannot be placed and stays a file of its own.
+struct MaterialMaps {
+  std::optional<int> base_color, metal_rough, occlusion, normal, emissive;
+  // All materials that share the texels are of plain metal-rough form: written so, base colour and metal-rough
+  // are the material's own textures, placed or as they are, under its own factors.
+  bool exact = false;
+};
+
+/// By the material (index of the inputs) that owns the texels.
+using SceneMaps = std::map<std::size_t, MaterialMaps>;
+
+/// Which textures can be placed.
+///   materials   of the document, beside the inputs
+///   header      of an image of the document
+SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, const PackInputs& inputs,
+                     const PackDecision& decision, const std::function<PictureHeader(int image)>& header);
+
+/// Those of `maps` that are worth their place in a scene of these forms: on a page where they would take more
+/// bytes on a GPU than the textures that they replace, these stay files of their own.
+SceneMaps worthwhile(const SceneMaps& maps, const std::vector<GltfForm>& forms, const PackDecision& decision,
+                     const std::function<PictureHeader(int image)>& header);
+
+/// Level 0 of a page of such textures, gutters included.
+///   color      base colour and alpha (A); occlusion, roughness, metal (B)
+///   geometry   normal (A); emissive (B)
+/// Where no texture is placed A and B are 0, where one of a material's is missing it is 255.
+struct MapPixels {
+  std::optional<PagePixels> color, geometry;  // none where no texture of it is placed
+  std::vector<std::size_t> regions;           // of the page, whose owners have maps
+};
+
+///   picture   decodes an image of the document: codes, any number of channels
+MapPixels map_pixels(int page, const SceneMaps& maps, const PackInputs& inputs, const PackDecision& decision,
+                     unsigned threads, const std::function<Image8(int image)>& picture);
+
+}  // namespace etak

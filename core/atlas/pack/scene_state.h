@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/atlas/pack/gltf_pack.h"
+#include "core/atlas/pack/pack.h"
+#include "core/atlas/pack/scene_maps.h"
+#include "core/atlas/page_memory.h"
+#include "core/scene/uv_use.h"
+
+namespace etak {
+
+/// What gltf_pack.cpp reads of a scene, and scene_output.cpp writes of it.
+struct ScenePack::State {
+  struct Entry {
+    int material = -1;  // in the document
+    std::optional<TexelUse> use;
+    std::shared_ptr<const MaterialPair> pair;
+    bool tiles = false;                // on a page of its own
+    double clamped = 0;                // percent of the texels whose gloss was brought back to 0..1
+    std::vector<std::string> remarks;  // from the thread that learned it
+  };
+
+  GltfScene scene;
+  std::optional<MaterialUses> uses;  // of the scene, once that is read
+  const PackOptions& options;
+  GlossForm gloss;
+  std::vector<Entry> entries;  // beside the inputs
+  PackInputs inputs;
+  std::vector<std::string> remarks;
+  std::map<int, Image8> pictures;
+  std::map<int, int> pictures_awaited;  // by image: lookups in learn() that are still to come
+  std::mutex pictures_lock;
+  std::map<int, PictureHeader> headers;  // by image, of those that were asked for
+  // Of the decision that is being written.
+  std::vector<GltfForm> forms;
+  SceneMaps maps;
+  std::vector<FormCost> costs;
+  std::set<std::string> read;  // pictures of pages that scene.gltf reads
+  std::set<std::string> written;
+
+  explicit State(const PackOptions& options);
+
+  // Pictures of the document.
+  std::string_view bytes_of(const PictureFile& image, FileBytes& file) const;
+  Image8 decoded(int image) const;
+  const PictureHeader& header(int image);
+  const Image8& picture(int image);  // kept until those who asked have given it back
+  void await_pictures(const GltfMaterial& m);
+  void give_back_pictures(const GltfMaterial& m);
+  FloatPair floats_of(int material) const;
+
+  // Reading.
+  std::string name_of(const GltfMaterial& m, std::set<std::string>& names) const;
+  void add_material(const GltfMaterial& m, std::set<std::string>& names);
+  void learn(std::size_t entry);
+  void scale_of(PackInput& in, const Entry& entry, const GltfTexture& lead);
+  void normals_of(PackInput& in, const GltfMaterial& m, Entry& entry, const GltfTexture& lead);
+  void use_of(PackInput& in, Entry& entry, const GltfTexture& lead);
+
+  // Writing.
+  bool writes_scene() const;
+  /// Of all textures that scene.gltf would read.
+  std::uint64_t scene_bytes(GltfForm form, const SceneMaps& of_form, const PackDecision& decision);
+  bool is_exact(GltfForm form, const SceneMaps& of_form, const PackDecision& decision) const;
+};
+
+}  // namespace etak

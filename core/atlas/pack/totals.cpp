@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/atlas/pack/totals.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "core/atlas/outputs.h"
+#include "core/atlas/pack/pack.h"
+#include "core/atlas/pack/source.h"
+#include "core/base/error.h"
+#include "core/image/load.h"
+#include "core/image/texture_bytes.h"
+#include "core/scene/image_roles.h"
+
+namespace etak {
+namespace {
+
+void add(std::vector<RoleTotals>& to, const std::string& role, bool material, const TextureTotals& totals) {
+  const auto found = std::find_if(to.begin(), to.end(), [&](const RoleTotals& r) { return r.role == role; });
+  if (found != to.end())
+    found->totals.add(totals);
+  else
+    to.push_back({role, material, totals});
+}
+
+TextureTotals file_totals(const std::string& path, const PictureDoor& door) {
+  return {1, std::filesystem::file_size(path), texture_bytes(picture_header(path, door), true)};
+}
+
+// What a manifest or a folder of pictures names: a file that serves several roles counts for the first.
+std::vector<RoleTotals> of_manifest(const PackInputs& inputs, const PictureDoor& door) {
+  std::vector<RoleTotals> out;
+  std::set<std::string> seen;
+  const auto count = [&](const PlaneSource& plane, const char* role, bool material) {
+    if (plane.is_image() && seen.insert(plane.path).second)
+      add(out, role, material, file_totals(plane.path, door));
+  };
+  for (const PackInput& m : inputs.materials) {
+    count(m.color[index_of(Texture::diffuse_alpha)], "diffuse", true);
+    count(m.grey[index_of(Texture::diffuse_alpha)], "alpha", true);
+    count(m.color[index_of(Texture::specular_gloss)], "F0", true);
+    count(m.grey[index_of(Texture::specular_gloss)], "gloss", true);
+    count(m.normal, "normal", false);
+  }
+  return out;
+}
+
+// The pages' two textures, in every format that was written.
+void add_pages(std::vector<RoleTotals>& to, const AtlasLayout& layout, const OutputFolder& folder) {
+  for (const AtlasPage& page : layout.pages)
+    for (const Texture texture : both_textures) {
+      const auto& files = page.files[index_of(texture)];
+      if (files.empty()) continue;
+      TextureTotals totals;
+      totals.gpu = texture_bytes({page.width, page.height, 4}, true);
+      for (const std::string& name : files) {
+        ++totals.files;
+        totals.disk += std::filesystem::file_size(folder.path_until_commit(name));
+      }
+      add(to, texture == Texture::diffuse_alpha ? "diffuse and alpha" : "F0 and gloss", true, totals);
+    }
+}
+
+// A picture that nothing reads may be broken or missing: it takes what its file takes.
+TextureTotals picture_totals(const PictureFile& picture, bool unused, const PictureDoor& door) {
+  TextureTotals out{1, picture.bytes.size(), 0};
+  try {
+    if (!picture.path.empty()) return file_totals(picture.path, door);
+    out.gpu = texture_bytes(open_picture(picture, door)->header(), true);
+  } catch (const Error&) {
+    if (!unused) throw;
+  } catch (const std::filesystem::filesystem_error&) {
+    if (!unused) throw;
+    out.files = 0;
+  }
+  return out;
+}
+
+// The images of a scene, each file once, with their names beside it.
+template <class See>
+void each_image(const GltfScene& scene, const PictureDoor& door, const See& see) {
+  std::set<std::string> seen;
+  const std::vector<ImageRole> roles = image_roles(*scene.json, scene.path);
+  for (std::size_t i = 0; i < roles.size(); ++i)
+    if (roles[i].file.empty() || seen.insert(roles[i].file).second)
+      see(roles[i], picture_totals(scene.images[i], roles[i].is_unused(), door));
+}
+
+std::vector<RoleTotals> of_scene(const GltfScene& scene, const PictureDoor& door) {
+  std::vector<RoleTotals> out;
+  each_image(scene, door, [&](const ImageRole& image, const TextureTotals& totals) {
+    add(out, image.role, image.material, totals);
+  });
+  return out;
+}
+
+// What the scene reads beside the pages: pictures made of them, and those that stayed as they were.
+void add_scene(PackTotals& to, const AtlasLayout& layout, const OutputFolder& folder,
+               const PictureDoor& door) {
+  std::set<std::string> pages;
+  for (const AtlasPage& page : layout.pages)
+    for (const auto& files : page.files) pages.insert(files.begin(), files.end());
+  to.scene.emplace();
+  const GltfScene scene = read_gltf(folder.path_until_commit("scene.gltf"), {});
+  each_image(scene, door, [&](const ImageRole& image, const TextureTotals& totals) {
+    to.scene->add(totals);
+    if (!pages.contains(image.file)) add(to.output, image.role, false, totals);
+  });
+}
+
+}  // namespace
+
+TextureTotals PackTotals::all(const std::vector<RoleTotals>& roles) {
+  TextureTotals out;
+  for (const RoleTotals& each : roles) out.add(each.totals);
+  return out;
+}
+
+TextureTotals PackTotals::of_materials(const std::vector<RoleTotals>& roles) {
+  TextureTotals out;
+  for (const RoleTotals& each : roles)
+    if (each.material) out.add(each.totals);
+  return out;
+}
+
+PackTotals pack_totals(const PackSource& source, const PackOptions& options, const AtlasLayout& layout,
+                       const OutputFolder& folder) {
+  const PictureDoor& door = options.input.pictures.door;
+  PackTotals out;
+  out.input = source.scene ? of_scene(source.scene->scene(), door) : of_manifest(source.inputs, door);
+  add_pages(out.output, layout, folder);
+  const auto& others = layout.other_files;
+  if (std::find(others.begin(), others.end(), "scene.gltf") != others.end())
+    add_scene(out, layout, folder, door);
+  return out;
+}
+
+}  // namespace etak

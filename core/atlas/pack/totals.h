@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/atlas/layout.h"
+#include "core/base/files/output_folder.h"
+#include "core/scene/gltf.h"
+
+namespace etak {
+
+struct PackOptions;
+struct PackSource;
+
+/// What texture files take.
+///   disk   bytes of the files
+///   gpu    bytes uncompressed with all mips (core/image/texture_bytes.h); of a texture that lies there in
+///          several formats, of one
+struct TextureTotals {
+  std::size_t files = 0;
+  std::uint64_t disk = 0, gpu = 0;
+
+  void add(const TextureTotals& other) {
+    files += other.files;
+    disk += other.disk;
+    gpu += other.gpu;
+  }
+  friend bool operator==(const TextureTotals&, const TextureTotals&) = default;
+};
+
+/// The textures of one role: "base colour", "normal", "diffuse and alpha", "roughness of the scene", ...
+struct RoleTotals {
+  std::string role;
+  bool material = false;  // colour, metal, roughness, F0 or gloss: what the pair holds
+  TextureTotals totals;
+  friend bool operator==(const RoleTotals&, const RoleTotals&) = default;
+};
+
+/// All textures of the input and of the folder that was written, each file once, by role.
+struct PackTotals {
+  std::vector<RoleTotals> input, output;
+  std::optional<TextureTotals> scene;  // what scene.gltf reads, where one was written
+
+  static TextureTotals all(const std::vector<RoleTotals>& roles);
+  /// Those of material roles alone: in the output the pair's pages, which is what an engine loads that reads
+  /// layout.json.
+  static TextureTotals of_materials(const std::vector<RoleTotals>& roles);
+  friend bool operator==(const PackTotals&, const PackTotals&) = default;
+};
+
+/// What a form of the written scene costs.
+///   gpu       bytes of all textures that scene.gltf reads, uncompressed with all mips
+///   exact     the form says what was read, but for the rounding of the pair's codes
+///   written   it is the one that was asked for, or found to be the smallest
+struct FormCost {
+  GltfForm form = GltfForm::specular_ior;
+  std::uint64_t gpu = 0;
+  bool exact = true, written = false;
+  friend bool operator==(const FormCost&, const FormCost&) = default;
+};
+
+/// Counts the textures that were read and those in `folder`, which is not in place yet. Throws Error.
+PackTotals pack_totals(const PackSource& source, const PackOptions& options, const AtlasLayout& layout,
+                       const OutputFolder& folder);
+
+}  // namespace etak
