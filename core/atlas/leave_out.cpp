@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -330,7 +331,7 @@ std::set<std::string> parse_keep(const std::vector<std::string>& names) {
     if (std::find(leave_out_names.begin(), leave_out_names.end(), each) == leave_out_names.end()) {
       std::string list;
       for (const std::string_view one : leave_out_names) list += std::string(one) + ", ";
-      throw Error::at("--keep", printable(each), list + "all");
+      throw Error::at(setting("keep"), printable(each), list + "all");
     }
     out.insert(each);
   }

@@ -18,7 +18,8 @@ namespace etak {
 
 // What an atlas need not hold: decided here from facts about the materials, without touching a picture.
 
-/// The kinds of things that are left out, in the order in which they are looked for; names of --keep.
+/// The kinds of things that are left out, in the order in which they are looked for; words of the
+/// setting "keep".
 ///   unreached   materials that the scene does not reach
 ///   equal       materials that find every texel they read among another material's (constant channels are
 ///               not read)
@@ -106,7 +107,7 @@ struct LeaveOut {
 /// alpha, and F0 with gloss.
 LeaveOut leave_out(const std::vector<MaterialFacts>& materials, const LeaveOutOptions& options);
 
-/// Throws Error at --keep for a name that is none ("all" stands for every one).
+/// Throws Error at the setting "keep" for a name that is none of leave_out_names; "all" stands for all of them.
 std::set<std::string> parse_keep(const std::vector<std::string>& names);
 
 }  // namespace etak

@@ -18,6 +18,7 @@
 #include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/setting.h"
 #include "core/color/srgb.h"
 #include "core/scene/gltf_convert.h"
 #include "core/scene/material_texels.h"
@@ -265,10 +266,10 @@ ScenePack::ScenePack(const std::string& path, const PackOptions& options)
   s.uses.emplace(s.scene);
   s.inputs.gloss = s.gloss;
   if (s.gloss == GlossForm::roughness)
-    throw Error::at("--gloss", "roughness", "schueler or one_minus_roughness for a glTF scene");
+    throw Error::at(setting("gloss"), "roughness", "schueler or one_minus_roughness for a glTF scene");
   if (s.gloss == GlossForm::schueler && s.has_form(GltfForm::specular_glossiness))
-    throw Error::at("--gltf-form", "specular-glossiness, whose gloss is 1 - roughness",
-                    "--gloss one_minus_roughness");
+    throw Error::at(setting("gltf-form"), "specular-glossiness, whose gloss is 1 - roughness",
+                    setting("gloss") + " one_minus_roughness");
   std::set<std::string> names;
   for (const GltfMaterial& m : s.scene.materials) s.add_material(m, names);
   parallel_chunks(s.inputs.materials.size(), options.run.threads, 1,
@@ -309,7 +310,8 @@ void ScenePack::add_files(std::vector<std::string>& files) const {
 void ScenePack::add_remarks(std::vector<std::string>& remarks) const {
   remarks.insert(remarks.end(), state_->remarks.begin(), state_->remarks.end());
   if (!state_->writes_scene())
-    remarks.push_back("no scene.gltf was written: its pictures are PNG, which --format does not name");
+    remarks.push_back("no scene.gltf was written: its pictures are PNG, which " + setting("format") +
+                      " does not name");
 }
 
 void ScenePack::write_page(OutputFolder& folder, int page, const PagePixels& pixels,

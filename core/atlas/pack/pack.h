@@ -124,7 +124,7 @@ struct PackOptions {
   PackCheckHooks check;
 };
 
-/// What a person wrote, as values. Throws Error that names the option. Left to the caller: the input's
+/// What a person wrote, as values. Throws Error that names the setting. Left to the caller: the input's
 /// pictures and their spaces, what may be overwritten, the run and the check.
 PackOptions pack_options(const PackSettings& settings);
 

@@ -9,6 +9,7 @@
 #include "core/atlas/pack/table.h"
 #include "core/atlas/page_stream.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -29,10 +30,10 @@ void check_memory(const PackOptions& options, const PlannedPage& page, int level
     bytes += texel * static_cast<std::size_t>(std::max(1, page.width >> l)) *
              static_cast<std::size_t>(std::max(1, page.height >> l));
   if (options.run.memory != 0 && bytes > options.run.memory)
-    throw Error::at("--memory",
+    throw Error::at(setting("memory"),
                     "a page of " + std::to_string(page.width) + " x " + std::to_string(page.height) +
                         " takes " + std::to_string((bytes >> 20) + 1) + " MiB",
-                    "more memory, or a smaller --page");
+                    "more memory, or a smaller " + setting("page"));
 }
 
 // Where pages can be made slab by slab: what else is written of them, and the check, need them whole.

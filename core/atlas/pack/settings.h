@@ -38,7 +38,7 @@ struct PackSettings {
   friend bool operator==(const PackSettings&, const PackSettings&) = default;
 };
 
-/// One setting for every reader: `--name` on the command line, a key of a job.
+/// One setting for every reader: an option of the command line, a key of a job.
 ///   least, most   of numbers; equal: any
 ///   value_name    in the help; empty: as the type has it
 ///   words         with ' ' between: all that there are; empty: any text
@@ -59,11 +59,13 @@ struct PackSettingRow {
   double least, most;
   std::string_view value_name;
   unsigned traits;
-  std::string_view help;
+  std::string_view help;  // {page} stands for the setting of that name
   std::string_view words = {};
 
   bool is(Trait trait) const { return (traits & trait) != 0; }
   std::vector<std::string> word_list() const;
+  /// `help` with the names of other settings as setting() (core/base/setting.h) writes them.
+  std::string help_text() const;
 };
 
 /// Every setting but input and output, in the order of the help.

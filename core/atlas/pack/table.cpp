@@ -10,6 +10,7 @@
 #include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 #include "core/scene/uv_transform.h"
 
 namespace etak {
@@ -154,7 +155,7 @@ BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision&
     const PlannedPage& page = decision.plan().pages[static_cast<std::size_t>(at.page)];
     if (out.page >= 0 && out.page != at.page)
       throw Error::at(in.name, "its islands lie on several pages, which one material cannot read",
-                      "a larger --page, or no --islands");
+                      "a larger " + setting("page") + ", or no " + setting("islands"));
     out.page = at.page;
     out.own_page = regions[r].own_page;
     out.boxes.push_back({array_of(regions[r].box), transform_of(in, regions[r], at, page)});
