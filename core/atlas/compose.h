@@ -55,8 +55,6 @@ class Composer {
   /// The levels that all regions share, which pixels holds whole.
   void end_page(int page, PagePixels& pixels, std::vector<Learned>& learned);
 
-  /// Mips of a page that are free of neighbours; further ones are made of the whole page.
-  int clean_levels(int page) const;
   /// The region's texels are as its files hold them, row by row.
   bool in_file_order(std::size_t region) const;
 
@@ -68,9 +66,10 @@ class Composer {
   struct Streamed;  // a region whose files are open
   void stream(const Task& task, PagePixels& pixels, unsigned worker);
   void place(const Task& task, PagePixels& pixels, const Image8& picture, Learned& learned);
-  bool mips_in_place(std::size_t region, const PlannedPlace& at, std::array<Wrap, 2> wrap, int levels,
-                     PagePixels& pixels) const;
-  void page_mips(PagePixels& pixels, int first) const;
+  bool mips_in_place(std::size_t region, const PlannedPlace& at, int levels, PagePixels& pixels) const;
+  void mips_by_copy(std::size_t region, const PlannedPlace& at, int levels, PagePixels& pixels);
+  void fill_first_gutter(std::size_t region, const PlannedPlace& at, PagePixels& pixels) const;
+  void shared_mips(int page, PagePixels& pixels) const;
   void learn(std::vector<Learned>& learned) const;
   /// Where a region lies in the slab that `pixels` holds.
   PlannedPlace place_in(const PagePixels& pixels, std::size_t region) const;
@@ -92,31 +91,5 @@ class Composer {
   std::vector<std::array<std::unique_ptr<Streamed>, 2>> open_;
   int clean_ = 1;
 };
-
-/// A box of level 0 on a higher level.
-inline PixelBox at_level(const PixelBox& box, int level) {
-  return {box.x >> level, box.y >> level, box.width >> level, box.height >> level};
-}
-
-/// What of a box lies in a picture of these sides; at least one texel.
-inline PixelBox cut(const PixelBox& box, int width, int height) {
-  PixelBox out = box;
-  out.x = std::min(out.x, width - 1);
-  out.y = std::min(out.y, height - 1);
-  out.width = std::clamp(out.width, 1, width - out.x);
-  out.height = std::clamp(out.height, 1, height - out.y);
-  return out;
-}
-
-/// The part of a material's normal map that belongs to a box of its pictures, RGB.
-Image8 normals_of(const PackInput& material, const PixelBox& box);
-
-/// Copies `box` of a picture to column x, row y of a page; rotated: column c becomes row c, rows run from
-/// right to left.
-void copy_texels(const ConstPixelsView8& picture, const PixelBox& box, const PixelsView8& page, int x, int y,
-                 bool rotated);
-
-/// The material's whole pair in memory, from planes or function; what was clamped is added to `remarks`.
-MaterialPair load_pair(const PackInput& material, std::vector<std::string>& remarks);
 
 }  // namespace etak

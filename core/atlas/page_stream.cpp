@@ -164,7 +164,7 @@ void start_slab(const StreamedPage& of, const Slab& slab, PagePixels& pixels, Pa
 std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& regions,
                            const PackingPlan& plan, int page, int levels, bool bleed) {
   const PlannedPage& size = plan.pages[static_cast<std::size_t>(page)];
-  const int clean = composer.clean_levels(page);
+  const int clean = plan.clean_levels(page);
   // The page's own mips are made from the last clean level, which must be one that is held whole.
   if (levels > clean && clean == 1) return {0, size.height};
   const std::vector<int> between = cuts_between_cells(plan, page, 1 << (std::min(levels, clean) - 1));
@@ -180,7 +180,7 @@ std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& 
 
 void stream_page(Composer& composer, const StreamedPage& of, std::vector<Learned>& learned) {
   const std::vector<int>& cuts = of.cuts;
-  const int clean = composer.clean_levels(of.page);
+  const int clean = of.plan.clean_levels(of.page);
   const int cut_levels = std::min({of.levels, most_cut_levels, of.levels > clean ? clean - 1 : of.levels});
   // Two slabs: one is made, one is written. The first holds the levels that are not cut.
   std::array<PagePixels, 2> pixels;

@@ -320,6 +320,13 @@ std::uint64_t PackingPlan::page_texels() const {
   return sum;
 }
 
+int PackingPlan::clean_levels(int page) const {
+  int out = 1;
+  for (const PlannedPlace& each : places)
+    if (each.page == page) out = std::max(out, each.clean_levels);
+  return out;
+}
+
 int default_clean_levels(int width, int height) {
   return 1 + log2_floor(std::max(1, std::min(width, height) / 32));
 }

@@ -54,6 +54,12 @@ struct PlannedPlace {
   friend bool operator==(const PlannedPlace&, const PlannedPlace&) = default;
 };
 
+/// Where the region's texels of level 0 lie on its page, without the gutter.
+inline PixelBox box_on_page(const Region& region, const PlannedPlace& at) {
+  return {at.x, at.y, at.rotated ? region.height() : region.width(),
+          at.rotated ? region.width() : region.height()};
+}
+
 struct PlannedPage {
   int width = 0, height = 0;
   std::array<bool, 2> has{true, true};  // by Texture
@@ -72,6 +78,8 @@ struct PackingPlan {
   int clean_limit = 0;
 
   std::uint64_t page_texels() const;  // of both textures
+  /// Mips of a page that are free of neighbours; further ones are made of the whole page.
+  int clean_levels(int page) const;
 };
 
 /// Mips that a region of these sides keeps clean at a gutter of a 32nd of its smaller side: 1 below 64

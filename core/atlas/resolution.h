@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/atlas/plan.h"
-#include "core/atlas/sources/sources.h"
+#include "core/atlas/sources/pictures.h"
 #include "core/image/image.h"
 #include "core/image/mips.h"
 
@@ -20,9 +20,6 @@ struct ResolutionError {
   double codes = 0;    // of 255, of any channel
   friend bool operator==(const ResolutionError&, const ResolutionError&) = default;
 };
-
-/// What a sampler does at the edges of the region, by axis.
-using WrapBoth = std::array<Wrap, 2>;
 
 /// Compares a pair with a smaller one of the same content. Stops early and returns what it has found so far
 /// where delta_e exceeds `enough`.
@@ -51,13 +48,17 @@ template <class Value>
 MipPairOf<Value> region_chain(const Pixels<Value>& a, const Pixels<Value>& b, MipOptions options,
                               GlossForm gloss, unsigned threads = 1);
 
-/// A box of a picture of four channels.
+/// What mips of a material's texels are made with: so many levels, and alpha as the material tests it.
+MipOptions mip_options(const PackInput& material, int levels);
+
+/// Mips of a part of a material's pictures from level `first` on, `levels` of them; of those after that one
+/// the gloss is lowered by the spread of the material's normals. A chain that ends earlier gives fewer, but
+/// its last level always.
+///   a, b   the texels of `box` in the material's two pictures
 template <class Value>
-Pixels<Value> part_of(const Pixels<Value>& picture, const PixelBox& box) {
-  Pixels<Value> out(box.width, box.height, picture.channels);
-  paste(picture, -box.x, -box.y, out);
-  return out;
-}
+MipPairOf<Value> levels_from(int first, int levels, const Pixels<Value>& a, const Pixels<Value>& b,
+                             const PackInput& material, const PixelBox& box, GlossForm gloss,
+                             unsigned threads = 1);
 
 /// The region as it is stored at level 0, without its gutter.
 ///   pair   of the whole material

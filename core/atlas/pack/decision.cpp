@@ -8,6 +8,7 @@
 #include "core/atlas/pack/gltf_pack.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/sources/apply_variants.h"
+#include "core/atlas/sources/pictures.h"
 #include "core/image/mips.h"
 
 namespace etak {

@@ -28,10 +28,11 @@ void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decisi
     rect.name = m.name;
     rect.island = island++;
     rect.page = at.page;
-    rect.x = at.x;
-    rect.y = at.y;
-    rect.width = at.rotated ? regions[r].height() : regions[r].width();
-    rect.height = at.rotated ? regions[r].width() : regions[r].height();
+    const PixelBox on_page = box_on_page(regions[r], at);
+    rect.x = on_page.x;
+    rect.y = on_page.y;
+    rect.width = on_page.width;
+    rect.height = on_page.height;
     rect.rotated = at.rotated;
     rect.crop = box;
     rect.source_width = m.width;
@@ -40,8 +41,7 @@ void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decisi
     rect.mips = at.clean_levels;
     rect.inset = plan.inset ? 0.5 * (1 << (at.clean_levels - 1)) : 0;
     rect.repeats = regions[r].own_page;
-    const bool whole = box == PixelBox{0, 0, m.width, m.height};
-    rect.source_gutter = at.gutter > 0 && !(whole && m.wrap == std::array{Wrap::clamp, Wrap::clamp});
+    rect.source_gutter = at.gutter > 0 && !(m.is_whole(box) && m.wrap == WrapBoth{Wrap::clamp, Wrap::clamp});
     out.rects.push_back(rect);
   }
 }
@@ -103,8 +103,7 @@ UvTransform transform_of(const PackInput& in, const Region& region, const Planne
   out.box = array_of(region.box);
   out.texture_width = in.width;
   out.texture_height = in.height;
-  out.place = {at.x, at.y, at.rotated ? region.height() : region.width(),
-               at.rotated ? region.width() : region.height()};
+  out.place = array_of(box_on_page(region, at));
   out.rotated = at.rotated;
   out.page_width = page.width;
   out.page_height = page.height;

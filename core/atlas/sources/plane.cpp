@@ -57,6 +57,17 @@ std::array<int, 3> picked_channels(const PlaneSource& source, int channels) {
   return pick;
 }
 
+void refuse_not_finite(const PlaneSource& source) {
+  throw Error::at(source.path, "holds a value that is no finite number", "finite numbers");
+}
+
+void check_size(const PlaneSource& source, int width, int height, int expected_width, int expected_height) {
+  if (width == expected_width && height == expected_height) return;
+  throw Error::at(source.path, "is " + std::to_string(width) + " x " + std::to_string(height),
+                  std::to_string(expected_width) + " x " + std::to_string(expected_height) +
+                      ", as when it was looked at");
+}
+
 PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&source) {
   if (!source.is_image()) return;
   memory.load(source.path);
@@ -85,8 +96,7 @@ void PlaneRows::convert_space(const Sample* in, std::size_t texels, int step, fl
     for (std::size_t c = 0; c < 3; ++c) {
       const auto value =
           static_cast<float>(in[i * static_cast<std::size_t>(step) + static_cast<std::size_t>(pick_[c])]);
-      if (!std::isfinite(value))
-        throw Error::at(source_->path, "holds a value that is no finite number", "finite numbers");
+      if (!std::isfinite(value)) refuse_not_finite(*source_);
       floats_[3 * i + c] = value / scale;
     }
   source_->space(floats_.data(), texels);
@@ -112,8 +122,7 @@ void PlaneRows::convert_floats() {
   rows_.resize(values_.size());
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const double value = double{values_[i]};
-    if (!std::isfinite(value))
-      throw Error::at(source_->path, "holds a value that is no finite number", "finite numbers");
+    if (!std::isfinite(value)) refuse_not_finite(*source_);
     const double encoded = apply ? apply(value) : value;
     rows_[i] = code_of(encoded);
     clamped_ += outside(encoded) ? 1 : 0;

@@ -54,6 +54,12 @@ PictureHeader picture_header(const std::string& path, const PictureDoor& door);
 /// Error for channels that are not there.
 std::array<int, 3> picked_channels(const PlaneSource& source, int channels);
 
+/// Throws Error: the picture of the source holds a value that is not finite.
+[[noreturn]] void refuse_not_finite(const PlaneSource& source);
+
+/// Throws Error where a picture of `width` x `height` is not as large as it was when its header was read.
+void check_size(const PlaneSource& source, int width, int height, int expected_width, int expected_height);
+
 /// Reads one plane from the top: 8-bit codes, converted.
 class PlaneRows {
  public:
