@@ -30,12 +30,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A box more takes a gutter and a place; that is worth about so many texels.
+// One more box costs about so many texels, for its gutter and for the waste around it.
 constexpr std::size_t island_cost = 256;
-constexpr int island_margin = 0;  // footprints hold what bilinear filtering reads; gutters serve the mips
+constexpr int island_margin = 0;  // footprints hold what bilinear filtering reads; gutters are for the mips
 constexpr int sampled_gutter_levels = 4;
-// Surfaces are seen at an angle, and isotropic filters go by the longer side of a pixel's footprint: so many
-// levels more are an angle of 83 degrees (a cosine of 1/8).
+// Surfaces are seen at an angle, and isotropic filters choose the level by the longer side of a pixel's
+// footprint. So many more levels are for angles up to 83 degrees (a cosine of 1/8).
 constexpr int oblique_levels = 3;
 
 PixelBox box_of(const std::array<int, 4>& box) {
@@ -118,8 +118,8 @@ struct ScenePack::State {
     for (const GltfTexture* texture : replaced_textures(m)) ++pictures_awaited[texture->image];
   }
 
-  // A picture that no other material asks for is given back: all of a scene's at once would be most of the
-  // memory.
+  // Frees the pictures that no other material asks for: all pictures of a scene at once would take most of
+  // the memory.
   void give_back_pictures(const GltfMaterial& m) {
     const std::lock_guard lock(pictures_lock);
     for (const GltfTexture* texture : replaced_textures(m))
@@ -155,7 +155,7 @@ struct ScenePack::State {
     entries.push_back({m.index, {}, {}, false});
   }
 
-  // Size, texels and their use, for one material.
+  // Finds the size, the texels and the used texels of one material.
   void learn(std::size_t i) {
     PackInput& in = inputs.materials[i];
     Entry& entry = entries[i];
@@ -189,7 +189,7 @@ struct ScenePack::State {
     in.convert = [shared = entry.pair](std::vector<std::string>&) { return *shared; };
   }
 
-  // What the cameras, and the density that was asked for, leave of the texture's resolution and mips.
+  // Finds which resolution and which mips the cameras can show, and the density that was asked for needs.
   void scale_of(PackInput& in, const Entry& entry, const GltfTexture& lead) {
     in.facts.levels = lead.sampler.mipmaps ? 0 : 1;
     if (options.leave_out.texel_density == 0 && options.leave_out.view_height == 0) return;
@@ -349,7 +349,7 @@ AtlasMaterial ScenePack::State::atlas_material(std::size_t i, const AtlasLayout&
   const Entry& entry = entries[i];
   const PackInput& in = inputs.materials[i];
   const GltfMaterial& m = scene.materials[static_cast<std::size_t>(entry.material)];
-  const MaterialFate& fate = decision.left_out().fates[i];
+  const MaterialFate& fate = decision.left_out.fates[i];
   AtlasMaterial to;
   to.material = entry.material;
   const GltfTexture* const lead = leading_texture(m);

@@ -14,7 +14,7 @@
 
 namespace etak {
 
-class PackDecision;
+struct PackDecision;
 struct PackOptions;
 
 /// A glTF scene as input and output of the packer.
@@ -25,7 +25,7 @@ class ScenePack {
   ScenePack(const std::string& path, const PackOptions& options);
   ~ScenePack();
 
-  /// The materials, once.
+  /// The materials that are packed.
   PackInputs inputs();
 
   /// Mips that the scene's samplers read, where pages hold `levels` (0: all).
@@ -34,10 +34,11 @@ class ScenePack {
   void add_files(std::vector<std::string>& files) const;
   void add_remarks(std::vector<std::string>& remarks) const;
 
-  /// The third texture that plain glTF needs: G = roughness, B = 0.
+  /// Writes the further textures that the forms of the written glTF need, such as roughness.
   void write_page(OutputFolder& folder, int page, const PagePixels& pixels, const WriteOptions& options);
 
-  /// scene.gltf and its buffer; returns the names of all files it stands on beside the pages' own.
+  /// Writes scene.gltf, its buffer and the files that it refers to; returns their names, without the pages'
+  /// own.
   std::vector<std::string> write_scene(OutputFolder& folder, const AtlasLayout& layout,
                                        const PackDecision& decision);
 
