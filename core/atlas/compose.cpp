@@ -48,7 +48,7 @@ void Composer::stream(const Task& task, PagePixels& pixels, unsigned worker) {
   if (begin >= end) return;
   std::unique_ptr<Streamed>& open = open_[task.region][t];
   if (!open) {
-    // A region that is read in one go leaves the memory of its files to the next.
+    // A region that is read in one go uses the worker's memory for its files, as the next region will.
     const bool at_once = begin == at.y && end == at.y + m.height;
     open = std::make_unique<Streamed>();
     open->reader.emplace(m, task.texture, at_once ? files_[worker] : open->own_files);
@@ -236,8 +236,8 @@ void Composer::mips_by_copy(std::size_t region, const PlannedPlace& at, int leve
                [&](Texture texture, int level) { return pixels.view(texture, level); });
 }
 
-// Level 0 may have its gutter from the picture already; then only the rounding of the cell is left, unless the
-// picture's own edge was bled since.
+// Level 0 may have its gutter from the picture already; then only the rounding of the cell is left, unless
+// the picture's own edge was bled since.
 void Composer::fill_first_gutter(std::size_t region, const PlannedPlace& at, PagePixels& pixels) const {
   const Region& of = regions_[region];
   const PackInput& m = materials_[of.material];

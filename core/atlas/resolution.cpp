@@ -76,7 +76,7 @@ ResolutionError difference(const Quantities& a, const Quantities& b) {
   return out;
 }
 
-// Unit normals as three planes side by side, whose means are the levels' mean normals.
+// A normal map as unit vectors: their means over areas are the mean normals of the levels.
 Image unit_normals(const Image8& map) {
   Image out(map.width, map.height, 3);
   for (int y = 0; y < map.height; ++y)
@@ -92,7 +92,7 @@ Image unit_normals(const Image8& map) {
 }
 
 double variance(std::span<const float> mean) {
-  constexpr double least = 1e-3;  // of |N|: what is rougher than any lobe
+  constexpr double least = 1e-3;  // of |N|: its variance makes a lobe wider than roughness 1
   const double length = std::max(least, std::hypot(double{mean[0]}, double{mean[1]}, double{mean[2]}));
   return std::max(0.0, (1 - length) / length);
 }
@@ -104,7 +104,7 @@ double plain(float value) {
   return double{value};
 }
 
-// mip_pair() takes gloss as Schueler's. Each level from the first.
+// Replaces the gloss of levels 1 and on, for which mip_pair() took gloss as Schueler's: each from level 0.
 template <class Value>
 void average_roughness(std::vector<Pixels<Value>>& levels, GlossForm form, const Image8* normals) {
   const Pixels<Value>& first = levels.front();

@@ -11,7 +11,7 @@
 
 namespace etak {
 
-// Storing a region with fewer texels than its picture has: as the mip of a higher level.
+// Regions may be stored with fewer texels than their pictures have: as one of their higher mips.
 
 /// How far a region with fewer texels is from the one it stands for, at worst, over the texels and the points
 /// half way between them, both filtered bilinearly in linear light, diffuse and F0 alike.
@@ -26,8 +26,9 @@ struct ResolutionError {
 ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& fewer, const WrapBoth& wrap,
                                  double enough, unsigned threads);
 
+/// With how many texels a region is stored.
 struct Resolution {
-  int shrink = 0;         // level that is stored
+  int shrink = 0;         // the level that is stored
   ResolutionError seen;   // against the level that can be seen at most (level 0 without `unseen`)
   ResolutionError whole;  // against level 0
 };
@@ -41,9 +42,10 @@ struct Resolution {
 Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap, int unseen,
                          std::optional<double> bound, unsigned threads);
 
-/// Mips of a region in whatever form its gloss is; as mip_pair() otherwise. Roughness averages as the squared
-/// width of its lobe, to which normals add twice their variance s2 = (1 - |N|) / |N|: alpha^2 = mean(alpha^2)
-/// + 2 s2 (Beckmann slopes; Olano and Baker 2010, with Toksvig's 2005 estimate of the variance).
+/// Mips of a region, as mip_pair() makes them, for gloss in any form. A roughness is averaged as the squared
+/// width of its lobe, to which the normals add twice their variance s2 = (1 - |N|) / |N|:
+/// alpha^2 = mean(alpha^2) + 2 s2 (Beckmann slopes; Olano and Baker 2010, with Toksvig's 2005 estimate of the
+/// variance).
 template <class Value>
 MipPairOf<Value> region_chain(const Pixels<Value>& a, const Pixels<Value>& b, MipOptions options,
                               GlossForm gloss, unsigned threads = 1);

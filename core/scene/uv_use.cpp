@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/image/wrap.h"
 
 namespace etak {
 namespace {
@@ -28,7 +29,7 @@ struct Range {
   }
 };
 
-/// floor() of what fits an int, without the library call that it is on processors of the first generation.
+/// floor() of a number that fits an int; std::floor is a library call where the compiler may not use SSE 4.1.
 int floor_of(double v) {
   const int i = static_cast<int>(v);
   return i - (v < i ? 1 : 0);
@@ -42,17 +43,9 @@ int last_texel(double most) {
   return -floor_of(-(most + 0.5 + slack_texels)) - 1;
 }
 
-/// Where wrapping brings texel i of `size`.
-int wrapped(int i, int size, Wrap wrap) {
-  if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
-  const int period = wrap == Wrap::mirrored ? 2 * size : size;
-  const int in = ((i % period) + period) % period;
-  return in < size ? in : period - 1 - in;
-}
-
-/// A coordinate of a triangle of at most four periods that begins at `least`: by two whole periods at a time,
-/// which wrapping does not notice; where it is clamped, not farther away than such a triangle can be that
-/// still meets the texture.
+/// A coordinate of a triangle over at most four periods that begins at `least`, brought near the texture:
+/// shifted by a multiple of two periods, which changes nothing under wrapping. Where the sampler clamps, it
+/// is cut to as far away as such a triangle can reach that still meets the texture.
 double brought_near(double value, double least, double size, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(value, -5 * size, 6 * size);
   return value - std::floor(least / (2 * size)) * 2 * size;
@@ -103,7 +96,7 @@ class Raster {
       const auto at = static_cast<std::size_t>(row - first);
       if (least_[at] > most_[at]) continue;
       int left = first_texel(least_[at]), right = last_texel(most_[at]);
-      const int in_row = inside ? row : wrapped(row, use_.height, wrap_v_);
+      const int in_row = inside ? row : wrapped_texel(row, use_.height, wrap_v_);
       std::uint8_t* texels =
           use_.mask.data() + static_cast<std::size_t>(in_row) * static_cast<std::size_t>(use_.width);
       if (inside) {
@@ -113,7 +106,7 @@ class Raster {
       } else if (right - left + 1 >= use_.width && wrap_u_ == Wrap::repeat) {
         std::memset(texels, 1, static_cast<std::size_t>(use_.width));
       } else {
-        for (int i = left; i <= right; ++i) texels[wrapped(i, use_.width, wrap_u_)] = 1;
+        for (int i = left; i <= right; ++i) texels[wrapped_texel(i, use_.width, wrap_u_)] = 1;
       }
     }
   }

@@ -40,15 +40,15 @@ std::vector<std::uint8_t> CodeCurve::codes(int bits, std::vector<bool>* clamped)
 
 PictureHeader picture_header(const std::string& path, const PictureDoor& door) {
   constexpr std::size_t signature_and_first_chunk = 33;
-  const std::string head = read_head(path, signature_and_first_chunk);
-  BytesInMemory bytes(head);
-  // What is wrong with it PngReader tells later.
+  const std::string header = read_head(path, signature_and_first_chunk);
+  BytesInMemory bytes(header);
+  // PngReader tells later what is wrong with a broken PNG.
   if (auto png = png_header(bytes); png && png->strips) return *png;
   return door.header(path);
 }
 
 std::array<int, 3> picked_channels(const PlaneSource& source, int channels) {
-  // A colour that is to be a grey quantity must say which channel.
+  // A picture of colours that serves as a grey quantity must say which channel is meant.
   const auto pick = source.color && !source.picked && channels <= 2 ? std::array{0, 0, 0} : source.pick;
   const int last = source.color ? std::ranges::max(pick) : pick[0];
   if (last >= channels)
@@ -88,7 +88,7 @@ PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&so
   }
 }
 
-// Three channels of codes in rows_, from what the space makes of the picked ones.
+// Puts three channels of codes into rows_: those of the picked channels, converted from the colour space.
 template <class Sample>
 void PlaneRows::convert_space(const Sample* in, std::size_t texels, int step, float scale) {
   floats_.resize(3 * texels);
@@ -114,7 +114,7 @@ void PlaneRows::convert_space(const Sample* in, std::size_t texels, int step, fl
   }
 }
 
-// Codes in rows_ of numbers in values_, which are linear colours by themselves.
+// Puts the codes of values_ into rows_. Values of files of floats are linear.
 void PlaneRows::convert_floats() {
   static const CodeCurve unchanged;
   const CodeCurve& curve = source_->curve ? *source_->curve : unchanged;

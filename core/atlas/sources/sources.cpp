@@ -21,7 +21,7 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-// What the materials of a manifest are read by, and what had to be changed.
+// What the materials of a manifest are read with, and the remarks on what had to be changed.
 struct Resolving {
   const AtlasManifest& manifest;
   const MaterialLibrary& library;

@@ -52,7 +52,7 @@ struct PackInputs {
   GlossForm gloss = GlossForm::schueler;  // what comes out
   std::vector<PackInput> materials;
   std::vector<std::string> remarks;  // what had to be changed
-  std::string settings;              // everything but the files' bytes that decides the result
+  std::string settings;              // all that decides the result, except for the bytes of the files
 };
 
 /// Opens a colour space that etak does not have itself. Throws Error that tells the nearest names.
