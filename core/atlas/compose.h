@@ -15,7 +15,7 @@
 
 namespace etak {
 
-/// What is learned about materials while their texels are placed.
+/// What the texels of a material tell while they are placed.
 struct Learned {
   ChannelRange range;
   std::array<std::array<std::uint64_t, 2>, 2> hash{};  // by Texture
@@ -36,27 +36,28 @@ class Composer {
            const PackingPlan& plan, const ComposeOptions& options);
   ~Composer();
 
-  /// Level 0 of every region of a page. `learned` gets an entry per material that was streamed.
+  /// Level 0 of every region of a page.
+  ///   learned       by material; filled in where the material's texels were read
+  ///   region_done   called after each texture of each region, from any thread
   void texels(int page, PagePixels& pixels, std::vector<Learned>& learned,
               const std::function<void()>& region_done = {});
 
   /// Gutters of level 0, and the mips.
   void mips(int page, PagePixels& pixels);
 
-  // The same by parts, for slabs: begin_page(), any number of regions at once, end_page().
+  // texels() and mips() in parts, for pages in slabs: begin_page(), then regions on any threads, then
+  // end_page().
 
   void begin_page(int page);
-  /// Those of a slab's rows that are the region's; a region that lies in several slabs is continued, one
-  /// thread at a time.
-  ///   worker   below options.threads: no other thread uses the same at that time
+  /// The rows of level 0 that the region has in a slab. A region in several slabs goes on where it ended in
+  /// the slab above; only one thread at a time may work on it.
+  ///   worker   number of the thread, below options.threads: no two threads use the same number at a time
   void region_texels(std::size_t region, Texture texture, PagePixels& pixels, unsigned worker);
-  /// Of a region whose texels are all there.
+  /// The mips of a region whose level 0 is complete, and the gutters of all its levels.
   void region_mips(std::size_t region, PagePixels& pixels);
-  /// The levels that all regions share, which pixels holds whole.
+  /// The levels that mix the texels of neighbouring regions. `pixels` holds these levels for the whole page.
   void end_page(int page, PagePixels& pixels, std::vector<Learned>& learned);
 
-  /// Mips of a page that are free of neighbours; further ones are made of the whole page.
-  int clean_levels(int page) const;
   /// The region's texels are as its files hold them, row by row.
   bool in_file_order(std::size_t region) const;
 
@@ -68,9 +69,10 @@ class Composer {
   struct Streamed;  // a region whose files are open
   void stream(const Task& task, PagePixels& pixels, unsigned worker);
   void place(const Task& task, PagePixels& pixels, const Image8& picture, Learned& learned);
-  bool mips_in_place(std::size_t region, const PlannedPlace& at, std::array<Wrap, 2> wrap, int levels,
-                     PagePixels& pixels) const;
-  void page_mips(PagePixels& pixels, int first) const;
+  bool mips_in_place(std::size_t region, const PlannedPlace& at, int levels, PagePixels& pixels) const;
+  void mips_by_copy(std::size_t region, const PlannedPlace& at, int levels, PagePixels& pixels);
+  void fill_first_gutter(std::size_t region, const PlannedPlace& at, PagePixels& pixels) const;
+  void shared_mips(int page, PagePixels& pixels) const;
   void learn(std::vector<Learned>& learned) const;
   /// Where a region lies in the slab that `pixels` holds.
   PlannedPlace place_in(const PagePixels& pixels, std::size_t region) const;
@@ -86,37 +88,11 @@ class Composer {
     MaterialPair pair;
   };
   std::map<std::size_t, Cached> pairs_;
-  // The two textures of a material are read by different threads; each has its own half of what is learned.
+  // Different threads read the two textures of a material; what they learn is kept apart, by Texture.
   std::vector<std::array<Learned, 2>> halves_;
   std::vector<std::array<FileBytes, 2>> files_;  // by worker
   std::vector<std::array<std::unique_ptr<Streamed>, 2>> open_;
   int clean_ = 1;
 };
-
-/// A box of level 0 on a higher level.
-inline PixelBox at_level(const PixelBox& box, int level) {
-  return {box.x >> level, box.y >> level, box.width >> level, box.height >> level};
-}
-
-/// What of a box lies in a picture of these sides; at least one texel.
-inline PixelBox cut(const PixelBox& box, int width, int height) {
-  PixelBox out = box;
-  out.x = std::min(out.x, width - 1);
-  out.y = std::min(out.y, height - 1);
-  out.width = std::clamp(out.width, 1, width - out.x);
-  out.height = std::clamp(out.height, 1, height - out.y);
-  return out;
-}
-
-/// The part of a material's normal map that belongs to a box of its pictures, RGB.
-Image8 normals_of(const PackInput& material, const PixelBox& box);
-
-/// Copies `box` of a picture to column x, row y of a page; rotated: column c becomes row c, rows run from
-/// right to left.
-void copy_texels(const ConstPixelsView8& picture, const PixelBox& box, const PixelsView8& page, int x, int y,
-                 bool rotated);
-
-/// The material's whole pair in memory, from planes or function; what was clamped is added to `remarks`.
-MaterialPair load_pair(const PackInput& material, std::vector<std::string>& remarks);
 
 }  // namespace etak

@@ -13,6 +13,9 @@ namespace etak {
 /// where the page has no such texture.
 struct FloatPage {
   std::array<std::vector<Image>, 2> levels;
+
+  /// A texture's level; its data is null where the page has no such texture.
+  PixelsViewOf<float> view(Texture texture, int level);
 };
 
 /// The same places, gutters and mips as Composer gives the 8-bit pages, from the numbers of the files.

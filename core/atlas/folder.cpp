@@ -6,6 +6,7 @@
 #include "core/atlas/manifest.h"
 #include "core/base/error.h"
 #include "core/base/files/links.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -24,13 +25,14 @@ Pattern parse_pattern(const std::string& text) {
   const std::size_t name = text.find("{name}"), role = text.find("{role}");
   const bool once = name != text.npos && role != text.npos && text.find("{name}", name + 1) == text.npos &&
                     text.find("{role}", role + 1) == text.npos;
-  if (!once || text.find('/') != text.npos) throw Error::at("--pattern", printable(text, 80), pattern_form);
+  if (!once || text.find('/') != text.npos)
+    throw Error::at(setting("pattern"), printable(text, 80), pattern_form);
   constexpr std::size_t size = 6;  // of "{name}" and of "{role}"
   const std::size_t first = std::min(name, role), second = std::max(name, role);
   Pattern out{text.substr(0, first), text.substr(first + size, second - first - size),
               text.substr(second + size), name < role};
   if (out.between.empty())
-    throw Error::at("--pattern", printable(text, 80), "a text between {name} and {role}");
+    throw Error::at(setting("pattern"), printable(text, 80), "a text between {name} and {role}");
   return out;
 }
 

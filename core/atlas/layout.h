@@ -14,7 +14,7 @@
 
 namespace etak {
 
-// The table that goes with an atlas (resources/schema/atlas-layout.schema.json).
+// The table that is written beside the pages of an atlas (resources/schema/atlas-layout.schema.json).
 
 /// A region of a material. Materials that share texels have a row each.
 struct AtlasRect {
@@ -23,11 +23,11 @@ struct AtlasRect {
   int page = 0;
   int x = 0, y = 0, width = 0, height = 0;  // level-0 texels on the page, without gutter
   bool rotated = false;  // by 90 degrees: column c of the picture is row c, rows run from right to left
-  PixelBox crop;         // what of the picture it shows, in texels
+  PixelBox crop;         // the part of the picture that the region shows, in texels
   int source_width = 0, source_height = 0;  // of the whole picture
   int gutter = 0, mips = 1;                 // mips free of neighbours
-  double inset = 0;            // above 0: UVs must stay so many level-0 texels inside, for want of a gutter
-  bool repeats = false;        // the page is this one region, and wraps
+  double inset = 0;      // where there is no gutter: level-0 texels that UVs must stay inside the region
+  bool repeats = false;  // the page holds this region alone, and its sampler wraps
   bool source_gutter = false;  // the gutter holds what the picture has there, not the region's edge again
   friend bool operator==(const AtlasRect&, const AtlasRect&) = default;
 };

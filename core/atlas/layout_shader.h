@@ -9,8 +9,8 @@
 
 namespace etak {
 
-/// What a shader is to draw of a material in an atlas: what it fetches, and what is the same all over the
-/// material and so comes as uniforms; a value that is fetched is none here.
+/// What a shader of a material in an atlas needs: which values it fetches from textures, and the values that
+/// are the same in all texels and therefore come as uniforms. A value that is fetched is none here.
 ///   f0, diffuse   linear sRGB
 ///   gloss         Schueler's g, [0, 1]
 ///   opacity       [0, 1]

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -61,7 +62,7 @@ void record(Remaining& left, const char* what, std::size_t touched, const std::s
   left.out.after = now;
 }
 
-// A step asks every material that has texels; `act` says whether it took something of it.
+// Calls `act` for every material that has texels; `act` tells whether it took something from the material.
 void step(Remaining& left, const char* what, bool (*act)(Remaining&, std::size_t)) {
   if (!left.options.leaves(what)) return;
   std::size_t touched = 0;
@@ -133,7 +134,8 @@ TexelKey key_of(const MaterialFacts& m, const Parts& parts) {
           hash(specular_part, m.specular_hash)};
 }
 
-// One that reads another texture than its owner must not make more of that be kept than it saves.
+// Whether a material may use the texels of `with`. Where the two read different textures, both textures must
+// be kept over the boxes of both: that must not be more than the two take apart.
 bool is_worth_it(const Remaining& left, const std::vector<Parts>& read, std::size_t user, std::size_t with) {
   Parts read_by_either{};
   for (std::size_t p = 0; p < part_count; ++p) read_by_either[p] = read[user][p] || read[with][p];
@@ -157,11 +159,11 @@ void share_equal(Remaining& left) {
     read.push_back(parts_read(m, left.options.leaves("constant")));
   for (std::size_t i = 0; i < left.materials.size(); ++i)
     if (left.out.fates[i].texels) order.push_back(i);
-  // Those that read most first: the others can use theirs.
+  // Materials that read most parts come first, because the others can use their texels.
   const auto parts = [&](std::size_t i) { return std::count(read[i].begin(), read[i].end(), true); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return parts(a) > parts(b); });
-  // Owners by their keys of all parts that some material reads, in the order in which they became such.
+  // Owners by the keys of all parts that some material reads, in the order in which they became owners.
   const std::set<Parts> kinds(read.begin(), read.end());
   std::map<TexelKey, std::vector<std::size_t>> by_texels;
   std::map<std::string, std::size_t> by_source;
@@ -191,7 +193,7 @@ void share_equal(Remaining& left) {
   record(left, "equal", shared.size(), names);
 }
 
-// Those that use texels of `i`, itself among them.
+// Calls `act` for every material that uses texels of material `i`, which may be one of them.
 template <class Act>
 void users(const Remaining& left, std::size_t i, Act act) {
   for (const std::size_t j : left.users[i])
@@ -212,7 +214,7 @@ bool drop_alpha(Remaining& left, std::size_t i) {
   return true;
 }
 
-// A material that needs no texels; others that used its texels get the first of them as their owner.
+// Takes all texels from a material. Where others use its texels, the first of these becomes their owner.
 void leave(Remaining& left, std::size_t i) {
   MaterialFate& fate = left.out.fates[i];
   fate.texels = false;
@@ -330,7 +332,7 @@ std::set<std::string> parse_keep(const std::vector<std::string>& names) {
     if (std::find(leave_out_names.begin(), leave_out_names.end(), each) == leave_out_names.end()) {
       std::string list;
       for (const std::string_view one : leave_out_names) list += std::string(one) + ", ";
-      throw Error::at("--keep", printable(each), list + "all");
+      throw Error::at(setting("keep"), printable(each), list + "all");
     }
     out.insert(each);
   }

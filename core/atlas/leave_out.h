@@ -18,7 +18,8 @@ namespace etak {
 
 // What an atlas need not hold: decided here from facts about the materials, without touching a picture.
 
-/// The kinds of things that are left out, in the order in which they are looked for; names of --keep.
+/// The kinds of things that are left out, in the order in which they are looked for; words of the
+/// setting "keep".
 ///   unreached   materials that the scene does not reach
 ///   equal       materials that find every texel they read among another material's (constant channels are
 ///               not read)
@@ -46,7 +47,7 @@ struct MaterialFacts {
   // Decided on floats (floats.h): what channels that do not vary hold, colours in linear light.
   bool floats = false;
   std::array<double, channel_count> exact{};
-  std::string source;             // the same text: the same files read in the same way
+  std::string source;             // materials of the same text read the same files in the same way
   PixelBox crop;                  // of the texels in use; the whole where that is not known
   std::vector<PixelBox> islands;  // empty: the crop box is the only one
   bool tiles = false;             // the whole period is in use
@@ -58,8 +59,8 @@ struct MaterialFacts {
 
 /// What becomes of a material.
 struct MaterialFate {
-  std::size_t owner = 0;                   // whose texels it uses: its own index, or a lower or higher one
-  bool texels = true;                      // false: numbers say everything (or it is not in the scene at all)
+  std::size_t owner = 0;  // index of the material whose texels it uses, often its own
+  bool texels = true;     // false: constants replace all texels, or nothing draws the material
   std::array<bool, 2> varies{true, true};  // by Texture: some channel of it varies
   std::array<std::optional<std::uint8_t>, channel_count>
       constant;                 // the code of a channel that does not vary
@@ -68,11 +69,11 @@ struct MaterialFate {
   std::size_t channels = 0;     // of an owner: how many of them vary
 };
 
-/// What one step took away.
+/// What one step of leave_out() took away.
 struct LeaveOutLine {
   std::string what;           // of leave_out_names
   std::string detail;         // "3 materials", in words
-  std::size_t materials = 0;  // touched by it
+  std::size_t materials = 0;  // from which the step took something
   std::uint64_t texels = 0;   // RGBA texels of the two textures
   std::uint64_t channel_texels = 0;
   std::uint64_t bytes = 0;  // uncompressed: 4 a texel
@@ -102,11 +103,13 @@ struct LeaveOut {
   TexelAccount before, after;
 };
 
-/// Materials that share texels get the owner of the lowest index among those that read most of them: colour,
-/// alpha, and F0 with gloss.
+/// Decides for every material what need not be stored. Of the materials that share texels, the owner is the
+/// one that reads most parts of them (colour; alpha; F0 with gloss), and of several such the one of the
+/// lowest index.
 LeaveOut leave_out(const std::vector<MaterialFacts>& materials, const LeaveOutOptions& options);
 
-/// Throws Error at --keep for a name that is none ("all" stands for every one).
+/// Throws Error at the setting "keep" for a name that is none of leave_out_names; "all" stands for all of
+/// them.
 std::set<std::string> parse_keep(const std::vector<std::string>& names);
 
 }  // namespace etak

@@ -28,11 +28,11 @@ struct ImageSource {
 /// A material of the library: F0 where specular is asked for, the measured reflectance for diffuse.
 struct LibrarySource {
   std::string material, dataset, outside;
-  std::string method{};  // of F0's integration; empty: etak's default. Not in manifests
+  std::string method{};  // of F0's integration; empty: etak's default. Manifests cannot say it
   friend bool operator==(const LibrarySource&, const LibrarySource&) = default;
 };
 
-/// A number for everywhere. `codes` when it was given as "#rrggbb", which then is kept to the bit.
+/// One value for all texels. A colour that was given as "#rrggbb" has `codes`, which are kept as they are.
 struct ConstantSource {
   LinearRgb linear;
   std::optional<Srgb8> codes;

@@ -59,7 +59,7 @@ std::string read_channels(const JsonNode& image, bool color) {
   return out;
 }
 
-/// A file's path, told from `folder`.
+/// A path that is relative to `folder`, as one relative to the working folder.
 std::string read_path(const JsonNode& node, const std::filesystem::path& folder) {
   const std::string text = node.text();
   if (text.empty() || text.find('\0') != text.npos) node.fail_type("a file name");

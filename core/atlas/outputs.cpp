@@ -32,7 +32,7 @@ void write_pngs(OutputFolder& folder, int page, Texture texture, const PagePixel
     png.threads = options.threads;
     folder.write(page_file(page, texture, "png", l), [&](const std::function<void(std::string_view)>& sink) {
       const PictureHeader info{view.width, view.height, 4, 8};
-      // The file's head comes first, then a strip of rows with each call, then its end.
+      // The file's header comes first, then a strip of rows with each call, then the end of the file.
       int calls = 0, rows = 0;
       const auto telling = [&](std::string_view bytes) {
         sink(bytes);

@@ -26,7 +26,8 @@ struct WriteOptions {
   PngLevel png_level = PngLevel::fast;
   int zstd_level = 0;  // of ktx2
   unsigned threads = 1;
-  std::function<void(std::size_t texels)> written = {};  // of level 0 as PNG, so many more, from any thread
+  // Called from any thread with the number of texels of level 0 that were just written as PNG.
+  std::function<void(std::size_t texels)> written = {};
 };
 
 /// Whether some format holds floats.

@@ -22,7 +22,7 @@ PageMemory::PageMemory(std::size_t bytes) : size_(bytes) {
   void* mapped = ::mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (mapped == MAP_FAILED) throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
-  if (bytes >= huge_page) (void)::madvise(mapped, size_, MADV_HUGEPAGE);  // only a wish
+  if (bytes >= huge_page) (void)::madvise(mapped, size_, MADV_HUGEPAGE);  // the kernel need not follow it
 #endif
   data_ = static_cast<std::uint8_t*>(mapped);
 }
@@ -37,7 +37,7 @@ void FileBytes::load(const std::string& path) {
   const std::size_t size = file.size();
   // Past the end lie some zero bytes that a reader's vector loads may touch.
   if (memory_.size() < size + 64) {
-    memory_ = PageMemory();  // the old one first: both at once would count twice
+    memory_ = PageMemory();  // the old memory is freed first: both at once would count twice
     memory_ = PageMemory(size + 64);
   }
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes as characters

@@ -11,7 +11,7 @@
 
 namespace etak {
 
-/// Where arrays of the two textures hold this one.
+/// The index of a texture in arrays over both textures.
 constexpr std::size_t index_of(Texture texture) {
   return static_cast<std::size_t>(texture);
 }
@@ -19,12 +19,12 @@ constexpr std::size_t index_of(Texture texture) {
 /// Rows [top, bottom) of a page, which are made and written before those below them.
 struct Slab {
   int top = 0, bottom = 0;
-  int cut_levels = 0;    // so many levels are held for these rows only; the others for the whole page
+  int cut_levels = 0;    // the first levels, which are held for these rows only; others for the whole page
   bool covered = false;  // regions overwrite all of its texels
 };
 
-/// The pixels of one page, or of a slab of it: both textures with their mips, in memory that the next one
-/// uses again.
+/// The pixels of one page, or of a slab of it: both textures with their mips. The next page or slab uses the
+/// same memory.
 class PagePixels {
  public:
   /// Prepares for a page, all zero.
@@ -34,7 +34,7 @@ class PagePixels {
   void start(const PlannedPage& page, int levels, const Slab& slab, PagePixels& upper);
   /// From here on view() shows all of the levels that are held whole.
   void show_whole_levels();
-  /// Gives the memory back.
+  /// Frees the memory.
   void release();
 
   /// The slab's rows of a level.

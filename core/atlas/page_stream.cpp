@@ -9,17 +9,17 @@
 namespace etak {
 namespace {
 
-// Of one texture. Smaller slabs have more ends, at which threads wait for each other; larger ones leave the
-// cache.
+// Bytes of one texture. Threads wait for each other at the end of every slab, so slabs should not be smaller;
+// larger slabs do not fit the processor's cache.
 constexpr std::size_t least_slab = std::size_t{4} << 20, large_slab = std::size_t{24} << 20;
-// Levels that are held for a slab only; those above them are a sixteenth of the page.
+// Levels that are held for a slab only; the next level takes a sixteenth of level 0 for the whole page.
 constexpr int most_cut_levels = 2;
 
 std::size_t row_bytes(const PlannedPage& page) {
   return 4 * static_cast<std::size_t>(page.width);
 }
 
-// Rows at which no cell is cut through, at multiples of `step`.
+// Cuts at multiples of `step` that go through no cell.
 std::vector<int> cuts_between_cells(const PackingPlan& plan, int page, int step) {
   const PlannedPage& size = plan.pages[static_cast<std::size_t>(page)];
   std::vector<bool> inside(static_cast<std::size_t>(size.height) + 1, false);
@@ -37,7 +37,7 @@ std::vector<int> cuts_between_cells(const PackingPlan& plan, int page, int step)
   return out;
 }
 
-// Rows anywhere.
+// Cuts of even distance, which may go through cells.
 std::vector<int> cuts_anywhere(const PlannedPage& page) {
   const int rows = static_cast<int>((least_slab + row_bytes(page) - 1) / row_bytes(page));
   std::vector<int> out;
@@ -59,7 +59,7 @@ std::size_t largest_slab(const std::vector<int>& cuts, const PlannedPage& page) 
   return row_bytes(page) * static_cast<std::size_t>(rows);
 }
 
-// One texture's level on its way to a file.
+// Writes one level of one texture to a file, slab after slab.
 class LevelFile {
  public:
   LevelFile(OutputFolder& folder, int page, Texture texture, int level, const PixelsView8& size, int height,
@@ -99,7 +99,7 @@ class LevelFiles {
  public:
   explicit LevelFiles(const StreamedPage& of) : of_(of) {}
 
-  // Those of the levels [begin, end), whose sizes are those of `pixels`.
+  // Opens the files of the levels [begin, end), whose widths are those of `pixels`.
   void open(int begin, int end, const PagePixels& pixels) {
     for (int l = begin; l < end && of_.folder != nullptr; ++l)
       for (const Texture texture : both_textures)
@@ -108,7 +108,7 @@ class LevelFiles {
               *of_.folder, of_.page, texture, l, pixels.view(texture, l), std::max(1, of_.size().height >> l),
               of_.write.png_level, scratch_));
   }
-  // What is to be made of the rows that `from` holds.
+  // The pieces of work that compress the rows in `from`.
   std::vector<Strip> strips(const PagePixels& from) const {
     std::vector<Strip> out;
     for (const auto& file : files_)
@@ -164,7 +164,7 @@ void start_slab(const StreamedPage& of, const Slab& slab, PagePixels& pixels, Pa
 std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& regions,
                            const PackingPlan& plan, int page, int levels, bool bleed) {
   const PlannedPage& size = plan.pages[static_cast<std::size_t>(page)];
-  const int clean = composer.clean_levels(page);
+  const int clean = plan.clean_levels(page);
   // The page's own mips are made from the last clean level, which must be one that is held whole.
   if (levels > clean && clean == 1) return {0, size.height};
   const std::vector<int> between = cuts_between_cells(plan, page, 1 << (std::min(levels, clean) - 1));
@@ -180,7 +180,7 @@ std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& 
 
 void stream_page(Composer& composer, const StreamedPage& of, std::vector<Learned>& learned) {
   const std::vector<int>& cuts = of.cuts;
-  const int clean = composer.clean_levels(of.page);
+  const int clean = of.plan.clean_levels(of.page);
   const int cut_levels = std::min({of.levels, most_cut_levels, of.levels > clean ? clean - 1 : of.levels});
   // Two slabs: one is made, one is written. The first holds the levels that are not cut.
   std::array<PagePixels, 2> pixels;

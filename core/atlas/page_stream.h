@@ -9,11 +9,12 @@
 
 namespace etak {
 
-// Pages that are never whole in memory: a slab is made while the one above it is written. Fresh memory costs
-// more than filling it, and what was just made is still in the cache when it is deflated.
+// Pages that are never whole in memory: a slab is made while the slab above it is written. That is faster,
+// because fresh memory costs more than filling it, and because the texels are still in the processor's cache
+// when they are compressed.
 
-/// The rows where a page can be cut: from 0 to its height, each a slab's end and the next one's top. Two
-/// entries: it cannot, or is too small to gain by it. Regions that have mips are not cut through.
+/// The rows where a page is cut into slabs, from 0 to its height. Two entries mean one slab: the page
+/// cannot be cut, or is too small to gain by it. Regions that have mips are not cut through.
 ///   levels   of the page
 std::vector<int> page_cuts(const Composer& composer, const std::vector<Region>& regions,
                            const PackingPlan& plan, int page, int levels, bool bleed);

@@ -13,8 +13,8 @@
 namespace etak {
 namespace {
 
-// A gutter is worth this much of the page area; beyond it regions keep their bare cells and UVs are inset.
-// Power-of-two regions are the case: any gutter moves them to the next page size.
+// Gutters may enlarge the page area up to this factor; beyond it regions get no gutters, and UVs are inset.
+// That happens to regions whose sides are powers of two: with any gutter they need the next page size.
 constexpr double most_gutter_area = 1.25;
 
 int log2_floor(int value) {
@@ -33,7 +33,7 @@ struct Cells {
   int align = 1;
 };
 
-// What each region takes with its gutter.
+// The cell of each region with its gutter.
 //   clean_limit   above 0: clean mips at most
 Cells cells_of(const std::vector<Region>& regions, const PlanOptions& options, bool gutters,
                int clean_limit = 0) {
@@ -74,7 +74,7 @@ std::optional<RectPlace> old_place(const AtlasRect& rect, const Cells& cells, in
   return place;
 }
 
-// The regions that are planned, and where the same ones were.
+// The regions that are planned, and where they were in an earlier layout.
 struct Planning {
   const std::vector<Region>& regions;
   const PlanOptions& options;
@@ -82,11 +82,10 @@ struct Planning {
   std::vector<const AtlasRect*> earlier{};  // by region; null: it is new
 };
 
-// What is tried: with gutters, with the regions that lack a texture on pages of their own, with so many clean
-// mips at most (0: any).
 struct Attempt {
-  bool gutters = true, apart = false;
-  int clean_limit = 0;
+  bool gutters = true;
+  bool apart = false;   // regions that lack a texture go to pages of their own
+  int clean_limit = 0;  // clean mips at most; 0: any number
 };
 
 // The rectangles of the earlier layout that hold what the regions hold.
@@ -178,7 +177,7 @@ std::optional<PreviousRects> previous_rects(const Planning& in, const Cells& cel
     page_number[static_cast<int>(p)] = static_cast<int>(out.pages.size());
     out.pages.push_back({page.width, page.height});
   }
-  out.most_extra_area = std::numeric_limits<double>::max();  // what it costs is judged of the whole plan
+  out.most_extra_area = std::numeric_limits<double>::max();  // the area of the whole plan is judged later
   for (const std::size_t i : which) {
     std::optional<RectPlace> place;
     const AtlasRect* old = in.earlier[i];
@@ -191,7 +190,7 @@ std::optional<PreviousRects> previous_rects(const Planning& in, const Cells& cel
   return out;
 }
 
-// One page of any sides where that was asked for and is possible, else several.
+// Packs onto one page of any sides where that was asked for and is possible, else as `options` say.
 RectLayout packed(const std::vector<RectSize>& sizes, const RectOptions& options, bool free_first,
                   const PreviousRects* previous) {
   if (!free_first) return pack_rects(sizes, options, previous);
@@ -258,7 +257,7 @@ PackingPlan plan_with(const Planning& in, const Attempt& attempt) {
   return plan;
 }
 
-// The plan of least area that gutters are worth, without regard to an earlier one.
+// The plan of least area, without regard to an earlier layout; with gutters unless they cost too much.
 PackingPlan least_plan(const Planning& in) {
   const PlanOptions& options = in.options;
   if (in.regions.empty()) return {};
@@ -318,6 +317,13 @@ std::uint64_t PackingPlan::page_texels() const {
     sum += static_cast<std::uint64_t>(page.width) * static_cast<std::uint64_t>(page.height) *
            static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
   return sum;
+}
+
+int PackingPlan::clean_levels(int page) const {
+  int out = 1;
+  for (const PlannedPlace& each : places)
+    if (each.page == page) out = std::max(out, each.clean_levels);
+  return out;
 }
 
 int default_clean_levels(int width, int height) {

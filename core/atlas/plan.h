@@ -15,13 +15,13 @@
 
 namespace etak {
 
-// Where the regions of an atlas go: gutters and alignment from the mips, then rectangles on pages.
+// Where the regions of an atlas go: gutters and alignment follow from the mips, then rectangles are packed.
 
 /// A part of a material's texels that gets a place of its own.
 struct Region {
   std::size_t material = 0;            // index of the owner
   PixelBox box;                        // in its picture
-  std::array<bool, 2> in{true, true};  // by Texture: which of the two textures must hold it
+  std::array<bool, 2> in{true, true};  // by Texture: which of the two textures must hold the region
   bool own_page = false;               // a page of just its size, whose edges wrap
   int levels = 0;                      // mips that its samplers read, level 0 among them; 0: all
   int shrink = 0;                      // stored as the mip of this level: sides halved so many times
@@ -33,15 +33,16 @@ struct Region {
 };
 
 struct PlanOptions {
-  RectOptions rects;              // form, side, rotation, effort, threads
-  bool free_first = false;        // one page of any sides where that holds everything, else `rects.form`
-  int levels = 1;                 // mips that will be sampled, level 0 among them; 0: down to 1 x 1
-  std::optional<int> gutter;      // texels on every side; none: from the mips of each region
-  int least_gutter = 0;           // of those from the mips
-  bool may_inset = true;          // no gutters where they would cost more than a quarter of the area
-  bool bare_alone = true;         // without inset: the only region takes a page of just its size
-  bool split_textures = true;     // regions that one texture can do without may go to pages of their own
-  double most_extra_area = 0.05;  // of what the least layout takes: so much more may staying in place cost
+  RectOptions rects;           // form, side, rotation, effort, threads
+  bool free_first = false;     // one page of any sides where that holds everything, else `rects.form`
+  int levels = 1;              // mips that will be sampled, level 0 among them; 0: down to 1 x 1
+  std::optional<int> gutter;   // texels on every side; none: from the mips of each region
+  int least_gutter = 0;        // where gutters come from the mips: at least so many texels
+  bool may_inset = true;       // no gutters where they would cost more than a quarter of the area
+  bool bare_alone = true;      // without inset: the only region takes a page of just its size
+  bool split_textures = true;  // regions that one texture can do without may go to pages of their own
+  double most_extra_area =
+      0.05;  // regions stay in place while that takes this share more than the least area
 };
 
 /// A region's place. The texels lie at x, y; around them are `gutter` texels that repeat the edge.
@@ -49,10 +50,16 @@ struct PlannedPlace {
   int page = 0, x = 0, y = 0;
   bool rotated = false;
   int gutter = 0;
-  int clean_levels = 1;  // so many mips are free of the neighbours under bilinear filtering
-  PixelBox cell;         // texels that are this region's alone: gutter and rounding included
+  int clean_levels = 1;  // levels on which bilinear filtering reads no texel of a neighbour
+  PixelBox cell;         // the texels of this region alone: with the gutter, rounded up to the alignment
   friend bool operator==(const PlannedPlace&, const PlannedPlace&) = default;
 };
+
+/// Where the region's texels of level 0 lie on its page, without the gutter.
+inline PixelBox box_on_page(const Region& region, const PlannedPlace& at) {
+  return {at.x, at.y, at.rotated ? region.height() : region.width(),
+          at.rotated ? region.width() : region.height()};
+}
 
 struct PlannedPage {
   int width = 0, height = 0;
@@ -63,7 +70,7 @@ struct PlannedPage {
 struct PackingPlan {
   std::vector<PlannedPage> pages;
   std::vector<PlannedPlace> places;  // in the order of the regions
-  bool inset = false;  // no gutters: whoever samples must stay half a texel of the last clean mip inside
+  bool inset = false;  // no gutters: UVs must stay half a texel of the last clean mip inside the region
   std::string method;
   int tries = 0;
   bool cut_by_time = false, kept_previous = false;
@@ -72,6 +79,8 @@ struct PackingPlan {
   int clean_limit = 0;
 
   std::uint64_t page_texels() const;  // of both textures
+  /// Mips of a page that are free of neighbours; further ones are made of the whole page.
+  int clean_levels(int page) const;
 };
 
 /// Mips that a region of these sides keeps clean at a gutter of a 32nd of its smaller side: 1 below 64

@@ -8,7 +8,6 @@
 #include <span>
 #include <utility>
 
-#include "core/atlas/compose.h"
 #include "core/base/parallel.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
@@ -77,7 +76,7 @@ ResolutionError difference(const Quantities& a, const Quantities& b) {
   return out;
 }
 
-// Unit normals as three planes side by side, whose means are the levels' mean normals.
+// A normal map as unit vectors: their means over areas are the mean normals of the levels.
 Image unit_normals(const Image8& map) {
   Image out(map.width, map.height, 3);
   for (int y = 0; y < map.height; ++y)
@@ -93,7 +92,7 @@ Image unit_normals(const Image8& map) {
 }
 
 double variance(std::span<const float> mean) {
-  constexpr double least = 1e-3;  // of |N|: what is rougher than any lobe
+  constexpr double least = 1e-3;  // of |N|: its variance makes a lobe wider than roughness 1
   const double length = std::max(least, std::hypot(double{mean[0]}, double{mean[1]}, double{mean[2]}));
   return std::max(0.0, (1 - length) / length);
 }
@@ -105,7 +104,7 @@ double plain(float value) {
   return double{value};
 }
 
-// mip_pair() takes gloss as Schueler's. Each level from the first.
+// Replaces the gloss of levels 1 and on, for which mip_pair() took gloss as Schueler's: each from level 0.
 template <class Value>
 void average_roughness(std::vector<Pixels<Value>>& levels, GlossForm form, const Image8* normals) {
   const Pixels<Value>& first = levels.front();
@@ -145,6 +144,34 @@ MipPairOf<Value> region_chain(const Pixels<Value>& a, const Pixels<Value>& b, Mi
 
 template MipPair region_chain(const Image8&, const Image8&, MipOptions, GlossForm, unsigned);
 template MipPairFloat region_chain(const Image&, const Image&, MipOptions, GlossForm, unsigned);
+
+MipOptions mip_options(const PackInput& material, int levels) {
+  MipOptions out;
+  out.levels = levels;
+  if (material.alpha_mode == AlphaMode::mask) out.alpha_cutoff = material.alpha_cutoff;
+  return out;
+}
+
+template <class Value>
+MipPairOf<Value> levels_from(int first, int levels, const Pixels<Value>& a, const Pixels<Value>& b,
+                             const PackInput& material, const PixelBox& box, GlossForm gloss,
+                             unsigned threads) {
+  MipOptions options = mip_options(material, first + levels);
+  std::optional<Image8> normals;
+  if (material.has_normals() && levels > 1) {
+    normals = normals_of(material, box);
+    options.normals = &*normals;
+  }
+  MipPairOf<Value> out = region_chain(a, b, options, gloss, threads);
+  for (auto* images : {&out.diffuse_alpha, &out.specular_gloss})
+    images->erase(images->begin(), images->begin() + std::min(first, static_cast<int>(images->size()) - 1));
+  return out;
+}
+
+template MipPair levels_from(int, int, const Image8&, const Image8&, const PackInput&, const PixelBox&,
+                             GlossForm, unsigned);
+template MipPairFloat levels_from(int, int, const Image&, const Image&, const PackInput&, const PixelBox&,
+                                  GlossForm, unsigned);
 
 ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& fewer, const WrapBoth& wrap,
                                  double enough, unsigned threads) {
@@ -205,12 +232,9 @@ Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap,
 
 MaterialPair stored_pair(const MaterialPair& pair, const Region& region, const PackInput& material,
                          GlossForm gloss) {
-  MipOptions options;
-  options.levels = region.shrink + 1;
-  if (material.alpha_mode == AlphaMode::mask) options.alpha_cutoff = material.alpha_cutoff;
-  MipPair chain = region_chain(part_of(pair.diffuse_alpha, region.box),
-                               part_of(pair.specular_gloss, region.box), options, gloss);
-  return {std::move(chain.diffuse_alpha.back()), std::move(chain.specular_gloss.back())};
+  MipPair stored = levels_from(region.shrink, 1, part_of(pair.diffuse_alpha, region.box),
+                               part_of(pair.specular_gloss, region.box), material, region.box, gloss);
+  return {std::move(stored.diffuse_alpha.front()), std::move(stored.specular_gloss.front())};
 }
 
 }  // namespace etak

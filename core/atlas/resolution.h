@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "core/atlas/plan.h"
-#include "core/atlas/sources/sources.h"
+#include "core/atlas/sources/pictures.h"
 #include "core/image/image.h"
 #include "core/image/mips.h"
 
 namespace etak {
 
-// Storing a region with fewer texels than its picture has: as the mip of a higher level.
+// Regions may be stored with fewer texels than their pictures have: as one of their higher mips.
 
 /// How far a region with fewer texels is from the one it stands for, at worst, over the texels and the points
 /// half way between them, both filtered bilinearly in linear light, diffuse and F0 alike.
@@ -21,16 +21,14 @@ struct ResolutionError {
   friend bool operator==(const ResolutionError&, const ResolutionError&) = default;
 };
 
-/// What a sampler does at the edges of the region, by axis.
-using WrapBoth = std::array<Wrap, 2>;
-
 /// Compares a pair with a smaller one of the same content. Stops early and returns what it has found so far
 /// where delta_e exceeds `enough`.
 ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& fewer, const WrapBoth& wrap,
                                  double enough, unsigned threads);
 
+/// With how many texels a region is stored.
 struct Resolution {
-  int shrink = 0;         // level that is stored
+  int shrink = 0;         // the level that is stored
   ResolutionError seen;   // against the level that can be seen at most (level 0 without `unseen`)
   ResolutionError whole;  // against level 0
 };
@@ -44,20 +42,25 @@ struct Resolution {
 Resolution resolution_of(const MipPair& levels, bool mask, const WrapBoth& wrap, int unseen,
                          std::optional<double> bound, unsigned threads);
 
-/// Mips of a region in whatever form its gloss is; as mip_pair() otherwise. Roughness averages as the squared
-/// width of its lobe, to which normals add twice their variance s2 = (1 - |N|) / |N|: alpha^2 = mean(alpha^2)
-/// + 2 s2 (Beckmann slopes; Olano and Baker 2010, with Toksvig's 2005 estimate of the variance).
+/// Mips of a region, as mip_pair() makes them, for gloss in any form. A roughness is averaged as the squared
+/// width of its lobe, to which the normals add twice their variance s2 = (1 - |N|) / |N|:
+/// alpha^2 = mean(alpha^2) + 2 s2 (Beckmann slopes; Olano and Baker 2010, with Toksvig's 2005 estimate of the
+/// variance).
 template <class Value>
 MipPairOf<Value> region_chain(const Pixels<Value>& a, const Pixels<Value>& b, MipOptions options,
                               GlossForm gloss, unsigned threads = 1);
 
-/// A box of a picture of four channels.
+/// What mips of a material's texels are made with: so many levels, and alpha as the material tests it.
+MipOptions mip_options(const PackInput& material, int levels);
+
+/// Mips of a part of a material's pictures from level `first` on, `levels` of them; of those after that one
+/// the gloss is lowered by the spread of the material's normals. A chain that ends earlier gives fewer, but
+/// its last level always.
+///   a, b   the texels of `box` in the material's two pictures
 template <class Value>
-Pixels<Value> part_of(const Pixels<Value>& picture, const PixelBox& box) {
-  Pixels<Value> out(box.width, box.height, picture.channels);
-  paste(picture, -box.x, -box.y, out);
-  return out;
-}
+MipPairOf<Value> levels_from(int first, int levels, const Pixels<Value>& a, const Pixels<Value>& b,
+                             const PackInput& material, const PixelBox& box, GlossForm gloss,
+                             unsigned threads = 1);
 
 /// The region as it is stored at level 0, without its gutter.
 ///   pair   of the whole material

@@ -13,8 +13,8 @@
 
 namespace etak {
 
-// Shaders and atlases made to measure: what `etak choose` found for a material, as its file says it
-// (resources/schema/choose.schema.json), and as defines in an atlas's layout.
+// What `etak choose` found for each material: how it is best shaded and stored. Read from the JSON of that
+// command (resources/schema/choose.schema.json), and written as defines into an atlas's layout.
 
 /// How one material is drawn and stored.
 struct MaterialVariant {

@@ -32,8 +32,8 @@ MaterialVariant read_variant(const JsonNode& node) {
   out.diffuse = colour(node.at("diffuse"));
   out.f0 = colour(node.at("f0"));
   out.gloss = node.at("gloss").number();
-  // Files of before told the gloss alone. A roughness that has one is told by it, so that it reads back
-  // equal.
+  // Files of earlier versions hold the gloss alone. Where a file holds a roughness too, that one is read: the
+  // value is then equal to the one that was written.
   if (node.has("roughness"))
     if (const Gloss rough = Gloss::of_roughness(node.at("roughness").number()); rough.held())
       out.gloss = rough;

@@ -12,10 +12,11 @@ namespace etak {
 namespace {
 
 // Copies one texel over `count` places.
-void repeat(const std::uint8_t* texel, std::uint8_t* out, int count, int channels) {
+template <class Value>
+void repeat(const Value* texel, Value* out, int count, int channels) {
   for (int i = 0; i < count; ++i)
     std::memmove(out + static_cast<std::size_t>(i) * static_cast<std::size_t>(channels), texel,
-                 static_cast<std::size_t>(channels));
+                 sizeof(Value) * static_cast<std::size_t>(channels));
 }
 
 // Four lanes: linear R, G, B and a fourth value.
@@ -119,19 +120,24 @@ struct Lanes<float> {
 
 }  // namespace
 
-void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBox& cell) {
+template <class Value>
+void replicate_edges(const PixelsViewOf<Value>& page, const PixelBox& box, const PixelBox& cell) {
   const int right = box.x + box.width, cell_right = cell.x + cell.width;
   for (int y = box.y; y < box.y + box.height; ++y) {
     if (cell.x < box.x) repeat(page.at(box.x, y), page.at(cell.x, y), box.x - cell.x, page.channels);
     if (right < cell_right)
       repeat(page.at(right - 1, y), page.at(right, y), cell_right - right, page.channels);
   }
-  const auto bytes = static_cast<std::size_t>(cell.width) * static_cast<std::size_t>(page.channels);
+  const std::size_t bytes =
+      sizeof(Value) * static_cast<std::size_t>(cell.width) * static_cast<std::size_t>(page.channels);
   for (int y = cell.y; y < box.y; ++y) std::memcpy(page.at(cell.x, y), page.at(cell.x, box.y), bytes);
   const int last = box.y + box.height - 1;
   for (int y = last + 1; y < cell.y + cell.height; ++y)
     std::memcpy(page.at(cell.x, y), page.at(cell.x, last), bytes);
 }
+
+template void replicate_edges(const PixelsView8&, const PixelBox&, const PixelBox&);
+template void replicate_edges(const PixelsViewOf<float>&, const PixelBox&, const PixelBox&);
 
 template <class Value>
 std::size_t bleed_under_alpha(const PixelsViewOf<Value>& a, const PixelsViewOf<Value>& b) {

@@ -12,7 +12,9 @@ namespace etak {
 
 /// Texels of `cell` outside of `box` become those of `box` that are nearest (edges and corners repeated).
 /// `box` lies in `cell`, and `cell` in the page. All channels.
-void replicate_edges(const PixelsView8& page, const PixelBox& box, const PixelBox& cell);
+///   Value   std::uint8_t or float
+template <class Value>
+void replicate_edges(const PixelsViewOf<Value>& page, const PixelBox& box, const PixelBox& cell);
 
 /// Fills texels of alpha 0 (the fourth channel of `a`) in all channels of A but alpha, and in B, if B has
 /// data.

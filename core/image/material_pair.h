@@ -10,6 +10,9 @@ namespace etak {
 template <class Value>
 struct PairOf {
   Pixels<Value> diffuse_alpha, specular_gloss;
+  Pixels<Value>& of(Texture texture) {
+    return texture == Texture::diffuse_alpha ? diffuse_alpha : specular_gloss;
+  }
   const Pixels<Value>& of(Texture texture) const {
     return texture == Texture::diffuse_alpha ? diffuse_alpha : specular_gloss;
   }

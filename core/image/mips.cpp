@@ -100,6 +100,57 @@ ChainShape shape_of(int width, int height, const MipOptions& options) {
           options.alpha_weights_diffuse, options.normals != nullptr};
 }
 
+// The opacities of levels 1 and on, unscaled; none of a level without a mask.
+using LevelOpacities = std::vector<std::vector<float>>;
+
+// Encodes one row of a level; returns how many of its texels have a lobe wider than gloss 0.
+template <class Value>
+std::size_t write_row(const StoredRow& row, int width, const Scale<Value>& scale, NormalVariance variance,
+                      Value* out_a, Value* out_b) {
+  std::size_t wider = 0;
+  int x = 0;
+  if constexpr (Scale<Value>::rounded)
+    if (const MipRows* const fast = mip_rows(); fast != nullptr && row.texels_n == nullptr)
+      x = fast->encode(row.texels_a, row.texels_b, width, scale.tables, scale.widest, out_a, out_b, wider);
+  for (out_a += 4 * x, out_b += 4 * x; x < width; ++x, out_a += 4, out_b += 4) {
+    const Float4 texel_a = row.a(x), texel_b = row.b(x);
+    for (int c = 0; c < 3; ++c) {
+      out_a[c] = scale.color(texel_a[c]);
+      out_b[c] = scale.color(texel_b[c]);
+    }
+    out_a[3] = scale.opacity(texel_a[3]);
+    float inverse = texel_b[3];
+    if (row.texels_n != nullptr) inverse += added_variance(row.n(x), variance);
+    wider += inverse > scale.widest ? 1 : 0;
+    out_b[3] = scale.gloss(inverse);
+  }
+  return wider;
+}
+
+// Scales the alpha of every level so that its coverage is that of level 0.
+template <class Value>
+void keep_coverage(const PixelsViewOf<const Value>& a, const LevelOpacities& opacities, double alpha_cutoff,
+                   const Scale<Value>& scale, unsigned threads, std::span<const PixelsViewOf<Value>> to_a) {
+  // A code passes when code / 255 >= cutoff; the samples between texels are no whole codes.
+  const auto cutoff = static_cast<float>(alpha_cutoff * double{scale.largest});
+  const double share = coverage(a.width, a.height, cutoff, threads, [&](int y, float* out) {
+    const Value* from = a.row(y);
+    for (int x = 0; x < a.width; ++x) out[x] = static_cast<float>(from[4 * x + 3]);
+  });
+  for (std::size_t level = 1; level < opacities.size(); ++level) {
+    const int width = side_at(a.width, static_cast<int>(level)),
+              height = side_at(a.height, static_cast<int>(level));
+    const float factor = coverage_factor(opacities[level], width, height, cutoff, share, scale.largest,
+                                         scale.rounded, threads);
+    const float* from = opacities[level].data();
+    for (int y = 0; y < height; ++y) {
+      Value* out = to_a[level].row(y);
+      for (int x = 0; x < width; ++x)
+        out[4 * x + 3] = static_cast<Value>(scaled_opacity(*from++, factor, scale.largest, scale.rounded));
+    }
+  }
+}
+
 // Levels 1 and on into to_a[l], to_b[l] ([0] is not touched).
 template <class Value>
 std::size_t write_levels(PixelsViewOf<const Value> a, PixelsViewOf<const Value> b, const MipOptions& options,
@@ -114,9 +165,8 @@ std::size_t write_levels(PixelsViewOf<const Value> a, PixelsViewOf<const Value> 
   const LevelSource<Value> source{scale, a, b,
                                   options.normals != nullptr ? view(*options.normals) : ConstPixelsView8{},
                                   options.normal_variance};
-
   // A mask's opacities are scaled when a level is whole.
-  std::vector<std::vector<float>> opacities(static_cast<std::size_t>(shape.levels));
+  LevelOpacities opacities(static_cast<std::size_t>(shape.levels));
   if (options.alpha_cutoff)
     for (int level = 1; level < shape.levels; ++level)
       opacities[static_cast<std::size_t>(level)].resize(static_cast<std::size_t>(side_at(a.width, level)) *
@@ -126,50 +176,14 @@ std::size_t write_levels(PixelsViewOf<const Value> a, PixelsViewOf<const Value> 
   make_chain(shape, threads, source, [&](int level, int y, const StoredRow& row) {
     const auto at = static_cast<std::size_t>(level);
     const int width = side_at(a.width, level);
-    Value *out_a = to_a[at].row(y), *out_b = to_b[at].row(y);
-    std::size_t wider = 0;
-    int x = 0;
-    if constexpr (Scale<Value>::rounded)
-      if (const MipRows* const fast = mip_rows(); fast != nullptr && row.texels_n == nullptr)
-        x = fast->encode(row.texels_a, row.texels_b, width, scale.tables, scale.widest, out_a, out_b, wider);
-    for (out_a += 4 * x, out_b += 4 * x; x < width; ++x, out_a += 4, out_b += 4) {
-      const Float4 texel_a = row.a(x), texel_b = row.b(x);
-      for (int c = 0; c < 3; ++c) {
-        out_a[c] = scale.color(texel_a[c]);
-        out_b[c] = scale.color(texel_b[c]);
-      }
-      out_a[3] = scale.opacity(texel_a[3]);
-      float inverse = texel_b[3];
-      if (row.texels_n != nullptr) inverse += added_variance(row.n(x), options.normal_variance);
-      wider += inverse > scale.widest ? 1 : 0;
-      out_b[3] = scale.gloss(inverse);
-    }
+    const std::size_t wider =
+        write_row(row, width, scale, options.normal_variance, to_a[at].row(y), to_b[at].row(y));
     if (wider > 0) clamped += wider;
-    if (!opacities[at].empty()) {
-      float* to = opacities[at].data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-      for (int i = 0; i < width; ++i) to[i] = row.a(i)[3];
-    }
+    if (opacities[at].empty()) return;
+    float* to = opacities[at].data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    for (int i = 0; i < width; ++i) to[i] = row.a(i)[3];
   });
-
-  if (!options.alpha_cutoff) return clamped;
-  // A code passes when code / 255 >= cutoff; the samples between texels are no whole codes.
-  const auto cutoff = static_cast<float>(*options.alpha_cutoff * double{scale.largest});
-  const double share = coverage(a.width, a.height, cutoff, threads, [&](int y, float* out) {
-    const Value* from = a.row(y);
-    for (int x = 0; x < a.width; ++x) out[x] = static_cast<float>(from[4 * x + 3]);
-  });
-  for (int level = 1; level < shape.levels; ++level) {
-    const auto at = static_cast<std::size_t>(level);
-    const int width = side_at(a.width, level), height = side_at(a.height, level);
-    const float factor =
-        coverage_factor(opacities[at], width, height, cutoff, share, scale.largest, scale.rounded, threads);
-    const float* from = opacities[at].data();
-    for (int y = 0; y < height; ++y) {
-      Value* out = to_a[at].row(y);
-      for (int x = 0; x < width; ++x)
-        out[4 * x + 3] = static_cast<Value>(scaled_opacity(*from++, factor, scale.largest, scale.rounded));
-    }
-  }
+  if (options.alpha_cutoff) keep_coverage(a, opacities, *options.alpha_cutoff, scale, threads, to_a);
   return clamped;
 }
 

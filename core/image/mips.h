@@ -53,6 +53,9 @@ struct MipPairOf {
   std::vector<Pixels<Value>>& of(Texture texture) {
     return texture == Texture::diffuse_alpha ? diffuse_alpha : specular_gloss;
   }
+  const std::vector<Pixels<Value>>& of(Texture texture) const {
+    return texture == Texture::diffuse_alpha ? diffuse_alpha : specular_gloss;
+  }
 };
 using MipPair = MipPairOf<std::uint8_t>;
 using MipPairFloat = MipPairOf<float>;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/atlas/compose.h"
+#include "core/atlas/sources/pictures.h"
 #include "core/base/error.h"
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"

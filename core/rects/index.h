@@ -5,7 +5,8 @@
 
 namespace etak::rects {
 
-/// An index or a count, which this room keeps as an int beside lengths, as the containers want it. i: not negative.
+/// An index or a count as containers take it; this folder keeps both as int, as it does lengths. i: not
+/// negative.
 constexpr std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }

@@ -90,8 +90,8 @@ int least_height(const Set& set, bool rotate, int width) {
 
 namespace {
 
-// Upright rectangles wider than half the page lie one above the other, those higher than half of it side by
-// side.
+// Without rotation, rectangles wider than half the page lie one above the other, and those higher than half
+// of it side by side.
 bool stacks_fit(const Set& set, int width, int height) {
   std::int64_t up = 0, across = 0;
   for (const RectSize& item : set.items) {

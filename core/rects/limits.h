@@ -11,23 +11,23 @@
 
 namespace etak::rects {
 
-// What a search may cost, and between which sides of a page it goes.
+// How much a search may cost, and the page sides that it tries.
 
 /// The least multiple that is not below `value`; at most INT_MAX / 2.
 int round_up(std::int64_t value, std::int64_t multiple);
 
-/// How much may still be tried. Counted in tries and in operations, so that it is the same on every machine;
-/// the clock only where it was asked for.
+/// How much may still be tried, counted in tries and in operations, so that it is the same on every machine.
+/// Time counts only where it was asked for.
 class Budget {
  public:
   ///   effort        tries at most; all of them together take at most `effort` times what one of ordinary
   ///                 cost takes
   ///   max_seconds   0: no clock
   Budget(int effort, int n, double max_seconds);
-  void allow(int effort);  // starts again with this much; the clock and the counts go on
-  bool open();             // is there anything left?
+  void allow(int effort);  // begins again with this effort; the clock and the counts go on
+  bool open();             // something is left
   void charge(std::int64_t work);
-  bool would_end(int effort) const;  // had it been allowed this much
+  bool would_end(int effort) const;  // nothing would be left of this effort
   int tries() const { return tries_; }
   bool cut() const { return cut_; }
 
@@ -65,8 +65,8 @@ struct Family {
 /// The side of `best` in a family.
 int side_of(const Family& family, const Best& best);
 
-/// The least height that `width` allows: by area, by the largest rectangle, and, upright, because all sides
-/// may be multiples of a number.
+/// The least height of a page of that width: by the area, by the largest rectangle, and, without rotation,
+/// by a number of which all sides are multiples.
 int least_height(const Set& set, bool rotate, int width);
 int least_square(const Set& set, bool rotate);
 bool can_hold(const Set& set, bool rotate, int width, int height);

@@ -65,7 +65,8 @@ LANES_FUNCTION std::pair<int, int> least_key(const int* xs, const int* ys, const
   return {int{where[0]}, int{key[0]}};
 }
 
-// Those of the blocks from `from` on that are large enough: the block and its lanes; 0 where there is none.
+// The first block from `from` on with a free rectangle that is large enough, and which of its lanes are; 0
+// where there is none.
 LANES_FUNCTION std::pair<int, unsigned> next_fitting(const int* xs, const int* ys, const int* rights,
                                                      const int* tops, int from, int count, int width,
                                                      int height) {
@@ -81,9 +82,10 @@ LANES_FUNCTION std::pair<int, unsigned> next_fitting(const int* xs, const int* y
   return {count, 0};
 }
 
-// What is left of the cut rectangles on one side of the box, and the uncut ones that share that side's line:
-// only one of these can contain a piece, since it overlaps the box along the side and does not reach into it.
-// The common line is left out; `far` is the opposite end, turned so that the least reaches furthest.
+// The pieces that remain of the cut rectangles on one side of the box, and the uncut rectangles that touch
+// the line of that side. Only a touching rectangle can contain a piece, because the piece overlaps the box
+// along the side and does not reach into it. The common line is not stored; `far` is the opposite end, with
+// its sign such that the least number reaches furthest.
 struct Side {
   int *far, *low, *high;
   int count;
@@ -158,7 +160,7 @@ LANES_FUNCTION void cut(Space& space, const Cut& box, Side* pieces, Side* touchi
   space.count = count;
 }
 
-// The pieces that lie in no touching rectangle and in no other piece; of equal ones the first.
+// The pieces that lie in no touching rectangle and in no other piece; of equal pieces the first.
 LANES_FUNCTION int outermost(const Side& pieces, const Side& touching, int* out) {
   int count = 0;
   if (pieces.count == 1 && touching.count == 0) {
@@ -299,8 +301,8 @@ void MaxRects::remember(const Free& box) {
   placed_.push_back(placed);
 }
 
-// How much of the border of a box lies against the page and the boxes placed: those whose opposite side is on
-// the same line.
+// How much of the border of a box touches the border of the page and placed boxes: those whose opposite side
+// is on the same line.
 int MaxRects::contact(const Free& box) const {
   int touch = 0;
   if (box.x == 0) touch += box.top - box.y;
@@ -368,7 +370,8 @@ bool MaxRects::insert(int width, int height, Fit fit, Spot& spot) {
 Outcome MaxRects::pack(int width, int height, std::span<const int> order, Fit fit, bool partial) {
   Outcome out;
   spots_.assign(set_.items.size(), {-1, 0, false});
-  // Least width and height among those after each, to leave out free rectangles that none of them fits.
+  // The least width and height among the rectangles after each one: none of them fits into a smaller free
+  // rectangle, so that is left out.
   const std::size_t n = order.size();
   least_after_.resize(2 * n + 2);
   int* const least_w = least_after_.data();

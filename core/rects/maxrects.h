@@ -13,18 +13,18 @@ const char* name_of(Fit fit);
 /// Maximal rectangles: the free space is the list of all largest free rectangles.
 /// Based on
 ///   J. Jylanki, A thousand ways to pack the bin, 2010 (the list and the rules).
-/// A new maximal rectangle lies inside one that was just cut, so it can only be contained in one that was
-/// not cut and touches the same side of the box or in another new one on that side; those narrower or lower
-/// than anything still to come are left out.
+/// Placing a box cuts free rectangles. A new maximal rectangle lies inside one that was just cut, so only two
+/// kinds of rectangles can contain it: uncut ones that touch the same side of the box, and other new ones on
+/// that side. Free rectangles that are narrower or lower than all rectangles still to come are left out.
 class MaxRects {
  public:
   MaxRects(const Set& set, bool rotate) : set_(set), rotate_(rotate) {}
 
-  /// As Skyline::pack; without `partial` it stops at the first that does not fit.
+  /// Packs as Skyline::pack does; without `partial` it stops at the first rectangle that does not fit.
   Outcome pack(int width, int height, std::span<const int> order, Fit fit, bool partial);
   const std::vector<Spot>& spots() const { return spots_; }
 
-  /// For packing around what lies fixed: begin, occupy what is there, then insert.
+  /// For packing around rectangles that stay: begin(), occupy() for each of those, then insert().
   void begin(int width, int height, int least_width, int least_height);
   void occupy(int x, int y, int width, int height);
   bool insert(int width, int height, Fit fit, Spot& spot);
@@ -49,11 +49,11 @@ class MaxRects {
   int page_width_ = 0, page_height_ = 0, key_bits_ = 0, area_shift_ = 0;
   int least_width_ = 1, least_height_ = 1;
   int count_ = 0;
-  std::vector<int> x_, y_, right_, top_;  // of the free ones, padded with what nothing fits
-  std::vector<int> scratch_;              // for what the last box cuts and touches
+  std::vector<int> x_, y_, right_, top_;  // of the free rectangles; the padding holds empty ones
+  std::vector<int> scratch_;              // the rectangles that the last box cuts and touches
   mutable std::int64_t work_ = 0;
-  // What lies, for the contact rule, with lists by the line its left, right, lower and upper side is on;
-  // lines share slots.
+  // The placed boxes, for the contact rule, in lists by the line of the left, right, lower and upper side;
+  // several lines share a slot.
   static constexpr std::size_t line_slots = 1024;
   struct Placed {
     Free box;

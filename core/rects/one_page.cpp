@@ -8,9 +8,9 @@
 namespace etak::rects {
 namespace {
 
-// The search without rotation comes first and in full even where rotation is allowed: what it finds is then a
-// candidate, so that rotation never hurts. The search with rotation starts from there and gets a part of the
-// tries.
+// The search without rotation comes first and in full even where rotation is allowed. Its layout is then a
+// candidate, so that rotation never makes the result worse. The search with rotation starts from that
+// layout and gets a part of the tries.
 int turned_part(const Frame& frame, int effort) {
   return std::max(1, frame.form == PageForm::strip ? effort / 2 : effort * 3 / 4);
 }
@@ -30,9 +30,9 @@ std::vector<bool> rotations(const Frame& frame) {
   return frame.rotate ? std::vector<bool>{false, true} : std::vector<bool>{false};
 }
 
-// More effort never gives a larger page, because what happens with less is a part of what happens with more.
-// So a round with rotation starts from what the search without had found at its level, not from what it came
-// to in the end, and its length depends on nothing else.
+// More effort never gives a larger page, because a search with less effort makes the first steps of one with
+// more. Therefore a round with rotation starts from the layout that the search without rotation had at the
+// same effort, not from its last one, and the length of a round depends on nothing else.
 void search_both(const Set& set, const Frame& frame, const Family& upright, const Family& turned,
                  Budget& budget, Best& best) {
   const std::vector<int> marks = levels(frame);
@@ -112,7 +112,7 @@ std::int64_t area_of(const Frame& frame, int width, int height) {
 
 struct Width {
   int width;
-  std::int64_t area;  // of what a first look found
+  std::int64_t area;  // of the page that the first look found
 };
 
 // Widths from half to twice the side of a full square, where long thin pages begin.
@@ -251,7 +251,7 @@ std::optional<Packed> pack_power_of_two(const Set& set, const Frame& frame, Budg
   std::sort(pages.begin(), pages.end(), [](const Candidate& a, const Candidate& b) {
     if (a.width * a.height != b.width * b.height) return a.width * a.height < b.width * b.height;
     const std::int64_t long_a = std::max(a.width, a.height), long_b = std::max(b.width, b.height);
-    return long_a != long_b ? long_a < long_b : a.width > b.width;  // the squarest first, then lying
+    return long_a != long_b ? long_a < long_b : a.width > b.width;  // the squarest first, then the wider
   });
   for (const Candidate& page : pages) {
     const int width = static_cast<int>(page.width / frame.unit),

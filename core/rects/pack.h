@@ -7,7 +7,8 @@
 
 namespace etak::rects {
 
-// The forms of page on top of Search. Everything in units (see set.h) unless it says texels.
+// Packing into each form of page, by Search. All lengths are in units (see set.h) except where texels are
+// named.
 
 /// The options in units.
 struct Frame {
@@ -29,7 +30,8 @@ struct PageSize {
   int width = 0, height = 0;
 };
 
-/// Spots by canonical index; page sides are extents (square pages and powers of two already made so).
+/// A layout. Spots are by canonical index. Page sides are the extents of what lies there; those of square
+/// pages and of powers of two have their final lengths.
 struct Packed {
   std::vector<PageSize> pages;
   std::vector<Spot> spots;

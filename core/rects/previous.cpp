@@ -43,7 +43,7 @@ class Gaps {
   Gaps(std::span<const RectSize> sizes, const RectOptions& options, const PreviousRects& previous,
        const Split& parts)
       : sizes_(sizes), options_(options), previous_(previous), parts_(parts) {
-    // From below and from the left: then few free rectangles are alive at a time.
+    // From below and from the left: then there are few free rectangles at a time.
     sorted_ = parts.staying;
     std::sort(sorted_.begin(), sorted_.end(), [&](std::size_t a, std::size_t b) {
       const RectPlace &p = *previous_.places[a], &q = *previous_.places[b];
@@ -158,7 +158,8 @@ void drop_empty_pages(RectLayout& layout) {
   layout.pages.swap(kept);
 }
 
-// The previous layout completed, or none where it is not usable or does not get by with `most` texels.
+// The previous layout with the new rectangles, or none where it cannot be used or takes more than `most`
+// texels.
 std::optional<RectLayout> completed(std::span<const RectSize> sizes, const RectOptions& options,
                                     const PreviousRects& previous, double most) {
   const Split parts = split(sizes, options, previous);

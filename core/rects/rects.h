@@ -9,7 +9,7 @@
 
 namespace etak {
 
-// Packing of rectangles; knows nothing of pictures.
+// Packing of rectangles. Nothing here knows of pictures.
 
 struct RectSize {
   int width = 0, height = 0;
@@ -39,9 +39,10 @@ struct RectOptions {
   int multiple = 1;          // every page side is a multiple of it (4 for block compression); not for strip
   int align = 1;             // every rectangle's corner lies on a multiple of it; `side` has to be one
   bool rotate = false;
-  // How many tries (an order of the rectangles under a placement rule) at most, and all of them together no
-  // more operations than that many of ordinary cost; for each page size of pot, a part for each width of
-  // free. The same number gives the same layout on every machine. With `rotate` the tries without come first.
+  // The most tries, of which each is an order of the rectangles under a placement rule. All tries together
+  // take no more operations than that many of ordinary cost. power_of_two has so many for each page size,
+  // free a part of them for each width. The same number gives the same layout on every machine. With
+  // `rotate` the tries without rotation come first.
   int effort = 100;
   double max_seconds = 0;  // above 0: no try begins later than this; the layout then depends on the machine
   unsigned threads = 1;    // never changes the layout
@@ -50,7 +51,7 @@ struct RectOptions {
 struct RectLayout {
   std::vector<RectSize> pages;
   std::vector<RectPlace> places;  // in the order of the input
-  std::string method;             // the rule and order that won, for reports
+  std::string method;             // the rule and order of the best layout, for reports
   int tries = 0;
   bool cut_by_time = false;
   bool kept_previous = false;  // unchanged rectangles stayed where they were
@@ -67,16 +68,16 @@ struct PreviousRects {
   double most_extra_area = 0.05;  // staying may cost this share of the fresh layout's page area
 };
 
-/// Packs without overlap and inside the pages. Deterministic: depends on the multiset of sizes and the
+/// Packs rectangles without overlap and inside the pages. The layout depends on the multiset of sizes and the
 /// options alone (equal sizes are placed in the order of their indices), not on the order of the input or on
 /// threads. With `rotate` the layout is never larger than without; with `previous` it is never larger than
-/// what the previous layout would still hold. Throws Error for sides outside 1..largest_side, a rectangle
-/// larger than a page, or options out of range.
+/// the previous layout where that still holds all rectangles. Throws Error for sides outside
+/// 1..largest_side, a rectangle larger than a page, or options out of range.
 RectLayout pack_rects(std::span<const RectSize> sizes, const RectOptions& options,
                       const PreviousRects* previous = nullptr);
 
-/// What is wrong with a layout (overlap, outside of its page, wrong count), or nothing: independent of how it
-/// was made.
+/// What is wrong with a layout (overlap, outside of its page, wrong count), or nothing. Does not depend on
+/// how the layout was made.
 std::optional<std::string> layout_fault(std::span<const RectSize> sizes, const RectLayout& layout);
 
 }  // namespace etak

@@ -12,7 +12,7 @@
 namespace etak::rects {
 namespace {
 
-// With fewer rectangles a try takes no longer than a thread to start.
+// With fewer rectangles than these, a try takes no longer than the start of a thread.
 constexpr int least_for_threads = 700;
 
 }  // namespace
@@ -24,7 +24,7 @@ struct Search::Worker {
   MaxRects maxrects[2];
 };
 
-/// An order that is being changed, and how far it got in the page now looked for.
+/// An order that is being changed, and how much of it fitted into the page that is looked for now.
 struct Search::Leader {
   Try how;
   std::vector<int> order;
@@ -69,7 +69,7 @@ Search::Search(const Set& set, bool rotate, unsigned threads, Budget& budget)
 Search::~Search() = default;
 
 const std::vector<int>& Search::order(const Try& how) {
-  // Of the keys only height and width change when all rectangles are turned.
+  // When all rectangles are turned, only the keys height and width give other orders.
   Key key = how.key;
   if (how.transposed && (key == Key::height || key == Key::width))
     key = key == Key::height ? Key::width : Key::height;
@@ -146,7 +146,8 @@ int Search::target(const Family& family, const Best& best, int depth) const {
   return std::min(side, family.most);
 }
 
-// The first layout: how high it gets in a page open at the top says what page to expect; from there up.
+// The first layout. Its height in a page without an upper end says which page to expect; the search goes up
+// from there.
 void Search::start(const Family& family, Best& best) {
   const Try& how = portfolio_.front();
   const auto tried = [&](int width, int height) {
@@ -167,8 +168,8 @@ void Search::start(const Family& family, Best& best) {
   const Outcome open = tried(family.width_at(side), open_height);
   if (!best.any && family.width == 0 && open.all)
     side = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(side) * open.height)));
-  // Without a layout there is nothing to hand back: this goes on past the end of the budget. The steps do not
-  // depend on what is left, so that a larger budget finds all that a smaller one does.
+  // There must be a layout to return, so this goes on beyond the end of the budget. The steps do not depend
+  // on what is left of the budget, so that a larger budget finds all that a smaller one does.
   int steps = 0;
   for (int last = 0; !best.any && last < family.most; side += std::max(1, side / (++steps < 12 ? 50 : 8))) {
     last = std::min(family.full(std::clamp(side, family.least, family.most)), family.most);
@@ -177,7 +178,8 @@ void Search::start(const Family& family, Best& best) {
   if (best.any) descend(family, best, how, order(how));
 }
 
-// Smaller and smaller pages with one try that has just succeeded: longer and longer steps, then halves.
+// Tries smaller and smaller pages with a try that has just succeeded: first in longer and longer steps,
+// then in steps of half the length each.
 void Search::descend(const Family& family, Best& best, const Try& how, std::span<const int> order) {
   const std::uint64_t print = print_of(how, order);
   int bad = family.least - 1, jump = std::max(1, (side_of(family, best) - family.least) / 8);
@@ -220,9 +222,10 @@ bool Search::settle(const Family& family, Best& best, Step& step) {
   return true;
 }
 
-// Makes the steps 0 .. count - 1 one after the other. make(i, step) fills how, order and depth (or leaves the
-// order empty: no step); done(i, step) says whether what later steps are made from has changed. With threads
-// some steps are computed ahead; those behind a change are thrown away and made again.
+// Makes the steps 0 .. count - 1 one after the other. make(i, step) sets `how`, `order` and `depth`, or
+// leaves the order empty where there is no such step. done(i, step) returns whether it changed what later
+// steps are made from. With threads some steps are computed ahead; those after a change are discarded and
+// made again.
 template <class Make, class Done>
 void Search::go_through(std::size_t count, const Family& family, Best& best, Make make, Done done) {
   const std::size_t batch = threads_ > 1 ? 4 * threads_ : 1;
@@ -286,8 +289,8 @@ void Search::look(const Family& family, Best& best) {
   }
 }
 
-// Before the best changes: was it what a smaller budget would have ended with? A search for a first layout
-// does not end without.
+// Is called before `best` changes: notes it where a smaller budget would have ended with it. A search for a
+// first layout does not end before it has one.
 void Search::note(const Best& best) {
   if (!noted_ || (!best.any && must_find_)) return;
   while (noted_->size() < marks_.size() && budget_.would_end(marks_[noted_->size()])) noted_->push_back(best);
@@ -313,7 +316,8 @@ void Search::go(const Family& family, Best& best) {
       [&](std::size_t i, Step& step) {
         step.how = portfolio_[i];
         step.order = order(step.how);
-        // The slower rules are asked for a step that pays: they are not monotone and may well succeed there.
+        // The slower rules begin with a much smaller page, which pays for their time; they are not monotone and
+        // may well succeed there.
         if (!step.how.skyline && best.any)
           step.depth =
               std::max(1, (side_of(family, best) - family.least) / (step.how.fit == Fit::contact ? 6 : 10));
@@ -364,8 +368,8 @@ void change(std::vector<int>& order, Random& random) {
 
 }  // namespace
 
-// Hill climbing on the orders that got furthest: a changed order stays when more was placed before it gave
-// up.
+// Hill climbing on the orders of which most was placed: a changed order is kept where more of it was placed
+// before the try failed.
 void Search::change_orders(const Family& family, Best& best, std::vector<Leader>& leaders) {
   go_through(
       at(INT_MAX), family, best,

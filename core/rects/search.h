@@ -10,37 +10,38 @@
 
 namespace etak::rects {
 
-/// Looks for the layout with the least side within a family. The steps are taken as if one after the other:
-/// threads only compute results before they are asked for.
+/// Looks for the layout with the least side within a family. The result is that of steps taken one after the
+/// other: threads only compute results before these are asked for.
 class Search {
  public:
   Search(const Set& set, bool rotate, unsigned threads, Budget& budget);
   ~Search();
 
-  /// Improves `best` (a layout of the family, or none) until the least side or the end of the budget: the
-  /// portfolio, the most promising on still smaller pages, then changed orders.
+  /// Improves `best` (a layout of the family, or none) until it has the least side or the budget ends.
+  /// Tries the portfolio first, then the most promising tries on still smaller pages, then changed orders.
   void run(const Family& family, Best& best) {
     std::vector<Best> none;
     run(family, best, {}, none);
   }
 
-  /// The same; `noted` becomes what it would have come to with each of the efforts `marks` (rising, none
-  /// above the budget's).
+  /// The same. `noted` becomes the layouts with which a search of each effort in `marks` would have ended;
+  /// the efforts rise, and none is above that of the budget.
   void run(const Family& family, Best& best, std::span<const int> marks, std::vector<Best>& noted);
 
-  /// The heights that a few rules which build from below reach in a page of the family's width that is open
-  /// at the top.
+  /// Improves `best` by a few rules that build from below, in a page of the family's width without an upper
+  /// end.
   void look(const Family& family, Best& best);
 
-  /// Places what it can of `members` in one page, by entry `which` of the portfolio.
+  /// Places as many of `members` as fit in one page, by entry `which` of the portfolio.
   Outcome fill(int width, int height, std::span<const int> members, std::size_t which,
                std::vector<Spot>& spots);
   std::size_t entries() const { return portfolio_.size(); }
 
-  /// For pages that entry `which` fills one after the other with the whole set, in time for what it places
-  /// alone: offer() once, then fill_next() for every page, as fill() of what is left.
-  ///   placed   what the page took, by index into the set
-  /// False where the entry's rule cannot do that.
+  /// For pages that entry `which` fills one after the other with the whole set: offer() once, then
+  /// fill_next() for every page. That gives what fill() with the remaining rectangles gives, but the time
+  /// depends only on the rectangles that are placed.
+  ///   placed   the rectangles of the page, by index into the set
+  /// offer() returns false where the entry's rule cannot do that.
   bool offer(std::size_t which);
   Outcome fill_next(int width, int height, std::vector<std::pair<int, Spot>>& placed);
 
@@ -80,8 +81,8 @@ class Search {
   std::vector<Best>* noted_ = nullptr;
   bool must_find_ = false;
   std::vector<int> first_equal_;  // of each rectangle: the first of its size
-  // What came of the tries that failed, by rule, order and page: the same is not done twice, though it counts
-  // as often as it is asked for.
+  // The outcomes of tries that failed, by rule, order and page. No try is made twice, though it is charged
+  // to the budget as often as it is asked for.
   std::unordered_map<std::uint64_t, Outcome> failed_;
   std::vector<int> orders_[key_count];
   std::size_t offered_ = 0;  // entry of offer()

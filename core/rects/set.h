@@ -10,17 +10,17 @@
 
 namespace etak::rects {
 
-// What the packing rules share. Inside, lengths are whole units (texels divided by RectOptions::align).
+// What the packing rules share. Lengths are whole units in all of them: texels divided by RectOptions::align.
 
 struct Spot {
   int x = 0, y = 0;
   bool rotated = false;
 };
 
-/// What became of one try.
+/// The outcome of one try.
 struct Outcome {
   bool all = false;           // every rectangle of the order has a spot
-  std::int64_t placed = 0;    // their area
+  std::int64_t placed = 0;    // area of the rectangles that have a spot
   int width = 0, height = 0;  // extent of what was placed
   std::int64_t work = 0;      // operations done, about nanoseconds: the same on every machine
 };
@@ -31,7 +31,7 @@ struct Set {
   std::vector<RectSize> items;
   std::int64_t area = 0;
   int widest = 0, tallest = 0, longest_side = 0, longest_short_side = 0;
-  int width_step = 1, height_step = 1;  // all widths, all heights are multiples of it
+  int width_step = 1, height_step = 1;  // all widths are multiples of the first, all heights of the second
 
   Set() = default;
   explicit Set(std::vector<RectSize> canonical);
@@ -39,7 +39,7 @@ struct Set {
   int size() const { return static_cast<int>(items.size()); }
 };
 
-/// What an order sorts by; the largest first, ties by the place in the set.
+/// What an order of rectangles sorts by: the largest first, of equal ones the earlier in the set.
 enum class Key { height, width, area, long_side, short_side, perimeter, difference, ratio };
 inline constexpr int key_count = 8;
 const char* name_of(Key key);

@@ -34,8 +34,8 @@ void take(const std::vector<Spot>& spots, int page, Packed& out, std::vector<int
   left.swap(rest);
 }
 
-// One page after the other. Gives up when more than `most` pages would be needed and, unless it `must` end,
-// with the budget: half of what more effort would have done is not taken.
+// Fills one page after the other. Gives up when more than `most` pages would be needed, and also at the end
+// of the budget unless it `must` give a layout: a part of what more effort would have done is not used.
 class PageFiller {
  public:
   PageFiller(Filler& filler, Budget& budget, const std::vector<PageSize>& pages, std::size_t most, bool must)
@@ -45,7 +45,7 @@ class PageFiller {
     filled_.left = filler_.set.items.size();
   }
 
-  /// All by entry `which` of the portfolio, or (-1) each by the entry that fills it best.
+  /// Fills all pages by entry `which` of the portfolio, or (-1) each page by the entry that fills it best.
   Packed fill(int which, Filled& filled) {
     if (which >= 0 && filler_.search.offer(at(which)))
       by_one_offer();
@@ -116,8 +116,8 @@ class PageFiller {
   Filled filled_;
 };
 
-// The order in which entries fill all pages: the fullest for each page (-1), then single ones; where there
-// must be a layout, the first entry before all.
+// The entries by which all pages are filled, in the order of the tries: the best one for each page (-1), then
+// single entries; where there must be a layout, the first entry comes before these.
 std::vector<int> ways(std::size_t entries, bool must) {
   std::vector<int> out = {-1};
   for (std::size_t which = 0; which < entries; ++which) out.push_back(static_cast<int>(which));
@@ -125,7 +125,7 @@ std::vector<int> ways(std::size_t entries, bool must) {
   return out;
 }
 
-// Drops pages nothing lies in.
+// Drops empty pages.
 void drop_empty(Packed& packed) {
   std::vector<int> number(packed.pages.size(), -1);
   for (const int page : packed.page_of) number[at(page)] = 0;
@@ -148,7 +148,7 @@ std::int64_t texels_of(const Packed& packed, const Frame& frame) {
   return out;
 }
 
-// The extents of what lies in each page instead of the page.
+// Makes each page as small as the extent of its rectangles.
 void shrink(const Set& set, Packed& packed) {
   for (PageSize& page : packed.pages) page = {};
   for (std::size_t i = 0; i < packed.spots.size(); ++i) {
@@ -186,7 +186,7 @@ Packed fill_pages(const Set& set, const Frame& frame, int width, int height, Cos
       if (cost == Cost::texels) shrink(set, packed);
       const std::int64_t found =
           cost == Cost::texels ? texels_of(packed, frame) : static_cast<std::int64_t>(packed.pages.size());
-      // Of as much cost the one with the emptiest last page: the next rectangle goes there.
+      // Of layouts of equal cost, the one with the emptiest last page: it has most room left.
       if (!must && std::tie(found, filled.last_area) >= std::tie(best_cost, best_last)) continue;
       packed.method = which < 0 ? "the fullest of 8 rules for each page"
                                 : portfolio(set.size(), rotate)[at(which)].name();

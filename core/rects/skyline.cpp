@@ -16,7 +16,7 @@ int padded(int count) {
   return (count + lane_count - 1) / lane_count * lane_count;
 }
 
-// The leftmost of the lowest; ys is padded with INT_MAX.
+// The leftmost of the lowest segments; ys is padded with INT_MAX.
 LANES_FUNCTION int lowest_segment(const int* ys, int count) {
   Lanes best, where, here = {0, 1, 2, 3, 4, 5, 6, 7};
   std::memcpy(&best, ys, sizeof best);
@@ -192,7 +192,7 @@ int Skyline::not_wider(int gap) const {
   return static_cast<int>(end - by_width_.begin());
 }
 
-// Of those not wider than the gap and not higher than the room the last by width.
+// The widest of the rectangles that are not wider than the gap and not higher than the room.
 Skyline::Choice Skyline::widest(int gap, int room) {
   if (leaves_ == 0) make_tree();
   for (int entry = not_wider(gap) - 1;;) {
@@ -218,7 +218,7 @@ Skyline::Choice Skyline::choose(int gap, int room, int left, int right) {
   return next_ < order_.size() ? widest(gap, room) : Choice{};
 }
 
-// Takes out the segment's border where it is now level with a neighbour.
+// Joins the segment with a neighbour that is now at the same height.
 void Skyline::join(int segment) {
   const auto remove = [&](int i) {  // segment i becomes part of i - 1
     std::memmove(&xs_[at(i)], &xs_[at(i + 1)], at(segments_ - i) * sizeof(int));

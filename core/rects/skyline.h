@@ -12,10 +12,10 @@ struct SkylineRule {
   int exact = 64;     // score of a width that fills the gap
   int flush = 128;    // of a top level with a neighbour
   int ceiling = 16;   // of a top that reaches the page's end
-  int sliver = 40;    // taken off where what is left of the gap is narrower than anything unplaced
+  int sliver = 40;    // taken off where the rest of the gap is narrower than all unplaced rectangles
   int late = 0;       // taken off for each 16 places further back in the order
   int left_over = 0;  // taken off for each 1/16 of the gap left over
-  int side = 0;       // where it goes when not flush: 0 left, 1 at the higher neighbour, 2 at the lower one
+  int side = 0;       // of the gap where it is not flush: 0 left, 1 at the higher neighbour, 2 at the lower
 };
 
 /// Best-fit skyline: fills the lowest gap again and again with the rectangle of the order that fits it best.
@@ -29,11 +29,12 @@ class Skyline {
   Skyline(const Set& set, bool rotate);
 
   /// Packs the rectangles of `order` into width x height. With `partial` those that do not fit are left out;
-  /// without, it stops as soon as more area is lost than the page can spare.
+  /// without `partial` it stops as soon as more area is lost than the page can spare.
   Outcome pack(int width, int height, std::span<const int> order, const SkylineRule& rule, bool partial);
 
-  /// For many pages, each filled with what the ones before it left: offer() once, then fill() for every page.
-  /// Does what pack() with `partial` does on the rest of the order, in time for what it places alone.
+  /// For many pages, of which each is filled with the rectangles that the pages before it left: offer() once,
+  /// then fill() for every page. fill() does what pack() with `partial` does with the rest of the order,
+  /// but its time depends only on the rectangles that it places.
   ///   order   is kept by reference
   void offer(std::span<const int> order, const SkylineRule& rule);
   Outcome fill(int width, int height);
@@ -71,7 +72,8 @@ class Skyline {
   std::vector<int> ends_;        // by width: how many entries are not wider; empty where that takes too much
   std::vector<int> heights_;     // items by rising least possible height
   // Over by_width_, the least height below each node, made when it is first needed: node i has the children
-  // 2 i and 2 i + 1, the leaves begin at leaves_. Entries placed since then are taken out when they are found.
+  // 2 i and 2 i + 1, the leaves begin at leaves_. Entries placed since then are taken out when they are
+  // found.
   std::vector<int> tree_;
   int leaves_ = 0;             // 0: no tree
   std::vector<char> waiting_;  // of each item

@@ -30,7 +30,7 @@ struct GltfSampler {
   friend bool operator==(const GltfSampler&, const GltfSampler&) = default;
 };
 
-/// One lookup of a material: which picture, read how, where.
+/// One texture of a material: its image, its sampler, and the UVs that look it up.
 struct GltfTexture {
   int image = -1;
   GltfSampler sampler;
@@ -155,7 +155,7 @@ inline constexpr std::size_t most_gltf_buffer_bytes = std::size_t{1} << 31;
 ///   that place copies (EXT_mesh_gpu_instancing) are not looked at. Primitives without a material are no use.
 GltfScene read_gltf(const std::string& path, const GltfOptions& options);
 
-/// Whether `path` is a glTF scene: by its ending, .gltf or .glb; what comes from a pipe by its first bytes.
+/// Whether `path` is a glTF scene: a file by its ending, .gltf or .glb; a pipe by its first bytes.
 bool is_gltf_file(const std::string& path);
 
 /// The files that a document names, as paths beside it: pictures, and all of them (buffers too).
@@ -163,8 +163,8 @@ struct GltfFiles {
   std::vector<std::string> pictures, all;
 };
 
-/// Those of the scene at `path`, without reading any of them. Empty when the document cannot be read, and
-/// without names that read_gltf() refuses: reading then says why.
+/// The files of the scene at `path`, none of which is read. Empty when the document cannot be read, and
+/// without names that read_gltf() refuses: read_gltf() then tells why.
 GltfFiles files_of_gltf(const std::string& path);
 
 /// A scene from bytes in memory; `path` names them and its folder holds the files they refer to.
@@ -234,21 +234,21 @@ struct GltfOutput {
   // KHR_materials_specular may not stand beside the other two in one material: that takes two files.
   std::vector<GltfForm> forms{GltfForm::specular_ior};
   std::string buffer_name = "scene.bin";
-  // The files that the document still stands on are to lie beside the written one, where these names are
-  // taken: a number is put before such a name, so that a picture of the scene whose name is that of a page of
-  // the atlas stays a picture of its own. None: they keep their URIs, and `images` must not be called as one
-  // of them is.
+  // The names that are taken in the folder of the written document. The files to which that still refers are
+  // copied there; a number is put before a name that is taken, so that a picture of the scene does not
+  // replace a page of the atlas of the same name. None: the files keep their URIs, and no name in `images`
+  // may be one of theirs.
   std::optional<std::set<std::string>> taken;
 };
 
-/// A file that a written scene stands on, and its name beside that.
+/// A file to which a written scene refers, and its name beside the scene.
 struct CopiedFile {
   std::string from, name;
 };
 
 struct WrittenGltf {
   std::string json;               // the document's text
-  std::string buffer;             // the bytes of the one buffer it names, without inside images that went
+  std::string buffer;             // the bytes of its only buffer, without images that were replaced
   std::vector<CopiedFile> files;  // where GltfOutput::taken is given
 };
 

@@ -25,7 +25,7 @@ std::optional<UvMatrix> inverse(const UvMatrix& m) {
   return UvMatrix{turn[0], turn[1], -origin[0], turn[3], turn[4], -origin[1]};
 }
 
-// A texel of codes stays in codes; one of floats is linear light and plain numbers.
+// Texels of codes stay codes; texels of floats hold linear light and plain numbers.
 template <class Value>
 using Texel = std::array<std::conditional_t<sizeof(Value) == 1, std::uint8_t, double>, 4>;
 
@@ -43,7 +43,7 @@ void put(double linear, float& to) {
   to = static_cast<float>(linear);
 }
 
-// A texture at the pair's size, as glTF fills up channels that are missing; full where there is none.
+// A texture at the pair's size. Missing channels are filled as glTF says; without a texture all are full.
 template <class Value>
 class TextureLookup {
  public:
@@ -214,7 +214,7 @@ class Converter {
     return out;
   }
 
-  // Calls texel(x, y, a, b) with where the two textures' values of a texel go.
+  // Calls texel(x, y, a, b) for every texel; its values in the two textures are written to a and b.
   template <class Each>
   void each_texel(Each texel) {
     Value *a = out_.diffuse_alpha.values.data(), *b = out_.specular_gloss.values.data();

@@ -30,7 +30,7 @@ PairOf<Value> scene_material_pair(const GltfMaterial& material, const SceneImage
 
 /// Where the texels of one texture of a material lie on another.
 struct TextureOnTexture {
-  UvMatrix to_map{1, 0, 0, 0, 1, 0};  // from the one's UVs over its picture, [0,1], to the other's
+  UvMatrix to_map{1, 0, 0, 0, 1, 0};  // from [0,1]^2 over the first texture's picture to UVs of the other
   std::array<Wrap, 2> wrap{Wrap::repeat, Wrap::repeat};  // of the other
 };
 
@@ -41,8 +41,9 @@ struct TextureOnTexture {
 std::optional<TextureOnTexture> normals_on_pair(const GltfTexture& map, const GltfTexture& lead,
                                                 const TexelUse& use);
 
-/// A normal map at a pair's size, with x and y times `scale`: of each texel the mean over up to 8 x 8 places
-/// in it, unnormalised, so that its length tells how far they spread. A smaller map repeats.
+/// A normal map at a pair's size, with x and y times `scale`. Each texel is the mean of the normals at up to
+/// 8 x 8 places in it, not normalised, so that its length tells how far these normals spread. A smaller map
+/// repeats.
 Image8 scaled_normals(const Image8& map, double scale, int width, int height,
                       const TextureOnTexture& place = {});
 

@@ -67,7 +67,7 @@ std::vector<std::string> buffers_of(const GltfDocument& document,
       bytes = *binary_chunk;
     } else if (extension(node.value, "EXT_meshopt_compression") ||
                extension(node.value, "KHR_meshopt_compression")) {
-      continue;  // a fallback without bytes: whoever needs it is told
+      continue;  // a fallback without bytes: reading from it fails later
     } else {
       node.fail("a buffer without bytes", "\"uri\", or the BIN chunk of a .glb");
     }

@@ -30,7 +30,7 @@ struct GltfDocument {
 
 /// A count, length or offset.
 std::size_t size_at(const JsonNode& node, std::string_view key, std::size_t otherwise);
-/// Key `key` or the specification's default.
+/// The number under `key`, or the specification's default `otherwise`.
 double number_at(const JsonNode& node, std::string_view key, double otherwise, double least, double most);
 /// `node` as numbers in the array `to`.
 void numbers_into(const JsonNode& node, double* to, std::size_t count, double least, double most);
@@ -90,8 +90,8 @@ void each_key(Value& json, const See& see) {
   if (json.is_structured())
     for (auto& child : json) each_key(child, see);
 }
-/// Calls see(uri, is_picture) for the URI of every image and buffer that is a file of its own, images first;
-/// passes over what is no such list.
+/// Calls see(uri, is_picture) for the URI of every image and buffer that is a file of its own, images first.
+/// Members of wrong types are passed over.
 template <class Value, class See>
 void each_file(Value& root, const See& see) {
   if (!root.is_object()) return;

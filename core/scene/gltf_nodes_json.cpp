@@ -71,7 +71,7 @@ class Walk {
     };
     std::vector<Step> open;
     for (std::size_t i = roots.size(); i-- > 0;) open.push_back({document_.index(roots.at(i), "nodes"), {}});
-    // A tree is walked without recursion, so that its depth is not the stack's.
+    // The tree is walked without recursion, because a deep one would overflow the stack.
     while (!open.empty()) {
       const Step step = open.back();
       open.pop_back();
@@ -79,7 +79,7 @@ class Walk {
       int& seen_in = seen_in_.try_emplace(step.node, -1).first->second;
       if (seen_in == index)
         at.fail("reached twice in scene " + std::to_string(index), "each node under one parent");
-      // Another scene drew it already: in a strict tree that was from the same parents.
+      // Another scene has drawn the node already, in a strict tree below the same parents.
       const bool drawn = seen_in >= 0;
       seen_in = index;
       const Placement place = within(step.parent, placement_of(at));

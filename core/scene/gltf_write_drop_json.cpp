@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What nothing refers to any more goes, and every index follows.
+// Drops elements to which nothing refers any more, and changes all indices accordingly.
 #include <algorithm>
 #include <set>
 
@@ -12,7 +12,7 @@ namespace {
 /// New indices of an array's elements, -1 for those that go.
 using Renumbering = std::vector<int>;
 
-/// Keeps the elements of `keep`; the array goes when none is left, because glTF knows no empty ones.
+/// Keeps the elements of `keep`. An array without elements is dropped, because glTF forbids empty ones.
 Renumbering keep_elements(Json& root, const char* array, const std::vector<bool>& keep) {
   Renumbering to(keep.size(), -1);
   Json kept = Json::array();
@@ -28,7 +28,7 @@ Renumbering keep_elements(Json& root, const char* array, const std::vector<bool>
   return to;
 }
 
-/// Follows an index that stands in `value`; throws Error for one out of range, -1 for one that went.
+/// The new index for the index in `value`; -1 where its element was dropped. Throws Error out of range.
 int followed(const GltfRewrite& rewrite, const Json& value, const Renumbering& to, const char* array) {
   if (!value.is_number_integer() || value < 0 || value >= to.size())
     throw Error::at(rewrite.scene.path, printable(value.dump(), 40),
@@ -140,8 +140,8 @@ void each_accessor_of(Json& root, const See& see) {
   });
 }
 
-/// Drops accessors that primitives let go of when their UVs were rewritten. Those that nothing here ever
-/// referred to stay: an extension that is not known may.
+/// Drops accessors to which primitives no longer refer since their UVs were rewritten. Accessors to which
+/// nothing known ever referred are kept: an unknown extension may use them.
 void drop_accessors(GltfRewrite& rewrite, Json before) {
   std::vector<bool> keep(rewrite.document().count("accessors"), true);
   const auto mark = [&](Json& root, bool value) {
@@ -197,7 +197,7 @@ void drop_unused(GltfRewrite& rewrite, const Json& before) {
   drop_textures(rewrite);
   drop_of_textures(rewrite, "images", "source");
   drop_of_textures(rewrite, "samplers", "sampler");
-  // A view that nothing ever named may serve an extension that is not known here: it stays.
+  // A view to which nothing known ever referred is kept: an unknown extension may use it.
   const std::set<std::size_t> views = named_views(rewrite.root);
   std::vector<bool> keep(rewrite.document().count("bufferViews"), true);
   for (const std::size_t view : named_views(before))
@@ -233,7 +233,7 @@ std::string compact_buffers(GltfRewrite& rewrite) {
     const Kept range = range_of(view, buffer);
     auto at = std::upper_bound(kept[buffer].begin(), kept[buffer].end(), range.begin,
                                [](std::size_t begin, const Kept& k) { return begin < k.begin; });
-    --at;  // the last that begins at or before it holds it
+    --at;  // the last run that begins at or before the view holds it
     Json& json = rewrite.root["bufferViews"][static_cast<std::size_t>(view)];
     json["buffer"] = 0;
     json["byteOffset"] = at->to + (range.begin - at->begin);
@@ -258,7 +258,7 @@ void name_extensions(GltfRewrite& rewrite, const Json& before) {
   const auto names = [&](const char* key) {
     std::set<std::string> out;
     if (before.contains(key))
-      // Some extensions are named without standing anywhere (KHR_mesh_quantization): those stay.
+      // Some extensions are listed without any object of theirs (KHR_mesh_quantization): those are kept.
       for (const auto& name : JsonNode{before, rewrite.scene.path, ""}.at(key).texts())
         if (is.contains(name) || !was.contains(name)) out.insert(name);
     return out;

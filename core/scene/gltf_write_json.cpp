@@ -8,7 +8,7 @@
 namespace etak {
 namespace {
 
-/// What refers to materials, images or buffers in ways that are not followed here.
+/// Refuses documents that refer to materials, images or buffers in ways that the writer does not know.
 void refuse_unkept(const GltfRewrite& rewrite) {
   const Json& root = rewrite.root;
   if (extension(root, "EXT_lights_image_based"))
@@ -21,7 +21,7 @@ void refuse_unkept(const GltfRewrite& rewrite) {
   });
 }
 
-/// Compressed copies of meshes go: what was read is what stands beside them.
+/// Drops compressed copies of meshes: the uncompressed ones beside them were read.
 void remove_compression(Json& root) {
   for (const char* array : {"buffers", "bufferViews"})
     if (root.contains(array))
@@ -34,7 +34,7 @@ void remove_compression(Json& root) {
         for (Json& primitive : mesh["primitives"]) remove_extension(primitive, "KHR_draco_mesh_compression");
 }
 
-/// Without variants their materials are not reached: the mappings go.
+/// Drops the mappings of variants where these do not count: their materials are not reached.
 void remove_variants(Json& root) {
   remove_extension(root, "KHR_materials_variants");
   if (!root.contains("meshes")) return;
@@ -43,7 +43,7 @@ void remove_variants(Json& root) {
       for (Json& primitive : mesh["primitives"]) remove_extension(primitive, "KHR_materials_variants");
 }
 
-/// What the document's files are called beside the written one: URI to name.
+/// The names that the document's files get beside the written document, by URI.
 std::map<std::string, std::string> names_beside(const GltfRewrite& rewrite) {
   std::map<std::string, std::string> out;
   std::set<std::string> taken = *rewrite.output.taken;
@@ -82,7 +82,7 @@ WrittenGltf written(const GltfScene& scene, const GltfOutput& output) {
   rewrite.buffers.assign(scene.buffers->begin(), scene.buffers->end());
   check_output(rewrite);
   refuse_unkept(rewrite);
-  // Before anything is added: the writer's own images may be called what a file of the document was called.
+  // Before images are added: an image of the atlas may have the name that a file of the document had.
   std::map<std::string, std::string> names;
   if (output.taken) {
     names = names_beside(rewrite);

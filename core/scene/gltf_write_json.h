@@ -13,7 +13,7 @@
 
 namespace etak {
 
-/// A document that is being changed. Buffers of new data are added behind the old ones, each with one view.
+/// A document that is being changed. Buffers with new data are appended, each with one view.
 struct GltfRewrite {
   const GltfScene& scene;
   const GltfOutput& output;
@@ -52,8 +52,8 @@ int uv_set_for(const GltfRewrite& rewrite, const AtlasMaterial& material);
 /// Rewrites the UVs of every primitive of the material into `uv_set`.
 void rewrite_uvs(GltfRewrite& rewrite, const AtlasMaterial& material, int uv_set);
 
-/// Leaves out what nothing refers to any more, makes one buffer of what remains, and names the extensions in
-/// use.
+/// The last steps: drop_unused() drops elements that nothing refers to any more, compact_buffers() makes one
+/// buffer of the rest and returns its bytes, name_extensions() lists the extensions in use.
 void drop_unused(GltfRewrite& rewrite, const Json& before);
 std::string compact_buffers(GltfRewrite& rewrite);
 void name_extensions(GltfRewrite& rewrite, const Json& before);

@@ -50,7 +50,7 @@ class Writer {
     } else if (has_form(output.forms, GltfForm::specular_ior) || unlit) {
       core(json, material_.diffuse_alpha_image, material_.diffuse, material_.roughness_image, 0);
     }
-    // An unlit material has no highlights, and its extension may not stand beside theirs.
+    // An unlit material has no highlights, and KHR_materials_unlit excludes the other extensions.
     if (unlit) return;
     if (has_form(output.forms, GltfForm::specular_ior)) specular_ior(json);
     if (has_form(output.forms, GltfForm::specular_glossiness)) specular_glossiness(json);
@@ -143,7 +143,7 @@ class Writer {
     return out;
   }
 
-  /// The texture of an image of the output under this material's sampler, made where it is the first.
+  /// The texture of an image of the output with this material's sampler; it is made when first asked for.
   int texture(int image) {
     const std::vector<int> key{image, static_cast<int>(sampler_.wrap_u), static_cast<int>(sampler_.wrap_v),
                                sampler_.mipmaps, sampler_.nearest};

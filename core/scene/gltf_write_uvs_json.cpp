@@ -75,7 +75,7 @@ class Primitive {
   void rewrite(int to_set) {
     if (!read()) return;
     for (std::size_t i = 0; i < triangles_.size(); ++i) place(i);
-    // Points, lines and vertices of no triangle: by themselves.
+    // Vertices of points, of lines and of no triangle are placed one by one.
     for (Index i = 0; i < vertices_; ++i)
       if (island_of_[i] == unset) place_vertex(i);
     if (!copies_.empty()) {
@@ -120,7 +120,7 @@ class Primitive {
     return true;
   }
 
-  /// Gives the corners of a triangle their places: those that another triangle put elsewhere are doubled.
+  /// Places the corners of a triangle. A vertex that another triangle has placed elsewhere is doubled.
   void place(std::size_t triangle) {
     auto& corners = triangles_[triangle];
     const std::array<Uv, 3> uvs{source_[corners[0]], source_[corners[1]], source_[corners[2]]};
@@ -145,7 +145,8 @@ class Primitive {
     const auto [left, top, right, bottom] = footprint->texels;
     Index best = unset;
     std::int64_t best_area = 0;
-    // First among boxes that hold all it reads; else, up to half a texel, what it covers.
+    // First among boxes that hold all texels that the triangle reads; else among boxes that hold the
+    // triangle up to half a texel.
     for (const int slack : {0, 1}) {
       for (Index i = 0; i < material_.islands.size(); ++i) {
         const auto [x, y, width, height] = material_.islands[i].box;
@@ -166,7 +167,7 @@ class Primitive {
                 "each triangle inside one island");
   }
 
-  /// The vertex, or its copy, that lies in this island and period.
+  /// The vertex, or a copy of it, for this island and period.
   Index vertex_for(Index vertex, Index island, const Uv& period, const UvMatrix& matrix) {
     for (Index at = vertex;; at = next_copy_[at]) {
       if (island_of_[at] == unset) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Islands: triangles are split in two again and again, as for a bounding volume hierarchy, and the tree is
-// cut where the boxes below take least texels; then boxes that are cheaper as one are joined.
+// Islands: triangles are split in two again and again, as for a bounding volume hierarchy. The tree is cut
+// where the boxes below take the fewest texels; then boxes are joined that take fewer texels as one.
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
@@ -144,7 +144,8 @@ void join(const Splitter& sizes, Area per_box, std::vector<Box>& boxes) {
       return a != other.a ? a > other.a : b > other.b;
     }
   };
-  // All pairs are looked at: beyond this many boxes that takes too long, and the tree has done the most.
+  // All pairs are compared. With more boxes than this that takes too long, and the tree has saved most
+  // already.
   constexpr std::size_t most_boxes = 2048;
   if (boxes.size() > most_boxes) return;
   std::priority_queue<Pair> pairs;

@@ -10,8 +10,8 @@
 
 namespace etak {
 
-// A texel of one material model as a texel of another. Everything is linear and scalar in double here; the
-// tables further down do the same for 8-bit codes.
+// Converts texels between material models. The functions take linear numbers in double; MetalRoughCodes
+// does the same for 8-bit codes.
 //
 // Based on: Khronos Group, glTF 2.0 specification, appendix B, KHR_materials_ior, KHR_materials_specular and
 // KHR_materials_pbrSpecularGlossiness; Schueler 2009, "Simplifying the Cook-Torrance model" (gloss).
@@ -40,8 +40,9 @@ Vec3 dielectric_f0(double ior, double specular, const Vec3& specular_color);
 /// metallic. The diffuse colour is one that is reduced when shading.
 DiffuseSpecular diffuse_specular(const Vec3& base, double metallic, const Vec3& dielectric_f0);
 
-/// Back, for a dielectric F0 of 0.04 (ior 1.5): the least squares base for the metallic that explains the
-/// luminances. Exact for what diffuse_specular() made of ior 1.5; other colours have no metal-rough form.
+/// The inverse of diffuse_specular() for a dielectric F0 of 0.04 (ior 1.5): `metallic` from the luminances,
+/// then the base by least squares. Exact for results of diffuse_specular() with ior 1.5; other colours have
+/// no metal-rough form.
 ///   error   largest difference of a linear channel of diffuse or F0 after going back and forth
 struct MetalRough {
   Vec3 base{1, 1, 1};

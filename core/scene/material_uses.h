@@ -8,14 +8,14 @@
 
 namespace etak {
 
-/// The uses of every material of a scene, sorted once: who asks for each material would otherwise go through
-/// all uses as often as there are materials. Refers to the scene, whose uses stay as they are meanwhile.
+/// The uses of every material of a scene, sorted once: otherwise every question for one material would go
+/// through all uses. Refers to the scene, whose uses must not change meanwhile.
 class MaterialUses {
  public:
   explicit MaterialUses(const GltfScene& scene);
 
   const GltfScene& scene() const { return scene_; }
-  /// Those of one material, in the scene's order; none for a material that the scene does not have.
+  /// The uses of one material, in the scene's order; none for a material that the scene does not have.
   std::span<const GltfUse* const> of(int material) const;
 
  private:

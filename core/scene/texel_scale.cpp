@@ -24,7 +24,7 @@ Densities densities(const std::array<Uv, 3>& uv, int width, int height, const st
   const double ta = x1 * x1 + y1 * y1, tb = x1 * x2 + y1 * y2, tc = x2 * x2 + y2 * y2;
   const double ga = double{edges[0]}, gb = double{edges[1]}, gc = double{edges[2]};
   const double g = ga * gc - gb * gb, t = (x1 * y2 - x2 * y1) * (x1 * y2 - x2 * y1);
-  // Floats: below this the area is what rounding left of none.
+  // The numbers come from floats: a smaller area is a rounding error, and the true one is 0.
   if (!(g > 1e-12 * ga * gc)) return {0, 0, false};
   const double half = 0.5 * (ta * gc + tc * ga - 2 * tb * gb);
   const double root = std::sqrt(std::max(0.0, half * half - g * t));
@@ -62,7 +62,7 @@ TexelScale texel_scale(const MaterialUses& uses, int material, const GltfTexture
     const GltfUse& use = *each;
     const auto& uvs = use.uv[texture.uv_set == 1 ? 1 : 0];
     if (texture.uv_set > 1 || uvs.size() != use.world_edges.size()) {
-      if (!use.world_edges.empty()) return {};  // what it reads is not known
+      if (!use.world_edges.empty()) return {};  // the texels that the triangles read are not known
       continue;
     }
     for (std::size_t t = 0; t < uvs.size(); ++t) {

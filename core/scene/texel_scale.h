@@ -11,7 +11,8 @@ struct TexelScale {
   // fewest; 0: a triangle reads one point only, or there is none.
   double least_density = 0;
   bool seen = false;  // some triangle lies before a camera, at whatever angle and behind whatever else
-  // log2 of the texels that a pixel covers, where the fewest and where the most do; of triangles seen alone.
+  // log2 of the texels that a pixel covers, at the place with the fewest and at the one with the most, over
+  // the triangles that are seen.
   //   least_level   along the direction of the fewest texels, at the nearest corner, in the corner of a
   //                 picture of 16:9 (where a pixel covers least)
   //   most_level    along the direction of the most texels, at the farthest corner, looked at face on

@@ -10,8 +10,8 @@ namespace etak {
 // URIs as glTF uses them: a file beside the document, or the data themselves. `place` is for messages
 // ("scene.gltf#/images/0/uri"); all throw Error.
 
-/// The file a relative URI names, percent escapes undone. Refused: a scheme ("https:", "file:"), an absolute
-/// path, any ".." (before or after the escapes are undone), NUL, and nothing at all.
+/// The file that a relative URI names, with percent escapes decoded. Refuses a scheme ("https:", "file:"), an
+/// absolute path, any ".." (before or after decoding), NUL, and an empty URI.
 std::string file_of_uri(std::string_view uri, std::string_view place);
 
 /// The bytes of a "data:" URI (base64 or percent-escaped); none for any other URI.

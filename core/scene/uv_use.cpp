@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/image/wrap.h"
 
 namespace etak {
 namespace {
@@ -28,7 +29,7 @@ struct Range {
   }
 };
 
-/// floor() of what fits an int, without the library call that it is on processors of the first generation.
+/// floor() of a number that fits an int; std::floor is a library call where the compiler may not use SSE 4.1.
 int floor_of(double v) {
   const int i = static_cast<int>(v);
   return i - (v < i ? 1 : 0);
@@ -42,17 +43,9 @@ int last_texel(double most) {
   return -floor_of(-(most + 0.5 + slack_texels)) - 1;
 }
 
-/// Where wrapping brings texel i of `size`.
-int wrapped(int i, int size, Wrap wrap) {
-  if (wrap == Wrap::clamp) return std::clamp(i, 0, size - 1);
-  const int period = wrap == Wrap::mirrored ? 2 * size : size;
-  const int in = ((i % period) + period) % period;
-  return in < size ? in : period - 1 - in;
-}
-
-/// A coordinate of a triangle of at most four periods that begins at `least`: by two whole periods at a time,
-/// which wrapping does not notice; where it is clamped, not farther away than such a triangle can be that
-/// still meets the texture.
+/// A coordinate of a triangle over at most four periods that begins at `least`, brought near the texture:
+/// shifted by a multiple of two periods, which changes nothing under wrapping. Where the sampler clamps, it
+/// is cut to as far away as such a triangle can reach that still meets the texture.
 double brought_near(double value, double least, double size, Wrap wrap) {
   if (wrap == Wrap::clamp) return std::clamp(value, -5 * size, 6 * size);
   return value - std::floor(least / (2 * size)) * 2 * size;
@@ -103,7 +96,7 @@ class Raster {
       const auto at = static_cast<std::size_t>(row - first);
       if (least_[at] > most_[at]) continue;
       int left = first_texel(least_[at]), right = last_texel(most_[at]);
-      const int in_row = inside ? row : wrapped(row, use_.height, wrap_v_);
+      const int in_row = inside ? row : wrapped_texel(row, use_.height, wrap_v_);
       std::uint8_t* texels =
           use_.mask.data() + static_cast<std::size_t>(in_row) * static_cast<std::size_t>(use_.width);
       if (inside) {
@@ -113,7 +106,7 @@ class Raster {
       } else if (right - left + 1 >= use_.width && wrap_u_ == Wrap::repeat) {
         std::memset(texels, 1, static_cast<std::size_t>(use_.width));
       } else {
-        for (int i = left; i <= right; ++i) texels[wrapped(i, use_.width, wrap_u_)] = 1;
+        for (int i = left; i <= right; ++i) texels[wrapped_texel(i, use_.width, wrap_u_)] = 1;
       }
     }
   }
@@ -206,9 +199,10 @@ bool collect(const MaterialUses& uses, int material, const GltfTexture& texture,
   return all;
 }
 
-/// Applies a fold, which is in UVs, to a coordinate in texels.
-double folded(double texels, const PeriodFold& fold, int size) {
-  return fold.scale * texels + fold.offset * size;
+/// Applies two folds, which are in UVs, to corners in texels.
+void fold(Triangle& triangle, const PeriodFold& u, const PeriodFold& v, const TexelUse& use) {
+  for (Point& p : triangle)
+    p = {u.scale * p[0] + u.offset * use.width, v.scale * p[1] + v.offset * use.height};
 }
 
 /// Extent in texels of a range of sample positions.
@@ -216,6 +210,80 @@ void set_extent(const Range& x, const Range& y, TexelUse& use) {
   const auto bounded = [](double v) { return std::clamp(v, -0x1p29, 0x1p29); };
   const int left = first_texel(bounded(x.least)), top = first_texel(bounded(y.least));
   use.extent = {left, top, last_texel(bounded(x.most)) - left + 1, last_texel(bounded(y.most)) - top + 1};
+}
+
+/// The columns and rows, in texels, between which triangles lie.
+struct Ranges {
+  Range x, y;
+  void add(const Triangle& triangle) {
+    for (const Point& p : triangle) {
+      x.add(p[0]);
+      y.add(p[1]);
+    }
+  }
+};
+Ranges ranges_of(const std::vector<Triangle>& triangles) {
+  Ranges out;
+  for (const Triangle& triangle : triangles) out.add(triangle);
+  return out;
+}
+
+/// Folds all triangles by the one shift that brings them into [0,1]; where there is none, the texture tiles.
+/// Sets `tiles`, `fold` and `extent`.
+void fold_together(std::vector<Triangle>& triangles, const GltfSampler& sampler, TexelUse& use) {
+  if (triangles.empty()) return;
+  const int width = use.width, height = use.height;
+  const Ranges before = ranges_of(triangles);
+  double period_u = 0, period_v = 0;
+  const bool one_u =
+      period_of(sampler.wrap_u, before.x.least / width, before.x.most / width, 0.5 / width, period_u);
+  const bool one_v =
+      period_of(sampler.wrap_v, before.y.least / height, before.y.most / height, 0.5 / height, period_v);
+  use.tiles = !one_u || !one_v;
+  if (!use.tiles) {
+    const PeriodFold u = fold_of_period(sampler.wrap_u, period_u),
+                     v = fold_of_period(sampler.wrap_v, period_v);
+    use.fold = {{u.offset, v.offset}, {u.scale, v.scale}, 0};
+    for (Triangle& triangle : triangles) fold(triangle, u, v, use);
+  }
+  const Ranges after = ranges_of(triangles);
+  set_extent(after.x, after.y, use);
+}
+
+/// Whether the triangle lies in the texture but for half a texel. One that does not, of a texture that tiles,
+/// is folded by itself where it lies in one period; where it does not, the use is not foldable.
+bool fold_alone(Triangle& triangle, const GltfSampler& sampler, TexelUse& use) {
+  const double slack_u = 0.5 / use.width, slack_v = 0.5 / use.height;
+  Range u, v;
+  for (const Point& p : triangle) {
+    u.add(p[0] / use.width);
+    v.add(p[1] / use.height);
+  }
+  if (u.least >= -slack_u && u.most <= 1 + slack_u && v.least >= -slack_v && v.most <= 1 + slack_v)
+    return true;
+  if (!use.tiles) return false;
+  double period_u = 0, period_v = 0;
+  const bool fits = period_of(sampler.wrap_u, u.least, u.most, slack_u, period_u) &&
+                    period_of(sampler.wrap_v, v.least, v.most, slack_v, period_v);
+  use.foldable = use.foldable && fits;
+  if (!fits) return false;
+  fold(triangle, fold_of_period(sampler.wrap_u, period_u), fold_of_period(sampler.wrap_v, period_v), use);
+  return sampler.wrap_u != Wrap::clamp && sampler.wrap_v != Wrap::clamp;
+}
+
+/// Marks the texels of every triangle and keeps its footprint.
+void mark_all(std::vector<Triangle>& triangles, const GltfSampler& sampler, Raster& raster, TexelUse& use) {
+  use.footprints.reserve(triangles.size());
+  for (Triangle& triangle : triangles) {
+    const bool inside = fold_alone(triangle, sampler, use);
+    raster.triangle(triangle, inside);
+    if (!use.foldable) continue;
+    Ranges in;
+    in.add(triangle);
+    const auto footprint = cut_footprint(in.x, in.y, use.width, use.height);
+    auto& kept = use.footprints.emplace_back();
+    for (std::size_t i = 0; i < 4; ++i) kept[i] = static_cast<std::int16_t>(footprint[i]);
+  }
 }
 
 /// Box of what the mask holds, and how much that is.
@@ -277,67 +345,11 @@ TexelUse texel_use(const MaterialUses& uses, int material, const GltfTexture& te
   use.width = width;
   use.height = height;
   use.mask.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-  const Wrap wrap_u = texture.sampler.wrap_u, wrap_v = texture.sampler.wrap_v;
-  const double slack_u = 0.5 / width, slack_v = 0.5 / height;
   std::vector<Triangle> triangles;
   const bool all_have_uvs = collect(uses, material, texture, width, height, triangles);
-
-  Range x, y;
-  for (const Triangle& triangle : triangles)
-    for (const Point& p : triangle) {
-      x.add(p[0]);
-      y.add(p[1]);
-    }
-  double period_u = 0, period_v = 0;
-  if (!triangles.empty()) {
-    const bool one_u = period_of(wrap_u, x.least / width, x.most / width, slack_u, period_u);
-    const bool one_v = period_of(wrap_v, y.least / height, y.most / height, slack_v, period_v);
-    use.tiles = !one_u || !one_v;
-  }
-  PeriodFold u, v;
-  if (!use.tiles) {
-    u = fold_of_period(wrap_u, period_u);
-    v = fold_of_period(wrap_v, period_v);
-    use.fold = {{u.offset, v.offset}, {u.scale, v.scale}, 0};
-  }
-
-  Raster raster(use, wrap_u, wrap_v);
-  use.footprints.reserve(triangles.size());
-  Range extent_x, extent_y;
-  for (Triangle& triangle : triangles) {
-    Range in_u, in_v;
-    for (Point& p : triangle) {
-      p = {folded(p[0], u, width), folded(p[1], v, height)};
-      in_u.add(p[0] / width);
-      in_v.add(p[1] / height);
-      extent_x.add(p[0]);
-      extent_y.add(p[1]);
-    }
-    bool inside = in_u.least >= -slack_u && in_u.most <= 1 + slack_u && in_v.least >= -slack_v &&
-                  in_v.most <= 1 + slack_v;
-    double own_u = 0, own_v = 0;
-    if (!inside && use.tiles) {
-      const bool fits = period_of(wrap_u, in_u.least, in_u.most, slack_u, own_u) &&
-                        period_of(wrap_v, in_v.least, in_v.most, slack_v, own_v);
-      use.foldable = use.foldable && fits;
-      if (fits) {
-        const PeriodFold fold_u = fold_of_period(wrap_u, own_u), fold_v = fold_of_period(wrap_v, own_v);
-        for (Point& p : triangle) p = {folded(p[0], fold_u, width), folded(p[1], fold_v, height)};
-        inside = wrap_u != Wrap::clamp && wrap_v != Wrap::clamp;
-      }
-    }
-    raster.triangle(triangle, inside);
-    if (!use.foldable) continue;
-    Range in_x, in_y;
-    for (const Point& p : triangle) {
-      in_x.add(p[0]);
-      in_y.add(p[1]);
-    }
-    const auto footprint = cut_footprint(in_x, in_y, width, height);
-    auto& kept = use.footprints.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i) kept[i] = static_cast<std::int16_t>(footprint[i]);
-  }
-  if (!triangles.empty()) set_extent(extent_x, extent_y, use);
+  fold_together(triangles, texture.sampler, use);
+  Raster raster(use, texture.sampler.wrap_u, texture.sampler.wrap_v);
+  mark_all(triangles, texture.sampler, raster, use);
   if (!all_have_uvs) {
     raster.everything();
     use.extent = {0, 0, width, height};

@@ -12,8 +12,8 @@ namespace etak {
 /// Which texels of a width x height texture the triangles of some uses touch.
 struct TexelUse {
   int width = 0, height = 0;
-  // No one shift brings all triangles into [0,1] (up to half a texel) along an axis whose sampler wraps: the
-  // whole period is in use.
+  // Along an axis whose sampler wraps, no common shift brings all triangles into [0,1] (up to half a
+  // texel): the whole period is in use.
   bool tiles = false;
   // Each triangle by itself lies in one period, though not all in the same: `tiles` can be undone by
   // rewriting UVs (AtlasMaterial::islands do).
@@ -29,8 +29,8 @@ struct TexelUse {
   // Bounded by +-2^29.
   std::array<int, 4> extent{0, 0, 0, 0};
   // 1 per touched texel (conservative: any overlap of the bilinear footprint). Triangles that leave the
-  // texture mark the texels that the wrap brings them to; those half a texel that a footprint reaches across
-  // a border without the triangle doing so are in `extent` alone.
+  // texture mark the texels to which wrapping leads. Where only the footprint crosses a border, by up to
+  // half a texel, and not the triangle, the texels beyond are in `extent` alone.
   std::vector<std::uint8_t> mask;
   std::size_t touched = 0;
   // Per triangle: first and last column and row of its footprint (left, top, right, bottom) after folding,

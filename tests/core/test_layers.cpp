@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cctype>
 #include <filesystem>
 #include <sstream>
 
@@ -61,18 +63,41 @@ std::string included(std::string_view line) {
   return own.empty() ? between(line, "#include <", '>') : own;
 }
 
-// The line without its texts in quotes and its comment.
-std::string code_of(const std::string& line) {
-  std::string code;
+// A line without its comment, taken apart.
+struct LineParts {
+  std::string code;                // without the texts in quotes
+  std::vector<std::string> texts;  // in quotes
+};
+LineParts parts_of(const std::string& line) {
+  LineParts parts;
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (!quoted && line.compare(i, 2, "//") == 0) break;
-    if (line[i] == '"')
+    if (!quoted && line.compare(i, 3, "'\"'") == 0) {
+      i += 2;
+    } else if (quoted && line[i] == '\\') {
+      parts.texts.back() += line.substr(i++, 2);
+    } else if (line[i] == '"') {
       quoted = !quoted;
-    else if (!quoted)
-      code.push_back(line[i]);
+      if (quoted) parts.texts.emplace_back();
+    } else if (quoted) {
+      parts.texts.back() += line[i];
+    } else {
+      parts.code += line[i];
+    }
   }
-  return code;
+  return parts;
+}
+
+// "--name" at the beginning of a word, which is no part of a whole command such as "etak list --all".
+bool names_option(const std::string& text) {
+  for (std::size_t at = text.find("--"); at != text.npos; at = text.find("--", at + 2)) {
+    const bool begins_word = at == 0 || text[at - 1] == ' ' || text[at - 1] == '[';
+    const bool has_name = at + 2 < text.size() && std::islower(static_cast<unsigned char>(text[at + 2])) != 0;
+    const std::string before = text.substr(0, at);
+    if (begins_word && has_name && !contains(before, "etak ") && !contains(before, "maketx ")) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -112,7 +137,7 @@ TEST_CASE("no public header of core names a third party") {
     }
     for (const auto& line : file.lines)
       for (const auto& name : third_parties) {
-        if (!contains(code_of(line), name) && !included(line).starts_with(name)) continue;
+        if (!contains(parts_of(line).code, name) && !included(line).starts_with(name)) continue;
         INFO(file.path << ": " << line);
         CHECK(name.empty());
       }
@@ -128,6 +153,24 @@ TEST_CASE("each third party stands behind its own door") {
       if (target.starts_with("OpenColorIO/")) CHECK(file.path.starts_with("core/color/ocio"));
       if (target.starts_with("OpenImageIO/")) CHECK(file.path == "core/image/image_io.cpp");
     }
+}
+
+TEST_CASE("no message of core names an option of a command line: setting() names what would help") {
+  const std::vector<std::string> others{
+      "core/validate/",                       // its settings are those of etak.toml and of the command line
+      "core/pages/atlas_page.cpp",            // a command for the reader to copy
+      "core/pages/choose_text.cpp",           // the same
+      "core/study/choose/choose_values.cpp",  // the same
+      "core/study/timing.cpp"};               // arguments of the benchmark library
+  for (const auto& file : files_below("core")) {
+    const auto is_other = [&](const std::string& begin) { return file.path.starts_with(begin); };
+    if (std::any_of(others.begin(), others.end(), is_other)) continue;
+    for (const auto& line : file.lines)
+      for (const auto& text : parts_of(line).texts) {
+        INFO(file.path << ": " << line);
+        CHECK_FALSE(names_option(text));
+      }
+  }
 }
 
 TEST_CASE("every source file opens with its licence line") {

@@ -15,13 +15,13 @@ namespace etak::cli {
 namespace {
 
 Option add_setting(Command verb, const PackSettingRow& row, const std::string& name, bool& value) {
-  const std::string help(row.help);
+  const std::string help = row.help_text();
   return row.is(PackSettingRow::flag) ? verb.flag(name, value, help) : verb.option(name, value, help);
 }
 
 template <class Value>
 Option add_setting(Command verb, const PackSettingRow& row, const std::string& name, Value& value) {
-  Option out = verb.option(name, value, std::string(row.help));
+  Option out = verb.option(name, value, row.help_text());
   if constexpr (std::is_same_v<Value, int>)
     out.range(static_cast<int>(row.least), static_cast<int>(row.most));
   else if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>)

@@ -8,174 +8,218 @@
 #include "core/atlas/pack/gltf_pack.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/sources/apply_variants.h"
+#include "core/atlas/sources/pictures.h"
+#include "core/base/error.h"
 #include "core/image/mips.h"
 
 namespace etak {
+namespace {
+
+LeaveOut left_out_of(const PackInputs& inputs, const PackOptions& options, bool islands) {
+  std::vector<MaterialFacts> facts;
+  for (const PackInput& m : inputs.materials) facts.push_back(m.facts);
+  LeaveOutOptions what = options.leave_out;
+  what.islands = islands;
+  return leave_out(facts, what);
+}
 
 // Every material that uses the texels of `owner`.
 template <class Act>
-void PackDecision::users(std::size_t owner, Act act) const {
-  for (std::size_t j = 0; j < left_out_.fates.size(); ++j)
-    if (left_out_.fates[j].texels && left_out_.fates[j].owner == owner)
-      act(inputs_.materials[j], left_out_.fates[j]);
+void each_user(const PackInputs& inputs, const LeaveOut& left_out, std::size_t owner, Act act) {
+  for (std::size_t j = 0; j < left_out.fates.size(); ++j)
+    if (left_out.fates[j].texels && left_out.fates[j].owner == owner)
+      act(inputs.materials[j], left_out.fates[j]);
 }
 
-void PackDecision::decide(const AtlasLayout* previous) {
-  std::vector<MaterialFacts> facts;
-  for (const PackInput& m : inputs_.materials) facts.push_back(m.facts);
-  left_out_ = leave_out(facts, options_.leave_out);
-  regions_ = regions_needed();
-  for (Region& region : regions_) region.shrink = resolution(region).shrink;
-  for (Region& region : regions_)
-    if (region.levels > 0) region.levels = std::max(1, region.levels - region.shrink);
-  std::vector<std::string> names;
-  for (const PackInput& m : inputs_.materials) names.push_back(m.name);
-  plan_ = plan_pages(regions_, names, plan_options(), previous);
+// Whether bilinear filtering in the box reads what lies beyond the picture's edge, on its other side.
+bool reads_around(const PackInput& m, const PixelBox& box) {
+  return (m.wrap[0] != Wrap::clamp && (box.x == 0 || box.x + box.width == m.width)) ||
+         (m.wrap[1] != Wrap::clamp && (box.y == 0 || box.y + box.height == m.height));
 }
 
-std::vector<Region> PackDecision::regions_needed() const {
+// The regions at the full size of their boxes.
+std::vector<Region> regions_needed(const PackOptions& options, const PackSource& source,
+                                   const LeaveOut& left_out) {
   std::vector<Region> out;
-  for (std::size_t i = 0; i < left_out_.fates.size(); ++i) {
-    const MaterialFate& fate = left_out_.fates[i];
+  for (std::size_t i = 0; i < left_out.fates.size(); ++i) {
+    const MaterialFate& fate = left_out.fates[i];
     if (!fate.texels || fate.owner != i) continue;
     std::array<bool, 2> in{false, false};
     int levels = 1;
     bool own_page = false;
-    users(i, [&](const PackInput& m, const MaterialFate& user) {
+    each_user(source.inputs, left_out, i, [&](const PackInput& m, const MaterialFate& user) {
       own_page = own_page || m.own_page;
       for (std::size_t t = 0; t < 2; ++t) in[t] = in[t] || user.varies[t];
       levels = levels == 0 || m.facts.levels == 0 ? 0 : std::max(levels, m.facts.levels);
     });
-    if (options_.leave_out.keep.contains("textures")) in = {true, true};
-    if (options_.leave_out.keep.contains("mips")) levels = 0;
+    if (options.leave_out.keep.contains("textures")) in = {true, true};
+    if (options.leave_out.keep.contains("mips")) levels = 0;
     for (const PixelBox& box : fate.boxes) out.push_back({i, box, in, own_page, levels, 0});
   }
   // The only picture of a scene keeps its sampler, and so its other side beyond each edge.
-  if (scene_ != nullptr && out.size() == 1) {
-    const PackInput& m = inputs_.materials[out[0].material];
-    if (out[0].box == PixelBox{0, 0, m.width, m.height} && reads_around(out[0])) out[0].own_page = true;
+  if (source.scene && out.size() == 1) {
+    const PackInput& m = source.inputs.materials[out[0].material];
+    if (m.is_whole(out[0].box) && reads_around(m, out[0].box)) out[0].own_page = true;
   }
   return out;
 }
 
-const Resolution& PackDecision::resolution(const Region& region) {
-  const PackInput& m = inputs_.materials[region.material];
+// With how many texels a region is stored.
+Resolution resolution_for(const Region& region, const PackOptions& options, const PackInputs& inputs,
+                          const LeaveOut& left_out, FoundResolutions& found) {
+  const PackInput& m = inputs.materials[region.material];
   const PixelBox& box = region.box;
   int unseen = 15;
   bool mask = false;
-  users(region.material, [&](const PackInput& user, const MaterialFate&) {
+  each_user(inputs, left_out, region.material, [&](const PackInput& user, const MaterialFate&) {
     unseen = std::min(unseen, user.facts.unseen);
     mask = mask || user.alpha_mode == AlphaMode::mask;
   });
-  const auto [found, fresh] = resolutions_.try_emplace(
+  const bool asked = options.leave_out.max_error || unseen > 0;
+  if (!asked || options.leave_out.keep.contains("resolution")) return {};
+  const auto [known, fresh] = found.try_emplace(
       std::array{static_cast<int>(region.material), box.x, box.y, box.width, box.height, unseen, int{mask}});
-  const bool asked = options_.leave_out.max_error || unseen > 0;
-  if (!fresh || !asked || options_.leave_out.keep.contains("resolution")) return found->second;
+  if (!fresh) return known->second;
   std::vector<std::string> ignored;
   const MaterialPair pair = load_pair(m, ignored);
   MipOptions mips;
-  mips.levels = options_.leave_out.max_error ? 0 : unseen + 1;
+  mips.levels = options.leave_out.max_error ? 0 : unseen + 1;
   if (mask) mips.alpha_cutoff = m.alpha_cutoff;
   const MipPair chain = region_chain(part_of(pair.diffuse_alpha, box), part_of(pair.specular_gloss, box),
-                                     mips, inputs_.gloss, options_.run.threads);
-  const bool whole = box == PixelBox{0, 0, m.width, m.height};
-  found->second = resolution_of(chain, mask, whole ? m.wrap : WrapBoth{Wrap::clamp, Wrap::clamp}, unseen,
-                                options_.leave_out.max_error, options_.run.threads);
-  return found->second;
+                                     mips, inputs.gloss, options.run.threads);
+  return known->second = resolution_of(chain, mask, m.wrap_of(box), unseen, options.leave_out.max_error,
+                                       options.run.threads);
 }
 
-int PackDecision::levels() const {
-  if (options_.layout.mips) return *options_.layout.mips;
-  if (options_.leave_out.variants && !mips_are_read(*options_.leave_out.variants, inputs_)) return 1;
-  const auto& formats = options_.output.write.formats;
+// The region as it is stored with so many texels.
+Region stored(Region region, const Resolution& resolution) {
+  region.shrink = resolution.shrink;
+  if (region.levels > 0) region.levels = std::max(1, region.levels - region.shrink);
+  return region;
+}
+
+// Mips that the settings ask for; 0: all.
+int levels_asked(const PackOptions& options, const PackInputs& inputs) {
+  if (options.layout.mips) return *options.layout.mips;
+  if (options.leave_out.variants && !mips_are_read(*options.leave_out.variants, inputs)) return 1;
+  const auto& formats = options.output.write.formats;
   const bool container = std::any_of(formats.begin(), formats.end(), [](const std::string& format) {
     return format == "ktx2" || format == "dds";
   });
   return container ? 0 : 1;
 }
 
-// Whether bilinear filtering in the box reads what lies beyond the picture's edge, on its other side.
-bool PackDecision::reads_around(const Region& region) const {
-  const PackInput& m = inputs_.materials[region.material];
-  const PixelBox& box = region.box;
-  return (m.wrap[0] != Wrap::clamp && (box.x == 0 || box.x + box.width == m.width)) ||
-         (m.wrap[1] != Wrap::clamp && (box.y == 0 || box.y + box.height == m.height));
-}
-
-PlanOptions PackDecision::plan_options() const {
+PlanOptions plan_options(const PackOptions& options, const PackSource& source,
+                         const std::vector<Region>& regions) {
   PlanOptions out;
-  out.rects.form = options_.layout.form.value_or(PageForm::mixed);
-  out.rects.side = options_.layout.page;
-  out.rects.largest_side = options_.layout.page;
-  out.rects.rotate = options_.layout.rotate;
-  out.rects.effort = options_.layout.effort;
-  out.rects.max_seconds = options_.layout.max_seconds;
-  out.rects.threads = options_.run.threads;
-  out.levels = levels();
-  out.gutter = options_.layout.gutter;
-  out.split_textures = !options_.leave_out.keep.contains("textures");
-  out.most_extra_area = options_.layout.most_extra_area;
-  if (scene_) {
+  out.rects.form = options.layout.form.value_or(PageForm::mixed);
+  out.rects.side = options.layout.page;
+  out.rects.largest_side = options.layout.page;
+  out.rects.rotate = options.layout.rotate;
+  out.rects.effort = options.layout.effort;
+  out.rects.max_seconds = options.layout.max_seconds;
+  out.rects.threads = options.run.threads;
+  out.levels = levels_asked(options, source.inputs);
+  out.gutter = options.layout.gutter;
+  out.split_textures = !options.leave_out.keep.contains("textures");
+  out.most_extra_area = options.layout.most_extra_area;
+  if (source.scene) {
     // Viewers make the mips that samplers ask for by themselves, and UVs cannot be inset without shrinking
     // the picture.
     out.may_inset = false;
-    out.bare_alone = regions_.size() != 1 || !reads_around(regions_[0]);
-    out.free_first = !options_.layout.form;
+    out.bare_alone =
+        regions.size() != 1 || !reads_around(source.inputs.materials[regions[0].material], regions[0].box);
+    out.free_first = !options.layout.form;
     out.least_gutter = 1;
-    out.levels = scene_->sampled_levels(out.levels);
+    out.levels = source.scene->sampled_levels(out.levels);
   }
   return out;
 }
 
-int PackDecision::offered_levels(int p) const {
-  const PlannedPage& page = plan_.pages[static_cast<std::size_t>(p)];
-  const int full = full_mip_levels(page.width, page.height), wanted = levels();
-  return wanted == 0 ? full : std::min(wanted, full);
-}
-
-int PackDecision::page_levels(int p) const {
-  const int offered = offered_levels(p);
-  if (options_.leave_out.keep.contains("mips")) return offered;
+PageLevels levels_of(int page, const PackOptions& options, const PackInputs& inputs,
+                     const std::vector<Region>& regions, const PackingPlan& plan) {
+  const PlannedPage& size = plan.pages[static_cast<std::size_t>(page)];
+  const int full = full_mip_levels(size.width, size.height), asked = levels_asked(options, inputs);
+  const int offered = asked == 0 ? full : std::min(asked, full);
+  if (options.leave_out.keep.contains("mips")) return {offered, offered};
   int read = 1;
-  for (std::size_t r = 0; r < regions_.size(); ++r) {
-    if (plan_.places[r].page != p) continue;
-    const int own = full_mip_levels(regions_[r].width(), regions_[r].height());
-    read = std::max(read, regions_[r].levels == 0 ? own : std::min(own, regions_[r].levels));
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (plan.places[r].page != page) continue;
+    const int own = full_mip_levels(regions[r].width(), regions[r].height());
+    read = std::max(read, regions[r].levels == 0 ? own : std::min(own, regions[r].levels));
   }
-  return std::min(offered, read);
+  return {offered, std::min(offered, read)};
 }
 
-bool PackDecision::learn(const std::vector<Learned>& learned) {
-  for (std::size_t i = 0; i < learned.size(); ++i) {
-    const Learned& from = learned[i];
-    MaterialFacts& to = inputs_.materials[i].facts;
-    if (to.learned || !from.seen[0] || !from.seen[1]) continue;
-    to.learned = true;
-    to.range = from.range;
-    to.color_hash = from.hash[0];
-    to.specular_hash = from.hash[1];
-  }
-  // The same files read in the same way were read once.
+using TexelHash = std::array<std::uint64_t, 2>;
+
+void teach(const ChannelRange& range, const TexelHash& color, const TexelHash& specular, MaterialFacts& to) {
+  to.learned = true;
+  to.range = range;
+  to.color_hash = color;
+  to.specular_hash = specular;
+}
+
+// The same files read in the same way were read once: materials of the same source have the same facts.
+void teach_same_sources(PackInputs& inputs) {
   std::map<std::string, const MaterialFacts*> known;
-  for (const PackInput& m : inputs_.materials)
+  for (const PackInput& m : inputs.materials)
     if (m.facts.learned) known.try_emplace(m.facts.source, &m.facts);
-  std::vector<MaterialFacts> facts;
-  for (PackInput& m : inputs_.materials) {
-    if (const auto same = known.find(m.facts.source); !m.facts.learned && same != known.end()) {
-      m.facts.learned = true;
-      m.facts.range = same->second->range;
-      m.facts.color_hash = same->second->color_hash;
-      m.facts.specular_hash = same->second->specular_hash;
-    }
-    facts.push_back(m.facts);
+  for (PackInput& m : inputs.materials) {
+    const auto same = known.find(m.facts.source);
+    if (m.facts.learned || same == known.end()) continue;
+    const MaterialFacts& from = *same->second;
+    teach(from.range, from.color_hash, from.specular_hash, m.facts);
   }
-  left_out_ = leave_out(facts, options_.leave_out);
-  const std::vector<Region> now = regions_needed();
-  return now.size() != regions_.size() ||
-         !std::equal(now.begin(), now.end(), regions_.begin(), [](const Region& a, const Region& b) {
-           return std::tie(a.material, a.box, a.in, a.own_page) ==
-                  std::tie(b.material, b.box, b.in, b.own_page);
-         });
+}
+
+PackDecision decided(bool islands, const PackOptions& options, const PackSource& source,
+                     const AtlasLayout* previous, FoundResolutions& found) {
+  PackDecision out;
+  out.islands = islands;
+  out.left_out = left_out_of(source.inputs, options, islands);
+  for (const Region& region : regions_needed(options, source, out.left_out)) {
+    out.resolutions.push_back(resolution_for(region, options, source.inputs, out.left_out, found));
+    out.regions.push_back(stored(region, out.resolutions.back()));
+  }
+  std::vector<std::string> names;
+  for (const PackInput& m : source.inputs.materials) names.push_back(m.name);
+  out.plan = plan_pages(out.regions, names, plan_options(options, source, out.regions), previous);
+  for (int p = 0; p < static_cast<int>(out.plan.pages.size()); ++p)
+    out.levels.push_back(levels_of(p, options, source.inputs, out.regions, out.plan));
+  return out;
+}
+
+}  // namespace
+
+PackDecision decide(const PackOptions& options, const PackSource& source, const AtlasLayout* previous,
+                    FoundResolutions& found) {
+  if (!options.leave_out.islands) return decided(false, options, source, previous, found);
+  PackDecision split = decided(true, options, source, previous, found);
+  // Gutters around many islands can take more than what lies between them.
+  try {
+    PackDecision whole = decided(false, options, source, previous, found);
+    if (whole.plan.page_texels() <= split.plan.page_texels()) return whole;
+  } catch (const Error&) {
+    // A whole box may fit no page where its islands do.
+  }
+  return split;
+}
+
+bool learn(const std::vector<Learned>& learned, const PackOptions& options, PackSource& source,
+           PackDecision& decision) {
+  PackInputs& inputs = source.inputs;
+  for (std::size_t i = 0; i < learned.size(); ++i)
+    if (!inputs.materials[i].facts.learned && learned[i].seen[0] && learned[i].seen[1])
+      teach(learned[i].range, learned[i].hash[0], learned[i].hash[1], inputs.materials[i].facts);
+  teach_same_sources(inputs);
+  decision.left_out = left_out_of(inputs, options, decision.islands);
+  const std::vector<Region> now = regions_needed(options, source, decision.left_out);
+  return std::equal(now.begin(), now.end(), decision.regions.begin(), decision.regions.end(),
+                    [](const Region& a, const Region& b) {
+                      return std::tie(a.material, a.box, a.in, a.own_page) ==
+                             std::tie(b.material, b.box, b.in, b.own_page);
+                    });
 }
 
 }  // namespace etak

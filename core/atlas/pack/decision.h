@@ -2,9 +2,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "core/atlas/compose.h"
@@ -18,47 +16,37 @@ namespace etak {
 
 struct PackOptions;
 
-/// What an atlas is to hold and where it goes: decided of all materials together, and once more when their
-/// texels have taught something.
-class PackDecision {
- public:
-  /// Both must outlive this; what the texels teach goes into the facts of the source.
-  PackDecision(const PackOptions& options, PackSource& source)
-      : options_(options), inputs_(source.inputs), scene_(source.scene.get()) {}
-
-  /// Which texels are left out, which regions the others are and where those lie.
-  ///   previous   null: none
-  void decide(const AtlasLayout* previous);
-
-  /// Takes what the texels taught into the facts; true when it changes which regions there are.
-  bool learn(const std::vector<Learned>& learned);
-
-  const std::vector<Region>& regions() const { return regions_; }
-  const PackingPlan& plan() const { return plan_; }
-  const LeaveOut& left_out() const { return left_out_; }
-
-  /// Mips that the settings offer of a page.
-  int offered_levels(int page) const;
-  /// Of those the ones that a sampler reads, and in which some region has a texel of its own.
-  int page_levels(int page) const;
-  /// With how many texels a region is stored; found once.
-  const Resolution& resolution(const Region& region);
-
- private:
-  template <class Act>
-  void users(std::size_t owner, Act act) const;
-  std::vector<Region> regions_needed() const;
-  bool reads_around(const Region& region) const;
-  int levels() const;
-  PlanOptions plan_options() const;
-
-  const PackOptions& options_;
-  PackInputs& inputs_;
-  const ScenePack* const scene_;
-  LeaveOut left_out_;
-  std::vector<Region> regions_;
-  std::map<std::array<int, 7>, Resolution> resolutions_;
-  PackingPlan plan_;
+/// Mips of a page, level 0 among them.
+struct PageLevels {
+  int offered = 1;  // by the settings
+  int kept = 1;     // of those the ones that a sampler reads, and in which some region has a texel of its own
 };
+
+/// What an atlas is to hold and where it goes.
+struct PackDecision {
+  bool islands = false;                 // texels between islands are left out; see decide()
+  LeaveOut left_out;                    // its fates: by material
+  std::vector<Region> regions;          // the texels that are not left out
+  std::vector<Resolution> resolutions;  // by region: with how many texels it is stored
+  PackingPlan plan;                     // its places: by region
+  std::vector<PageLevels> levels;       // by page
+};
+
+/// Resolutions that were found, by all that they depend on: looking for one takes the material's texels.
+using FoundResolutions = std::map<std::array<int, 7>, Resolution>;
+
+/// Decides of all materials together, from the facts that are known of them: what is left out, which regions
+/// the other texels are, with how many texels those are stored, and where they lie. Where islands are asked for,
+/// they are taken only if the pages get smaller by them. Throws Error for a region that fits no page.
+///   previous   null: none
+///   found      is looked up and added to
+PackDecision decide(const PackOptions& options, const PackSource& source, const AtlasLayout* previous,
+                    FoundResolutions& found);
+
+/// Takes what the texels taught into the facts of the materials, and into the decision what is left out by
+/// these facts. False where other regions are needed by them: then decide() must be called again.
+///   learned   by material
+bool learn(const std::vector<Learned>& learned, const PackOptions& options, PackSource& source,
+           PackDecision& decision);
 
 }  // namespace etak

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -43,7 +44,7 @@ void refuse_stranger(const EarlierAtlas& earlier, const std::string& name, bool 
   const bool owned = std::find(earlier.files.begin(), earlier.files.end(), name) != earlier.files.end();
   if (!owned && !overwrite && exists(earlier.folder + '/' + name))
     throw Error::at(earlier.folder + '/' + name, "exists already and is of no earlier atlas",
-                    "another folder, or --force to replace it");
+                    "another folder, or " + setting("force") + " to replace it");
 }
 
 void check_place(const EarlierAtlas& earlier, bool overwrite) {

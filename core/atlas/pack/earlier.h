@@ -14,7 +14,7 @@ namespace etak {
 struct EarlierAtlas {
   std::string folder;
   std::optional<AtlasLayout>
-      layout;                      // none: no layout of ours lies there, so nothing there is ours to replace
+      layout;                      // none: the folder holds no layout of etak, so no file of it is replaced
   std::vector<std::string> files;  // that are of it
 
   /// Whether every file of it is there still.
@@ -23,7 +23,7 @@ struct EarlierAtlas {
 
 EarlierAtlas earlier_atlas(const std::string& folder);
 
-/// Files of an earlier atlas are replaced; which others may be says refuse_stranger().
+/// Files of an earlier atlas are replaced; refuse_stranger() decides on other files.
 inline Replace may_replace(bool overwrite) {
   return overwrite ? Replace::anything : Replace::files;
 }
@@ -31,8 +31,8 @@ inline Replace may_replace(bool overwrite) {
 /// Throws Error where `name` lies in the folder, is of no earlier atlas and may not be overwritten.
 void refuse_stranger(const EarlierAtlas& earlier, const std::string& name, bool overwrite);
 
-/// Before the work: whether the folder can be made or changed, and files that are not ours stay. Throws
-/// Error.
+/// Throws Error, before the work begins, where the folder cannot be made or changed, or where a file that
+/// is of no earlier atlas would be replaced.
 void check_place(const EarlierAtlas& earlier, bool overwrite);
 
 }  // namespace etak

@@ -12,6 +12,7 @@
 #include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/setting.h"
 #include "core/image/load.h"
 #include "core/scene/gltf_convert.h"
 #include "core/scene/texel_scale.h"
@@ -21,12 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A box more takes a gutter and a place; that is worth about so many texels.
+// One more box costs about so many texels, for its gutter and for the waste around it.
 constexpr std::size_t island_cost = 256;
-constexpr int island_margin = 0;  // footprints hold what bilinear filtering reads; gutters serve the mips
+constexpr int island_margin = 0;  // footprints hold what bilinear filtering reads; gutters are for the mips
 constexpr int sampled_gutter_levels = 4;
-// Surfaces are seen at an angle, and isotropic filters go by the longer side of a pixel's footprint: so many
-// levels more are an angle of 83 degrees (a cosine of 1/8).
+// Surfaces are seen at an angle, and isotropic filters choose the level by the longer side of a pixel's
+// footprint. So many more levels are for angles up to 83 degrees (a cosine of 1/8).
 constexpr int oblique_levels = 3;
 
 PixelBox box_of(const std::array<int, 4>& box) {
@@ -92,8 +93,8 @@ void ScenePack::State::await_pictures(const GltfMaterial& m) {
   for (const GltfTexture* texture : replaced_textures(m)) ++pictures_awaited[texture->image];
 }
 
-// A picture that no other material asks for is given back: all of a scene's at once would be most of the
-// memory.
+// Frees the pictures that no other material asks for: all pictures of a scene at once would take most of
+// the memory.
 void ScenePack::State::give_back_pictures(const GltfMaterial& m) {
   const std::lock_guard lock(pictures_lock);
   for (const GltfTexture* texture : replaced_textures(m))
@@ -129,7 +130,7 @@ void ScenePack::State::add_material(const GltfMaterial& m, std::set<std::string>
   entries.emplace_back().material = m.index;
 }
 
-// Size, texels and their use, for one material.
+// Finds the size, the texels and the used texels of one material.
 void ScenePack::State::learn(std::size_t i) {
   PackInput& in = inputs.materials[i];
   Entry& entry = entries[i];
@@ -163,7 +164,7 @@ void ScenePack::State::learn(std::size_t i) {
   in.convert = [shared = entry.pair](std::vector<std::string>&) { return *shared; };
 }
 
-// What the cameras, and the density that was asked for, leave of the texture's resolution and mips.
+// Finds which resolution and which mips the cameras can show, and the density that was asked for needs.
 void ScenePack::State::scale_of(PackInput& in, const Entry& entry, const GltfTexture& lead) {
   in.facts.levels = lead.sampler.mipmaps ? 0 : 1;
   if (options.leave_out.texel_density == 0 && options.leave_out.view_height == 0) return;
@@ -221,10 +222,10 @@ ScenePack::ScenePack(const std::string& path, const PackOptions& options)
   s.uses.emplace(s.scene);
   s.inputs.gloss = s.gloss;
   if (s.gloss == GlossForm::roughness)
-    throw Error::at("--gloss", "roughness", "schueler or one_minus_roughness for a glTF scene");
+    throw Error::at(setting("gloss"), "roughness", "schueler or one_minus_roughness for a glTF scene");
   if (s.gloss == GlossForm::schueler && has_form(s.forms, GltfForm::specular_glossiness))
-    throw Error::at("--gltf-form", "specular-glossiness, whose gloss is 1 - roughness",
-                    "--gloss one_minus_roughness");
+    throw Error::at(setting("gltf-form"), "specular-glossiness, whose gloss is 1 - roughness",
+                    setting("gloss") + " one_minus_roughness");
   std::set<std::string> names;
   for (const GltfMaterial& m : s.scene.materials) s.add_material(m, names);
   parallel_chunks(s.inputs.materials.size(), options.run.threads, 1,
@@ -273,7 +274,8 @@ void ScenePack::add_files(std::vector<std::string>& files) const {
 void ScenePack::add_remarks(std::vector<std::string>& remarks) const {
   remarks.insert(remarks.end(), state_->remarks.begin(), state_->remarks.end());
   if (!state_->writes_scene())
-    remarks.push_back("no scene.gltf was written: its pictures are PNG, which --format does not name");
+    remarks.push_back("no scene.gltf was written: its pictures are PNG, which " + setting("format") +
+                      " does not name");
 }
 
 }  // namespace etak

@@ -15,7 +15,7 @@
 
 namespace etak {
 
-class PackDecision;
+struct PackDecision;
 struct PackOptions;
 
 /// A glTF scene as input and output of the packer.
@@ -28,7 +28,7 @@ class ScenePack {
 
   const GltfScene& scene() const;
 
-  /// The materials, once.
+  /// The materials that are packed.
   PackInputs inputs();
 
   /// Mips that the scene's samplers read, where pages hold `levels` (0: all).
@@ -48,7 +48,8 @@ class ScenePack {
   void write_page(OutputFolder& folder, int page, const PagePixels& pixels, const PackDecision& decision,
                   const WriteOptions& options);
 
-  /// scene.gltf and its buffer; returns the names of all files it stands on beside the pages' own.
+  /// Writes scene.gltf, its buffer and the files that it refers to; returns their names, without the pages'
+  /// own.
   std::vector<std::string> write_scene(OutputFolder& folder, const AtlasLayout& layout,
                                        const PackDecision& decision);
 

@@ -10,15 +10,15 @@ namespace etak {
 
 struct PackOptions;
 
-// By what a result in place is known to be of the same input: two hashes that its layout holds.
+// The layout of an atlas holds two hashes, by which an atlas in place is known to be of the same input.
 
-/// Of everything but the bytes of the files.
+/// Hash of all that decides the result, except for the bytes of the files.
 std::string settings_hash(const PackOptions& options, const PackInputs& inputs);
 
 /// All files that are read, sorted.
 std::vector<std::string> input_files(const PackOptions& options, const PackSource& source);
 
-/// Of the bytes of input_files(), whatever they are called.
+/// Hash of the bytes of input_files(); their names play no part.
 std::string content_hash(const PackOptions& options, const PackSource& source);
 
 }  // namespace etak

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -25,16 +26,17 @@ std::vector<std::string> formats(const std::string& list) {
   for (const std::string& each : split(list)) {
     const bool known = std::find(page_formats.begin(), page_formats.end(), each) != page_formats.end();
     const bool twice = std::find(out.begin(), out.end(), each) != out.end();
-    if (!known || twice) throw Error::at("--format", printable(each), "png, ktx2, dds, tiff, exr, each once");
+    if (!known || twice)
+      throw Error::at(setting("format"), printable(each), "png, ktx2, dds, tiff, exr, each once");
     out.push_back(each);
   }
   return out;
 }
 
-int whole_option(const char* option, const std::string& text, int least, int most, const char* other) {
+int whole_setting(const char* of, const std::string& text, int least, int most, const char* other) {
   double value = 0;
   if (!parse_number(text, value) || value != std::floor(value) || value < least || value > most)
-    throw Error::at(option, printable(text),
+    throw Error::at(setting(of), printable(text),
                     std::string(other) + ", or " + std::to_string(least) + " to " + std::to_string(most));
   return static_cast<int>(value);
 }
@@ -62,7 +64,7 @@ std::vector<GltfForm> gltf_forms(const std::string& list) {
     else if (each == "metal-rough")
       out.push_back(GltfForm::metal_rough);
     else
-      throw Error::at("--gltf-form", printable(each),
+      throw Error::at(setting("gltf-form"), printable(each),
                       "smallest, or specular-ior, specular-glossiness or metal-rough");
   }
   return out;
@@ -76,9 +78,9 @@ std::map<std::string, std::string> spaces(const std::vector<std::string>& list) 
     const std::string role = each.substr(0, at);
     const bool color = role == "diffuse" || role == "specular" || role == "basecolor";
     if (at == std::string::npos || at + 1 == each.size() || !color)
-      throw Error::at("--space-of", printable(each), "ROLE=SPACE, of diffuse, specular or basecolor");
+      throw Error::at(setting("space-of"), printable(each), "ROLE=SPACE, of diffuse, specular or basecolor");
     if (!out.emplace(role, each.substr(at + 1)).second)
-      throw Error::at("--space-of", printable(each), "each role once");
+      throw Error::at(setting("space-of"), printable(each), "each role once");
   }
   return out;
 }
@@ -90,11 +92,11 @@ PackLayoutOptions layout_options(const PackSettings& s) {
   out.rotate = s.rotate;
   out.effort = s.effort;
   out.max_seconds = s.max_seconds;
-  if (s.gutter != "auto") out.gutter = whole_option("--gutter", s.gutter, 0, 4096, "auto");
+  if (s.gutter != "auto") out.gutter = whole_setting("gutter", s.gutter, 0, 4096, "auto");
   if (s.mips == "all")
     out.mips = 0;
   else if (s.mips != "auto")
-    out.mips = whole_option("--mips", s.mips, 1, 15, "auto, all");
+    out.mips = whole_setting("mips", s.mips, 1, 15, "auto, all");
   out.previous = s.previous;
   out.most_extra_area = s.extra_area / 100;
   return out;

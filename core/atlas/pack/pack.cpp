@@ -23,7 +23,7 @@ namespace {
 
 // Stands for the hash of the settings where the pages' check failed: no settings have it.
 constexpr const char* not_good = "00000000000000000000000000000000";
-// What the texels teach once can teach more only where a material that another one had hidden comes to light.
+// A second pass can teach something new only where texels come to be read that the first pass had left out.
 constexpr int most_passes = 4;
 
 using Stamps = std::vector<std::pair<std::string, FileStamp>>;  // of files when they were first looked at
@@ -57,7 +57,8 @@ void learn_floats(PackInputs& inputs) {
       look_at(load_floats(m), nullptr, m.facts.opaque, m.facts);
 }
 
-// The files that stand beside the pages, and what of the earlier atlas goes: returns all names, sorted.
+// Writes the files beside the pages and marks files of the earlier atlas that are no longer needed for
+// removal. Returns the names of all files of the atlas, sorted.
 std::vector<std::string> complete(OutputFolder& folder, const PackOptions& options, const PackSource& source,
                                   const PackDecision& decision, const EarlierAtlas& earlier,
                                   AtlasLayout& layout) {
@@ -87,11 +88,11 @@ void tell_clamped(const PackInputs& inputs, const std::vector<Learned>& learned,
       }
 }
 
-// What a decision came to.
-void tell(const PackSource& source, PackDecision& decision, const std::vector<Learned>& learned,
+// Puts what was decided into the result.
+void tell(const PackSource& source, const PackDecision& decision, const std::vector<Learned>& learned,
           PackResult& result) {
-  const PackingPlan& plan = decision.plan();
-  result.regions = decision.regions().size();
+  const PackingPlan& plan = decision.plan;
+  result.regions = decision.regions.size();
   result.pages = plan.pages;
   result.method = plan.method;
   result.tries = plan.tries;
@@ -103,7 +104,7 @@ void tell(const PackSource& source, PackDecision& decision, const std::vector<Le
     result.remarks.push_back("new regions have at most " + std::to_string(plan.clean_limit) +
                              " mips free of neighbours, so that the others could stay where they were");
   result.levels = result.layout.levels;
-  result.left_out = decision.left_out();
+  result.left_out = decision.left_out;
   account(source.inputs, decision, result);
   result.left_out.fates.clear();
   tell_clamped(source.inputs, learned, result.remarks);
@@ -114,13 +115,13 @@ void put_all_in_place(const PackOptions& options, OutputFolder* folder, PackStag
                       PackResult& result) {
   const std::unique_ptr<Output> beside =
       options.check.beside ? options.check.beside(result, folder) : nullptr;
-  // What lies in the old folder before the exchange comes along, and what is put there after it is lost.
+  // Files that are put into the old folder before the exchange are kept; files put there after it are lost.
   Output* const outputs[] = {beside.get(), folder};
   stages.timed("commit", [&] { put_in_place(outputs); });
 }
 
-// Input, what is needed of it, where that goes, pixels, files.
-//   manifest   null: `input` is what is packed
+// Reads the input, decides what is stored and where, composes the pages, writes the files.
+//   manifest   null: the file or folder `input` is packed
 PackResult packed(const std::string& input, const PackManifest* manifest, const std::string& output,
                   const PackOptions& options, const MaterialLibrary& library) {
   PackStages stages(options.run.cancelled);
@@ -151,11 +152,13 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   if (const std::string& file = options.layout.previous; !file.empty())
     previous = parse_layout(read_file(file), file);
 
-  PackDecision decision(options, source);
+  PackDecision decision;
+  FoundResolutions found;
   std::vector<Learned> learned(source.inputs.materials.size());
   std::optional<MadePages> made;
   for (result.passes = 1;; ++result.passes) {
-    stages.timed("layout", [&] { decision.decide(previous ? &*previous : nullptr); });
+    stages.timed("layout",
+                 [&] { decision = decide(options, source, previous ? &*previous : nullptr, found); });
     made = make_pages(options, source, earlier, decision, learned, stages);
     if (made) break;
     if (result.passes == most_passes) throw std::logic_error("the layout does not settle");

@@ -26,8 +26,8 @@
 
 namespace etak {
 
-// The street from a list of materials to an atlas on disk (target etak::pack, no part of etak::core: it reads
-// and writes picture files).
+// From a list of materials to an atlas on disk. The target is etak::pack, which is no part of etak::core
+// because it reads and writes picture files.
 
 using PageCheck = std::function<bool(const AtlasLayout&, int page, const PagePixels&)>;
 /// The same of PNG files that are written but not yet in place.
@@ -81,7 +81,7 @@ struct PackLayoutOptions {
   double most_extra_area = 0.05;
 };
 
-/// What is written, and over what.
+/// What is written, and which existing files it may replace.
 struct PackOutputOptions {
   WriteOptions write;
   std::vector<GltfForm> forms{GltfForm::specular_ior};
@@ -93,7 +93,7 @@ struct PackOutputOptions {
   bool dry_run = false;  // everything but writing
 };
 
-/// How the work goes on.
+/// How the work is done: memory, threads, progress.
 struct PackRunOptions {
   std::size_t memory = 0;  // bytes that pages and decoded pictures may take; 0: any
   unsigned threads = 1;
@@ -102,7 +102,7 @@ struct PackRunOptions {
   std::function<bool()> cancelled;  // asked between regions, pages and stages, from any thread; true: stop
 };
 
-/// Who looks at the result before it is in place.
+/// Functions that check the result before it is in place.
 struct PackCheckHooks {
   // Called with every page when its pixels are whole, before they are written; says whether they are good
   // enough. Pages begin again at 0 when what later ones teach changes the layout, whose hashes are not known
@@ -127,7 +127,7 @@ struct PackOptions {
   PackCheckHooks check;
 };
 
-/// What a person wrote, as values. Throws Error that names the option. Left to the caller: the input's
+/// What a person wrote, as values. Throws Error that names the setting. Left to the caller: the input's
 /// pictures and their spaces, what may be overwritten, the run and the check.
 PackOptions pack_options(const PackSettings& settings);
 
@@ -151,7 +151,7 @@ struct PackStage {
   double seconds = 0;
 };
 
-/// What was done, for people and machines.
+/// What pack() did; report_text() and report_json() write it.
 struct PackResult {
   std::string input, output;
   bool up_to_date = false, dry_run = false;

@@ -9,16 +9,17 @@
 #include "core/atlas/pack/table.h"
 #include "core/atlas/page_stream.h"
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
 
 // The layout says which pages there are: their files are known before their texels.
 void refuse_strangers(const PackOptions& options, const EarlierAtlas& earlier, const PackDecision& decision) {
-  for (int p = 0; p < static_cast<int>(decision.plan().pages.size()); ++p)
+  for (int p = 0; p < static_cast<int>(decision.plan.pages.size()); ++p)
     for (const Texture texture : both_textures)
-      for (const std::string& name :
-           page_files(p, texture, decision.page_levels(p), options.output.write.formats))
+      for (const std::string& name : page_files(p, texture, decision.levels[static_cast<std::size_t>(p)].kept,
+                                                options.output.write.formats))
         refuse_stranger(earlier, name, options.output.overwrite);
 }
 
@@ -29,10 +30,10 @@ void check_memory(const PackOptions& options, const PlannedPage& page, int level
     bytes += texel * static_cast<std::size_t>(std::max(1, page.width >> l)) *
              static_cast<std::size_t>(std::max(1, page.height >> l));
   if (options.run.memory != 0 && bytes > options.run.memory)
-    throw Error::at("--memory",
+    throw Error::at(setting("memory"),
                     "a page of " + std::to_string(page.width) + " x " + std::to_string(page.height) +
                         " takes " + std::to_string((bytes >> 20) + 1) + " MiB",
-                    "more memory, or a smaller --page");
+                    "more memory, or a smaller " + setting("page"));
 }
 
 // Where pages can be made slab by slab: what else is written of them, and the check, need them whole.
@@ -59,11 +60,11 @@ void write_floats(OutputFolder& folder, int p, const FloatPage& page, const Pack
 
 }  // namespace
 
-std::optional<MadePages> make_pages(const PackOptions& options, const PackSource& source,
+std::optional<MadePages> make_pages(const PackOptions& options, PackSource& source,
                                     const EarlierAtlas& earlier, PackDecision& decision,
                                     std::vector<Learned>& learned, PackStages& stages) {
-  const std::vector<Region>& regions = decision.regions();
-  const PackingPlan& plan = decision.plan();
+  const std::vector<Region>& regions = decision.regions;
+  const PackingPlan& plan = decision.plan;
   const std::vector<PackInput>& materials = source.inputs.materials;
   MadePages made;
   if (!options.output.dry_run) {
@@ -97,7 +98,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, const PackSource
   const int pages = static_cast<int>(plan.pages.size());
   for (int p = 0; p < pages; ++p) {
     const PlannedPage& page = plan.pages[static_cast<std::size_t>(p)];
-    const int levels = decision.page_levels(p);
+    const int levels = decision.levels[static_cast<std::size_t>(p)].kept;
     check_memory(options, page, levels);
     std::vector<int> cuts;
     if (may_be_cut(options, source))
@@ -109,7 +110,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, const PackSource
                     learned);
       });
       progress.written(2 * PackProgress::texels_of(page));
-      if (decision.learn(learned)) return std::nullopt;
+      if (!learn(learned, options, source, decision)) return std::nullopt;
       if (options.check.page && made.folder)
         stages.timed("validate",
                      [&] { made.good = options.check.written_page(table(), p, path_of(p)) && made.good; });
@@ -117,7 +118,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, const PackSource
     }
     pixels.start(page, levels);
     stages.timed("texels", [&] { composer.texels(p, pixels, learned, region_done); });
-    if (decision.learn(learned)) return std::nullopt;
+    if (!learn(learned, options, source, decision)) return std::nullopt;
     stages.timed("gutters and mips", [&] { composer.mips(p, pixels); });
     check(p);
     if (!made.folder) continue;

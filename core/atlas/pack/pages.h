@@ -21,9 +21,10 @@ struct MadePages {
 
 /// Composes, checks and writes every page of a decision. None where what the texels taught changes the
 /// layout: then nothing was kept.
-///   learned   by material
+///   source     its facts, and what the decision leaves out, get what the texels taught
+///   learned    by material; gets what the texels taught
 /// Throws Error and PackCancelled.
-std::optional<MadePages> make_pages(const PackOptions& options, const PackSource& source,
+std::optional<MadePages> make_pages(const PackOptions& options, PackSource& source,
                                     const EarlierAtlas& earlier, PackDecision& decision,
                                     std::vector<Learned>& learned, PackStages& stages);
 

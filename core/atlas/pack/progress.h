@@ -11,8 +11,8 @@
 
 namespace etak {
 
-/// How far the pages of one pass are: regions composed and texels written as PNG, in steps that take about as
-/// long as each other. Any thread may tell; the listener is called by one at a time.
+/// The progress of one pass over the pages: regions composed and texels written as PNG, in steps of about the
+/// same time. Any thread may call region() and written(); the listener is called by one thread at a time.
 class PackProgress {
  public:
   using Listener = std::function<void(std::size_t done, std::size_t all)>;

@@ -8,14 +8,15 @@
 
 namespace etak {
 
-/// What the texels of a material are: what is constant and what is equal. Decided on floats, where a channel
-/// whose floats differ varies, though its codes may be one, or on codes.
+/// Puts into `facts` which channels of a material are constant, and the hashes by which equal materials are
+/// found. Of floats, a channel varies where its floats differ, even if their codes are equal.
 ///   used     1 per texel in use, which alone count for the ranges; null for all
 ///   opaque   alpha plays no part
 template <class Value>
 void look_at(const PairOf<Value>& pair, const std::uint8_t* used, bool opaque, MaterialFacts& facts);
 
-/// What a material is where it has no texture: its own factors where it never had one, else the codes of `facts`.
+/// What a material is where it has no texture: its own factors where it never had one, else the codes of
+/// `facts`.
 void scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossForm gloss, AtlasMaterial& to);
 
 }  // namespace etak

@@ -45,11 +45,11 @@ struct Placing {
 };
 Placing placing_of(std::size_t owner, const PackDecision& decision) {
   Placing out;
-  for (std::size_t r = 0; r < decision.regions().size(); ++r) {
-    if (decision.regions()[r].material != owner) continue;
+  for (std::size_t r = 0; r < decision.regions.size(); ++r) {
+    if (decision.regions[r].material != owner) continue;
     out.any = true;
-    out.whole_size = out.whole_size && decision.regions()[r].shrink == 0;
-    out.turned = out.turned || decision.plan().places[r].rotated;
+    out.whole_size = out.whole_size && decision.regions[r].shrink == 0;
+    out.turned = out.turned || decision.plan.places[r].rotated;
   }
   return out;
 }
@@ -124,7 +124,7 @@ SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, 
                      const PackDecision& decision, const std::function<PictureHeader(int image)>& header) {
   std::map<std::size_t, Users> users;
   for (std::size_t i = 0; i < materials.size(); ++i) {
-    const MaterialFate& fate = decision.left_out().fates[i];
+    const MaterialFate& fate = decision.left_out.fates[i];
     const auto material = static_cast<std::size_t>(materials[i]);
     if (fate.texels && scene.material_used[material]) users[fate.owner].push_back(&scene.materials[material]);
   }
@@ -154,11 +154,11 @@ SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, 
 SceneMaps worthwhile(const SceneMaps& maps, const std::vector<GltfForm>& forms, const PackDecision& decision,
                      const std::function<PictureHeader(int image)>& header) {
   SceneMaps out = maps;
-  for (int p = 0; p < static_cast<int>(decision.plan().pages.size()); ++p) {
-    const PlannedPage& page = decision.plan().pages[static_cast<std::size_t>(p)];
+  for (int p = 0; p < static_cast<int>(decision.plan.pages.size()); ++p) {
+    const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(p)];
     std::set<std::size_t> owners;
-    for (std::size_t r = 0; r < decision.regions().size(); ++r)
-      if (decision.plan().places[r].page == p) owners.insert(decision.regions()[r].material);
+    for (std::size_t r = 0; r < decision.regions.size(); ++r)
+      if (decision.plan.places[r].page == p) owners.insert(decision.regions[r].material);
     // Takes kinds of textures off the page where they take no less there than as they are.
     const auto weigh = [&](std::initializer_list<ImageOf> kinds, int channels) {
       std::set<int> images;
@@ -195,17 +195,17 @@ MapPixels map_pixels(int page, const SceneMaps& maps, const PackInputs& inputs, 
                      unsigned threads, const std::function<Image8(int image)>& picture) {
   MapPixels out;
   MappedPage on;
-  on.plan = decision.plan();
+  on.plan = decision.plan;
   on.plan.places.clear();
   on.plan.pages[static_cast<std::size_t>(page)].has = {true, true};
   bool color = false, geometry = false;
-  for (std::size_t r = 0; r < decision.regions().size(); ++r) {
-    const auto found = maps.find(decision.regions()[r].material);
-    if (decision.plan().places[r].page != page || found == maps.end()) continue;
+  for (std::size_t r = 0; r < decision.regions.size(); ++r) {
+    const auto found = maps.find(decision.regions[r].material);
+    if (decision.plan.places[r].page != page || found == maps.end()) continue;
     const MaterialMaps& of = found->second;
     out.regions.push_back(r);
-    on.regions.push_back(decision.regions()[r]);
-    on.plan.places.push_back(decision.plan().places[r]);
+    on.regions.push_back(decision.regions[r]);
+    on.plan.places.push_back(decision.plan.places[r]);
     color = color || of.occlusion || (of.exact && (of.base_color || of.metal_rough));
     geometry = geometry || of.normal || of.emissive;
   }

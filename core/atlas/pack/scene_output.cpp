@@ -37,7 +37,7 @@ struct ImagesOfMaterial {
 
   void set(const GltfMaterial& m, const MaterialFate& fate, const MaterialMaps* maps, int page,
            AtlasMaterial& to) {
-    const PlannedPage& size = decision.plan().pages[static_cast<std::size_t>(page)];
+    const PlannedPage& size = decision.plan.pages[static_cast<std::size_t>(page)];
     const auto picture = [&](const char* what, int channels) {
       return images.number_of(scene_picture(page, what), size, channels);
     };
@@ -85,7 +85,7 @@ AtlasMaterial atlas_material(const ScenePack::State& s, const SceneMaps& scene_m
   const ScenePack::State::Entry& entry = s.entries[i];
   const PackInput& in = s.inputs.materials[i];
   const GltfMaterial& m = s.scene.materials[static_cast<std::size_t>(entry.material)];
-  const MaterialFate& fate = decision.left_out().fates[i];
+  const MaterialFate& fate = decision.left_out.fates[i];
   AtlasMaterial to;
   to.material = entry.material;
   const GltfTexture* const lead = leading_texture(m);
@@ -157,7 +157,7 @@ bool ScenePack::State::is_exact(GltfForm form, const SceneMaps& of_form, const P
   if (form == GltfForm::specular_glossiness) return gloss != GlossForm::schueler;
   if (form == GltfForm::specular_ior) return true;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const MaterialFate& fate = decision.left_out().fates[i];
+    const MaterialFate& fate = decision.left_out.fates[i];
     const auto material = static_cast<std::size_t>(entries[i].material);
     if (!scene.material_used[material]) continue;
     const auto found = of_form.find(fate.owner);

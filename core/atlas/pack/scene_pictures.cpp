@@ -28,7 +28,7 @@ const std::uint8_t* texel_or_none(const PixelsView8& view, int x, int y) {
 
 // A texture that the page does not have reads as 0, 0, 0, 255.
 Image8 mapped(const ScenePictureInput& in, const PairMap& map) {
-  const PlannedPage& page = in.decision.plan().pages[static_cast<std::size_t>(in.page)];
+  const PlannedPage& page = in.decision.plan.pages[static_cast<std::size_t>(in.page)];
   const PixelsView8 a = in.pixels.view(Texture::diffuse_alpha), b = in.pixels.view(Texture::specular_gloss);
   Image8 out(page.width, page.height, 4);
   for (int y = 0; y < out.height; ++y)
@@ -44,10 +44,10 @@ void put_maps(const ScenePictureInput& in, const std::optional<PagePixels>& pixe
   if (!pixels) return;
   const PixelsView8 a = pixels->view(Texture::diffuse_alpha), b = pixels->view(Texture::specular_gloss);
   for (const std::size_t r : in.maps.regions) {
-    const MaterialMaps& of = in.by_owner.at(in.decision.regions()[r].material);
-    const PixelBox cell = cut(in.decision.plan().places[r].cell, out.width, out.height);
-    for (int y = cell.y; y < cell.y + cell.height; ++y)
-      for (int x = cell.x; x < cell.x + cell.width; ++x) {
+    const MaterialMaps& of = in.by_owner.at(in.decision.regions[r].material);
+    const PixelBox& cell = in.decision.plan.places[r].cell;
+    for (int y = cell.y; y < std::min(cell.y + cell.height, out.height); ++y)
+      for (int x = cell.x; x < std::min(cell.x + cell.width, out.width); ++x) {
         Texel texel;
         std::copy_n(out.at(x, y).begin(), 4, texel.begin());
         map(of, a.at(x, y), b.at(x, y), texel);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/setting.h"
 #include "core/image/image.h"
 
 namespace etak {
@@ -18,7 +19,7 @@ constexpr std::string_view layout = "Layout", less = "Leaving out", content = "C
 constexpr PackSettingRow setting_rows[] = {
     {layout, "page", &S::page, 1, max_image_side, "N", shown, "largest side of a page"},
     {layout, "page-form", &S::page_form, 0, 0, "", shown,
-     "mixed (powers of two up to --page, least area), pages (all --page), square, pot or free (one page); "
+     "mixed (powers of two up to {page}, least area), pages (all {page}), square, pot or free (one page); "
      "auto: free for a scene that fits one page, else mixed",
      "auto mixed pages square pot free"},
     {layout, "rotate", &S::rotate, 0, 0, "0|1", shown, "1: regions may be turned by 90 degrees"},
@@ -85,6 +86,15 @@ std::vector<std::string> PackSettingRow::word_list() const {
     const std::size_t end = std::min(rest.find(' '), rest.size());
     out.emplace_back(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return out;
+}
+
+std::string PackSettingRow::help_text() const {
+  std::string out(help);
+  for (std::size_t at = 0; (at = out.find('{', at)) != out.npos;) {
+    const std::size_t end = out.find('}', at);
+    out.replace(at, end + 1 - at, setting(std::string_view(out).substr(at + 1, end - at - 1)));
   }
   return out;
 }

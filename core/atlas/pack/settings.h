@@ -10,8 +10,8 @@
 
 namespace etak {
 
-/// How to pack, as a person writes it on the command line or in a file of jobs; what the words mean says
-/// pack_options() (core/atlas/pack/pack.h). Ranges, words and help stand in pack_setting_rows().
+/// How to pack, as a person writes it on the command line or in a file of jobs. pack_options()
+/// (core/atlas/pack/pack.h) turns the words into values; pack_setting_rows() holds ranges, words and help.
 struct PackSettings {
   std::string input, out;
   // layout
@@ -38,7 +38,7 @@ struct PackSettings {
   friend bool operator==(const PackSettings&, const PackSettings&) = default;
 };
 
-/// One setting for every reader: `--name` on the command line, a key of a job.
+/// One setting for every reader: an option of the command line, a key of a job.
 ///   least, most   of numbers; equal: any
 ///   value_name    in the help; empty: as the type has it
 ///   words         with ' ' between: all that there are; empty: any text
@@ -47,9 +47,9 @@ struct PackSettingRow {
                              std::optional<double> PackSettings::*, bool PackSettings::*,
                              std::string PackSettings::*, std::vector<std::string> PackSettings::*>;
   enum Trait : unsigned {
-    shown = 1,  // the help tells the value of a run that says nothing; where that is empty, the first word
-    file = 2,   // that is read; in a job relative to the file of jobs
-    flag = 4,   // a truth that the name alone says
+    shown = 1,       // the help shows the default; where that is empty, the first word
+    file = 2,        // the name of a file that is read; in a job relative to the file of jobs
+    flag = 4,        // takes no value: the name alone means yes
     or_number = 8,   // a text that a job may give as a whole number
     commas = 16,     // on the command line one text holds several, with ',' between
     line_only = 32,  // no key of a job
@@ -59,11 +59,13 @@ struct PackSettingRow {
   double least, most;
   std::string_view value_name;
   unsigned traits;
-  std::string_view help;
+  std::string_view help;  // {page} stands for the setting of that name
   std::string_view words = {};
 
   bool is(Trait trait) const { return (traits & trait) != 0; }
   std::vector<std::string> word_list() const;
+  /// `help` with the names of other settings as setting() (core/base/setting.h) writes them.
+  std::string help_text() const;
 };
 
 /// Every setting but input and output, in the order of the help.
@@ -71,7 +73,7 @@ std::span<const PackSettingRow> pack_setting_rows();
 
 /// Reads a file of jobs: {"jobs": [{"input", "out", and settings by their names}, ...]}. Paths are
 /// relative to the file. Throws Error with the JSON pointer.
-///   usual   what a job does not say
+///   usual   the settings that a job does not name
 std::vector<PackSettings> parse_pack_jobs(std::string_view text, const std::string& file,
                                           const PackSettings& usual);
 

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -62,10 +63,10 @@ PackSource read_source(const std::string& input, const PackManifest* manifest, c
   const PackLeaveOutOptions& less = options.leave_out;
   if (less.variants) apply_variants(*less.variants, less.keep.contains("constant"), input, out.inputs);
   if (!out.scene && (less.texel_density > 0 || less.view_height > 0))
-    throw Error::at(less.texel_density > 0 ? "--texel-density" : "--view-height",
+    throw Error::at(setting(less.texel_density > 0 ? "texel-density" : "view-height"),
                     input + " says nothing of sizes in a world", "a glTF scene");
   if (out.scene && !options.input.pictures.spaces.empty())
-    throw Error::at("--space-of", "a glTF scene, which says what space its pictures are of",
+    throw Error::at(setting("space-of"), "a glTF scene, which says what space its pictures are of",
                     "a manifest or a folder");
   return out;
 }

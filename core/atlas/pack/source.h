@@ -20,7 +20,7 @@ struct PackSource {
 
 /// Reads a manifest, a folder or a glTF scene. Throws Error, also for options that say nothing of such an
 /// input.
-///   manifest   null: `input` is what is packed
+///   manifest   null: the file or folder `input` is packed
 PackSource read_source(const std::string& input, const PackManifest* manifest, const PackOptions& options,
                        const MaterialLibrary& library);
 

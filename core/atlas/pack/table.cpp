@@ -10,14 +10,15 @@
 #include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 #include "core/scene/uv_transform.h"
 
 namespace etak {
 namespace {
 
 void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decision, AtlasLayout& out) {
-  const PackingPlan& plan = decision.plan();
-  const std::vector<Region>& regions = decision.regions();
+  const PackingPlan& plan = decision.plan;
+  const std::vector<Region>& regions = decision.regions;
   int island = 0;
   for (std::size_t r = 0; r < regions.size(); ++r) {
     if (regions[r].material != owner) continue;
@@ -27,10 +28,11 @@ void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decisi
     rect.name = m.name;
     rect.island = island++;
     rect.page = at.page;
-    rect.x = at.x;
-    rect.y = at.y;
-    rect.width = at.rotated ? regions[r].height() : regions[r].width();
-    rect.height = at.rotated ? regions[r].width() : regions[r].height();
+    const PixelBox on_page = box_on_page(regions[r], at);
+    rect.x = on_page.x;
+    rect.y = on_page.y;
+    rect.width = on_page.width;
+    rect.height = on_page.height;
     rect.rotated = at.rotated;
     rect.crop = box;
     rect.source_width = m.width;
@@ -39,8 +41,7 @@ void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decisi
     rect.mips = at.clean_levels;
     rect.inset = plan.inset ? 0.5 * (1 << (at.clean_levels - 1)) : 0;
     rect.repeats = regions[r].own_page;
-    const bool whole = box == PixelBox{0, 0, m.width, m.height};
-    rect.source_gutter = at.gutter > 0 && !(whole && m.wrap == std::array{Wrap::clamp, Wrap::clamp});
+    rect.source_gutter = at.gutter > 0 && !(m.is_whole(box) && m.wrap == WrapBoth{Wrap::clamp, Wrap::clamp});
     out.rects.push_back(rect);
   }
 }
@@ -49,13 +50,14 @@ std::uint64_t texels_of(int width, int height) {
   return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
 }
 
-void account_resolution(const PackInputs& inputs, PackDecision& decision, PackResult& report) {
+void account_resolution(const PackInputs& inputs, const PackDecision& decision, PackResult& report) {
   LeaveOutLine line;
   line.what = "resolution";
   double worst = 0, seen = 0;
-  for (const Region& region : decision.regions()) {
+  for (std::size_t r = 0; r < decision.regions.size(); ++r) {
+    const Region& region = decision.regions[r];
     if (region.shrink == 0) continue;
-    const Resolution& found = decision.resolution(region);
+    const Resolution& found = decision.resolutions[r];
     const PixelBox& box = region.box;
     const std::uint64_t gone = texels_of(box.width, box.height) - texels_of(region.width(), region.height());
     ++line.materials;
@@ -81,10 +83,10 @@ void account_mips(const PackDecision& decision, PackResult& report) {
   LeaveOutLine line;
   line.what = "mips";
   int levels = 0;
-  for (int p = 0; p < static_cast<int>(decision.plan().pages.size()); ++p) {
-    const PlannedPage& page = decision.plan().pages[static_cast<std::size_t>(p)];
+  for (std::size_t p = 0; p < decision.plan.pages.size(); ++p) {
+    const PlannedPage& page = decision.plan.pages[p];
     const auto textures = static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
-    for (int l = decision.page_levels(p); l < decision.offered_levels(p); ++l, ++levels)
+    for (int l = decision.levels[p].kept; l < decision.levels[p].offered; ++l, ++levels)
       line.bytes += 4 * textures * texels_of(std::max(1, page.width >> l), std::max(1, page.height >> l));
   }
   if (levels == 0) return;
@@ -102,8 +104,7 @@ UvTransform transform_of(const PackInput& in, const Region& region, const Planne
   out.box = array_of(region.box);
   out.texture_width = in.width;
   out.texture_height = in.height;
-  out.place = {at.x, at.y, at.rotated ? region.height() : region.width(),
-               at.rotated ? region.width() : region.height()};
+  out.place = array_of(box_on_page(region, at));
   out.rotated = at.rotated;
   out.page_width = page.width;
   out.page_height = page.height;
@@ -114,23 +115,24 @@ UvTransform transform_of(const PackInput& in, const Region& region, const Planne
 
 AtlasLayout layout_table(const PackOptions& options, const PackSource& source, const PackDecision& decision) {
   const PackInputs& inputs = source.inputs;
-  const PackingPlan& plan = decision.plan();
+  const PackingPlan& plan = decision.plan;
   AtlasLayout out;
   out.gloss = inputs.gloss;
   out.diffuse_reduced = source.scene != nullptr;
   for (int p = 0; p < static_cast<int>(plan.pages.size()); ++p) {
     const PlannedPage& page = plan.pages[static_cast<std::size_t>(p)];
+    const int levels = decision.levels[static_cast<std::size_t>(p)].kept;
     AtlasPage row{page.width, page.height, {}};
-    out.levels = std::max(out.levels, decision.page_levels(p));
+    out.levels = std::max(out.levels, levels);
     for (const Texture texture : both_textures)
       if (page.has[static_cast<std::size_t>(texture)])
         row.files[static_cast<std::size_t>(texture)] =
-            page_files(p, texture, decision.page_levels(p), options.output.write.formats);
+            page_files(p, texture, levels, options.output.write.formats);
     out.pages.push_back(std::move(row));
   }
   for (std::size_t i = 0; i < inputs.materials.size(); ++i) {
     const PackInput& m = inputs.materials[i];
-    const MaterialFate& fate = decision.left_out().fates[i];
+    const MaterialFate& fate = decision.left_out.fates[i];
     if (!m.facts.reached && !fate.texels) continue;
     AtlasMaterialRow row{m.name, fate.texels, m.alpha_mode, m.alpha_cutoff, fate.constant, {}, {}};
     for (std::size_t c = 0; c < channel_count && m.facts.floats; ++c)
@@ -147,14 +149,14 @@ AtlasLayout layout_table(const PackOptions& options, const PackSource& source, c
 
 BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision& decision) {
   BoxesOnPage out;
-  const std::vector<Region>& regions = decision.regions();
+  const std::vector<Region>& regions = decision.regions;
   for (std::size_t r = 0; r < regions.size(); ++r) {
     if (regions[r].material != owner) continue;
-    const PlannedPlace& at = decision.plan().places[r];
-    const PlannedPage& page = decision.plan().pages[static_cast<std::size_t>(at.page)];
+    const PlannedPlace& at = decision.plan.places[r];
+    const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(at.page)];
     if (out.page >= 0 && out.page != at.page)
       throw Error::at(in.name, "its islands lie on several pages, which one material cannot read",
-                      "a larger --page, or no --islands");
+                      "a larger " + setting("page") + ", or no " + setting("islands"));
     out.page = at.page;
     out.own_page = regions[r].own_page;
     out.boxes.push_back({array_of(regions[r].box), transform_of(in, regions[r], at, page)});
@@ -162,21 +164,21 @@ BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision&
   return out;
 }
 
-void account(const PackInputs& inputs, PackDecision& decision, PackResult& report) {
+void account(const PackInputs& inputs, const PackDecision& decision, PackResult& report) {
   std::uint64_t cells = 0, regions = 0, single = 0;
   std::size_t singles = 0;
-  for (std::size_t r = 0; r < decision.regions().size(); ++r) {
-    const PixelBox& cell = decision.plan().places[r].cell;
-    const PlannedPage& page = decision.plan().pages[static_cast<std::size_t>(decision.plan().places[r].page)];
+  for (std::size_t r = 0; r < decision.regions.size(); ++r) {
+    const PixelBox& cell = decision.plan.places[r].cell;
+    const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(decision.plan.places[r].page)];
     const auto textures = static_cast<std::uint64_t>(int{page.has[0]} + int{page.has[1]});
-    const std::uint64_t area = texels_of(decision.regions()[r].width(), decision.regions()[r].height());
+    const std::uint64_t area = texels_of(decision.regions[r].width(), decision.regions[r].height());
     regions += textures * area;
     cells += textures * static_cast<std::uint64_t>(cell.width) * static_cast<std::uint64_t>(cell.height);
     if (textures == 1) single += area, ++singles;
   }
   report.region_texels = regions;
   report.gutter_texels = cells - regions;
-  report.waste_texels = decision.plan().page_texels() - cells;
+  report.waste_texels = decision.plan.page_texels() - cells;
   account_resolution(inputs, decision, report);
   account_mips(decision, report);
   if (singles == 0) return;

@@ -10,14 +10,14 @@ namespace etak {
 struct PackOptions;
 struct PackResult;
 
-// What is told of a decision: the layout's table for who reads the atlas, the boxes of a
-// material for the scene, and the account of what was left out for who packed it.
+// What is written of a decision: the layout for programs that read the atlas, the boxes of a material for the
+// written scene, and the account of what was left out for the report.
 
 /// The layout without its hashes.
 AtlasLayout layout_table(const PackOptions& options, const PackSource& source, const PackDecision& decision);
 
-/// Texels of regions, gutters and waste, and every line of what was left out.
-void account(const PackInputs& inputs, PackDecision& decision, PackResult& report);
+/// Puts the texels of regions, gutters and waste, and every line of what was left out, into the report.
+void account(const PackInputs& inputs, const PackDecision& decision, PackResult& report);
 
 /// Where the texels of a scene's material lie: its page, and each of its boxes on it.
 struct BoxesOnPage {
@@ -26,7 +26,7 @@ struct BoxesOnPage {
   std::vector<AtlasIsland> boxes;
 };
 
-/// Of a material that uses texels of `owner`. Throws Error where they lie on several pages.
+/// The boxes of a material that uses the texels of `owner`. Throws Error where they lie on several pages.
 BoxesOnPage boxes_of(const PackInput& in, std::size_t owner, const PackDecision& decision);
 
 }  // namespace etak

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace etak {
 
@@ -34,7 +35,8 @@ void apply_variants(const ShadingVariants& variants, bool keep_textures, const s
     in.facts.range.least = in.facts.range.most = variant->codes;
   }
   if (found == 0)
-    throw Error::at("--choice", "has none of the materials of " + input, "what etak choose wrote for it");
+    throw Error::at(setting("choice"), "has none of the materials of " + input,
+                    "what etak choose wrote for it");
 }
 
 bool mips_are_read(const ShadingVariants& variants, const PackInputs& inputs) {

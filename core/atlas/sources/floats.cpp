@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/error.h"
 #include "core/color/srgb.h"
 
 namespace etak {
@@ -71,16 +70,13 @@ Image plane_floats(const PlaneSource& source, int width, int height) {
   }
   const Numbers numbers = numbers_of(load_picture(source.path, *source.door));
   const Image& from = numbers.image;
-  if (from.width != width || from.height != height)
-    throw Error::at(source.path, "is " + std::to_string(from.width) + " x " + std::to_string(from.height),
-                    std::to_string(width) + " x " + std::to_string(height) + ", as when it was looked at");
+  check_size(source, from.width, from.height, width, height);
   const std::array<int, 3> pick = picked_channels(source, from.channels);
   const auto step = static_cast<std::size_t>(from.channels);
   for (std::size_t i = 0; i < out.pixel_count(); ++i)
     for (std::size_t c = 0; c < channels; ++c) {
       const double v = numbers.at(step * i + static_cast<std::size_t>(pick[c]));
-      if (!std::isfinite(v))
-        throw Error::at(source.path, "holds a value that is no finite number", "finite numbers");
+      if (!std::isfinite(v)) refuse_not_finite(source);
       out.values[channels * i + c] =
           static_cast<float>(source.space ? v : value_of(source, v, numbers.floats));
     }
@@ -103,9 +99,9 @@ FloatPair metallic_floats(const PlaneSource& base, const PlaneSource& alpha, con
   const Image metal = plane_floats(metallic, width, height);
   for (std::size_t i = 0; i < metal.values.size(); ++i)
     for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
-      const double color = double{diffuse.values[c]}, m = double{metal.values[i]};
-      f0.values[c] = static_cast<float>(0.04 + (color - 0.04) * m);
-      diffuse.values[c] = static_cast<float>(color * (1 - m));
+      const MetallicChannel texel = metallic_channel(double{diffuse.values[c]}, double{metal.values[i]});
+      diffuse.values[c] = static_cast<float>(texel.diffuse);
+      f0.values[c] = static_cast<float>(texel.f0);
     }
   return {joined(diffuse, plane_floats(alpha, width, height)),
           joined(f0, plane_floats(gloss, width, height))};

@@ -21,7 +21,15 @@ Image plane_floats(const PlaneSource& source, int width, int height);
 /// Both textures of a material. What its pictures do not say is constant; sides of 1 for numbers alone.
 FloatPair load_floats(const PackInput& material);
 
-/// diffuse = c (1 - m), F0 = 0.04 (1 - m) + c m.
+/// A linear channel of base colour c and metalness m: diffuse = c (1 - m), F0 = 0.04 (1 - m) + c m.
+struct MetallicChannel {
+  double diffuse, f0;
+};
+inline MetallicChannel metallic_channel(double base, double metallic) {
+  return {base * (1 - metallic), 0.04 + (base - 0.04) * metallic};
+}
+
+/// Both textures of base colour and metalness, by metallic_channel().
 FloatPair metallic_floats(const PlaneSource& base, const PlaneSource& alpha, const PlaneSource& metallic,
                           const PlaneSource& gloss, int width, int height);
 

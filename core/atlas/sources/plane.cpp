@@ -40,21 +40,32 @@ std::vector<std::uint8_t> CodeCurve::codes(int bits, std::vector<bool>* clamped)
 
 PictureHeader picture_header(const std::string& path, const PictureDoor& door) {
   constexpr std::size_t signature_and_first_chunk = 33;
-  const std::string head = read_head(path, signature_and_first_chunk);
-  BytesInMemory bytes(head);
-  // What is wrong with it PngReader tells later.
+  const std::string header = read_head(path, signature_and_first_chunk);
+  BytesInMemory bytes(header);
+  // PngReader tells later what is wrong with a broken PNG.
   if (auto png = png_header(bytes); png && png->strips) return *png;
   return door.header(path);
 }
 
 std::array<int, 3> picked_channels(const PlaneSource& source, int channels) {
-  // A colour that is to be a grey quantity must say which channel.
+  // A picture of colours that serves as a grey quantity must say which channel is meant.
   const auto pick = source.color && !source.picked && channels <= 2 ? std::array{0, 0, 0} : source.pick;
   const int last = source.color ? std::ranges::max(pick) : pick[0];
   if (last >= channels)
     throw Error::at(source.path, "has " + std::to_string(channels) + " channels",
                     "at least " + std::to_string(last + 1));
   return pick;
+}
+
+void refuse_not_finite(const PlaneSource& source) {
+  throw Error::at(source.path, "holds a value that is no finite number", "finite numbers");
+}
+
+void check_size(const PlaneSource& source, int width, int height, int expected_width, int expected_height) {
+  if (width == expected_width && height == expected_height) return;
+  throw Error::at(source.path, "is " + std::to_string(width) + " x " + std::to_string(height),
+                  std::to_string(expected_width) + " x " + std::to_string(expected_height) +
+                      ", as when it was looked at");
 }
 
 PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&source) {
@@ -77,7 +88,7 @@ PlaneRows::PlaneRows(const PlaneSource& source, FileBytes& memory) : source_(&so
   }
 }
 
-// Three channels of codes in rows_, from what the space makes of the picked ones.
+// Puts three channels of codes into rows_: those of the picked channels, converted from the colour space.
 template <class Sample>
 void PlaneRows::convert_space(const Sample* in, std::size_t texels, int step, float scale) {
   floats_.resize(3 * texels);
@@ -85,8 +96,7 @@ void PlaneRows::convert_space(const Sample* in, std::size_t texels, int step, fl
     for (std::size_t c = 0; c < 3; ++c) {
       const auto value =
           static_cast<float>(in[i * static_cast<std::size_t>(step) + static_cast<std::size_t>(pick_[c])]);
-      if (!std::isfinite(value))
-        throw Error::at(source_->path, "holds a value that is no finite number", "finite numbers");
+      if (!std::isfinite(value)) refuse_not_finite(*source_);
       floats_[3 * i + c] = value / scale;
     }
   source_->space(floats_.data(), texels);
@@ -104,7 +114,7 @@ void PlaneRows::convert_space(const Sample* in, std::size_t texels, int step, fl
   }
 }
 
-// Codes in rows_ of numbers in values_, which are linear colours by themselves.
+// Puts the codes of values_ into rows_. Values of files of floats are linear.
 void PlaneRows::convert_floats() {
   static const CodeCurve unchanged;
   const CodeCurve& curve = source_->curve ? *source_->curve : unchanged;
@@ -112,8 +122,7 @@ void PlaneRows::convert_floats() {
   rows_.resize(values_.size());
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const double value = double{values_[i]};
-    if (!std::isfinite(value))
-      throw Error::at(source_->path, "holds a value that is no finite number", "finite numbers");
+    if (!std::isfinite(value)) refuse_not_finite(*source_);
     const double encoded = apply ? apply(value) : value;
     rows_[i] = code_of(encoded);
     clamped_ += outside(encoded) ? 1 : 0;

@@ -47,26 +47,32 @@ struct PlaneSource {
   bool is_image() const { return !path.empty(); }
 };
 
-/// Looks at the head of a PNG only; other formats go through the door. Throws Error.
+/// Reads the header of a picture file: of PNG here, of other formats by `door`. Throws Error.
 PictureHeader picture_header(const std::string& path, const PictureDoor& door);
 
 /// Which channels of a picture that has so many the source takes: a grey picture serves as a colour. Throws
 /// Error for channels that are not there.
 std::array<int, 3> picked_channels(const PlaneSource& source, int channels);
 
-/// Reads one plane from the top: 8-bit codes, converted.
+/// Throws Error: the picture of the source holds a value that is not finite.
+[[noreturn]] void refuse_not_finite(const PlaneSource& source);
+
+/// Throws Error where a picture of `width` x `height` is not as large as it was when its header was read.
+void check_size(const PlaneSource& source, int width, int height, int expected_width, int expected_height);
+
+/// Reads one plane from the top row on, as converted 8-bit codes.
 class PlaneRows {
  public:
-  /// Opens the file (into `memory`, which must outlive this). Throws Error for what cannot be read and for
-  /// channels that are not there.
+  /// Opens the file; its bytes go into `memory`, which must outlive this object. Throws Error for a file that
+  /// cannot be read, and for channels that it does not have.
   PlaneRows(const PlaneSource& source, FileBytes& memory);
 
   int width() const { return width_; }  // 0: a constant
   int height() const { return height_; }
   const PlaneSource& source() const { return *source_; }
 
-  /// `count` further rows, `step()` bytes a texel, without gaps; valid until the next call. Not for
-  /// constants.
+  /// The next `count` rows, `step()` bytes a texel, without gaps; valid until the next call. Must not be
+  /// called for a constant.
   const std::uint8_t* read(int count);
   int step() const { return channels_; }
   std::array<int, 3> pick() const { return source_->space ? std::array{0, 1, 2} : pick_; }

@@ -21,7 +21,7 @@ std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-// What the materials of a manifest are read by, and what had to be changed.
+// What the materials of a manifest are read with, and the remarks on what had to be changed.
 struct Resolving {
   const AtlasManifest& manifest;
   const MaterialLibrary& library;
@@ -211,7 +211,7 @@ void set_size(const ManifestMaterial& m, const std::optional<PlaneSource>& metal
   if (first.empty()) in.width = m.width.value_or(1), in.height = m.height.value_or(1);
 }
 
-// Base colour and metalness: diffuse = c (1 - m), F0 = 0.04 (1 - m) + c m, in linear light.
+// Both textures from base colour and metalness.
 void set_metallic(const PlaneSource& metal, PackInput& in) {
   const auto planes = std::make_shared<std::array<PlaneSource, 4>>(
       std::array<PlaneSource, 4>{in.color[0], in.grey[0], metal, in.grey[1]});
@@ -232,9 +232,9 @@ void set_metallic(const PlaneSource& metal, PackInput& in) {
       for (std::size_t x = 0; x < texels; ++x) {
         const double share = b[4 * x] / 255.0;
         for (std::size_t c = 0; c < 3; ++c) {
-          const double base = srgb_decode(a[4 * x + c] / 255.0);
-          a[4 * x + c] = srgb_u8(base * (1 - share));
-          b[4 * x + c] = srgb_u8(0.04 + (base - 0.04) * share);
+          const MetallicChannel texel = metallic_channel(srgb_decode(a[4 * x + c] / 255.0), share);
+          a[4 * x + c] = srgb_u8(texel.diffuse);
+          b[4 * x + c] = srgb_u8(texel.f0);
         }
       }
     }

@@ -17,6 +17,9 @@
 
 namespace etak {
 
+/// What a sampler does at the edges of a picture, by axis.
+using WrapBoth = std::array<Wrap, 2>;
+
 /// A material as the packer reads it: two planes a texture that can be read in strips, or a function that
 /// makes the whole pair.
 struct PackInput {
@@ -30,21 +33,26 @@ struct PackInput {
   std::function<MaterialPair(std::vector<std::string>& remarks)> convert;  // set: in place of the planes
   std::function<FloatPair()> convert_floats;                               // the same for floats.h
   MaterialFacts facts;
-  bool streamed = true;                                // every picture can be read in strips
-  std::array<Wrap, 2> wrap{Wrap::clamp, Wrap::clamp};  // what lies beyond the picture's edges, by axis
-  bool own_page = false;           // tiles over a surface, which only a page of its own can do
-  int document_index = -1;         // in a glTF
-  std::vector<std::string> files;  // all that are read
+  bool streamed = true;                     // every picture can be read in strips
+  WrapBoth wrap{Wrap::clamp, Wrap::clamp};  // what lies beyond the picture's edges
+  bool own_page = false;                    // tiles over a surface, which only a page of its own can do
+  int document_index = -1;                  // in a glTF
+  std::vector<std::string> files;           // all that are read
 
+  /// The box is the whole picture.
+  bool is_whole(const PixelBox& box) const { return box == PixelBox{0, 0, width, height}; }
+  /// What a sampler does at the edges of a box that is stored by itself: only the whole picture can wrap.
+  WrapBoth wrap_of(const PixelBox& box) const {
+    return is_whole(box) ? wrap : WrapBoth{Wrap::clamp, Wrap::clamp};
+  }
   bool has_normals() const { return normal.is_image() || load_normals; }
-  bool repeats() const { return wrap[0] == Wrap::repeat && wrap[1] == Wrap::repeat; }
 };
 
 struct PackInputs {
   GlossForm gloss = GlossForm::schueler;  // what comes out
   std::vector<PackInput> materials;
   std::vector<std::string> remarks;  // what had to be changed
-  std::string settings;              // everything but the files' bytes that decides the result
+  std::string settings;              // all that decides the result, except for the bytes of the files
 };
 
 /// Opens a colour space that etak does not have itself. Throws Error that tells the nearest names.

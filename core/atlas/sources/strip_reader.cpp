@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/sources/strip_reader.h"
 
-#include "core/base/error.h"
-
 namespace etak {
 
 StripReader::StripReader(const PackInput& m, Texture texture, std::array<FileBytes, 2>& files)
@@ -10,10 +8,7 @@ StripReader::StripReader(const PackInput& m, Texture texture, std::array<FileByt
       color_(m.color[index_of(texture)], files[0]),
       grey_(m.grey[index_of(texture)], files[1]) {
   for (const PlaneRows* rows : {&color_, &grey_})
-    if (rows->width() != 0 && (rows->width() != m.width || rows->height() != m.height))
-      throw Error::at(
-          rows->source().path, "is " + std::to_string(rows->width()) + " x " + std::to_string(rows->height()),
-          std::to_string(m.width) + " x " + std::to_string(m.height) + ", as when it was looked at");
+    if (rows->width() != 0) check_size(rows->source(), rows->width(), rows->height(), m.width, m.height);
 }
 
 }  // namespace etak

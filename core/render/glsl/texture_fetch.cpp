@@ -6,6 +6,102 @@
 #include "core/base/error.h"
 
 namespace etak {
+namespace {
+
+// What a shader reads of the two textures A and B.
+struct FetchedTextures {
+  const TextureUse& use;
+  double opacity;  // where no texture says it
+
+  bool a() const { return use.diffuse || use.fetch_alpha; }
+  bool b() const { return use.specular || use.gloss; }
+  bool blends() const { return use.alpha == TextureUse::Alpha::blend; }
+  bool tests() const { return use.alpha == TextureUse::Alpha::test; }
+  bool roughness() const { return use.gloss && use.gloss_form != GlossForm::schueler; }
+  // A mask of one number shows all or nothing.
+  bool one_mask() const { return tests() && !use.fetch_alpha; }
+  bool all_hidden() const { return one_mask() && opacity < use.cutoff; }
+};
+
+void add_line(TextureFetch& out, const std::string& code) {
+  out.code += code + '\n';
+}
+
+void add_uniform(TextureFetch& out, const char* name, std::vector<float> values) {
+  const auto width = static_cast<int>(values.size());
+  out.uniforms.push_back({name, width, 1, false, std::move(values)});
+}
+
+// Samplers, variables, uniforms and the function that fetch() calls.
+void declare_textures(const FetchedTextures& of, TextureFetch& out) {
+  const TextureUse& use = of.use;
+  if (of.a()) add_line(out, "uniform sampler2D diffuse_alpha;");
+  if (of.b()) add_line(out, "uniform sampler2D specular_gloss;");
+  if (use.diffuse) add_line(out, "vec3 texel_diffuse;");
+  if (use.fetch_alpha)
+    add_line(out, "float texel_opacity;");
+  else if (of.blends())
+    add_uniform(out, "texel_opacity", {static_cast<float>(of.opacity)});
+  if (use.specular) add_line(out, "vec3 texel_f0;");
+  if (use.gloss) add_line(out, "float texel_gloss;");
+  // e = 2 / r^4 - 2 is the exponent of the lobe whose width is r^2; Schueler's g holds 1 to 4096 of it.
+  if (of.roughness())
+    add_line(out,
+             "float gloss_of_roughness(float r) {\n  float r4 = max(r * r * r * r, 1e-8);\n"
+             "  return clamp(log2(max(2.0 / r4 - 2.0, 1.0)) / 12.0, 0.0, 1.0);\n}");
+  const auto share = [&](std::size_t i) { return static_cast<float>(use.region[i]); };
+  if (of.a() || of.b()) {
+    add_uniform(out, "region_corner", {share(0), share(1)});
+    add_uniform(out, "region_size", {share(2), share(3)});
+  }
+}
+
+void add_fetch(const FetchedTextures& of, TextureFetch& out) {
+  const TextureUse& use = of.use;
+  const auto line = [&](const std::string& code) { add_line(out, code); };
+  line("void fetch(vec2 at) {");
+  if (of.a() || of.b()) {
+    line("  vec2 uv = vec2(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y);");
+    if (use.rotated) line("  uv = vec2(1.0 - uv.y, uv.x);");
+    line("  uv = region_corner + region_size * uv;");
+  }
+  if (of.a()) line("  vec4 a = texture(diffuse_alpha, uv);");
+  if (of.b()) line("  vec4 b = texture(specular_gloss, uv);");
+  if (use.diffuse) line("  texel_diffuse = a.rgb;");
+  if (use.fetch_alpha) line("  texel_opacity = a.a;");
+  if (use.specular) line(use.scalar_f0 ? "  texel_f0 = vec3(b.r);" : "  texel_f0 = b.rgb;");
+  if (use.gloss)
+    line(std::string("  texel_gloss = ") +
+         (!of.roughness()                          ? "b.a"
+          : use.gloss_form == GlossForm::roughness ? "gloss_of_roughness(b.a)"
+                                                   : "gloss_of_roughness(1.0 - b.a)") +
+         ";");
+  if (of.tests() && use.fetch_alpha) {
+    add_uniform(out, "alpha_cutoff", {static_cast<float>(use.cutoff)});
+    line("  if (texel_opacity < alpha_cutoff) discard;");
+  }
+  if (of.blends() && use.diffuse) line("  texel_diffuse *= texel_opacity;");
+  if (of.all_hidden()) line("  discard;");
+  line("}\n");
+}
+
+// What the text has of each feature, and why it lacks one.
+void tell_features(const FetchedTextures& of, TextureFetch& out) {
+  const TextureUse& use = of.use;
+  const auto tell = [&](const char* what, bool in, const char* reason) {
+    out.features.push_back({what, in, in ? "varies" : reason});
+  };
+  tell("diffuse texture", use.diffuse, use.no_diffuse ? "K_d is 0" : "one colour everywhere");
+  tell("F0 texture", use.specular, use.scalar_f0 ? "one grey number everywhere" : "one colour everywhere");
+  tell("gloss texture", use.gloss, "one number everywhere");
+  tell("alpha texture", use.fetch_alpha, "no alpha, or one number everywhere");
+  tell("alpha test", of.tests() && (use.fetch_alpha || of.all_hidden()),
+       of.one_mask() ? "the mask hides nothing"
+       : of.blends() ? "alpha blends"
+                     : "opaque");
+}
+
+}  // namespace
 
 TextureUse texture_use(std::span<const std::string> defines) {
   TextureUse out;
@@ -49,74 +145,12 @@ TextureUse texture_use(std::string_view text) {
 }
 
 TextureFetch texture_fetch(const TextureUse& use, double opacity) {
+  const FetchedTextures of{use, opacity};
   TextureFetch out;
-  const auto line = [&](const std::string& code) { out.code += code + '\n'; };
-  const auto uniform = [&](const char* name, std::vector<float> values) {
-    const auto width = static_cast<int>(values.size());
-    out.uniforms.push_back({name, width, 1, false, std::move(values)});
-  };
-  const bool a = use.diffuse || use.fetch_alpha, b = use.specular || use.gloss;
-  const bool blend = use.alpha == TextureUse::Alpha::blend, test = use.alpha == TextureUse::Alpha::test;
-  if (a) line("uniform sampler2D diffuse_alpha;");
-  if (b) line("uniform sampler2D specular_gloss;");
-  if (use.diffuse) line("vec3 texel_diffuse;");
-  if (use.fetch_alpha)
-    line("float texel_opacity;");
-  else if (blend)
-    uniform("texel_opacity", {static_cast<float>(opacity)});
-  if (use.specular) line("vec3 texel_f0;");
-  if (use.gloss) line("float texel_gloss;");
-  const bool roughness = use.gloss && use.gloss_form != GlossForm::schueler;
-  // e = 2 / r^4 - 2 is the exponent of the lobe whose width is r^2; Schueler's g holds 1 to 4096 of it.
-  if (roughness)
-    line(
-        "float gloss_of_roughness(float r) {\n  float r4 = max(r * r * r * r, 1e-8);\n"
-        "  return clamp(log2(max(2.0 / r4 - 2.0, 1.0)) / 12.0, 0.0, 1.0);\n}");
-  const auto share = [&](std::size_t i) { return static_cast<float>(use.region[i]); };
-  if (a || b) {
-    uniform("region_corner", {share(0), share(1)});
-    uniform("region_size", {share(2), share(3)});
-  }
-  // A mask of one number shows all or nothing.
-  const bool one_mask = test && !use.fetch_alpha;
-  const bool all_hidden = one_mask && opacity < use.cutoff;
-  out.any = a || b || all_hidden;
-  if (out.any) line("void fetch(vec2 at) {");
-  if (a || b) {
-    line("  vec2 uv = vec2(0.5 + 0.5 * at.x, 0.5 - 0.5 * at.y);");
-    if (use.rotated) line("  uv = vec2(1.0 - uv.y, uv.x);");
-    line("  uv = region_corner + region_size * uv;");
-  }
-  if (a) line("  vec4 a = texture(diffuse_alpha, uv);");
-  if (b) line("  vec4 b = texture(specular_gloss, uv);");
-  if (use.diffuse) line("  texel_diffuse = a.rgb;");
-  if (use.fetch_alpha) line("  texel_opacity = a.a;");
-  if (use.specular) line(use.scalar_f0 ? "  texel_f0 = vec3(b.r);" : "  texel_f0 = b.rgb;");
-  if (use.gloss)
-    line(std::string("  texel_gloss = ") +
-         (!roughness                               ? "b.a"
-          : use.gloss_form == GlossForm::roughness ? "gloss_of_roughness(b.a)"
-                                                   : "gloss_of_roughness(1.0 - b.a)") +
-         ";");
-  if (test && use.fetch_alpha) {
-    uniform("alpha_cutoff", {static_cast<float>(use.cutoff)});
-    line("  if (texel_opacity < alpha_cutoff) discard;");
-  }
-  if (blend && use.diffuse) line("  texel_diffuse *= texel_opacity;");
-  if (all_hidden) line("  discard;");
-  if (out.any) line("}\n");
-
-  const auto tell = [&](const char* what, bool in, const char* reason) {
-    out.features.push_back({what, in, in ? "varies" : reason});
-  };
-  tell("diffuse texture", use.diffuse, use.no_diffuse ? "K_d is 0" : "one colour everywhere");
-  tell("F0 texture", use.specular, use.scalar_f0 ? "one grey number everywhere" : "one colour everywhere");
-  tell("gloss texture", use.gloss, "one number everywhere");
-  tell("alpha texture", use.fetch_alpha, "no alpha, or one number everywhere");
-  tell("alpha test", test && (use.fetch_alpha || all_hidden),
-       one_mask ? "the mask hides nothing"
-       : blend  ? "alpha blends"
-                : "opaque");
+  out.any = of.a() || of.b() || of.all_hidden();
+  declare_textures(of, out);
+  if (out.any) add_fetch(of, out);
+  tell_features(of, out);
   return out;
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/atlas/compose.h"
 #include "core/atlas/manifest.h"
 #include "core/atlas/pack/gltf_pack.h"
+#include "core/atlas/sources/pictures.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/material/find.h"

@@ -66,7 +66,7 @@ TEST_CASE("what is not reached, not seen or the same everywhere goes, each with 
   CHECK(out.fates[2].constant[7] == 4);
 }
 
-TEST_CASE("--keep switches each line off") {
+TEST_CASE("keep switches each line off") {
   std::vector<MaterialFacts> m{facts("a", 16, {{3, 255}}), facts("b", 16)};
   m[0].opaque = true;
   m[0].crop = {0, 0, 4, 4};
@@ -80,7 +80,7 @@ TEST_CASE("--keep switches each line off") {
   all.keep = parse_keep({"all"});
   CHECK(leave_out(m, all).lines.empty());
   CHECK(
-      contains(error_of([] { (void)parse_keep({"gutter"}); }), "--keep: gutter; expected unreached, equal"));
+      contains(error_of([] { (void)parse_keep({"gutter"}); }), "keep: gutter; expected unreached, equal"));
 }
 
 TEST_CASE("an opaque material uses the texels of one that needs alpha, not the other way round") {

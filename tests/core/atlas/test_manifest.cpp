@@ -77,7 +77,8 @@ TEST_CASE("the files of a folder that follow the pattern make up its materials")
   CHECK(m.materials[0].normal == folder.file("brick_wall_normal.png"));
   CHECK(m.materials[1].name == "iron");
   CHECK(m.materials[1].metallic);
-  CHECK(contains(error_of([&] { (void)manifest_of_folder(folder.path(), "{name}.png"); }), "--pattern"));
+  CHECK(contains(error_of([&] { (void)manifest_of_folder(folder.path(), "{name}.png"); }),
+                 "pattern: {name}.png; expected"));
   CHECK(contains(error_of([&] { (void)manifest_of_folder(folder.path(), "{role}-{name}.exr"); }),
                  "no file follows"));
   spit(folder.file("half_diffuse.png"), "");

@@ -66,6 +66,25 @@ TEST_CASE("a job's numbers and words keep to the ranges and words of the table")
   CHECK(of("previous", R"("old.json")").previous == "dir/old.json");
 }
 
+TEST_CASE("faults of settings, and the help, name settings without dashes where no command line was named") {
+  const auto fault_of = [](auto change) {
+    PackSettings settings;
+    change(settings);
+    return error_of([&] { (void)pack_options(settings); });
+  };
+  CHECK(fault_of([](PackSettings& s) { s.keep = {"nothing"}; }).starts_with("keep: nothing; expected "));
+  CHECK(fault_of([](PackSettings& s) { s.gltf_form = "x"; }).starts_with("gltf form: x; expected "));
+  CHECK(fault_of([](PackSettings& s) { s.space_of = {"gloss=srgb"}; }).starts_with("space of: gloss=srgb;"));
+  CHECK(fault_of([](PackSettings& s) { s.gutter = "-1"; }) == "gutter: -1; expected auto, or 0 to 4096");
+  CHECK(fault_of([](PackSettings& s) { s.format = "gif"; }).starts_with("format: gif; expected png"));
+  for (const PackSettingRow& row : pack_setting_rows()) {
+    const std::string help = row.help_text();
+    INFO(help);
+    CHECK(help.find_first_of("{}") == help.npos);
+    if (row.name == "page-form") CHECK(contains(help, "powers of two up to page,"));
+  }
+}
+
 TEST_CASE("pack() returns the layout that it wrote, and the one in place where nothing was done") {
   const TempFolder folder;
   add_noise_material(folder, "a", 24, 16, 1);
