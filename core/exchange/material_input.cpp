@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/input.h"
 #include "core/exchange/data_folder.h"
 #include "core/material/find.h"
 #include "core/material/names.h"
@@ -140,6 +141,10 @@ void add_name(const std::string& name, const InputNames& asked, const LibraryWhe
 }
 
 }  // namespace
+
+std::string MaterialInput::label() const {
+  return typed_input(path).substr(label_at);
+}
 
 std::vector<MaterialInput> find_inputs(const InputNames& asked, const LibraryWhenAsked& library,
                                        unsigned threads, std::vector<std::string>* remarks) {

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/files/input.h"
 #include "core/exchange/material_file.h"
 #include "core/material/library.h"
 #include "core/material/material.h"
@@ -30,7 +29,7 @@ struct MaterialInput {
   std::string dataset;     // asked for by "id/dataset" or InputNames::dataset; empty: the preferred one
   std::string alias_note;  // what must be said of the name that was asked for; may be empty
 
-  std::string label() const { return typed_input(path).substr(label_at); }
+  std::string label() const;
 };
 
 /// What is asked for, as it is typed.
