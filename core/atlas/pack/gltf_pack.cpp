@@ -182,7 +182,7 @@ struct ScenePack::State {
       look_at(floats_of(entry.material), used, in.facts.opaque, in.facts);
     }
     if (clamped > 0)
-      clamped_[i] =
+      clamped_percent[i] =
           100 * static_cast<double>(clamped) / static_cast<double>(pair->diffuse_alpha.pixel_count());
     entry.pair = std::move(pair);
     in.convert = [shared = entry.pair](std::vector<std::string>&) { return *shared; };
@@ -243,7 +243,7 @@ struct ScenePack::State {
   AtlasMaterial atlas_material(std::size_t i, const AtlasLayout& layout, const PackDecision& decision,
                                ImageList& images) const;
 
-  std::map<std::size_t, double> clamped_;  // percent of the texels
+  std::map<std::size_t, double> clamped_percent;  // of the texels, by material
 
   // ---- output
 
@@ -273,7 +273,7 @@ ScenePack::ScenePack(const std::string& path, const PackOptions& options)
   for (const GltfMaterial& m : s.scene.materials) s.add_material(m, names);
   parallel_chunks(s.inputs.materials.size(), options.run.threads, 1,
                   [&](std::size_t begin, std::size_t, unsigned) { s.learn(begin); });
-  for (const auto& [i, share] : s.clamped_)
+  for (const auto& [i, share] : s.clamped_percent)
     s.remarks.push_back(s.inputs.materials[i].name + ": gloss of " + number(share, 3) +
                         " % of the texels lies outside of what the form " + std::string(name(s.gloss)) +
                         " can hold and was brought back to its ends");
