@@ -13,7 +13,7 @@
 
 namespace etak {
 
-/// One thing a run was asked about: found, but (except for library materials) not yet read.
+/// One input of a run: found, but not yet read unless it is a material of the library.
 struct MaterialInput {
   enum class Kind {
     material,  // of the library, in `material`
@@ -32,7 +32,7 @@ struct MaterialInput {
   std::string label() const;
 };
 
-/// What is asked for, as it is typed.
+/// The names of the inputs, as they are typed.
 ///   names     materials ("gold"), their datasets ("gold/johnson_1972", its unique beginning, "gold/*"),
 ///             files, folders, pipes of accept_input()
 ///   dataset   of every material, in place of the preferred one
