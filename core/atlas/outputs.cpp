@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/atlas/page_pixels.h"
+#include "core/base/files/output_folder.h"
 #include "core/image/files/containers.h"
 #include "core/image/files/png_strips.h"
 

@@ -7,12 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "core/atlas/compose.h"
 #include "core/atlas/layout.h"
-#include "core/base/files/output_folder.h"
 #include "core/image/files/png.h"
 
 namespace etak {
+
+class OutputFolder;
+class PagePixels;
 
 /// What page textures are written as: "png" (mips in files of their own), "ktx2" and "dds" (mips inside); as
 /// floats "tiff" and "exr" (mips in files of their own).

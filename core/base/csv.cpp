@@ -8,6 +8,20 @@
 #include "core/base/text.h"
 
 namespace etak {
+namespace {
+
+template <class Fields>
+void append_row(std::string& out, const Fields& fields) {
+  std::string_view between;
+  for (const std::string_view each : fields) {
+    out += between;
+    append_csv_field(out, each);
+    between = ",";
+  }
+  out += '\n';
+}
+
+}  // namespace
 
 void append_csv_field(std::string& out, std::string_view text) {
   std::string field = line_text(text);
@@ -34,11 +48,11 @@ std::string csv_field(std::string_view text) {
 }
 
 void append_csv_row(std::string& out, std::initializer_list<std::string_view> fields) {
-  for (const std::string_view& each : fields) {
-    if (&each != fields.begin()) out += ',';
-    append_csv_field(out, each);
-  }
-  out += '\n';
+  append_row(out, fields);
+}
+
+void append_csv_row(std::string& out, std::span<const std::string> fields) {
+  append_row(out, fields);
 }
 
 std::vector<CsvRow> csv_rows(std::string_view text, std::string_view file) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ void append_csv_field(std::string& out, std::string_view text);
 
 /// A row of such fields, with its line end.
 void append_csv_row(std::string& out, std::initializer_list<std::string_view> fields);
+void append_csv_row(std::string& out, std::span<const std::string> fields);
 
 /// A row that was read, and the line of the file on which it begins, 1-based.
 struct CsvRow {
@@ -26,7 +28,7 @@ struct CsvRow {
 };
 
 /// The rows of a CSV by RFC 4180: fields in quotes may hold commas, line ends and doubled quotes. Lines end
-/// with LF or CRLF; empty ones and a byte order mark are skipped. Throws Error for a quote that is not closed.
+/// with LF or CRLF; empty ones and a byte order mark are skipped. Throws Error for a quote without its end.
 std::vector<CsvRow> csv_rows(std::string_view text, std::string_view file);
 
 }  // namespace etak

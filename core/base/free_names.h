@@ -9,7 +9,7 @@
 namespace etak {
 
 /// Names that are taken. A free one near a wanted name is found without going through all numbers again, so
-/// that n equal names take time in proportion to n but for a logarithm.
+/// that n equal names take time in proportion to n log n.
 class FreeNames {
  public:
   void take(std::string name) { taken_.insert(std::move(name)); }

@@ -93,7 +93,7 @@ class StrictReader : public nlohmann::json_sax<Json> {
 }  // namespace
 
 void take_apart(Json& value) noexcept {
-  // As deep as the document is, which its reader has bounded.
+  // The recursion is as deep as the document, and the reader has bounded that depth.
   if (value.is_array()) {
     auto& items = value.get_ref<Json::array_t&>();
     while (!items.empty()) {

@@ -8,6 +8,13 @@
 #include "core/base/text.h"
 
 namespace etak {
+namespace {
+
+std::string member_text(const JsonMember& member) {
+  return json(member.key) + ": " + member.value;
+}
+
+}  // namespace
 
 std::string json(double value) {
   if (!std::isfinite(value)) return "null";
@@ -57,12 +64,14 @@ std::string json_lines(std::span<const std::string> items, int indent) {
 std::string json_object(std::span<const JsonMember> members, int indent) {
   const std::string start = indent < 0 ? "" : "\n" + std::string(static_cast<std::size_t>(indent) + 2, ' ');
   std::string out = "{";
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    if (i > 0) out += indent < 0 ? ", " : ",";
-    append(out, start, json(members[i].key), ": ", members[i].value);
-  }
+  if (!members.empty()) out += start + joined(members, indent < 0 ? ", " : ',' + start, member_text);
   if (indent >= 0) out.append(1, '\n').append(static_cast<std::size_t>(indent), ' ');
   return out += '}';
+}
+
+std::string json_rows(std::initializer_list<std::vector<JsonMember>> rows, int indent) {
+  const std::string start = ",\n" + std::string(static_cast<std::size_t>(indent), ' ');
+  return '{' + joined(rows, start, [](const auto& row) { return joined(row, ", ", member_text); }) + '}';
 }
 
 std::string json_document(std::string_view schema, std::initializer_list<JsonMember> members) {

@@ -56,6 +56,10 @@ inline std::string json_object(std::initializer_list<JsonMember> members, int in
   return json_object(std::span(members.begin(), members.size()), indent);
 }
 
+/// "{...}" of rows of members: the first row begins behind the brace, each other one a line.
+///   indent   blanks before the other rows
+std::string json_rows(std::initializer_list<std::vector<JsonMember>> rows, int indent);
+
 /// A whole document, a member a line: "schema" with the name and version of its form, then the members.
 std::string json_document(std::string_view schema, std::initializer_list<JsonMember> members);
 

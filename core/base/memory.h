@@ -16,16 +16,16 @@ inline std::string mebibytes(std::size_t bytes) {
   return whole > 0 ? std::to_string(whole) + " MiB" : std::to_string(bytes) + " bytes";
 }
 
-/// What is said where memory ends.
-///   place   the file that it was needed for
-///   what    what of it was too large, with its size: "its text of 12 MiB"
+/// The Error of memory that does not suffice.
+///   place   the file that the memory was needed for
+///   what    the part of the file that was too large, with its size: "its text of 12 MiB"
 inline Error out_of_memory(std::string_view place, std::string_view what) {
   return Error::at(place, "needs more memory than there is, for " + std::string(what),
                    "a smaller file, or more memory");
 }
 
-/// Returns work(). An allocation that fails in it is told as out_of_memory(place, what()): a std::bad_alloc
-/// knows neither the file nor the size.
+/// Returns work(). An allocation that fails in work() is reported as out_of_memory(place, what()), because a
+/// std::bad_alloc names neither the file nor the size.
 template <class What, class Work>
 decltype(auto) with_memory_for(std::string_view place, const What& what, Work&& work) {
   try {

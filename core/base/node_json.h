@@ -48,7 +48,7 @@ class JsonDocument {
 JsonDocument parse_json_strictly(std::string_view text, std::string_view file, int most_depth,
                                  std::string_view what);
 
-/// A value and where it stands. What is asked of it and is not there throws Error with file and JSON pointer.
+/// A value and its place. Missing members and wrong types throw Error with file and JSON pointer.
 struct JsonNode {
   const Json& value;
   std::string_view file;

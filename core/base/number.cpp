@@ -8,7 +8,7 @@
 namespace etak {
 
 bool parse_number(std::string_view text, double& value) {
-  // from_chars knows no plus sign; taken off here, it must not uncover a second sign.
+  // from_chars takes no plus sign. It is removed here, unless a second sign is behind it.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   return status == std::errc() && end == text.data() + text.size() && std::isfinite(value);

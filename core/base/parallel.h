@@ -44,7 +44,7 @@ void parallel_chunks(std::size_t count, unsigned threads, std::size_t chunk, Bod
     try {
       while ((begin = next.fetch_add(chunk)) < count) body(begin, std::min(count, begin + chunk), worker);
     } catch (...) {
-      // All chunks before this one have been handed out, so that the first of those that fail is always found.
+      // All chunks before this one have been handed out, so that the first failure is always found.
       const std::lock_guard lock(failure_lock);
       if (begin < failed_at) {
         failed_at = begin;

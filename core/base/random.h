@@ -15,7 +15,7 @@ class SplitMix {
   double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-  /// The last step alone: neighbouring numbers become unlike.
+  /// The last step of the generator, which makes very different numbers of neighbouring ones.
   static std::uint64_t mixed(std::uint64_t z) {
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;

@@ -11,7 +11,7 @@ namespace etak {
 /// once at its start (settings_are_options()); the same is then "--allow-extrapolation".
 std::string setting(std::string_view name);
 
-/// For the start of a program, before any thread asks.
+/// To be called at the start of a program, before any thread calls setting().
 void settings_are_options();
 
 }  // namespace etak

@@ -58,9 +58,9 @@ void remove_entry(const Entry& entry) {
     ::unlinkat(entry.folder, name, 0);
     return;
   }
-  // A name that stands for something else by now has nothing to do with what is open.
+  // Nothing is removed where the name stands for another folder than the open one by now.
   if (!stands_for(entry.folder, name, entry.opened)) return;
-  // Other threads may go on making files in it for a moment.
+  // Other threads may still make files in the folder for a moment.
   while (::unlinkat(entry.folder, name, AT_REMOVEDIR) != 0) {
     if (!remove_files(entry.opened)) {
       ::unlinkat(entry.folder, name, AT_REMOVEDIR);
@@ -107,7 +107,7 @@ void end_by_signals() {
 SignalsHeld::SignalsHeld() {
   ++held;
   if (ending == 0) return;
-  // The program ends: nothing new begins, and whoever was the last to hold the signal ends it.
+  // A signal has come: no new work begins, and the last thread that held it back ends the program.
   if (--held == 0) clean_and_end();
   for (;;) ::pause();
 }

@@ -5,7 +5,7 @@
 
 namespace etak {
 
-/// Adds the time between laps to sums, in seconds. One that does not run costs nothing: the clock is not read.
+/// Adds the time between laps to sums, in seconds. A stopwatch that does not run never reads the clock.
 class Stopwatch {
  public:
   explicit Stopwatch(bool running) : running_(running) {

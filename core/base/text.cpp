@@ -39,7 +39,7 @@ bool is_wide(std::uint32_t c) {
          (c >= 0xF900 && c < 0xFB00) || (c >= 0xFF00 && c < 0xFF61) || c >= 0x1F300;
 }
 
-// What a terminal acts on, or what makes a reader see other text than the bytes say. The marks of direction
+// Characters that a terminal acts on, or that show other text than the bytes hold. The marks of direction
 // are those that Unicode's UAX #9 lists.
 bool is_active(std::uint32_t c) {
   return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x61C || c == 0x200E || c == 0x200F ||
@@ -181,7 +181,7 @@ std::string escape_html(std::string_view text) {
 }
 
 std::string fixed(double value, int decimals) {
-  // Past this a double's digits say nothing, and there may be 309 of them.
+  // Beyond this the digits of a double mean nothing, and there may be 309 of them.
   if (std::abs(value) >= 1e15) return number(value, 6);
   std::array<char, 64> text;
   const auto end =

@@ -34,23 +34,23 @@ std::string joined(const Parts& parts, std::string_view between = ", ", TextOf t
 /// hold anything, JSON and HTML may not.
 std::string valid_utf8(std::string_view text);
 
-/// `text` as a part of one line that a person, a terminal or the log of a build reads; what it is made of
-/// came from outside. What would act there instead of being read is shown by its number: bytes that are
+/// `text`, which may come from outside, as a part of one line for a person, a terminal or the log of a build.
+/// Characters that would act there instead of being read are shown by their number: bytes that are
 /// control characters or no UTF-8 as `\x1b`, control characters above 127, marks that turn the direction of
 /// writing and separators of lines as `\u202e`. Build services take a line that begins with `::` and a `##`
 /// anywhere for a command, so the first character of a `::` that begins a word, and of every `##`, is shown
-/// as `\x3a`, `\x23`. All other text stays as it is, and so does what this function has made.
+/// as `\x3a`, `\x23`. All other text stays as it is; the function leaves its own output unchanged.
 std::string line_text(std::string_view text);
 
 /// `text`, a JSON document or value, with the characters that line_text() would show by their number written
-/// as JSON's own escapes: a reader gets the same strings, and a terminal or log nothing to act on. Line ends
+/// as JSON's own escapes: a reader gets the same strings, and no terminal or log acts on them. Line ends
 /// between the values stay.
 std::string quiet_json(std::string text);
 
 /// A cell of a text table: line_text() with blanks behind it up to `width` columns.
 std::string padded(std::string_view text, std::size_t width);
 
-/// Columns of such a cell without padding.
+/// The width in columns of line_text() of `text`, without padding.
 std::size_t cell_width(std::string_view text);
 
 /// Columns a terminal gives to UTF-8 text: one per code point, none for combining marks, two for East Asian

@@ -8,8 +8,8 @@
 
 namespace etak {
 
-/// Amounts by which the channels of a linear colour leave [0, 1]: above 0 beyond 1, below 0 beyond 0; 0
-/// inside, and where it is no more than what rounding leaves behind.
+/// Amounts by which the channels of a linear colour leave [0, 1]: positive above 1, negative below 0; 0
+/// inside, and for amounts that are no more than rounding errors.
 std::array<double, 3> gamut_excess(const LinearRgb& color);
 
 /// The same for people: "r +0.0428, b -0.0011"; empty for a colour inside.

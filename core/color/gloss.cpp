@@ -9,7 +9,7 @@
 namespace etak {
 namespace {
 
-// Roughness 0 has none; this, e = 1e12, is far beyond any texture's codes.
+// Roughness 0 has no finite exponent; this one, e = 1e12, is far beyond the codes of any texture.
 constexpr double largest_gloss = 3.32;
 
 }  // namespace
@@ -19,12 +19,12 @@ double roughness_of_gloss(double gloss) {
 }
 
 double gloss_of_roughness(double roughness) {
-  // log2 of the infinity at 0 and of the 0 at 1 are the two infinities that are promised.
+  // log2 gives the promised infinities: of infinity for roughness 0, of 0 for roughness 1.
   return gloss_of_exponent(std::max(0.0, 2 / std::pow(roughness, 4) - 2));
 }
 
 Gloss Gloss::of_roughness(double roughness) {
-  // Not a number stays what it is, so that whoever checks the range sees it.
+  // NaN is passed on, so that the check of the range finds it.
   Gloss out(std::isnan(roughness) ? roughness : std::clamp(gloss_of_roughness(roughness), 0.0, 1.0));
   out.roughness_ = roughness;
   return out;

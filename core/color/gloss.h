@@ -54,7 +54,7 @@ Real gloss_of_variance(Real variance) {
 
 /// Perceptual roughness sqrt(alpha), 0.904 for gloss 0 to 0.149 for gloss 1: not 1 - gloss.
 double roughness_of_gloss(double gloss);
-/// Back: g = log2(2 / roughness^4 - 2) / 12, not held to [0, 1]; infinite for 0, minus infinity for 1.
+/// Gloss of a roughness: log2(2 / roughness^4 - 2) / 12, not clamped; infinite for 0, minus infinity for 1.
 ///   roughness   perceptual, [0, 1]
 double gloss_of_roughness(double roughness);
 

@@ -38,8 +38,8 @@ struct OpenConfig {
   std::string label;
 };
 
-// OpenColorIO tells what failed inside of it ("stoi"). What a reader of the message can use of that is the
-// table that a transform names and the line, where it gives them: ", in its table 'luts/film.cube', at line
+// Messages of OpenColorIO name what failed inside of it ("stoi"). A user is helped by the table that a
+// transform names and by the line, where the message holds them: ", in its table 'luts/film.cube', at line
 // 3".
 std::string where(std::string_view text) {
   std::string out;
@@ -120,7 +120,7 @@ Xyz white_of(double x, double y) {
   return {x / y, 1, (1 - x - y) / y};
 }
 
-// A door into the config: the role, and how XYZ under `white` becomes values of the role's space.
+// An interchange role of a config, and the matrix from XYZ under `white` to the space of that role.
 struct Interchange {
   std::string role;
   Xyz white;
@@ -138,7 +138,7 @@ Interchange aces_interchange() {
           inverse(rgb_to_xyz({{{0.7347, 0.2653}, {0, 1}, {0.0001, -0.077}}}, white))};
 }
 
-// Whether the config has the door: the role, and the space that it names.
+// Whether the config has the role and the space that it names.
 bool leads_in(const ocio::Config& config, const Interchange& door) {
   return config.hasRole(door.role.c_str()) && config.getColorSpace(door.role.c_str());
 }
@@ -185,7 +185,7 @@ const std::string& OcioSpace::role() const {
 
 namespace {
 
-// A space that holds colour, and the door next to it. Throws Error.
+// The space called `space`, which must hold colours. Throws Error.
 ocio::ConstColorSpaceRcPtr colour_space(const OpenConfig& open, const std::string& space) {
   const auto found = space.empty() ? nullptr : open.config->getColorSpace(space.c_str());
   if (!found)
@@ -314,7 +314,7 @@ OcioDisplay OcioDisplay::open(const std::string& config, const std::string& disp
       views.emplace_back(c.getView(state.display.c_str(), i));
     state.view = one_of(view, c.getDefaultView(state.display.c_str()), views, open.label,
                         ("view of display " + in_quotes(state.display, 80) + ", named").c_str());
-    // Pictures are scene-referred: the scene side's role where there is one.
+    // Pictures are scene-referred: the role of the scene side is taken where there is one.
     const Interchange door = leads_in(c, aces_interchange()) ? aces_interchange() : cie_interchange();
     if (!leads_in(c, door)) no_way_in(open);
     const Xyz white = white_of(0.3127, 0.3290);

@@ -9,8 +9,8 @@
 
 namespace etak {
 
-/// The piecewise sRGB curve of IEC 61966-2-1, linear to encoded and back; odd-symmetric below zero is not
-/// implied: negative input stays on the linear toe.
+/// The piecewise sRGB curve of IEC 61966-2-1, linear to encoded and back; below zero
+/// the curve is not mirrored: negative input is taken by its linear part.
 double srgb_encode(double linear);
 double srgb_decode(double encoded);
 

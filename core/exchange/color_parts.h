@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the values of targets do with colours; for engine_values.cpp and format_values.cpp only.
+// Arithmetic with colours for the values of targets; for engine_values.cpp and format_values.cpp only.
 
 #include <algorithm>
 #include <vector>

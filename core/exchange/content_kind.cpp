@@ -18,7 +18,7 @@ bool is_text(std::string_view head) {
   });
 }
 
-// Lists that only a scene has: "asset" itself may stand at the far end of a large document.
+// Lists that only a scene has: "asset" itself may stand at the end of a large document.
 bool has_lists_of_gltf(std::string_view head) {
   const auto has = [&](std::string_view key) { return head.find(key) != std::string_view::npos; };
   return has("\"accessors\"") || has("\"bufferViews\"") || has("\"extensionsUsed\"") || has("\"meshes\"") ||
@@ -31,8 +31,8 @@ bool is_row(std::string_view line, std::vector<std::string_view>& fields) {
   return fields.size() >= 2 && parse_number(fields[0], value) && parse_number(fields[1], value);
 }
 
-// A header names the axis, a column more, and little that is no column: prose may speak of a wavelength and
-// n.
+// A header names wavelength or energy and another column, and few other words: prose may also hold the words
+// "wavelength" and "n".
 bool is_header(std::string_view line) {
   bool axis = false, quantity = false;
   std::size_t known = 0;

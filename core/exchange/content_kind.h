@@ -6,8 +6,8 @@
 
 namespace etak {
 
-/// What bytes are, told by themselves: for what comes from a pipe, where no ending of a name tells it, and
-/// for texts of a folder that only look like tables by their ending.
+/// The kind of a file by its content: for input from a pipe, which has no name with an ending, and for files
+/// of a folder whose ending may be that of a table.
 enum class ContentKind {
   gltf,    // a binary .glb, or a JSON document with the lists of a glTF scene
   json,    // any other JSON: a material file, a manifest, a layout, ...
@@ -20,8 +20,8 @@ enum class ContentKind {
 /// Bytes at the start of a file that content_kind() needs at most.
 inline constexpr std::size_t content_head = std::size_t{64} << 10;
 
-/// The kind by the first content_head bytes, or by the whole of a shorter file. A table is told by one line
-/// whose first two fields are numbers, so that a damaged table is still called one.
+/// The kind by the first content_head bytes, or by the whole of a shorter file. One line whose
+/// first two fields are numbers makes a table, so that a damaged table is still one.
 ContentKind content_kind(std::string_view head);
 
 }  // namespace etak

@@ -37,7 +37,7 @@ struct EngineField {
   friend bool operator==(const EngineField&, const EngineField&) = default;
 };
 
-/// What a target gets of a surface, what of it is not what was wanted, and what else one should know.
+/// The values of a surface in a target, the values that it cannot hold, and notes for the user.
 struct EngineValues {
   std::string_view target;  // id
   std::vector<EngineField> fields;
@@ -46,7 +46,7 @@ struct EngineValues {
   friend bool operator==(const EngineValues&, const EngineValues&) = default;
 };
 
-/// The fields of `surface` in a target. Targets that know no edge colour report what Schlick makes of it.
+/// The fields of `surface` in a target. Targets without an edge colour report the edge of Schlick's curve.
 ///   surface   valid, linear sRGB (throws Error otherwise)
 EngineValues engine_values(const EngineTarget& target, const ExportSurface& surface, Fit fit = Fit::clamp);
 

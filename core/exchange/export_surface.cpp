@@ -43,7 +43,7 @@ std::array<double, 3> hint_of(const OpticalConstants& optics, const F0Options& o
   return out;
 }
 
-// What the receiver of the values should know of the data behind them.
+// Notes about the data, for the user of the values.
 void note_quality(ExportSurface& out, const Material& material, const Dataset& dataset) {
   const Flags flags = quality_flags(material, dataset);
   for (const Flag flag : {Flag::computed, Flag::sparse})
@@ -194,7 +194,7 @@ LinearRgb fitted(const LinearRgb& color, Fit fit, double most, RgbSpace space, s
     if (largest > most)
       for (double& channel : out) channel *= most / largest;
   }
-  // The whole of clamp; of preserve_hue what rounding left, and colours without luminance.
+  // All of Fit::clamp; for preserve_hue only rounding errors and colours without luminance are left.
   for (double& channel : out) channel = std::clamp(channel, 0.0, most);
   const Vec3 wanted = vec(color);
   note_change(changes, field, {wanted.begin(), wanted.end()}, {out.begin(), out.end()}, name(fit), reason);

@@ -13,8 +13,8 @@
 
 namespace etak {
 
-// What every form of export starts from: a surface as etak knows it, and how values that a target cannot hold
-// are brought into its range. Nothing is changed without a Change beside the result.
+// The start of every form of export: a surface as etak knows it, and how values that a target cannot hold are
+// brought into its range. Nothing is changed without a Change beside the result.
 
 enum class SurfaceKind { metal, dielectric };
 std::string_view name(SurfaceKind kind);  // "metal", "dielectric"
@@ -47,7 +47,7 @@ struct ExportSurface {
   friend bool operator==(const ExportSurface&, const ExportSurface&) = default;
 };
 
-/// Surface of a material whose dataset gave `result` under `options`. Conductors and semiconductors are
+/// The surface of a material whose dataset gave `result` under `options`. Conductors and semiconductors are
 /// metals without diffuse; `surface` data are a diffuse colour over an F0 of 0.04 which add up to what was
 /// measured (divided() in core/material/appearance.h); the rest are dielectrics with `diffuse`, clear where
 /// that is black and clarity() says so. What was assumed stands in the notes.

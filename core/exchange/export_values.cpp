@@ -37,11 +37,11 @@ std::string json_change(const Change& change) {
 }
 
 std::string json_target(const EngineValues& values) {
-  return "{\"id\": " + json(values.target) + ", \"title\": " + json(engine_target(values.target)->title) +
-         ",\n         \"fields\": " + json_lines_of(values.fields, 9, json_field) +
-         ",\n         \"changes\": " + json_lines_of(values.changes, 9, json_change) +
-         ",\n         \"notes\": " + json_array_of(values.notes) + ", \"copy\": " + json(copy_text(values)) +
-         "}";
+  return json_rows({{{"id", json(values.target)}, {"title", json(engine_target(values.target)->title)}},
+                    {{"fields", json_lines_of(values.fields, 9, json_field)}},
+                    {{"changes", json_lines_of(values.changes, 9, json_change)}},
+                    {{"notes", json_array_of(values.notes)}, {"copy", json(copy_text(values))}}},
+                   9);
 }
 
 std::string json_material(const ExportedValues& each) {
@@ -141,7 +141,7 @@ std::string export_csv(const std::vector<ExportedValues>& all) {
         add(f.name, f.text, f.values, found == left.end() ? nullptr : *found);
         if (found != left.end()) left.erase(found);
       }
-      // What is no field of the target: F0 of one that fixes it, the edge.
+      // Changes of values that are no fields of the target, such as an F0 that the target fixes.
       for (const Change* change : left) add(change->field, "", change->used, change);
     }
   return out;

@@ -9,7 +9,7 @@
 namespace etak {
 
 LinearRgb layered_diffuse(const ExportSurface& s) {
-  // The F0 under a total is below 0.05, so there is always light left.
+  // The F0 that goes with a total is below 0.05, so that the divisor is far from 0.
   return s.total ? scaled(s.diffuse, 1 / (1 - largest(s.f0))) : s.diffuse;
 }
 
@@ -34,14 +34,14 @@ OpenPbrValues open_pbr_values(const ExportSurface& s, Fit fit, Changes& changes)
   const LinearRgb f0 = fitted(s.f0, fit, largest_dielectric_f0, s.space, "F0",
                               "the index of a dielectric has to be finite", changes);
   const double most = largest(f0), y = luminance(f0, s.space);
-  // Averages over a sphere seen from far away, where (1 - c)^5 has 1/21: the luminance misses F0, the tint
-  // the rim.
+  // Errors averaged over a sphere seen from far away, where the mean of (1 - c)^5 is 1/21: the luminance
+  // gives a wrong F0, the tint a wrong rim.
   double by_luminance = 0, by_tint = 0;
   for (const double channel : vec(f0)) {
     by_luminance += std::abs(channel - y) * 20 / 21;
     if (most > 0) by_tint += (1 - channel / most) / 21;
   }
-  // The index of a clear body bends light too, and that of the luminance is nearest to what is bent.
+  // The index of a clear body also decides how light is bent; that of the luminance is the best one for it.
   if (!s.clear && by_tint < by_luminance) {
     out.specular_ior = ior_of_f0(most);
     out.specular_color = scaled(f0, 1 / most);

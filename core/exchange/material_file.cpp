@@ -25,7 +25,7 @@ constexpr std::array kinds{MaterialFileKind::page,    MaterialFileKind::page,  M
                            MaterialFileKind::material};
 static_assert(endings.size() == kinds.size());
 
-// Without dot, in lower case; empty: none.
+// The ending without its dot, in lower case; empty where there is none.
 std::string ending_of(std::string_view path) {
   const std::size_t dot = path.rfind('.');
   return dot == path.npos ? std::string() : lower_case(path.substr(dot + 1));
@@ -37,7 +37,7 @@ Material material_of_table(std::string_view text, const std::string& path, const
   const std::string_view stem = file_stem(path);
   Material out;
   out.id = id.empty() ? identifier(stem, '_', "table") : std::string(id);
-  // An unreadable byte is shown by four characters.
+  // A byte that is no text takes four characters.
   const bool named = id.empty() && !stem.empty() && !is_pipe_input(path);
   out.name = named ? printable(stem, most_name_bytes / 4 - 3) : out.id;
   out.material_class = "solid";
@@ -80,9 +80,13 @@ MaterialFileKind material_content_kind(std::string_view head, std::string_view p
   return MaterialFileKind::table;
 }
 
-bool is_prose_file(std::string_view path, std::string_view head) {
+bool may_be_prose(std::string_view path) {
   const std::string ending = ending_of(path);
-  return (ending == "txt" || ending == "dat") && content_kind(head) == ContentKind::prose;
+  return ending == "txt" || ending == "dat";
+}
+
+bool is_prose_file(std::string_view path, std::string_view head) {
+  return may_be_prose(path) && content_kind(head) == ContentKind::prose;
 }
 
 Material material_of_text(std::string_view text, const std::string& path, MaterialFileKind kind,

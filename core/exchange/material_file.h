@@ -25,14 +25,16 @@ MaterialFileKind material_file_kind(std::string_view path);
 /// The endings of all kinds, without dot: "yml", "yaml", "csv", ...
 std::span<const std::string_view> material_file_endings();
 
-/// The kind of what has no ending that tells it, by its first content_head bytes. A text that is none of
+/// The kind of input whose name has no such ending, by its first content_head bytes. A text that is none of
 /// these is taken for a table, whose reader says what is missing. Throws Error for a glTF scene and for what
 /// is no text.
 ///   place   name for messages
 MaterialFileKind material_content_kind(std::string_view head, std::string_view place);
 
-/// Whether a file holds prose (a licence, a list of changes) although its ending, .txt or .dat, may be that
-/// of a table.
+/// Whether a file's name has the ending of a table that is as often that of other texts: .txt, .dat.
+bool may_be_prose(std::string_view path);
+
+/// Whether a file holds prose (a licence, a list of changes) although its ending may be that of a table.
 ///   head   its first content_head bytes, or more
 bool is_prose_file(std::string_view path, std::string_view head);
 

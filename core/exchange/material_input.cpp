@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/input.h"
 #include "core/exchange/data_folder.h"
 #include "core/material/find.h"
 #include "core/material/names.h"
@@ -47,7 +48,7 @@ void add_folder(const std::string& path, const InputNames& asked, unsigned threa
   }
 }
 
-// `dataset` as datasets_named() has it; empty: the preferred one, or every one where all are asked for.
+// Adds the datasets that datasets_named() finds for `dataset`; empty: the preferred one, or all if asked for.
 //   label   id of the material, or the file that it was read from
 void add_datasets(Material read, std::string dataset, const InputNames& asked, const std::string& label,
                   std::string_view name, std::vector<MaterialInput>& out) {
@@ -83,8 +84,8 @@ bool add_material(const std::string& name, const InputNames& asked, const Librar
   return true;
 }
 
-// Material files among the inputs from `first` on, in place of which come their datasets. One that cannot be
-// read stays, so that its reader says why.
+// Replaces the material files among the inputs from `first` on by their datasets. A file that cannot be read
+// stays, so that its reader reports why.
 void open_datasets(const InputNames& asked, std::size_t first, std::vector<MaterialInput>& out) {
   std::vector<MaterialInput> closed(std::make_move_iterator(out.begin() + static_cast<std::ptrdiff_t>(first)),
                                     std::make_move_iterator(out.end()));
@@ -107,7 +108,7 @@ void open_datasets(const InputNames& asked, std::size_t first, std::vector<Mater
   }
 }
 
-// What comes from a pipe: as `format` says, else by its first bytes.
+// The kind of input from a pipe: that of `format`, or by its first bytes.
 MaterialFileKind kind_of_pipe(const std::string& path, const std::string& format) {
   if (format == "page") return MaterialFileKind::page;
   if (format == "json") return MaterialFileKind::material;
@@ -135,11 +136,15 @@ void add_name(const std::string& name, const InputNames& asked, const LibraryWhe
   if (!exists && !path_like && kind == MaterialFileKind::none)
     fail_unknown_name(library(), name,
                       {.place = {}, .found = "no material, file or folder has this name", .instead = {}});
-  // A missing file or a device goes on to the reader, whose message tells why.
+  // A missing file or a device is left to the reader, whose message tells why it is refused.
   out.push_back(file_input(name, kind == MaterialFileKind::none ? MaterialFileKind::material : kind, asked));
 }
 
 }  // namespace
+
+std::string MaterialInput::label() const {
+  return typed_input(path).substr(label_at);
+}
 
 std::vector<MaterialInput> find_inputs(const InputNames& asked, const LibraryWhenAsked& library,
                                        unsigned threads, std::vector<std::string>* remarks) {

@@ -7,14 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/files/input.h"
 #include "core/exchange/material_file.h"
 #include "core/material/library.h"
 #include "core/material/material.h"
 
 namespace etak {
 
-/// One thing a run was asked about: found, but (except for library materials) not yet read.
+/// One input of a run: found, but not yet read unless it is a material of the library.
 struct MaterialInput {
   enum class Kind {
     material,  // of the library, in `material`
@@ -30,10 +29,10 @@ struct MaterialInput {
   std::string dataset;     // asked for by "id/dataset" or InputNames::dataset; empty: the preferred one
   std::string alias_note;  // what must be said of the name that was asked for; may be empty
 
-  std::string label() const { return typed_input(path).substr(label_at); }
+  std::string label() const;
 };
 
-/// What is asked for, as it is typed.
+/// The names of the inputs, as they are typed.
 ///   names     materials ("gold"), their datasets ("gold/johnson_1972", its unique beginning, "gold/*"),
 ///             files, folders, pipes of accept_input()
 ///   dataset   of every material, in place of the preferred one

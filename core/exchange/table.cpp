@@ -19,7 +19,7 @@ namespace {
 
 constexpr double least_reflectance = -0.02;  // noise of a spectrophotometer; more is a wrong unit
 constexpr double most_reflectance = 1.02;
-// A table with no row in this range has the wrong unit, or is of no use.
+// A table without a row in this range has the wrong unit, or is of no use.
 constexpr double seen_first_nm = 300;
 constexpr double seen_last_nm = 900;
 constexpr std::string_view known_columns =
@@ -28,7 +28,7 @@ constexpr std::string_view known_columns =
 struct TableRow {
   double axis = 0;  // as in the file, for messages
   double nm = 0;
-  std::array<double, 3> value{};  // n, k, reflectance; what its block has
+  std::array<double, 3> value{};  // n, k, reflectance; those that its block has
   std::size_t line = 0;
 };
 
@@ -112,7 +112,7 @@ class TableReader {
     });
   }
 
-  // Columns are as numbers below them are separated; the first line of numbers shows how.
+  // A header has the separator of the numbers below it, which the first line of numbers shows.
   void read_header(std::string_view line) {
     char separator = find_separator(line);
     for (std::size_t at = next_; at < text_.size();) {
@@ -225,7 +225,7 @@ class TableReader {
     }
   }
 
-  // Brings the rows of a block into ascending order of wavelength and settles those with equal ones.
+  // Brings the rows of a block into ascending order of wavelength and merges those of equal wavelength.
   void finish(Block& block) {
     auto& rows = block.rows;
     if (rows.empty()) fail(block.line, "a header without rows", "rows of numbers below it");
@@ -251,7 +251,7 @@ class TableReader {
   }
 
   TableRow merge(const Block& block, std::size_t begin, std::size_t end) {
-    // The reversal for energies has turned equal rows round.
+    // The reversal of a table in energies has also reversed the order of equal rows.
     const auto from = block.rows.begin() + static_cast<std::ptrdiff_t>(begin);
     std::vector<TableRow> same(from, from + static_cast<std::ptrdiff_t>(end - begin));
     std::sort(same.begin(), same.end(), [](const TableRow& a, const TableRow& b) { return a.line < b.line; });

@@ -124,7 +124,7 @@ void split_fields(std::string_view line, char separator, std::vector<std::string
       fields.push_back(line.substr(at + 1, stop - at - 1));
       at = std::min(stop + 1, line.size());
       skip_blanks();
-      // Whatever stands behind the closing quote becomes a field of its own, and one too many.
+      // Text behind the closing quote becomes a field of its own, so that the row has too many fields.
       if (at < line.size() && line[at] != separator) continue;
     } else {
       while (stop < line.size() && line[stop] != separator && !(separator == ' ' && is_blank(line[stop])))
@@ -142,7 +142,7 @@ void split_fields(std::string_view line, char separator, std::vector<std::string
 char find_separator(std::string_view line) {
   for (const char c : {';', ',', '\t'}) {
     if (line.find(c) == line.npos) continue;
-    // Columns set out with both tabs and blanks.
+    // Columns that are separated by both tabs and blanks.
     if (c == '\t' && trimmed(line).find(' ') != line.npos) return ' ';
     return c;
   }

@@ -9,7 +9,7 @@
 namespace etak {
 namespace {
 
-// A colour's F0 may pass 1 (gold in sRGB), no n and k do: n would leave its domain.
+// The F0 of a colour may be above 1 (gold in sRGB), but no n and k reflect more than 1.
 constexpr double largest_f0 = 0.9999;
 constexpr double smallest_f0 = 0;
 // The k that gives reflectance r at normal incidence together with n.
@@ -20,9 +20,9 @@ double k_of(double r, double n) {
 }  // namespace
 
 // By bisection in log n. F82 falls and rises again along the possible n, so there are up to two solutions,
-// and sometimes none: then the n nearest to one.
+// and sometimes none: then the n that misses least.
 SolvedIndex solve_index(double f0, double f82, double log_n_hint) {
-  // Above 1 the nearest F0 that a metal of this edge has is a little below the edge's.
+  // Where F0 is above 1, the nearest F0 of a metal with this edge is a little below the F82.
   const double r = f0 < largest_f0 ? std::max(f0, smallest_f0) : std::clamp(f82, 0.5, largest_f0);
   const double root = std::sqrt(r);
   const double least = std::log((1 - r) / (1 + r)), most = std::log((1 + root) / (1 - root));

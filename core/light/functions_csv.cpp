@@ -58,17 +58,16 @@ CsvAnswers answer_csv(std::string_view text, const std::string& file,
     const auto field = [&](std::size_t at) {
       return at < row.fields.size() ? row.fields[at] : std::string();
     };
-    out.text += csv_field(field(id)) + ',';
+    std::string value = "error";
     try {
       if (function >= row.fields.size())
         throw Error::at(place, std::to_string(row.fields.size()) + " fields", "id,function,inputs");
-      append_number(out.text, evaluate_row(field(function), field(inputs), place), digits);
+      value = number(evaluate_row(field(function), field(inputs), place), digits);
     } catch (const Error& e) {
       refuse(e.what());
-      out.text += "error";
       ++out.refused;
     }
-    out.text += '\n';
+    append_csv_row(out.text, {field(id), value});
   }
   return out;
 }

@@ -66,7 +66,7 @@ struct ClassRow {
   bool is_gloss;  // else perceptual roughness
 };
 // Metals keep the gloss that etak has always drawn them with. Polished and liquid things are smooth; what is
-// met as parts, grains and stones lies between; everyday surfaces are nearly as rough as roughness goes.
+// met as parts, grains and stones lies between; everyday surfaces are close to the largest roughness.
 constexpr std::array<ClassRow, material_classes.size()> class_rows{{
     {"metal", 0.75, true},
     {"alloy", 0.75, true},
@@ -119,7 +119,7 @@ Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space
   out.clear = true;
   std::string whose = "its k";
   if (!k) {
-    // Over 1 m the absorption of clear bodies can be told apart.
+    // Over 1 m clear bodies differ visibly in their absorption.
     double most = -1;
     for (const Dataset& other : material.datasets)
       if (const auto found = visible_k(other)) {

@@ -33,11 +33,11 @@ struct Clarity {
 inline constexpr double clear_depth_m = 1e-3;
 Clarity clarity(const Material& material, const Dataset& dataset, RgbSpace space = RgbSpace::srgb);
 
-/// Whether a surface shows a clear body: the material's is, and no diffuse colour was put into it.
+/// Whether a surface shows a clear body: the material has one, and no diffuse colour was put into it.
 bool is_clear_body(const Material& material, const Dataset& dataset, const LinearRgb& diffuse);
 
-/// How rough a surface is taken to be where nobody says: a convention by the class of the material. No
-/// measurement that could be cited was found.
+/// The roughness of a surface where none is given: a convention by the class of the material. No measurement
+/// that could be cited was found.
 ///   reason   "the default of class surface, a convention, no measurement"
 struct DefaultGloss {
   Gloss gloss;
@@ -46,7 +46,7 @@ struct DefaultGloss {
 ///   clear_body   the body is clear and nothing was put into it: the surface is smooth, whatever its class
 DefaultGloss default_gloss(const Material& material, bool clear_body);
 
-/// What is told of a roughness that nobody gave: "roughness 0.9 (gloss 0.00567): the default of ...".
+/// The remark about a roughness that was not given: "roughness 0.9 (gloss 0.00567): the default of ...".
 std::string default_gloss_remark(const DefaultGloss& standard);
 
 /// F0 of the surface over a body of which only the total is known: that of most dielectrics.
@@ -67,7 +67,7 @@ struct TotalReflectance {
 TotalReflectance divided(const LinearRgb& total,
                          const LinearRgb& wanted = {assumed_f0, assumed_f0, assumed_f0});
 
-/// What is told of a total that was divided with the assumed surface.
+/// The remark about a total that was divided with the assumed surface.
 ///   parts   of divided(); `lowered` is not looked at
 std::string total_reflectance_remark(const TotalReflectance& parts);
 

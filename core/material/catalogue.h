@@ -14,7 +14,7 @@
 
 namespace etak {
 
-// What a list of the library tells of its materials, and of names that it is asked for.
+// Lists of the library: its materials with their F0, and the answers to names.
 
 /// A library material with the F0 of its preferred dataset.
 struct CatalogueEntry {
@@ -26,7 +26,7 @@ struct CatalogueEntry {
 std::vector<CatalogueEntry> catalogue(const MaterialLibrary& library, const F0Solver& solver,
                                       unsigned threads);
 
-/// The preferred dataset's kind and what is against it: quality_text().
+/// quality_text() of the preferred dataset: its kind, and what makes it doubtful.
 std::string quality_text(const CatalogueEntry& entry);
 
 /// Which entries are wanted: all of what is given must hold.
@@ -55,7 +55,7 @@ std::vector<NearMaterial> nearest_materials(std::span<const CatalogueEntry> entr
                                             const std::variant<LinearRgb, Srgb8>& color,
                                             std::span<const std::string> classes, std::size_t count);
 
-/// What a name is answered with.
+/// The answer to a name.
 struct NameAnswer {
   std::string asked;
   std::optional<Material> material;  // none: the name is not answered

@@ -20,11 +20,11 @@
 namespace etak {
 namespace {
 
-// Below this share of a weight a note is due.
+// Data that hold a smaller share of a weight are flagged.
 constexpr double flagged_below = 0.99;
 constexpr double wide_gap_nm = 20;
 constexpr double visible_absorption = 0.01;
-// What data finer than 1 nm may move the reference sum before that is said: three quarters of a code at 0.04.
+// A larger error of the reference sum by data finer than 1 nm is flagged: three quarters of a code at 0.04.
 constexpr double flagged_grid_error = 1e-3;
 
 bool is_single_sample(const Optics& optics) {
@@ -33,7 +33,7 @@ bool is_single_sample(const Optics& optics) {
   return table && table->size() == 1;
 }
 
-// What is to be known of the data, whatever comes out.
+// Flags of the data alone, whatever the result is.
 Flags flags_of_data(const Optics& optics, const Coverage& coverage) {
   Flags out;
   const auto set = [&](Flag flag, bool holds) {
@@ -56,7 +56,7 @@ Flags flags_of_data(const Optics& optics, const Coverage& coverage) {
   return out;
 }
 
-// With those of the outside medium.
+// The knots together with those of the outside medium.
 std::vector<double> all_knots(const F0Options& options, std::vector<double> knots) {
   if (const auto* medium = std::get_if<OpticalConstants>(&options.outside.index))
     append_knots(*medium, knots);
@@ -75,7 +75,7 @@ std::vector<double> estimate(const Refinement& refinement, std::span<const doubl
   return refinement.estimate(places.wavelength_nm, reflectance);
 }
 
-// Where n of the medium is a table or formula.
+// For a medium whose n is a table or formula.
 void set_outside(const OpticalConstants& medium, F0Setup& setup) {
   const std::string place = "outside medium " + setup.options.outside.label;
   setup.outside.resize(setup.quadrature.wavelength_nm.size());
@@ -120,7 +120,7 @@ F0Setup setup_of(F0Options options) {
 struct F0Solver::State {
   const F0Setup setup;
 
-  // Made when first needed: few data are finer than the reference grid.
+  // Made when it is first needed: few data are finer than the reference grid.
   mutable std::once_flag refinement_made;
   mutable std::optional<Refinement> lazy_refinement;
 
@@ -131,7 +131,7 @@ struct F0Solver::State {
     return *lazy_refinement;
   }
 
-  // The rule for some data, and which that is where the method is automatic.
+  // The quadrature for some data; `step` tells which one Method::automatic took.
   struct Rule {
     const Quadrature* shared = nullptr;
     std::optional<Quadrature> own;  // in place of `shared`: of these data only
@@ -160,8 +160,8 @@ struct F0Solver::State {
     return out;
   }
 
-  // Whether a sum's step is wider than the data's. The reference sum is fine enough for nearly all data that
-  // are finer than it, so that of it only what may show counts.
+  // Whether the step of the sum is wider than that of the data. The 1 nm steps of the reference sum are fine
+  // enough for nearly all finer data, so that there only an error that may be seen counts.
   template <class Reflect>
   bool finer_than_grid(const Optics& optics, const Reflect& reflect) const {
     const int step = step_nm(setup.options.method);
@@ -262,7 +262,7 @@ F0Result F0Solver::solve(const std::vector<Part>& parts, Flags data_flags) const
     has_f82 = has_f82 && part.f82.has_value();
     append_knots(*parts[i].optics, knots);
   }
-  // Said again of the average, where they hold.
+  // These flags are set again where they hold for the average.
   result.flags.clear(Flag::out_of_gamut);
   result.flags.clear(Flag::channel_in_zone);
 

@@ -58,7 +58,7 @@ std::string space_name(const F0Options& options);
 /// "n and k linear in wavelength, ends held; sum at 1 nm, 360-830 nm; CIE 1931 2-degree observer; D65; ..."
 std::string policy(const F0Options& options);
 
-/// What the data behind a result were.
+/// Range and density of the data that a result was computed from.
 struct Coverage {
   std::array<double, 3> weight{};  // share of the X, Y, Z weight inside the data's range, [0, 1]
   double first_nm = 0, last_nm = 0;
@@ -70,11 +70,11 @@ struct Coverage {
   double least() const;  // smallest of the three weights
 };
 
-/// Which method Method::automatic took, and what that one is estimated to miss.
+/// The method that Method::automatic took, and the estimated error of that method.
 struct IntegrationStep {
   Method method = Method::exact;
   double error = 0;          // the largest of X, Y and Z, estimated
-  bool within_bound = true;  // false: even the exact method is estimated to miss more than the bound
+  bool within_bound = true;  // false: even the exact method has an estimated error above the bound
 };
 
 /// Reflectance at normal incidence as a colour, and what one must know to trust it.

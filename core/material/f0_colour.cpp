@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From reflectance at the nodes of a quadrature to colours, and what of them is out of gamut or in the
-// forbidden zone.
+// From reflectance at the nodes of a quadrature to colours, and which channels of them are out of gamut or in
+// the forbidden zone.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@
 namespace etak {
 namespace {
 
-// Rounding of a perfect reflector is no gamut matter.
+// Rounding errors do not put a perfect reflector out of gamut.
 constexpr double gamut_tolerance = 1e-9;
 
 LinearRgb in_space(const F0Options& options, const ColourSpaces& s, const Xyz& xyz) {

@@ -10,7 +10,7 @@
 namespace etak {
 
 void fail_unknown_name(const MaterialLibrary& library, std::string_view text, const NameWords& words) {
-  // Of "milk/jensen-2001" the material is what is not known.
+  // Of "milk/jensen-2001" it is the material that is not known.
   const MaterialLibrary::Missing missing = library.missing(text.substr(0, text.find('/')));
   const std::string shown = printable(text);
   std::string expected(words.instead);

@@ -148,7 +148,7 @@ Material MaterialLibrary::at(std::size_t index) const {
 std::vector<Suggestion> MaterialLibrary::suggest(std::string_view name, std::size_t count) const {
   struct Ranked {
     NameDistance distance;
-    std::string id;  // or the word, for one without a measurement
+    std::string id;  // or the word, of a thing without a measurement
     std::string alias;
     bool measured;
   };
@@ -158,7 +158,7 @@ std::vector<Suggestion> MaterialLibrary::suggest(std::string_view name, std::siz
     std::string alias;
     for (const std::string& known : names) {
       const auto distance = name_distance(name, known);
-      // "irn" is a misspelt iron rather than In: a formula is near where it is written in another case.
+      // "irn" is a misspelt iron rather than In: a formula is suggested only for its letters in another case.
       if (!distance || (distance->kind != NameDistance::Kind::same && is_formula(known))) continue;
       if (best && *best <= *distance) continue;
       best = distance;
@@ -175,7 +175,7 @@ std::vector<Suggestion> MaterialLibrary::suggest(std::string_view name, std::siz
   std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
     return std::tie(a.distance, b.measured, a.id) < std::tie(b.distance, a.measured, b.id);
   });
-  // Beside a name that begins so or holds it, one that differs by more than a letter is far.
+  // Where names begin with what was asked for or hold it, those with more than one wrong letter are left out.
   if (!ranked.empty() && ranked.front().distance.kind != NameDistance::Kind::edits)
     std::erase_if(ranked, [](const Ranked& r) {
       return r.distance.kind == NameDistance::Kind::edits && r.distance.amount > 1;
@@ -183,7 +183,7 @@ std::vector<Suggestion> MaterialLibrary::suggest(std::string_view name, std::siz
   ranked.resize(std::min(count, ranked.size()));
   std::vector<Suggestion> out;
   for (Ranked& each : ranked) {
-    // An alias that holds nothing beyond the id tells nothing.
+    // An alias that the id contains is not shown beside it.
     const bool plain = folded_name(each.id).find(folded_name(each.alias)) != std::string::npos;
     if (each.measured)
       out.push_back({plain ? each.id : each.id + " (" + each.alias + ")", each.id});

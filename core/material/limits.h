@@ -5,7 +5,7 @@
 
 namespace etak {
 
-// What the files of materials may hold, whichever format they have: more is a wrong unit or a broken file.
+// Limits of the files of materials in every format: larger values are of a wrong unit or a broken file.
 
 /// Bytes that the name of a material may have in the files of materials, manifests and projects. Every list,
 /// tree and message that shows a name lays it out whole, and no person reads a longer one.

@@ -11,8 +11,8 @@
 namespace etak {
 namespace {
 
-// What the datasets of one material are compared under, whatever the caller's own options are: a dataset is
-// not more or less doubtful under water.
+// Datasets of one material are compared under these options, whatever options the caller has: a dataset does
+// not become doubtful under water.
 const F0Solver& reference_solver() {
   static const F0Solver solver{F0Options{}};
   return solver;
@@ -27,7 +27,7 @@ bool is_witness(const Dataset& other, const Dataset& dataset) {
 
 std::optional<double> median_of_others(const Material& material, const Dataset& dataset) {
   if (!gives_f0(material.material_class)) return std::nullopt;
-  // Most materials have one or two datasets: those are told without solving anything.
+  // Most materials have one or two datasets: for these nothing needs to be solved.
   if (std::count_if(material.datasets.begin(), material.datasets.end(),
                     [&](const Dataset& other) { return is_witness(other, dataset); }) < 2)
     return std::nullopt;

@@ -32,7 +32,7 @@ Flags quality_flags(const Material& material, const Dataset& dataset);
 F0Result solve(const F0Solver& solver, const Material& material, const Dataset& dataset,
                F0Timing* timing = nullptr);
 
-/// The kind and what is against a dataset, in few words: "measured", "computed; sparse; doubtful".
+/// The kind of a dataset and what makes it doubtful, in few words: "measured", "computed; sparse; doubtful".
 ///   flags   those of a result or of quality_flags(); only sparse and doubtful are looked at
 std::string quality_text(Origin origin, Flags flags);
 

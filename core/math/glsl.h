@@ -36,7 +36,7 @@ inline real log(real x) { return std::log(x); }
 inline real log2(real x) { return std::log2(x); }
 inline real erf(real x) { return std::erf(x); }
 
-// Not of GLSL: log2 of c2 = 1 - s2, where s2 is known without cancellation and small s2 count.
+// No function of GLSL: log2 of c2 = 1 - s2, where s2 is known without cancellation and may be small.
 // resources/shaders/log2_complement.glsl has it for GPUs.
 inline real log2_complement(real c2, real s2) {
   return s2 < real(0.5) ? std::log1p(-s2) * real(1.44269504088896340736) : std::log2(max(c2, tiny));

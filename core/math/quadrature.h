@@ -45,7 +45,7 @@ double gauss_legendre(const F& f, double a, double b) {
 }
 
 /// Integral of f over [a, b], halving until two halves of 10 points agree with the whole within `error`
-/// (absolute), at most `depth` times. Kinks inside are found; jumps cost depth and belong at the ends.
+/// (absolute), at most `depth` times. Kinks are found by halving; jumps should lie at a or b.
 template <class F>
 double adaptive_integral(const F& f, double a, double b, double error, int depth = 24) {
   struct Panel {

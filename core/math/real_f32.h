@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // No include guard: makes the namespace it is included in one where the formula texts (*.glsl) compile as C++
-// in float, with the constants that shaders get from resources/shaders/constants.glsl. Needs <cmath>; the
-// texts come next.
+// in float, with the constants that shaders get from resources/shaders/constants.glsl. Needs <cmath>;
+// the texts are included after this file.
 using real = float;
 [[maybe_unused]] constexpr real tiny = 1e-37f;         // divisors stay above it
 [[maybe_unused]] constexpr real power_floor = -90;     // of powers of 2: subnormal numbers slow a loop down

@@ -123,23 +123,24 @@ std::string svg_file(const LinePlot& plot, bool dark) {
 
 std::string csv(const LinePlot& plot) {
   std::set<double> grid;
-  std::string out = csv_field(plot.x.label);
+  std::vector<std::string> fields{plot.x.label};
   for (const PlotCurve& curve : plot.curves) {
-    out += ',' + csv_field(curve.title);
+    fields.push_back(curve.title);
     grid.insert(curve.x.begin(), curve.x.end());
   }
-  out += '\n';
+  std::string out;
+  append_csv_row(out, fields);
   std::vector<std::size_t> next(plot.curves.size(), 0);
   for (const double x : grid) {
-    append_number(out, x, 9);
+    fields.assign(1, number(x, 9));
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
       const PlotCurve& curve = plot.curves[i];
-      out += ',';
+      std::string& field = fields.emplace_back();
       if (next[i] == curve.x.size() || curve.x[next[i]] != x) continue;
-      if (std::isfinite(curve.y[next[i]])) append_number(out, curve.y[next[i]], 9);
+      if (std::isfinite(curve.y[next[i]])) field = number(curve.y[next[i]], 9);
       while (next[i] < curve.x.size() && curve.x[next[i]] == x) ++next[i];
     }
-    out += '\n';
+    append_csv_row(out, fields);
   }
   return out;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/free_names.h"
 #include "core/base/number.h"
 #include "core/material/appearance.h"
 #include "core/material/find.h"

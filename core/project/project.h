@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "core/atlas/manifest.h"
-#include "core/base/free_names.h"
 #include "core/exchange/export_surface.h"
 #include "core/light/lights.h"
 #include "core/material/find.h"
 #include "core/render/scene.h"
 
 namespace etak {
+
+class FreeNames;  // core/base/free_names.h
 
 // Materials under work, as an author saves them (resources/schema/project.schema.json). What is packed of
 // them is an AtlasManifest, so that `etak pack` takes a project where it takes a manifest.

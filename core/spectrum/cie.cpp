@@ -20,7 +20,7 @@ constexpr bool ascends_evenly(const double (&rows)[Rows][Columns], double step) 
   return true;
 }
 
-// True when column c sums to `sum` within the last printed digits: a slipped or edited figure does not build.
+// True when column c sums to `sum` within the last printed digits: with a wrong figure etak does not compile.
 template <std::size_t Rows, std::size_t Columns>
 constexpr bool sums_to(const double (&rows)[Rows][Columns], std::size_t c, double sum) {
   double total = 0;

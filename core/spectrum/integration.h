@@ -68,8 +68,8 @@ Quadrature make_quadrature(Method method, Viewing viewing);
 /// nanometre.
 Quadrature make_exact_quadrature(Viewing viewing, std::span<const double> knots_nm);
 
-/// What the exact method may still miss of X, Y or Z: the change when only three of the five points of every
-/// piece are used, all changes added. Far above what it misses.
+/// An estimate of the error of the exact method in X, Y or Z: the change when only three of the five points
+/// of every piece are used, all changes added. It is far above the real error.
 ///   exact   of make_exact_quadrature()
 double exact_method_error(const Quadrature& exact, std::span<const double> reflectance);
 

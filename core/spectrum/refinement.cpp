@@ -9,8 +9,8 @@ namespace etak {
 namespace {
 
 constexpr std::array<Method, 4> ladder{Method::nm20, Method::nm10, Method::nm5, Method::nm1};
-// Between two places a spectrum bends a little more than the places show: up to 1.74 times the error that
-// they do, over all published data with n and k by pchip.
+// Between two places a spectrum bends more than the places show. Over all published data, with n and k by
+// pchip, the real error is up to 1.74 times the one that the places give.
 constexpr double safety = 2;
 constexpr double place_first_nm = grid_first_nm + 2.5, place_step_nm = 5;
 
@@ -54,7 +54,7 @@ Refinement::Refinement(Viewing viewing) : exact_(grid_size) {
   }
 }
 
-// The part in the hinge's own nanometre bends as the weights do there.
+// Within the nanometre that holds the hinge the weights are not constant: `bend` has their moments.
 std::array<double, 3> Refinement::exact_hinge(double nm) const {
   const auto cell = std::min(static_cast<std::size_t>(nm - grid_first_nm), grid_size - 2);
   const double t = nm - grid_first_nm - static_cast<double>(cell);
@@ -73,7 +73,7 @@ std::array<double, 3> Refinement::summed_hinge(std::size_t step, double nm) cons
   std::array<double, 3> out{};
   if (below + 1 >= at.size()) return out;
   const Above& above = sums_[step][below];
-  // The points above the hinge seen from the hinge instead of from the point below it.
+  // The moment about the hinge, from the moment about the point below it.
   for (std::size_t c = 0; c < 3; ++c) out[c] = above.moment[c] - (nm - at[below]) * above.weight[c];
   return out;
 }

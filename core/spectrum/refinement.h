@@ -9,12 +9,12 @@
 
 namespace etak {
 
-/// How Method::automatic chooses: sums of 20, 10, 5 and 1 nm, and what each of them will miss of a spectrum,
-/// known before the sum is taken.
+/// How Method::automatic chooses: sums of 20, 10, 5 and 1 nm, and the error of each of them for a spectrum,
+/// estimated before the sum is taken.
 ///
 /// A spectrum made of straight pieces is a constant, a slope and one hinge max(0, wavelength - knot) per
-/// knot, as high as the slope changes there. What a rule makes of a hinge against the exact integral is
-/// known for every knot, so the error of the sum is at most the sum of those of its hinges. Between knots a
+/// knot, as high as the slope changes there. The error of a rule for a hinge is known for every knot, so
+/// the error of the sum is at most the sum of the errors of its hinges. Between knots a
 /// spectrum bends (R is not linear where n and k are), so that hinges stand at places of etak's own too, on
 /// the worst ones for the fine rules: 2.5 nm beside their points.
 class Refinement {
@@ -38,7 +38,7 @@ class Refinement {
   std::vector<double> estimate(std::span<const double> places_nm, std::span<const double> reflectance) const;
 
  private:
-  // Of all that lies above a wavelength: the sum of the weights, and that of weight x distance.
+  // Sums over all that lies above a wavelength: of the weights, and of weight x distance.
   struct Above {
     std::array<double, 3> weight{}, moment{};
     std::array<std::array<double, 3>, 3> bend{};  // exact only: of the next nanometre, with t^2, t^3, t^4

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/files/steady_file.h"
 #include "core/image/files/deflate.h"
 #include "core/image/files/png.h"
 

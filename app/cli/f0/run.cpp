@@ -18,6 +18,7 @@
 #include "app/cli/output/replace.h"
 #include "app/cli/output/terminal.h"
 #include "core/base/error.h"
+#include "core/base/files/input.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/material/quality.h"

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/input.h"
 
 namespace etak::cli {
 

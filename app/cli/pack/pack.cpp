@@ -21,6 +21,7 @@
 #include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/output_folder.h"
 #include "core/base/files/output_target.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"

@@ -6,6 +6,7 @@
 
 #include "app/cli/pack/pack.h"
 #include "core/atlas/pack/pack.h"
+#include "core/base/files/output_folder.h"
 #include "core/pages/atlas_page.h"
 
 namespace etak::cli {

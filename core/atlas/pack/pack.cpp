@@ -16,6 +16,7 @@
 #include "core/atlas/sources/floats.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/output_folder.h"
 #include "core/base/files/steady_file.h"
 
 namespace etak {

@@ -21,10 +21,13 @@
 #include "core/atlas/plan.h"
 #include "core/atlas/sources/sources.h"
 #include "core/atlas/variant.h"
-#include "core/base/files/output_folder.h"
 #include "core/material/library.h"
 
 namespace etak {
+
+class Output;        // core/base/files/output.h
+class OutputFolder;  // core/base/files/output_folder.h
+class PagePixels;    // core/atlas/page_pixels.h
 
 // From a list of materials to an atlas on disk. The target is etak::pack, which is no part of etak::core
 // because it reads and writes picture files.

@@ -9,6 +9,7 @@
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/source.h"
 #include "core/base/error.h"
+#include "core/base/files/output_folder.h"
 #include "core/image/load.h"
 #include "core/image/texture_bytes.h"
 #include "core/scene/image_roles.h"

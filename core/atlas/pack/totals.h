@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/atlas/layout.h"
-#include "core/base/files/output_folder.h"
 #include "core/scene/gltf.h"
 
 namespace etak {
 
+class OutputFolder;
 struct PackOptions;
 struct PackSource;
 

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/atlas/page_memory.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
+#include "core/base/files/steady_file.h"
 #include "core/image/linear_tables.h"
 
 namespace etak {

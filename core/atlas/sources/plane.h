@@ -9,10 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/page_memory.h"
 #include "core/image/load.h"
 
 namespace etak {
+
+class FileBytes;
 
 /// Colours of a space that etak does not have itself: linear sRGB from its values, `count` pixels of three in
 /// place.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/atlas/page_memory.h"
 #include "core/atlas/sources/floats.h"
 #include "core/base/error.h"
 #include "core/base/number.h"

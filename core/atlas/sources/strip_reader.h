@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/atlas/page_memory.h"
 #include "core/atlas/page_pixels.h"
 #include "core/atlas/sources/plane.h"
 #include "core/atlas/sources/sources.h"

@@ -36,8 +36,8 @@ class Descriptor {
   int fd_;
 };
 
-/// Whether the name in `folder` stands for the file or folder that is open. Makes system calls only, so that a handler of
-/// signals may ask too.
+/// Whether the name in `folder` stands for the file or folder that is open. Makes system calls only, so that
+/// a handler of signals may call it too.
 inline bool stands_for(int folder, const char* name, int open) {
   struct stat named {
   }, opened{};

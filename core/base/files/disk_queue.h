@@ -38,7 +38,7 @@ class DiskQueue {
     added_.notify_one();
   }
 
-  /// Waits until all is on the disk. The name and errno of the first file that cannot be brought there.
+  /// Waits until all files are on the disk. Returns name and errno of the first that cannot be written.
   std::optional<std::pair<std::string, int>> finish() {
     {
       const std::lock_guard lock(lock_);

@@ -45,7 +45,7 @@ class Pipe {
  public:
   explicit Pipe(std::string path) : path_(std::move(path)) {}
 
-  // A fresh descriptor of the whole, which holds at most `most` bytes.
+  // A new descriptor of all bytes of the pipe; Error where there are more than `most`.
   OpenedInput open(std::size_t most, double timeout) {
     const std::lock_guard guard(lock_);
     if (!fill(most, timeout)) fail_endless(most);
@@ -98,7 +98,7 @@ class Pipe {
   void start(double timeout) {
     descriptor_ = descriptor_of(typed_input(path_)).value_or(-1);
     if (descriptor_ == STDIN_FILENO) {
-      // As it stands: it may be a socket or a terminal, or a file that somebody has read a part of.
+      // Taken as it is: it may be a socket or a terminal, or a file that was read in part already.
       source_ = Descriptor(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3));
     } else {
       source_ = Descriptor(::open(typed_input(path_).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
@@ -123,7 +123,7 @@ class Pipe {
       throw Error::at(path_, "nothing came from this pipe in " + number(timeout, 6) + " s",
                       "a program that writes to it, or more time by " + setting("input-timeout"));
     }
-    // What follows may take as long as the writer likes.
+    // For the bytes behind the first one the reader waits without limit.
     ::fcntl(source_.get(), F_SETFL, ::fcntl(source_.get(), F_GETFL) & ~O_NONBLOCK);
   }
 
@@ -201,10 +201,10 @@ Pipe* accepted_pipe(const std::string& path) {
 
 OpenedInput open_regular(const std::string& path) {
   OpenedInput out;
-  // Looked at before it is opened, because opening a pipe is seen by whoever writes to it.
+  // Looked at before it is opened, because the writer of a pipe notices that it is opened.
   struct stat info {};
   if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) refuse(path, info.st_mode);
-  // O_NONBLOCK: what has become a pipe since must not hang the call; regular files ignore it.
+  // O_NONBLOCK: the call must not hang if the file has become a pipe; regular files ignore the flag.
   out.file = Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!out.file) throw Error::at(path, "cannot be opened: " + reason_of(errno));
   if (::fstat(out.file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason_of(errno));

@@ -33,11 +33,11 @@ std::string typed_input(const std::string& path);
 /// tells no kind and it lies in no folder.
 bool is_pipe_input(const std::string& path);
 
-/// What is said of what a search of a folder came by and left alone, since it is no regular file; empty where
-/// there is nothing of the kind.
+/// A remark about entries that a search of a folder has left out, because they are no regular files; empty
+/// where `skipped` is.
 std::string skipped_remark(const std::vector<std::string>& skipped);
 
-/// How long a pipe may be without its first byte, in seconds (default 60); standard input waits without
+/// How long to wait for the first byte of a pipe, in seconds (default 60); for standard input there is no
 /// limit.
 void set_input_timeout(double seconds);
 

@@ -47,7 +47,7 @@ std::string path_beside(const std::string& folder, const std::string& name) {
     std::error_code failure;
     if (!fs::is_symlink(fs::symlink_status(at, failure))) continue;
     const fs::path target = fs::canonical(at, failure);
-    if (failure) break;  // leads nowhere, which the reader tells
+    if (failure) break;  // the link leads nowhere, which the reader reports
     if (!lies_in(target, root) && !lies_in(target, holder))
       throw Error::at(at.string(), "is a link to " + printable(target.string(), 200) + ", out of its folder",
                       "a file of that folder, or " + setting("follow-links"));

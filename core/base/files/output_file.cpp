@@ -49,7 +49,7 @@ void OutputFile::place() {
     if (!rename(0)) fail("cannot be put in place");
   } else if (!rename(RENAME_NOREPLACE)) {
     if (errno == EEXIST) throw exists_already(path_);
-    // Some network file systems cannot say it in one step.
+    // Some network file systems cannot check and rename in one step.
     if (errno != EINVAL && errno != ENOSYS) fail("cannot be put in place");
     (void)file_target(path_, false);
     if (!rename(0)) fail("cannot be put in place");

@@ -11,8 +11,8 @@
 namespace etak {
 
 /// A file whose bytes are on the disk beside its target. A symbolic link stays and its target is replaced; a
-/// device or pipe (/dev/stdout) is written to and never replaced, when the other outputs are being made
-/// ready.
+/// device or pipe (/dev/stdout) is never replaced, but written to while the other outputs are being
+/// prepared.
 class OutputFile : public Output {
  public:
   /// Writes a temporary beside `path` (temporary.h) and flushes it to disk. Throws Error when `path` exists

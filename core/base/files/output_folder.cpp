@@ -28,7 +28,7 @@
 namespace etak {
 namespace {
 
-// One run at a time looks and exchanges below one parent; a large set takes a part of a second.
+// One run at a time looks at a parent and exchanges folders in it: less than a second for a large set.
 constexpr std::chrono::seconds most_wait{10};
 
 // The layout names the textures, so it comes last.
@@ -121,8 +121,8 @@ void OutputFolder::State::find_target() {
   if (!parent) fail("cannot be written");
 }
 
-// The parent may well allow to put another folder in the target's place, but who has taken all leave to write
-// from a folder wants it to stay.
+// The parent may allow another folder to take the target's place; but a target without any permission to
+// write was meant to stay as it is.
 void OutputFolder::State::refuse_read_only() const {
   struct stat info {};
   const Descriptor target = open_target();
@@ -147,7 +147,7 @@ OutputFolder::OutputFolder(const std::string& path, Replace replace) : state_(st
     throw Error::at(path, "cannot be written: " + reason_of(errno), "a folder that can be made or changed");
 }
 
-// What was not put in place goes with the temporary.
+// What was not put in place is removed with the temporary.
 OutputFolder::~OutputFolder() {
   tidy();
 }
@@ -214,9 +214,9 @@ std::unique_ptr<OutputFolder::File> OutputFolder::open(const std::string& name) 
     const std::lock_guard lock(s.lock);
     if (!s.files.insert(name).second) throw Error::at(s.path + "/" + name, "is written twice");
   }
-  // When a signal ends the program nothing new is made here, so that what there is can be removed.
+  // No new file is made once a signal ends the program, so that all files can be removed.
   const SignalsHeld held;
-  // From here on the file takes its name out again.
+  // From here on the destructor of the file takes the name out of the set again.
   std::unique_ptr<File> out(new File(std::make_unique<File::Open>(File::Open{s, name, Descriptor(), {}})));
   out->open_->file =
       Descriptor(::openat(s.fresh_folder(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
@@ -281,7 +281,7 @@ void OutputFolder::State::exchange() {
   struct stat old {};
   Descriptor target = open_target();
   const bool there = target && ::fstat(target.get(), &old) == 0;
-  // Mode and owner of the old folder; who may not give it away keeps it.
+  // The new folder gets mode and owner of the old one; an owner that cannot be changed stays.
   if (there) (void)!::fchown(fresh_folder(), old.st_uid, old.st_gid);
   if (::fchmod(fresh_folder(), there ? old.st_mode & 07777 : mode_of_new_folder()) != 0)
     fail("cannot be put in place");
@@ -307,7 +307,7 @@ void OutputFolder::State::exchange() {
     return;
   }
   ::fsync(parent.get());
-  // Who has put a folder into the old target meanwhile finds it in the new one.
+  // A folder that somebody has put into the old target meanwhile is moved to the new one.
   placed = fresh.exchanged(std::move(target));
 }
 
@@ -334,8 +334,8 @@ void OutputFolder::prepare() {
     errno = failure->second;
     s.fail("cannot be written", failure->first);
   }
-  // One commit into this parent at a time, so that nobody's files are left behind between looking and
-  // exchanging.
+  // One commit into this parent at a time, so that no file is left behind that appears between the look
+  // and the exchange.
   s.placing = FolderLock(s.parent.get(), most_wait);
   if (s.placing.is_taken())
     throw Error::at(s.path, "cannot be put in place: another program holds the lock of its folder");

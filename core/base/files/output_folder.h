@@ -36,12 +36,12 @@ class OutputFolder : public Output {
 
   /// A new file "name" (no '/'), written by calling `body` with a sink for its bytes. It goes on to the disk
   /// while others are made; commit() waits for that. Throws Error, also for a full disk; what `body` throws
-  /// comes out, and the file is gone. Different files may be written from different threads.
+  /// is passed on, and the file is removed. Different files may be written from different threads.
   void write(const std::string& name,
              const std::function<void(const std::function<void(std::string_view)>&)>& body);
   void write(const std::string& name, std::string_view bytes);
 
-  /// The same piece by piece. A file that is not closed is gone. Lives no longer than its folder.
+  /// The same piece by piece. A file that is not closed is removed. Lives no longer than its folder.
   class File {
    public:
     ~File();
@@ -60,7 +60,7 @@ class OutputFolder : public Output {
   };
   std::unique_ptr<File> open(const std::string& name);
 
-  /// Where a file that is written lies until commit(), to be read again.
+  /// The path of a written file until commit(), for reading the file again.
   std::string path_until_commit(const std::string& name) const;
 
   /// Names of files of an earlier set in the target that are not to live on. A name that is not there, or

@@ -47,7 +47,7 @@ FileTarget file_target(const std::string& path, bool overwrite) {
 Descriptor open_folder_of(const FileTarget& target) {
   const char* const path = target.folder.empty() ? "." : target.folder.c_str();
   Descriptor out(::open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // Of a folder that may not be read, files can be made all the same.
+  // Files can also be made in a folder that may not be read.
   if (!out && errno == EACCES) out = Descriptor(::open(path, O_PATH | O_DIRECTORY | O_CLOEXEC));
   return out;
 }

@@ -11,8 +11,8 @@
 
 namespace etak {
 
-// Where output will go, looked at before long work: nobody waits for a result that cannot be put in place.
-// The errors are those that write_file() and OutputFolder would end with.
+// Checks of the place for output before long work, so that nobody waits for a result that cannot be put in
+// place. The errors are those that write_file() and OutputFolder would end with.
 
 /// What stands where a file is to be written.
 struct FileTarget {
@@ -28,7 +28,7 @@ FileTarget file_target(const std::string& path, bool overwrite);
 /// The folder that the target lies in. Nothing is open where that cannot be, and errno tells why.
 Descriptor open_folder_of(const FileTarget& target);
 
-/// The same, and Error where no file can be made beside the target (a temporary is made and removed).
+/// Throws as file_target(), and where no file can be made beside the target (a temporary is tried).
 void check_file_target(const std::string& path, bool overwrite);
 
 /// What a folder of files may take the place of.

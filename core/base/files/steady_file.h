@@ -38,8 +38,8 @@ struct FileStamp {
   friend bool operator==(const FileStamp&, const FileStamp&) = default;
 };
 
-/// That of the file behind `path`; zeros where there is none, and for what came from a pipe, which is kept in
-/// memory and stays as it is.
+/// The stamp of the file behind `path`; zeros where there is none, and for the bytes of a pipe, which are
+/// kept in memory and do not change.
 FileStamp stamp_of(const std::string& path);
 
 /// A file that must stay as it is while it is read, such as a picture that another program may be exporting
@@ -59,7 +59,7 @@ class SteadyFile : public ByteSource {
   void read(std::size_t at, char* to, std::size_t count) const;
 
   /// How many of the `count` bytes from byte `at` on there were; never throws, for callers written in C. A
-  /// file that ends or fails early is told by check_unchanged() or by those that miss the bytes.
+  /// file that ends or fails early is reported by check_unchanged(), or by the reader that misses bytes.
   std::size_t read_what_is_there(std::size_t at, char* to, std::size_t count) const noexcept;
 
   /// The whole file, looked at for changes afterwards.

@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 constexpr std::string_view mark = ".etak-";
 constexpr std::size_t letters = 6;
 constexpr std::size_t longest_name = 255;
-// Cleaning up can wait for the next run; this one has work to do.
+// The removal of remains can wait for another run.
 constexpr auto most_wait_to_clean = 1s;
 
 std::string prefix_of(std::string_view name) {
@@ -66,9 +66,9 @@ std::vector<std::string> names_of(DIR* listing) {
   return out;
 }
 
-// Needs no other descriptor than `open`, the folder itself, so that it works where no file can be opened any more.
-// Folders in it were somebody else's, on their way to a new target: they go (back) to `home`, and where that
-// cannot be everything that is left stays.
+// Needs no descriptor but `open`, the folder itself, so that it works where no file can be opened any more.
+// Folders in it belong to others and were on their way to a new target: they are moved (back) to `home`.
+// Where that fails, everything that is left stays.
 void remove_folder(int parent, const std::string& name, int home, Descriptor open) {
   if (!stands_for(parent, name.c_str(), open.get())) return;
   if (DIR* const listing = ::fdopendir(open.get())) {
@@ -124,7 +124,7 @@ std::vector<std::string> names_in(int folder) {
 
 namespace {
 
-// The system tells the mask only in exchange for another, which other threads would see: asked once.
+// The mask can only be read by setting another one, which other threads would see: read once.
 mode_t user_mask() {
   static const mode_t mask = [] {
     const mode_t found = ::umask(0);
@@ -173,8 +173,8 @@ void FolderLock::release() {
 
 Temporary::Temporary(int folder, std::string_view name, Kind kind, int home) : folder_(folder), kind_(kind) {
   const std::string prefix = prefix_of(name);
-  // Between making one and locking it, it looks like remains: this lock keeps those who clean away. Where
-  // locks do not work nothing is removed.
+  // Before a new temporary is locked it looks like the remains of a kill: this lock keeps other runs from
+  // removing it. Where locks do not work nothing is removed.
   const FolderLock lock(folder, most_wait_to_clean);
   if (lock.held()) remove_remains(folder, prefix, home);
   constexpr int most_tries = 100;
@@ -182,7 +182,7 @@ Temporary::Temporary(int folder, std::string_view name, Kind kind, int home) : f
     const std::string random = random_letters();
     if (random.empty()) return;
     const std::string candidate = prefix + random;
-    // So that a signal finds it remembered or not there at all.
+    // So that at a signal the temporary is either remembered or not yet made.
     const SignalsHeld held;
     if (kind == Kind::file) {
       open_ = Descriptor(
@@ -237,7 +237,7 @@ Descriptor Temporary::exchanged(Descriptor other) {
 void Temporary::remove(int home) {
   if (name_.empty()) return;
   const int before = errno;
-  const SignalsHeld held;  // the open folder is the handler's, too
+  const SignalsHeld held;  // the handler uses the open folder, too
   if (kind_ == Kind::folder)
     remove_folder(folder_, name_, home, std::move(open_));
   else

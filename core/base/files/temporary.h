@@ -12,14 +12,14 @@
 
 namespace etak {
 
-/// The folder itself, without following a link; nothing is open where that cannot be.
+/// Opens the folder `name` in `at` without following a link; nothing is open where that fails.
 Descriptor open_folder(int at, const std::string& name);
 /// Whether `name` in the open folder `at` is a folder itself and not a link to one.
 bool is_folder(int at, const std::string& name);
 /// What the open folder holds, in the order of bytes, without "." and "..".
 std::vector<std::string> names_in(int folder);
 
-/// What the user's mask leaves of 0666 and 0777, the modes that new files and folders usually have.
+/// The modes of new files and folders: 0666 and 0777, less the user's mask.
 mode_t mode_of_new_file();
 mode_t mode_of_new_folder();
 
@@ -33,7 +33,7 @@ class FolderLock {
   FolderLock(FolderLock&& other) noexcept;
   FolderLock& operator=(FolderLock&& other) noexcept;
   bool held() const { return folder_ >= 0; }
-  /// Whether somebody else held it to the end; false too where the file system knows no locks.
+  /// Whether somebody else held the lock all the time; false too where the file system has no locks.
   bool is_taken() const { return taken_; }
   void release();
 
@@ -43,18 +43,18 @@ class FolderLock {
 };
 
 /// A new file or folder under a name of its own beside what it is to become: ".NAME.etak-XXXXXX", random and
-/// made exclusively. It goes with the object; with a signal that ends the program (signals.h); and after a
-/// kill with the next one for the same NAME, which knows those that live by a lock (flock) on them. Of names
-/// too long to be lengthened the beginning and a hash stand for the whole.
+/// made exclusively. It is removed with the object, by a signal that ends the program (signals.h), or after a
+/// kill by the next temporary for the same NAME, which leaves those in use alone: they are locked (flock). A
+/// NAME too long to be lengthened is replaced by its beginning and a hash of the whole.
 class Temporary {
  public:
   enum class Kind { file, folder };
 
   Temporary() = default;
-  /// Where none can be made, nothing is open, and errno tells why.
+  /// Where no temporary can be made, nothing is open, and errno tells why.
   ///   folder    an open folder to make it in; stays the caller's, open as long as this lives
-  ///   name      of what it is to become
-  ///   home      an open folder that takes what others had put into a folder which remained; -1: it stays
+  ///   name      the name of what it is to become
+  ///   home      an open folder that takes folders which others put into the remains of a kill; -1: they stay
   Temporary(int folder, std::string_view name, Kind kind, int home = -1);
   ~Temporary() { remove(-1); }
   Temporary(Temporary&& other) noexcept;
@@ -65,11 +65,12 @@ class Temporary {
   const std::string& name() const { return name_; }
   /// Open for writing, or the open folder.
   const Descriptor& open() const { return open_; }
-  /// After its name and another one were exchanged: `other` is what its name stands for now. Returns what it stood for.
+  /// To be called after its name and another were exchanged, with what its name stands for now (`other`).
+  /// Returns what its name stood for.
   Descriptor exchanged(Descriptor other);
   /// Removes it now; folders in a folder go to `home`, or stay where that is -1.
   void remove(int home);
-  /// It has got its name: nothing is removed any more. False where closing it says that bytes are lost.
+  /// Gives up the removal, once it has its final name. False where closing it reports lost bytes.
   bool keep();
 
  private:

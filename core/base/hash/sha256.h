@@ -38,7 +38,7 @@ std::string sha256_of_file(const std::string& path);
 ///   key   of any length; 32 random bytes are enough
 std::string hmac_sha256(std::string_view key, std::string_view bytes);
 
-/// Whether two digests are equal, in a time that does not tell how much of them is.
+/// Whether two digests are equal, in a time that does not depend on where they differ.
 bool same_digest(std::string_view a, std::string_view b);
 
 }  // namespace etak

@@ -16,7 +16,7 @@ struct AxisPage {
   double weight = 1;
 };
 
-/// The axis that a page's file name tells of by one of its parts behind a dash ("Malitson-o", "Zheng-o-21C";
+/// The axis that one of the parts of a page's file name behind a dash names ("Malitson-o", "Zheng-o-21C";
 /// alpha, beta, gamma likewise); of several the last, for an author's initial may come before it. Null: none.
 const CrystalAxis* axis_of_page(std::string_view path);
 

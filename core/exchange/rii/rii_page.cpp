@@ -14,7 +14,7 @@
 namespace etak {
 namespace {
 
-// One element of the DATA list. Pointers tell where a value stands in the text; null: not given.
+// One element of the DATA list. The pointers point to a value in the text; null: not given.
 struct Entry {
   enum class Type { unknown, table, n2_table, formula };
   const char* where = nullptr;
@@ -61,7 +61,7 @@ class PageReader {
       }
     }
     if (has_data) return finish();
-    // About pages have none of these keys, so this is a page that was cut.
+    // "About" pages have none of these keys, so the file is a page that was cut short.
     if (needs_data) lines_.fail(lines_.end, "the text ends without DATA", "DATA with tables or formulas");
     if (!any_key && !lines_.is_list()) lines_.fail(lines_.end, "the text ends without a key", "DATA");
     if (const auto zero = text_.find('\0'); zero != text_.npos)
@@ -252,8 +252,8 @@ class PageReader {
     }
   }
 
-  // A row counts between its neighbours; the first and the last one also beyond the table, where they are
-  // held.
+  // A row is used between its neighbours; the first and the last one also beyond the table, where their
+  // values are held.
   void check_sign(const Spectrum& n) {
     for (std::size_t i = 0; i < n.size(); ++i) {
       if (n.value[i] > 0 || (n.value[i] == 0 && !no_medium_in_row(page_.optics, i))) continue;

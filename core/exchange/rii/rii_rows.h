@@ -10,7 +10,7 @@
 
 namespace etak {
 
-/// What the rows of a database table hold behind the wavelength.
+/// The columns of a database table behind the wavelength.
 enum class RowKind { n, k, nk };
 
 /// The rows of one table as columns: wavelength in nanometres, then n, k or both.

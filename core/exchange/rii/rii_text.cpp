@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The free text of a page: who measured what, in HTML written by hand in a dozen styles. What follows is
-// guesswork with a floor: whatever is not recognised stays in the title, and nothing is lost, for `via` names
-// the page.
+// The free text of a page: who measured what, in HTML written by hand in a dozen styles. The code can only
+// guess, but it loses nothing: text that is not recognised stays in the title, and `via` names the page in
+// any case.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -21,7 +21,7 @@
 namespace etak {
 namespace {
 
-// What is dropped around a text, and around one of a list.
+// Characters that are removed around a text, and around an item of a list.
 constexpr std::string_view white = " \t\n\r", white_commas = " \t\n\r,", white_stops = " \t\n\r.,",
                            white_dashes = " \t\n\r-";
 
@@ -146,8 +146,7 @@ PageText read_text(std::string_view text, std::string_view file) {
   return page;
 }
 
-// --- citation
-// -------------------------------------------------------------------------------------------------------
+// ---- citation
 
 // "A.", "J.-P.", "S.C.", "VI.": what stands before a surname.
 bool is_initials(std::string_view word) {
@@ -279,8 +278,7 @@ Citation parse_citation(std::string_view references) {
   return citation;
 }
 
-// --- names
-// ----------------------------------------------------------------------------------------------------------
+// ---- names
 
 // The page's place in the database: what follows "data/", or the whole path when that is not in it.
 std::string_view page_path(std::string_view path) {
@@ -289,15 +287,15 @@ std::string_view page_path(std::string_view path) {
   return at == path.npos ? path : path.substr(at + root.size());
 }
 
-// The page's name in a citation, from its place. A path from the root of the file system tells of this
-// machine, not of the page, of which only the file's name is then sure.
+// The page's name in a citation, from its place. Of a path from the root of the file system only the file's
+// name is used, because the folders are those of this machine.
 std::string page_name(std::string_view place) {
   if (place.starts_with('/')) place.remove_prefix(place.rfind('/') + 1);
   return readable(place.substr(0, place.rfind(".yml")));
 }
 
-// The folder of the material ("Ag" of main/Ag/nk/Johnson.yml); makers' pages have none and are named by the
-// file.
+// The folder of the material ("Ag" of main/Ag/nk/Johnson.yml); pages of makers have none, and their file's
+// name takes its place.
 std::string_view book(std::string_view path) {
   const std::size_t nk = path.rfind("/nk/");
   if (nk == path.npos) return file_stem(path);
@@ -305,7 +303,7 @@ std::string_view book(std::string_view path) {
   return path.substr(path.rfind('/') + 1);
 }
 
-// The name of the page is surer than its comments, where o and e are mixed up at times.
+// The name of the page is more reliable than its comments, in which o and e are sometimes confused.
 std::string find_axis(std::string_view page, const PageText& text) {
   if (const CrystalAxis* axis = axis_of_page(page)) return std::string(axis->name);
   if (const CrystalAxis* axis = axis_named(text.direction)) return std::string(axis->name);
@@ -315,8 +313,8 @@ std::string find_axis(std::string_view page, const PageText& text) {
   return {};
 }
 
-// Rows that parse_rii_page() let pass although they tell of no medium (n below 0, or n = k = 0) are used
-// nowhere in 360..830 nm, and no material may hold them.
+// Removes rows of no medium (n below 0, or n = k = 0), which no material may hold. parse_rii_page() accepts
+// them because they are not used in 360..830 nm.
 void drop_no_medium(OpticalConstants& optics) {
   const Spectrum& all = std::get<Spectrum>(optics.n);
   Spectrum kept;

@@ -13,7 +13,7 @@
 
 namespace etak {
 
-/// What a target is given, and the words that all targets share.
+/// The input and output of a target, and the notes that all targets share.
 struct TargetJob {
   const ExportSurface& s;
   Fit fit;
@@ -38,7 +38,7 @@ struct TargetJob {
   // The index of a clear body: that of the luminance of F0.
   double index() const { return ior_of_f0(std::clamp(luminance(s.f0, s.space), 0.0, largest_dielectric_f0)); }
   std::string index_text() const { return "index " + number(index(), 5); }
-  // What absorption over a depth has to be told beside fields that have none for it.
+  // The note about absorption over a depth, for targets without a field for it.
   void note_absorption(const char* where) const {
     if (clear() && s.clear->depth_m > 0)
       note("light through " + number(s.clear->depth_m, 3) + " m of it becomes " + plain_text(s.clear->color) +
@@ -47,14 +47,14 @@ struct TargetJob {
   void note_no_transmission(const char* what) const {
     if (clear()) note("the body is clear, which " + std::string(what) + ": " + index_text());
   }
-  // A dielectric's diffuse colour where the target takes the surface's reflectance off it. Typed colours go
-  // as they are; a measured total has to come out as it was.
+  // The diffuse colour of a dielectric for targets that take the surface's reflectance off it. Typed colours
+  // are passed on unchanged; a measured total must come out as it was measured.
   LinearRgb layered_body() const { return layered_diffuse(s); }
 
   LinearRgb fit_f0(const char* field, const char* reason) const {
     return fitted(s.f0, fit, 1, s.space, field, reason, out.changes);
   }
-  // What the target's own curve makes of an edge that is known.
+  // The Change of a known edge that the target's own curve replaces.
   void schlick_edge(const LinearRgb& f0_used) const {
     if (s.f82)
       note_change(out.changes, "F82", list(*s.f82), list(schlick82(f0_used)), "schlick",
@@ -68,7 +68,7 @@ struct TargetJob {
   }
 };
 
-/// A target with what writes its fields, changes and notes.
+/// A target and the function that writes its fields, changes and notes.
 struct TargetRow {
   EngineTarget target;
   void (*write)(const TargetJob&);

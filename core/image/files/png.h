@@ -10,10 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/files/steady_file.h"
 #include "core/image/picture.h"
 
 namespace etak {
+
+class ByteSource;  // core/base/files/steady_file.h
 
 // PNG (ISO/IEC 15948), where the time of an atlas goes, without OpenImageIO: ISA-L inflates and deflates
 // where it was found when etak was built, zlib elsewhere. Only what etak's textures are made of: 8 and 16

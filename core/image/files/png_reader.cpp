@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/error.h"
+#include "core/base/files/steady_file.h"
 #include "core/image/files/deflate.h"
 #include "core/image/files/png.h"
 #include "core/image/files/png_chunks.h"

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/files/input.h"
 #include "core/base/memory.h"
 #include "core/exchange/rii/axis_pages.h"
 #include "core/exchange/table.h"

@@ -11,6 +11,7 @@
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/exchange/content_kind.h"
+#include "core/exchange/material_file.h"
 #include "core/image/load.h"
 #include "core/image/picture_bytes.h"
 #include "core/image/picture_endings.h"
@@ -347,7 +348,9 @@ std::optional<FileRole> role_of_file(const std::string& path) {
       std::find(picture_endings.begin(), picture_endings.end(), bare) != picture_endings.end())
     return FileRole::specular_gloss;
   if (ending == ".gltf" || ending == ".glb") return FileRole::scene;
-  if (ending == ".yml" || ending == ".yaml" || ending == ".csv") return FileRole::spectrum;
+  const MaterialFileKind kind = material_file_kind(path);
+  if (kind == MaterialFileKind::page || (kind == MaterialFileKind::table && !may_be_prose(path)))
+    return FileRole::spectrum;
   const bool pipe = is_pipe_input(path);
   if (ending != ".json" && !pipe) return std::nullopt;
   const std::string head = read_head(path, content_head);

@@ -7,6 +7,7 @@
 #include "core/base/files/input.h"
 #include "core/base/node_json.h"
 #include "core/exchange/content_kind.h"
+#include "core/exchange/material_file.h"
 #include "core/exchange/rii/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/dispersion.h"
@@ -245,7 +246,7 @@ MaterialEvidence evidence_of_spectrum(std::string_view text, const std::string& 
                                       const std::string& label) {
   MaterialEvidence evidence;
   evidence.is_material_file = false;
-  const bool page = path.ends_with(".yml") || path.ends_with(".yaml") ||
+  const bool page = material_file_kind(path) == MaterialFileKind::page ||
                     (is_pipe_input(path) && content_kind(text) == ContentKind::page);
   if (page) {
     RiiPage content;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
+#include <etak/f0.h>
+#include <etak/materials.h>
 
-#include "core/material/f0.h"
-#include "core/material/library.h"
+#include <cstdio>
 
 int main() {
   const auto gold = etak::MaterialLibrary::builtin().find("gold");

@@ -30,4 +30,9 @@ TEST_CASE("CSV fields that are written are read as they were, but for an apostro
   for (const char* text : {"plain", "one, two", "a \"quoted\" word", "-1.5", "-", ""})
     CHECK(csv_rows("x," + csv_field(text) + "\n", "t.csv").at(0).fields.at(1) == text);
   CHECK(csv_field("=1+1") == "'=1+1");
+  std::string of_list, of_fields;
+  append_csv_row(of_list, {"a,b", "", "=c"});
+  append_csv_row(of_fields, Fields{"a,b", "", "=c"});
+  CHECK(of_list == "\"a,b\",,'=c\n");
+  CHECK(of_fields == of_list);
 }

@@ -43,6 +43,9 @@ TEST_CASE("prose is looked for in .txt and .dat files alone") {
   CHECK(is_prose_file("LICENCE.Txt", licence));
   CHECK_FALSE(is_prose_file("table.txt", table_text));
   CHECK_FALSE(is_prose_file("broken.csv", licence));
+  CHECK(may_be_prose("a/NOTES.TXT"));
+  CHECK(may_be_prose("data.dat"));
+  for (const char* name : {"b.csv", "b.tsv", "b.yml", "b.json", "txt"}) CHECK_FALSE(may_be_prose(name));
 }
 
 TEST_CASE("a table's material is named and identified by its file, and reads back as written") {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/base/error.h"
+#include "core/base/files/steady_file.h"
 #include "core/image/files/deflate.h"
 #include "core/image/files/png_filters.h"
 #include "tests/core/image/png_maker.h"

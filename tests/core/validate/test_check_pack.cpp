@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/base/files/output.h"
 #include "core/image/files/png.h"
 #include "core/validate/validate.h"
 #include "tests/core/image/png_of.h"

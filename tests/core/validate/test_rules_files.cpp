@@ -211,6 +211,12 @@ TEST_CASE("a layout gives a target per page, and materials that share texels one
   }
 }
 
+TEST_CASE("pages and tables are spectra by their endings, but no text that may be prose is") {
+  for (const char* name : {"a.yml", "a.YAML", "a.csv", "a.Tsv"})
+    CHECK(role_of_file(name) == FileRole::spectrum);
+  for (const char* name : {"a.txt", "a.dat", "a", "a.doc"}) CHECK(!role_of_file(name));
+}
+
 TEST_CASE("a layout in memory gives the targets of its text") {
   AtlasLayout layout;
   layout.diffuse_reduced = true;
