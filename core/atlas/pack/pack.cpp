@@ -53,9 +53,12 @@ std::optional<std::string> content_to_compare(const PackOptions& options, const 
 }
 
 void learn_floats(PackInputs& inputs) {
-  for (PackInput& m : inputs.materials)
-    if (!m.facts.learned || m.files.empty())  // else somebody said that its texels count as equal
-      look_at(load_floats(m), nullptr, m.facts.opaque, m.facts);
+  for (PackInput& m : inputs.materials) {
+    if (m.facts.learned && !m.files.empty()) continue;  // a choice says that its texels count as equal
+    PackInput read = m;
+    if (m.files.empty()) read.width = read.height = 1;  // one texel of numbers alone says all
+    look_at(load_floats(read), nullptr, m.facts.opaque, m.facts);
+  }
 }
 
 // Writes the files beside the pages and marks files of the earlier atlas that are no longer needed for

@@ -86,9 +86,8 @@ Image plane_floats(const PlaneSource& source, int width, int height) {
 
 FloatPair load_floats(const PackInput& m) {
   if (m.convert_floats) return m.convert_floats();
-  const int width = m.files.empty() ? 1 : m.width, height = m.files.empty() ? 1 : m.height;
   const auto texture = [&](std::size_t t) {
-    return joined(plane_floats(m.color[t], width, height), plane_floats(m.grey[t], width, height));
+    return joined(plane_floats(m.color[t], m.width, m.height), plane_floats(m.grey[t], m.width, m.height));
   };
   return {texture(0), texture(1)};
 }

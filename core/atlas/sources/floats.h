@@ -18,7 +18,7 @@ Image fractions(Picture picture);
 /// outside of 0..1 stay. Throws Error: what PlaneRows throws, and for values that are not finite.
 Image plane_floats(const PlaneSource& source, int width, int height);
 
-/// Both textures of a material. What its pictures do not say is constant; sides of 1 for numbers alone.
+/// Both textures of a material at its size. What its pictures do not say is constant.
 FloatPair load_floats(const PackInput& material);
 
 /// A linear channel of base colour c and metalness m: diffuse = c (1 - m), F0 = 0.04 (1 - m) + c m.

@@ -79,8 +79,7 @@ TEST_CASE("keep switches each line off") {
   LeaveOutOptions all;
   all.keep = parse_keep({"all"});
   CHECK(leave_out(m, all).lines.empty());
-  CHECK(
-      contains(error_of([] { (void)parse_keep({"gutter"}); }), "keep: gutter; expected unreached, equal"));
+  CHECK(contains(error_of([] { (void)parse_keep({"gutter"}); }), "keep: gutter; expected unreached, equal"));
 }
 
 TEST_CASE("an opaque material uses the texels of one that needs alpha, not the other way round") {

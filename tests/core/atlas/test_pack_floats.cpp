@@ -136,6 +136,26 @@ TEST_CASE("channels that differ in floats alone, and materials that differ in fl
   CHECK_FALSE(row_named(layout, "x").value[0]);
 }
 
+TEST_CASE("a material of numbers alone that keeps its texels has them all over its region and gutter") {
+  const TempFolder folder;
+  save_png(folder.file("d.png"), noise(40, 24, 3, 5));
+  PackOptions options = with_floats({"exr"});
+  options.leave_out.keep = {"constant"};
+  options.layout.gutter = 1;
+  (void)pack_text(folder, R"({"materials": [
+    {"name": "numbers", "width": 16, "height": 8, "diffuse": [0.5, 0.25, 0.125], "specular": 0.04, "gloss": 0.75},
+    {"name": "picture", "diffuse": "d.png", "specular": 0.04, "gloss": 1}]})",
+                  options);
+  const AtlasRect rect = rect_named(packed_layout(folder), "numbers");
+  REQUIRE((rect.rotated ? rect.height : rect.width) == 16);
+  const Image page = read_image(folder.file("out/page" + std::to_string(rect.page) + "_diffuse_alpha.exr"));
+  for (int y = rect.y - 1; y <= rect.y + rect.height; ++y)
+    for (int x = rect.x - 1; x <= rect.x + rect.width; ++x) {
+      const auto texel = page.at(x, y);
+      REQUIRE(std::vector<float>(texel.begin(), texel.end()) == std::vector<float>{0.5f, 0.25f, 0.125f, 1});
+    }
+}
+
 TEST_CASE("mips of floats are files of their own, named in the layout, and those of the region alone") {
   const TempFolder folder;
   write_exr(folder.file("d.exr"), halves(64, 64, 3, 1), false, false);
@@ -171,7 +191,7 @@ TEST_CASE("mips of floats are files of their own, named in the layout, and those
     CHECK(page.at(rect.x - 1, rect.y + 5)[0] == page.at(rect.x, rect.y + 5)[0]);
 }
 
-TEST_CASE("--bleed reaches floats: hidden texels, mips and gutters in every channel of both textures") {
+TEST_CASE("bleeding reaches floats: hidden texels, mips and gutters in every channel of both textures") {
   const TempFolder folder;
   write_exr(folder.file("d.exr"), halves(64, 64, 3, 1), false, false);
   write_exr(folder.file("s.exr"), halves(64, 64, 3, 2), false, false);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/image/dilate.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "core/color/srgb.h"
@@ -30,6 +31,16 @@ TEST_CASE("a gutter repeats the nearest texel of its box, and nothing else chang
           REQUIRE(page.at(x, y)[c] == before.at(u, v)[c]);
       }
   }
+}
+
+TEST_CASE("a gutter of floats is that of codes") {
+  Image8 codes = noise_picture(12, 9, 1);
+  Image floats(12, 9, 4);
+  std::copy(codes.values.begin(), codes.values.end(), floats.values.begin());
+  const PixelBox box{3, 2, 5, 4}, cell{1, 0, 10, 9};
+  replicate_edges(view(codes), box, cell);
+  replicate_edges(view(floats), box, cell);
+  CHECK(std::equal(codes.values.begin(), codes.values.end(), floats.values.begin()));
 }
 
 TEST_CASE("no gutter and a single texel are gutters too") {
