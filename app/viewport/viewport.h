@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <QWidget>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -62,6 +63,9 @@ class Viewport : public QWidget {
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
+
+  /// Which dragged files are accepted; without it all are.
+  void set_drop_filter(std::function<bool(const QStringList&)> can_take);
 
   /// The kind of drag that material_dropped() answers: UTF-8 text.
   static constexpr const char* material_mime = "application/x-etak-material";
