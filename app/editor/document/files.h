@@ -9,6 +9,8 @@
 
 #include "core/project/project.h"
 
+class QMimeData;
+
 namespace etak::editor {
 
 // What is read from and written to disk. No function here touches the UI: all run on workers' threads.
@@ -18,6 +20,8 @@ namespace etak::editor {
 ///   environment  .hdr; an .exr may be one too, and counts as a picture
 enum class FileKind { spectra, picture, environment, other };
 FileKind kind_of_file(const QString& path);
+/// The files of a drag, of this machine.
+QStringList local_files(const QMimeData& data);
 /// "*.yml *.yaml ..." and "*.png *.tif ..." for dialogs.
 QString spectrum_patterns();
 QString picture_patterns();
@@ -38,6 +42,9 @@ QString accept_named(const QString& typed);
 
 /// Whether `path` is of accept_named() and lies in no folder: what it holds cannot be saved to it.
 bool is_pipe(const QString& path);
+
+/// Whether the file can be read and is a project: not a material, a page or a table.
+bool holds_project(const QString& path);
 
 /// A project or a single material of one (.json).
 Opened open_project(const QString& path, const MaterialLibrary& library);
