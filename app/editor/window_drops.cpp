@@ -22,7 +22,7 @@ bool Window::can_take(const QStringList& files) {
 
 void Window::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasFormat(QString::fromLatin1(Viewport::material_mime)) ||
-      can_take(local_files(*event->mimeData())))
+      can_take(dragged_files(*event->mimeData())))
     event->acceptProposedAction();
   else
     event->ignore();
@@ -33,7 +33,7 @@ void Window::dropEvent(QDropEvent* event) {
   if (dropped.hasFormat(QString::fromLatin1(Viewport::material_mime)))
     use_library_material(QString::fromUtf8(dropped.data(QString::fromLatin1(Viewport::material_mime))));
   else
-    take_files(local_files(dropped));
+    take_files(dragged_files(dropped));
   event->acceptProposedAction();
 }
 

@@ -13,6 +13,8 @@
 
 #include "core/render/view_state.h"
 
+class QMimeData;
+
 namespace etak {
 
 /// What lies under the cursor on both sides of a comparison: means of a patch of 5 x 5 pixels.
@@ -112,6 +114,9 @@ class Viewport : public QWidget {
   class Private;
   std::unique_ptr<Private> d_;
 };
+
+/// The files of a drag that lie on this machine.
+QStringList dragged_files(const QMimeData& data);
 
 }  // namespace etak
 

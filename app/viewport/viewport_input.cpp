@@ -345,16 +345,12 @@ void Viewport::Private::refresh_overlay() {
   overlay->show_content(std::move(content));
 }
 
-namespace {
-
-QStringList dragged_files(const QMimeData& mime) {
+QStringList dragged_files(const QMimeData& data) {
   QStringList out;
-  for (const QUrl& url : mime.urls())
+  for (const QUrl& url : data.urls())
     if (url.isLocalFile()) out << url.toLocalFile();
   return out;
 }
-
-}  // namespace
 
 void Viewport::set_drop_filter(std::function<bool(const QStringList&)> can_take) {
   d_->can_take = std::move(can_take);

@@ -4,9 +4,7 @@
 #include <QBuffer>
 #include <QDir>
 #include <QFileInfo>
-#include <QMimeData>
 #include <QStandardPaths>
-#include <QUrl>
 
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
@@ -97,13 +95,6 @@ FileKind kind_of_file(const QString& path) {
   if (kind_of_spectra(path) != MaterialFileKind::none) return FileKind::spectra;
   if (texts(picture_endings).contains(ending)) return FileKind::picture;
   return ending == qt_text(radiance_ending) ? FileKind::environment : FileKind::other;
-}
-
-QStringList local_files(const QMimeData& data) {
-  QStringList out;
-  for (const QUrl& url : data.urls())
-    if (url.isLocalFile()) out << url.toLocalFile();
-  return out;
 }
 
 QString spectrum_patterns() {

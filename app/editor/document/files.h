@@ -9,8 +9,6 @@
 
 #include "core/project/project.h"
 
-class QMimeData;
-
 namespace etak::editor {
 
 // What is read from and written to disk. No function here touches the UI: all run on workers' threads.
@@ -20,8 +18,6 @@ namespace etak::editor {
 ///   environment  .hdr; an .exr may be one too, and counts as a picture
 enum class FileKind { spectra, picture, environment, other };
 FileKind kind_of_file(const QString& path);
-/// The files of a drag, of this machine.
-QStringList local_files(const QMimeData& data);
 /// "*.yml *.yaml ..." and "*.png *.tif ..." for dialogs.
 QString spectrum_patterns();
 QString picture_patterns();

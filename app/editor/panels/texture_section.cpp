@@ -7,12 +7,12 @@
 #include <QHBoxLayout>
 #include <QMimeData>
 #include <QToolButton>
-#include <QUrl>
 
 #include "app/editor/document/files.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/fields/press_id.h"
 #include "app/viewport/qt_text.h"
+#include "app/viewport/viewport.h"
 
 namespace etak::editor {
 namespace {
@@ -101,7 +101,7 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
 bool TextureSection::eventFilter(QObject* object, QEvent* event) {
   if (event->type() == QEvent::DragEnter) {
     auto* drag = static_cast<QDragEnterEvent*>(event);
-    const QStringList files = local_files(*drag->mimeData());
+    const QStringList files = dragged_files(*drag->mimeData());
     if (std::any_of(files.begin(), files.end(), is_picture))
       drag->acceptProposedAction();
     else
@@ -110,7 +110,7 @@ bool TextureSection::eventFilter(QObject* object, QEvent* event) {
   }
   if (event->type() == QEvent::Drop) {
     auto* drop = static_cast<QDropEvent*>(event);
-    take_drop(static_cast<Channel>(object->property("channel").toInt()), local_files(*drop->mimeData()));
+    take_drop(static_cast<Channel>(object->property("channel").toInt()), dragged_files(*drop->mimeData()));
     drop->acceptProposedAction();
     return true;
   }
