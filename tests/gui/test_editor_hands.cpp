@@ -452,6 +452,21 @@ class EditorHands : public QObject {
     QVERIFY(window->document().material()->alpha_mode == AlphaMode::opaque);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
     QVERIFY(window->document().material()->alpha_mode == AlphaMode::opaque);
+    // Its alpha is not looked at, in the viewport and by exports.
+    ProjectMaterial m = *window->document().material();
+    m.alpha = 0.5;
+    window->document().edit(1, m, QStringLiteral("alpha"), next_press_id());
+    QVERIFY(!window->inspector().alpha().isEnabled());
+    QCOMPARE(window->document().surface_of(m).opacity, 1.0);
+    QCOMPARE(surface_of(m, *window->document().library()).opacity, 1.0);
+    QCOMPARE(export_surface(m, *window->document().library()).opacity, 1.0);
+    m.alpha_mode = AlphaMode::blend;
+    window->document().edit(1, m, QStringLiteral("mode"), next_press_id());
+    QVERIFY(window->inspector().alpha().isEnabled());
+    QCOMPARE(window->document().surface_of(m).opacity, 0.5);
+    QCOMPARE(export_surface(m, *window->document().library()).opacity, 0.5);
+    window->document().undo_stack().undo();
+    window->document().undo_stack().undo();
     // A clear body lets the background through.
     QVERIFY(window->use_library_material(QStringLiteral("water")));
     QVERIFY(window->document().material()->alpha_mode == AlphaMode::blend);

@@ -50,7 +50,7 @@ SurfaceValues Document::surface_of(const ProjectMaterial& material, QString* pro
   SurfaceValues out = solved_;
   out.diffuse = vec(material.diffuse);
   out.gloss = material.gloss;
-  out.opacity = material.alpha;
+  out.opacity = material.alpha_mode == AlphaMode::opaque ? 1 : material.alpha;
   return out;
 }
 

@@ -222,6 +222,7 @@ void Inspector::show_material() {
   roughness_->show_value(m->gloss.roughness());
   alpha_->show_value(m->alpha);
   cutoff_->show_value(m->alpha_cutoff);
+  alpha_->setEnabled(m->alpha_mode != AlphaMode::opaque);
   cutoff_->setEnabled(m->alpha_mode == AlphaMode::mask);
   alpha_mode_->setCurrentIndex(static_cast<int>(m->alpha_mode));
   QString lobe = tr("exponent %1   alpha roughness %2")
