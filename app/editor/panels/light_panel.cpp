@@ -182,9 +182,9 @@ Section* LightPanel::make_hemispheres() {
   upper_ = new ColorField(tr("Upper hemisphere"), {0.6, 0.7, 0.8}, out);
   lower_ = new ColorField(tr("Lower hemisphere"), {0.25, 0.22, 0.2}, out);
   form_ = new QuietComboBox(tr("Form of the hemispheres' formula"), out);
-  form_->setToolTip(
-      tr("How the two colours are mixed over the surface's directions: the article's formula as printed, "
-         "corrected, or over a wide angle"));
+  form_->setToolTip(tr(
+      "How the two colours are mixed over the mirrored directions: corrected; wide, with a transition that "
+      "is never a step; printed, as the article has it, white on rough surfaces"));
   for (const HemisphereForm each : forms) form_->addItem(qt_text(name(each)));
   hemispheres_->setToolTip(tr("Light from two half spheres, one colour each"));
   upper_->setToolTip(tr("Linear colour of the half sphere around the axis"));
