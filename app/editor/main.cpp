@@ -94,8 +94,8 @@ int main(int argc, char** argv) {
   window.show();
   if (options.time_start) return QApplication::exec();
   QTimer::singleShot(0, &window, [&] {
-    window.offer_recovery();
-    if (!options.subjects.isEmpty()) window.open(options.subjects.front());
+    // What is taken up again is not saved yet: nothing takes its place unasked.
+    if (!window.offer_recovery() && !options.subjects.isEmpty()) window.open(options.subjects.front());
   });
   return QApplication::exec();
 }

@@ -61,14 +61,15 @@ ShortcutsDialog::ShortcutsDialog(const QMainWindow& window, QWidget* parent) : Q
   row(view, tr("Double click"), tr("reset the camera"));
   row(view, tr("Arrow keys"), tr("previous and next material of the project"));
   auto* fields = group(tr("Number fields"));
-  row(fields, tr("Wheel"), tr("a step"));
+  row(fields, tr("Wheel, in the field with the focus"), tr("a step"));
   row(fields, tr("Ctrl + wheel"), tr("ten steps"));
   row(fields, tr("Shift + wheel"), tr("a tenth of a step"));
   row(fields, tr("Up, Down, Page up, Page down"), tr("one step, ten steps"));
   auto* lists = group(tr("Lists"));
   row(lists, tr("Return, double click"), tr("add a library material; go to a finding's field"));
-  row(lists, tr("F2"), tr("rename a material of the project"));
-  row(lists, tr("Esc"), tr("end the eyedropper without a colour"));
+  row(lists, tr("Ctrl + click, Shift + click"), tr("mark several materials of the project, to export them"));
+  row(lists, tr("F2, double click"), tr("rename a material of the project"));
+  row(lists, tr("Esc"), tr("end the preview, or the eyedropper without a colour"));
   list->resizeColumnToContents(0);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   buttons->setAccessibleName(tr("Buttons"));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/window.h"
 
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFontDatabase>
@@ -8,8 +11,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QMimeData>
 #include <QPlainTextEdit>
+#include <QScreen>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -18,6 +21,7 @@
 
 #include "app/editor/curves/curves_panel.h"
 #include "app/editor/document/files.h"
+#include "app/editor/fields/number_field.h"
 #include "app/editor/fields/plain_text.h"
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/findings_panel.h"
@@ -28,6 +32,7 @@
 #include "app/editor/panels/texture_section.h"
 #include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_panel.h"
+#include "app/editor/window_icon.h"
 #include "core/base/error.h"
 #include "core/validate/files/project_check.h"
 
@@ -44,6 +49,19 @@ QTabWidget* tab_widget(const QString& name, QWidget* parent) {
   out->setAccessibleName(name);
   out->tabBar()->setAccessibleName(name);
   return out;
+}
+
+// Whether a field holds text that is not taken over yet; the search never does.
+bool is_typed_in(const QWidget& widget) {
+  if (const auto* number = qobject_cast<const FineSpinBox*>(&widget)) return number->is_typed_in();
+  const auto* line = qobject_cast<const QLineEdit*>(&widget);
+  return line != nullptr && line->isModified() && line->property("search").isNull();
+}
+
+// The room that a screen has, less the frame around a window.
+QSize first_size(const QScreen& screen) {
+  constexpr QSize wanted(1280, 800), frame(16, 48);
+  return wanted.boundedTo(screen.availableSize() - frame);
 }
 
 }  // namespace
@@ -68,7 +86,8 @@ Window::Window(const WindowOptions& options, QWidget* parent)
   make_panels();
   make_menus();
   connect_viewport();
-  resize(1280, 800);
+  setWindowIcon(window_icon());
+  resize(first_size(*screen()));
   restore();
   const auto titled = [this] { update_title(); };
   connect(&document_, &Document::saved_changed, this, titled);
@@ -76,9 +95,13 @@ Window::Window(const WindowOptions& options, QWidget* parent)
   connect(&document_.undo_stack(), &QUndoStack::cleanChanged, this, titled);
   update_title();
   refresh();
+  qApp->installEventFilter(this);
 }
 
 Window::~Window() {
+  qApp->removeEventFilter(this);
+  // A field that loses the focus takes over what was typed: while there is a document.
+  if (QWidget* at = focusWidget()) at->clearFocus();
   io_.waitForDone();
   heavy_.clear();
   heavy_.waitForDone();
@@ -111,6 +134,7 @@ void Window::make_panels() {
   setCentralWidget(middle);
   make_docks();
   connect_panels();
+  prepare_lines();
 
   backend_ = new QLabel(this);
   backend_->setAccessibleName(tr("How the picture is drawn"));
@@ -119,6 +143,25 @@ void Window::make_panels() {
   statusBar()->setAccessibleName(tr("Status"));
   statusBar()->addPermanentWidget(patch_);
   statusBar()->addPermanentWidget(backend_);
+}
+
+void Window::prepare_lines() {
+  library_panel_->search().setProperty("search", true);
+  for (QLineEdit* line : findChildren<QLineEdit*>()) {
+    line->setAcceptDrops(false);  // files are the window's: a line would paste the address
+    if (qobject_cast<QAbstractSpinBox*>(line->parentWidget()) != nullptr) continue;
+    // What is taken over is no longer being typed, and undone by the document.
+    connect(line, &QLineEdit::editingFinished, line, [line] {
+      if (line->isModified()) line->setText(line->text());
+    });
+  }
+}
+
+void Window::take_typed() {
+  QWidget* at = focusWidget();
+  if (at == nullptr || !at->hasFocus() || !is_typed_in(*at)) return;
+  at->clearFocus();
+  at->setFocus();
 }
 
 void Window::make_docks() {
@@ -161,6 +204,7 @@ void Window::connect_panels() {
     ProjectMaterial material;
     material.name = tr("Material").toStdString();
     material.diffuse = {0.5, 0.5, 0.5};
+    material.alpha_mode = AlphaMode::opaque;
     document_.add({material}, {}, tr("new material"));
   });
   connect(project_panel_, &ProjectPanel::copy_asked, this, [this] {
@@ -168,7 +212,9 @@ void Window::connect_panels() {
   });
   connect(project_panel_, &ProjectPanel::remove_asked, this,
           [this] { document_.remove(document_.current()); });
+  connect(project_panel_, &ProjectPanel::picked, this, &Window::end_preview);
   connect(findings_, &FindingsPanel::go_to, this, &Window::go_to_finding);
+  connect(inspector_, &Inspector::told, this, &Window::tell);
   connect(&inspector_->textures(), &TextureSection::refused, this,
           [this](const QString& why) { show_problems(tr("This cannot be taken"), {why}); });
   connect(&inspector_->textures(), &TextureSection::look_asked, this, [this](Channel channel) {
@@ -191,6 +237,7 @@ bool Window::use_library_material(const QString& name) {
 }
 
 void Window::go_to_finding(const QString& material, const QString& rule) {
+  end_preview();
   const auto& list = document_.project().materials;
   for (std::size_t i = 0; i < list.size(); ++i)
     if (list[i].name == material.toStdString()) document_.set_current(static_cast<int>(i));
@@ -204,25 +251,22 @@ void Window::keyPressEvent(QKeyEvent* event) {
                                                                                  : 0;
   const int count = static_cast<int>(document_.project().materials.size());
   if (step == 0 || count == 0) return QMainWindow::keyPressEvent(event);
+  end_preview();
   document_.set_current((document_.current() + step + count) % count);
 }
 
-void Window::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls() ||
-      event->mimeData()->hasFormat(QString::fromLatin1(Viewport::material_mime)))
-    event->acceptProposedAction();
-}
-
-void Window::dropEvent(QDropEvent* event) {
-  const QMimeData* dropped = event->mimeData();
-  if (dropped->hasFormat(QString::fromLatin1(Viewport::material_mime))) {
-    use_library_material(QString::fromUtf8(dropped->data(QString::fromLatin1(Viewport::material_mime))));
-    return event->acceptProposedAction();
-  }
-  QStringList files;
-  for (const QUrl& url : dropped->urls()) files << url.toLocalFile();
-  take_files(files);
-  event->acceptProposedAction();
+// Lines take the keys of undo for the text that is typed in them: theirs while it is typed, the document's
+// from then on.
+bool Window::eventFilter(QObject* object, QEvent* event) {
+  if (event->type() != QEvent::ShortcutOverride) return QMainWindow::eventFilter(object, event);
+  const auto* key = static_cast<QKeyEvent*>(event);
+  const QKeySequence keys(key->keyCombination());
+  const auto* widget = qobject_cast<QWidget*>(object);
+  const bool of_undo = undo_->shortcuts().contains(keys) || redo_->shortcuts().contains(keys);
+  if (!of_undo || widget == nullptr || !(widget == this || isAncestorOf(widget)) || is_typed_in(*widget))
+    return QMainWindow::eventFilter(object, event);
+  event->ignore();
+  return true;
 }
 
 void Window::restore() {

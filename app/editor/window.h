@@ -18,6 +18,10 @@ class QLabel;
 class QPlainTextEdit;
 class QTabWidget;
 
+namespace etak {
+struct EngineTarget;
+}
+
 namespace etak::editor {
 
 class CurvesPanel;
@@ -26,6 +30,7 @@ class Inspector;
 class LibraryPanel;
 class LightPanel;
 class PackDialog;
+class PreviewBar;
 class ProjectPanel;
 class TextureView;
 class ViewPanel;
@@ -37,8 +42,9 @@ struct WindowOptions {
 };
 
 /// The editor: library and project on the left, viewport with tabs under it, inspector on the right, findings
-/// below. In four files: window.cpp puts it together, window_menus.cpp the actions, window_files.cpp what is
-/// read and written, window_picture.cpp what the viewport shows.
+/// below. In files by subject: window.cpp puts it together, window_menus.cpp the actions, window_files.cpp
+/// what is read and written, window_drops.cpp what is dropped, window_export.cpp what other programs get,
+/// window_recovery.cpp what might be lost, window_picture.cpp what the viewport shows.
 class Window : public QMainWindow {
   Q_OBJECT
 
@@ -72,11 +78,13 @@ class Window : public QMainWindow {
   void save_to(const QString& path);
   void import(const QStringList& paths);
   /// Files that were dropped: spectra are imported, pictures become textures of the material in hand, a .hdr
-  /// the environment. Others are refused with a message.
+  /// the environment, and of a project it is asked whether to open or to add it. Others are refused with a
+  /// message.
   void take_files(const QStringList& paths);
   PackDialog* pack_to(const QString& folder);
-  /// Offers what a killed run left behind; `ask` says yes or no (a question to the user where it is empty).
-  void offer_recovery(const std::function<bool(const Recovery&)>& ask = {});
+  /// Offers what killed runs left behind, until one is taken up; `ask` answers (a question to the user where
+  /// it is empty). Returns whether one was: its end is told by opened().
+  bool offer_recovery(const std::function<RecoveryChoice(const Recovery&)>& ask = {});
   /// Files are read or written, or a picture is being drawn.
   bool is_busy() const { return busy_ > 0 || viewport_->is_drawing(); }
 
@@ -88,6 +96,7 @@ class Window : public QMainWindow {
  protected:
   void closeEvent(QCloseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* object, QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -95,6 +104,9 @@ class Window : public QMainWindow {
   void make_panels();
   void make_docks();
   void connect_panels();
+  void prepare_lines();
+  /// What is typed in a field counts, although nobody has left it yet.
+  void take_typed();
   void make_menus();
   void make_file_menu();
   void make_edit_menu();
@@ -106,9 +118,19 @@ class Window : public QMainWindow {
   QAction* action(QMenu* menu, const QString& text, const QKeySequence& keys,
                   const std::function<void()>& act);
   void fill_copy_menu(QMenu* menu);
-  void export_to(const QString& kind);
+  void copy_value(const EngineTarget& target);
+  enum class ExportOf { one, selected, all };
+  void fill_export_menu(QMenu* menu, ExportOf which);
+  void export_to(const QString& kind, ExportOf which);
 
   bool may_lose_changes();
+  /// The same of changes made since `revision`, for what was begun before them.
+  bool may_replace(int revision);
+  bool wait_for_save();
+  RecoveryChoice ask_recovery(const Recovery& recovery);
+  bool can_take(const QStringList& files);
+  void take_spectra(const QStringList& files);
+  void ask_open_or_add(const QString& project);
   void recover(const Recovery& recovery);
   void note_recent(const QString& path);
   void forget_recent(const QString& path);
@@ -116,15 +138,17 @@ class Window : public QMainWindow {
   void tell(const QString& message);
   void show_problems(const QString& title, const QStringList& problems);
   void update_title();
+  QString beside_project(const QString& file = {}) const;
   void choose_and_open();
-  bool save();
-  void save_as();
+  void save();
+  bool save_as();  // whether a name was chosen
   void save_material_as();
   void choose_and_import();
   void choose_and_pack();
   void save_picture();
 
   void preview(const QString& id);
+  void end_preview();
   void refresh();
   void set_environment(const QString& path);
   void load_environment();
@@ -141,7 +165,7 @@ class Window : public QMainWindow {
   Look look_;
   QThreadPool io_, heavy_;
   int busy_ = 0;
-  bool seen_frame_ = false, close_after_save_ = false;
+  bool seen_frame_ = false;
 
   Viewport* viewport_ = nullptr;
   LibraryPanel* library_panel_ = nullptr;
@@ -155,6 +179,9 @@ class Window : public QMainWindow {
   QPlainTextEdit* shader_ = nullptr;
   QTabWidget *tabs_ = nullptr, *inspector_tabs_ = nullptr, *left_tabs_ = nullptr;
   QLabel *backend_ = nullptr, *patch_ = nullptr;
+  PreviewBar* preview_bar_ = nullptr;
+  QString previewed_;  // id of the library
+  QAction *undo_ = nullptr, *redo_ = nullptr, *end_preview_ = nullptr;
   QTimer refresh_timer_;
 
   // The environment that is shown, and the one that is wanted.

@@ -2,7 +2,6 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
-#include <QClipboard>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
@@ -18,12 +17,8 @@
 #include "app/editor/shortcuts.h"
 #include "app/editor/theme.h"
 #include "app/editor/window.h"
-#include "app/viewport/qt_text.h"
-#include "core/base/error.h"
-#include "core/exchange/engine_values.h"
 
 namespace etak::editor {
-namespace {}  // namespace
 
 QAction* Window::action(QMenu* menu, const QString& title, const QKeySequence& keys,
                         const std::function<void()>& act) {
@@ -78,22 +73,25 @@ void Window::make_file_menu() {
          [this] { validator_->check_all(); });
   QMenu* exports = menu->addMenu(tr("&Export material"));
   exports->setAccessibleName(tr("Export material"));
-  action(exports, tr("&MaterialX\u2026"), QKeySequence(Qt::CTRL | Qt::Key_E),
-         [this] { export_to(QStringLiteral("mtlx")); });
-  action(exports, tr("&glTF\u2026"), {}, [this] { export_to(QStringLiteral("gltf")); });
-  action(exports, tr("g&lTF, binary\u2026"), {}, [this] { export_to(QStringLiteral("glb")); });
+  fill_export_menu(exports, ExportOf::one);
+  QMenu* marked = menu->addMenu(tr("Export s&elected materials"));
+  marked->setAccessibleName(tr("Export selected materials"));
+  fill_export_menu(marked, ExportOf::selected);
+  QMenu* all = menu->addMenu(tr("Export a&ll materials"));
+  all->setAccessibleName(tr("Export all materials"));
+  fill_export_menu(all, ExportOf::all);
   menu->addSeparator();
   action(menu, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 }
 
 void Window::make_edit_menu() {
   QMenu* menu = menuBar()->addMenu(tr("&Edit"));
-  QAction* undo = document_.undo_stack().createUndoAction(this, tr("&Undo"));
-  undo->setShortcut(QKeySequence::Undo);
-  QAction* redo = document_.undo_stack().createRedoAction(this, tr("&Redo"));
-  redo->setShortcut(QKeySequence::Redo);
-  menu->addAction(undo);
-  menu->addAction(redo);
+  undo_ = document_.undo_stack().createUndoAction(this, tr("&Undo"));
+  undo_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
+  redo_ = document_.undo_stack().createRedoAction(this, tr("&Redo"));
+  redo_->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+  menu->addAction(undo_);
+  menu->addAction(redo_);
   menu->addSeparator();
   action(menu, tr("&New material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
          [this] { emit project_panel_->new_asked(); });
@@ -115,34 +113,14 @@ void Window::make_edit_menu() {
   });
 }
 
-void Window::fill_copy_menu(QMenu* menu) {
-  for (const EngineTarget& target : engine_targets())
-    action(
-        menu, qt_text(target.title),
-        target.id == "hex" ? QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C) : QKeySequence(),
-        [this, &target] {
-          const ProjectMaterial* m = look_.preview ? &*look_.preview : document_.material();
-          if (m == nullptr) return;
-          try {
-            const EngineValues values = engine_values(target, export_surface(*m, *document_.library()));
-            const QString copied = QString::fromStdString(copy_text(values));
-            QApplication::clipboard()->setText(copied);
-            QString message =
-                tr("Copied for %1: %2").arg(qt_text(target.title), copied.section(QLatin1Char('\n'), 0, 0));
-            for (const Change& change : values.changes)
-              message += QStringLiteral("; ") + qt_text(one_line(change));
-            tell(message);
-          } catch (const Error& error) {
-            tell(QString::fromUtf8(error.what()));
-          }
-        });
-}
-
 void Window::make_view_menu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
   action(menu, tr("&Frame the object"), {}, [this] { viewport_->frame_object(); });
   action(menu, tr("&Reset the camera"), QKeySequence(Qt::CTRL | Qt::Key_0),
          [this] { viewport_->reset_camera(); });
+  end_preview_ =
+      action(menu, tr("E&nd the preview"), QKeySequence(Qt::Key_Escape), [this] { end_preview(); });
+  end_preview_->setEnabled(false);
   action(menu, tr("&Compare A and B"), QKeySequence(Qt::CTRL | Qt::Key_T), [this] {
     Comparison compare = document_.project().view.compare;
     compare.on = !compare.on;

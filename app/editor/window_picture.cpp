@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <QAction>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QTabWidget>
@@ -6,6 +7,8 @@
 #include "app/editor/curves/curves_panel.h"
 #include "app/editor/document/files.h"
 #include "app/editor/fields/press_id.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/preview_bar.h"
 #include "app/editor/panels/texture_view.h"
 #include "app/editor/panels/view_panel.h"
 #include "app/editor/window.h"
@@ -43,9 +46,13 @@ void Window::connect_viewport() {
   connect(&refresh_timer_, &QTimer::timeout, this, &Window::refresh);
   const auto soon = [this] { refresh_timer_.start(); };
   const auto in_hand = [this] {
-    look_.preview.reset();
+    end_preview();
     refresh_timer_.start();
   };
+  viewport_->set_drop_filter([this](const QStringList& files) { return can_take(files); });
+  preview_bar_ = new PreviewBar(viewport_);
+  connect(preview_bar_, &PreviewBar::add_asked, this, [this] { use_library_material(previewed_); });
+  connect(preview_bar_, &PreviewBar::end_asked, this, &Window::end_preview);
   connect(&document_, &Document::material_changed, this, in_hand);
   connect(&document_, &Document::current_changed, this, in_hand);
   connect(&document_, &Document::replaced, this, in_hand);
@@ -99,11 +106,25 @@ void Window::preview(const QString& id) {
   if (!record) return;
   try {
     look_.preview = with_measured(material_of(*record), *document_.library());
-    tell(tr("%1 of the library: Return adds it to the project").arg(QString::fromStdString(record->name)));
   } catch (const Error& error) {
-    look_.preview.reset();
-    tell(QString::fromUtf8(error.what()));
+    end_preview();
+    return tell(QString::fromUtf8(error.what()));
   }
+  previewed_ = id;
+  const QString name = QString::fromStdString(record->name);
+  tell(tr("%1 of the library: Return adds it to the project, Esc ends the preview").arg(name));
+  preview_bar_->show_name(name);
+  inspector_->show_preview(look_.preview);
+  end_preview_->setEnabled(true);
+  refresh_timer_.start();
+}
+
+void Window::end_preview() {
+  if (!look_.preview) return;
+  look_.preview.reset();
+  preview_bar_->hide();
+  inspector_->show_preview({});
+  end_preview_->setEnabled(false);
   refresh_timer_.start();
 }
 

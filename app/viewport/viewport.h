@@ -7,10 +7,13 @@
 #include <QStringList>
 #include <QWidget>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/render/view_state.h"
+
+class QMimeData;
 
 namespace etak {
 
@@ -63,6 +66,9 @@ class Viewport : public QWidget {
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
+  /// Which dragged files are accepted; without it all are.
+  void set_drop_filter(std::function<bool(const QStringList&)> can_take);
+
   /// The kind of drag that material_dropped() answers: UTF-8 text.
   static constexpr const char* material_mime = "application/x-etak-material";
 
@@ -108,6 +114,9 @@ class Viewport : public QWidget {
   class Private;
   std::unique_ptr<Private> d_;
 };
+
+/// The files of a drag that lie on this machine.
+QStringList dragged_files(const QMimeData& data);
 
 }  // namespace etak
 

@@ -345,9 +345,24 @@ void Viewport::Private::refresh_overlay() {
   overlay->show_content(std::move(content));
 }
 
+QStringList dragged_files(const QMimeData& data) {
+  QStringList out;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) out << url.toLocalFile();
+  return out;
+}
+
+void Viewport::set_drop_filter(std::function<bool(const QStringList&)> can_take) {
+  d_->can_take = std::move(can_take);
+}
+
 void Viewport::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasFormat(material_mime) || event->mimeData()->hasUrls())
+  const QStringList paths = dragged_files(*event->mimeData());
+  if (event->mimeData()->hasFormat(material_mime) ||
+      (!paths.isEmpty() && (!d_->can_take || d_->can_take(paths))))
     event->acceptProposedAction();
+  else
+    event->ignore();
 }
 
 void Viewport::dropEvent(QDropEvent* event) {
@@ -357,9 +372,7 @@ void Viewport::dropEvent(QDropEvent* event) {
     emit material_dropped(QString::fromUtf8(mime.data(material_mime)));
     return;
   }
-  QStringList paths;
-  for (const QUrl& url : mime.urls())
-    if (url.isLocalFile()) paths << url.toLocalFile();
+  const QStringList paths = dragged_files(mime);
   if (paths.isEmpty()) return event->ignore();
   event->acceptProposedAction();
   const bool environment = paths.size() == 1 && (paths[0].endsWith(".hdr", Qt::CaseInsensitive) ||

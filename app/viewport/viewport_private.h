@@ -39,6 +39,7 @@ class Viewport::Private {
   QTimer hover_timer;
   QPointF hover_at;
   QString readout;
+  std::function<bool(const QStringList&)> can_take;
   QThreadPool openers;  // last: its thread ends before the rest goes
 
   void use_gl();

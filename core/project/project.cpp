@@ -33,6 +33,11 @@ bool is_total(const FoundF0& found) {
   return !gives_f0(found.material.material_class);
 }
 
+// In the mode opaque alpha is not looked at.
+double opacity_by_mode(const ProjectMaterial& material) {
+  return material.alpha_mode == AlphaMode::opaque ? 1 : material.alpha;
+}
+
 }  // namespace
 
 std::string_view name(Channel channel) {
@@ -150,7 +155,7 @@ SurfaceValues surface_of(const ProjectMaterial& material, const MaterialLibrary&
     complete_from_f0(out);
   }
   out.gloss = material.gloss;
-  out.opacity = material.alpha;
+  out.opacity = opacity_by_mode(material);
   return out;
 }
 
@@ -174,7 +179,7 @@ ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibr
   out.gloss = material.gloss;
   // Alpha is of the body, whose clearness targets are told by themselves; theirs would take the reflection
   // away too.
-  out.opacity = out.clear ? 1 : material.alpha;
+  out.opacity = out.clear ? 1 : opacity_by_mode(material);
   out.name = material.name;
   out.id = material.name;
   return out;

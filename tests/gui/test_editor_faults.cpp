@@ -189,7 +189,7 @@ class EditorFaults : public QObject {
       int asked = 0;
       window.offer_recovery([&](const Recovery& each) {
         ++asked;
-        return each.path == project;
+        return each.path == project ? RecoveryChoice::recover : RecoveryChoice::discard;
       });
       QVERIFY(asked <= 1);
       QVERIFY(QTest::qWaitFor([&] { return !window.is_busy(); }, 60000));

@@ -13,8 +13,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
-#include <QMimeData>
-#include <QPointer>
 #include <QSettings>
 #include <QXmlStreamReader>
 #include <thread>
@@ -26,7 +24,7 @@
 #include "app/editor/panels/texture_view.h"
 #include "core/exchange/engine_values.h"
 #include "core/material/json.h"
-#include "tests/gui/editor_support.h"
+#include "tests/gui/editor_hands.h"
 
 using namespace etak;
 using namespace etak::editor;
@@ -36,40 +34,6 @@ namespace {
 QByteArray read(const QString& path) {
   QFile file(path);
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-// Acts on the next dialog of a kind that stops everything else, as soon as it is there.
-template <class Dialog>
-void when_asked(const std::function<void(Dialog&)>& act) {
-  auto* watch = new QTimer(qApp);
-  QObject::connect(watch, &QTimer::timeout, watch, [watch, act] {
-    auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
-    if (dialog == nullptr) return;
-    // A file dialog that still reads its folder takes nothing yet: again at the next tick.
-    const QPointer<Dialog> still(dialog);
-    act(*dialog);
-    if (still && still->isVisible()) return;
-    watch->stop();
-    watch->deleteLater();
-  });
-  watch->start(5);
-}
-
-void answer(QMessageBox::StandardButton button) {
-  when_asked<QMessageBox>([button](QMessageBox& box) { box.button(button)->click(); });
-}
-
-void choose_file(const QString& path) {
-  when_asked<QFileDialog>([path](QFileDialog& dialog) {
-    dialog.selectFile(path);
-    static_cast<QDialog&>(dialog).accept();
-  });
-}
-
-QAction* action_named(const QObject& where, const QString& name) {
-  for (QAction* each : where.findChildren<QAction*>())
-    if (each->text().remove(QLatin1Char('&')).remove(QChar(0x2026)) == name) return each;
-  return nullptr;
 }
 
 // What the window's message says, which is closed.
@@ -86,20 +50,6 @@ QString message(TestWindow& window) {
     found->close();
   }
   return out;
-}
-
-// A drop as the window system brings it.
-void drop(QWidget& widget, const QStringList& files) {
-  QMimeData data;
-  QList<QUrl> urls;
-  for (const QString& each : files) urls << QUrl::fromLocalFile(each);
-  data.setUrls(urls);
-  const QPoint middle = widget.rect().center();
-  QDragEnterEvent enter(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&widget, &enter);
-  QVERIFY(enter.isAccepted());
-  QDropEvent event(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&widget, &event);
 }
 
 QWidget* texture_row(TestWindow& window, Channel channel) {
@@ -243,13 +193,13 @@ class EditorFiles : public QObject {
     TestWindow window(true);
     QSignalSpy opened(window.window.get(), &Window::opened);
     write(window.file(QStringLiteral("glass.yml")), page);
-    drop(window->viewport(), {window.file(QStringLiteral("glass.yml"))});
+    QVERIFY(drop(window->viewport(), {window.file(QStringLiteral("glass.yml"))}));
     QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
     QCOMPARE(window->document().project().materials.size(), std::size_t{1});
     QVERIFY(window->document().material()->measured.has_value());
 
     write(window.file(QStringLiteral("Steel.CSV")), "nm,n,k\n380,2,3\n500,2.2,3.1\n780,2.5,3.4\n");
-    drop(*window, {window.file(QStringLiteral("Steel.CSV"))});
+    QVERIFY(drop(*window, {window.file(QStringLiteral("Steel.CSV"))}));
     QVERIFY(QTest::qWaitFor([&] { return opened.count() == 2; }, 20000));
     QVERIFY2(opened.back().front().toBool(), qPrintable(message(window)));
     QCOMPARE(window->document().material()->name, std::string("Steel"));
@@ -300,7 +250,7 @@ class EditorFiles : public QObject {
     write(file, hdr);
     for (QWidget* target :
          {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {
-      drop(*target, {file});
+      QVERIFY(drop(*target, {file}));
       QCOMPARE(window->document().project().view.lights.environment, file.toStdString());
       QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().environment != nullptr; }, 20000));
       window->document().undo_stack().undo();
@@ -317,9 +267,9 @@ class EditorFiles : public QObject {
     const QString gloss = picture(window, QStringLiteral("wood_gloss.png"));
     QWidget* row = texture_row(window, Channel::specular);
     QVERIFY(row != nullptr);
-    drop(*row, {wood});
+    QVERIFY(drop(*row, {wood}));
     QCOMPARE(window->document().material()->texture(Channel::specular)->path, wood.toStdString());
-    drop(window->viewport(), {wood, gloss});
+    QVERIFY(drop(window->viewport(), {wood, gloss}));
     QCOMPARE(window->document().material()->texture(Channel::diffuse)->path, wood.toStdString());
     QCOMPARE(window->document().material()->texture(Channel::gloss)->path, gloss.toStdString());
     QVERIFY(QTest::qWaitFor([&] { return window->texture_view().textures() != nullptr; }, 20000));
@@ -337,24 +287,36 @@ class EditorFiles : public QObject {
     write(window.file(QStringLiteral("page.yml")), page);
     const QString wood = picture(window, QStringLiteral("wood.png"));
     // A texture without a material to put it on.
-    drop(window->viewport(), {wood});
+    QVERIFY(drop(window->viewport(), {wood}));
     QVERIFY(message(window).contains(QLatin1String("needs a material")));
     QVERIFY(window->use_library_material(QStringLiteral("pmma")));
     const Project before = window->document().project();
     for (QWidget* target :
          {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {
-      drop(*target, {window.file(QStringLiteral("letter.docx"))});
-      const QString told = message(window);
-      QVERIFY2(told.contains(QLatin1String("letter.docx")) && told.contains(QLatin1String(".csv")),
-               qPrintable(told));
+      // Nothing that can be taken: it is not accepted, and below stands why.
+      QVERIFY(!drop(*target, {window.file(QStringLiteral("letter.docx"))}));
+      QVERIFY2(
+          told(window).contains(QLatin1String("letter.docx")) && told(window).contains(QLatin1String(".csv")),
+          qPrintable(told(window)));
+      QVERIFY(window->document().project() == before);
+      // Beside something that can, it is named.
+      QVERIFY(drop(*target, {window.file(QStringLiteral("letter.docx")), wood}));
+      const QString refused = message(window);
+      QVERIFY2(refused.contains(QLatin1String("letter.docx")) && refused.contains(QLatin1String(".csv")),
+               qPrintable(refused));
+      QVERIFY(window->document().material()->texture(Channel::diffuse));
+      window->document().undo_stack().undo();
     }
-    drop(*texture_row(window, Channel::gloss), {window.file(QStringLiteral("page.yml"))});
+    QWidget& row = *texture_row(window, Channel::gloss);
+    QVERIFY(!drop(row, {window.file(QStringLiteral("letter.docx"))}));
+    QVERIFY(drop(row, {window.file(QStringLiteral("page.yml")), wood}));
     QVERIFY(message(window).contains(QLatin1String("no picture")));
+    window->document().undo_stack().undo();
     QVERIFY(window->document().project() == before);
     // A page that is none, by its right ending.
     QSignalSpy opened(window.window.get(), &Window::opened);
     write(window.file(QStringLiteral("page.yml")), "no: page");
-    drop(window->viewport(), {window.file(QStringLiteral("page.yml"))});
+    QVERIFY(drop(window->viewport(), {window.file(QStringLiteral("page.yml"))}));
     QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
     QVERIFY(message(window).contains(QLatin1String("page.yml")));
     QVERIFY(window->document().project() == before);

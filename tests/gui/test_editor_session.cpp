@@ -65,6 +65,8 @@ class EditorSession : public QObject {
     // Gloss by wheel: several turns are one step of undo.
     FineSpinBox& gloss = window->inspector().gloss().box();
     const double gloss_before = window->document().material()->gloss;
+    QApplication::setActiveWindow(window.window.get());
+    gloss.setFocus();
     for (int i = 0; i < 3; ++i) turn_wheel(gloss, -1);
     turn_wheel(gloss, -1, Qt::ShiftModifier);
     QCOMPARE(window->document().undo_stack().count(), 2);

@@ -224,6 +224,9 @@ class EditorWidgets : public QObject {
     QCOMPARE(field.color(), srgb_decode(Srgb8{128, 128, 128}));
     QCOMPARE(boxes[2]->value(), std::round(srgb_decode(128 / 255.0) * 1e6) / 1e6);
     // A turn of the wheel is one edit of a code, ten with Ctrl; several closely are one press.
+    field.show();
+    QApplication::setActiveWindow(&field);
+    boxes[1]->setFocus();
     turn_wheel(*boxes[1], 1);
     turn_wheel(*boxes[1], 1, Qt::ControlModifier);
     turn_wheel(*boxes[1], -1, Qt::ShiftModifier);
@@ -239,6 +242,9 @@ class EditorWidgets : public QObject {
 
   void the_wheel_is_coarse_with_ctrl_and_fine_with_shift() {
     FineSpinBox box;
+    box.show();
+    QApplication::setActiveWindow(&box);
+    box.setFocus();
     box.setRange(0, 100);
     box.setSingleStep(0.1);
     box.show_value(10);

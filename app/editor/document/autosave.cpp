@@ -4,6 +4,10 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QUuid>
 
 #include "app/viewport/background.h"
@@ -39,9 +43,9 @@ Autosave::Autosave(Document& document, const QString& folder, QObject* parent)
   timer_.setSingleShot(true);
   timer_.setInterval(delay_ms);
   connect(&timer_, &QTimer::timeout, this, &Autosave::begin);
-  const auto changed = [this] {
-    if (!document_.is_saved()) timer_.start();
-  };
+  // The change is told before the stack counts it: whether there is something to keep is asked when the time
+  // is over.
+  const auto changed = [this] { timer_.start(); };
   connect(&document, &Document::material_changed, this, changed);
   connect(&document, &Document::materials_added, this, changed);
   connect(&document, &Document::materials_removed, this, changed);
@@ -57,17 +61,39 @@ Autosave::~Autosave() {
   pool_.waitForDone();
 }
 
+void Autosave::remove_stale() const {
+  const QDir folder(folder_);
+  for (const char* ending : {".lock", ".path"})
+    for (const QString& name :
+         folder.entryList({QStringLiteral("*.json") + QLatin1String(ending)}, QDir::Files)) {
+      const QString copy = folder.filePath(name).chopped(static_cast<qsizetype>(qstrlen(ending)));
+      if (copy == file_ || QFile::exists(copy)) continue;
+      QLockFile lock(copy + QStringLiteral(".lock"));
+      lock.setStaleLockTime(0);
+      if (!lock.tryLock(0)) continue;  // its run lives, and has nothing to keep now
+      QFile::remove(copy + QStringLiteral(".path"));
+    }
+}
+
 std::vector<Recovery> Autosave::left_behind() {
+  remove_stale();
   std::vector<Recovery> out;
   const QDir folder(folder_);
   for (const QString& name : folder.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Time)) {
-    Recovery one{folder.filePath(name), {}};
+    Recovery one{folder.filePath(name), {}, {}, 0};
     if (one.file == file_) continue;
     QLockFile lock(one.file + QStringLiteral(".lock"));
     lock.setStaleLockTime(0);
     if (!lock.tryLock(0)) continue;  // its run lives
     QFile path(one.file + QStringLiteral(".path"));
     if (path.open(QIODevice::ReadOnly)) one.path = QString::fromUtf8(path.readAll());
+    one.when = QFileInfo(one.file).lastModified();
+    if (QFile copy(one.file); copy.open(QIODevice::ReadOnly))
+      one.materials = static_cast<int>(QJsonDocument::fromJson(copy.readAll())
+                                           .object()
+                                           .value(QLatin1String("materials"))
+                                           .toArray()
+                                           .size());
     out.push_back(one);
   }
   return out;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QDateTime>
 #include <QLockFile>
 #include <QObject>
 #include <QThreadPool>
@@ -16,7 +17,10 @@ namespace etak::editor {
 struct Recovery {
   QString file;  // the saved state
   QString path;  // of the project it belongs to; empty: never saved
+  QDateTime when;
+  int materials = 0;
 };
+enum class RecoveryChoice { recover, keep, discard };
 
 /// Keeps a copy of unsaved changes in a folder of its own, a moment after each, and takes it away once they
 /// are saved or given up. A lock beside each copy tells runs that live from those that died.
@@ -27,7 +31,8 @@ class Autosave : public QObject {
   Autosave(Document& document, const QString& folder, QObject* parent = nullptr);
   ~Autosave() override;
 
-  /// What dead runs left. Call once, before this run has anything of its own.
+  /// What dead runs left; locks and names that they left without a copy are removed. Call once, before this
+  /// run has anything of its own.
   std::vector<Recovery> left_behind();
   /// Removes a copy that was taken up or declined.
   static void discard(const Recovery& recovery);
@@ -42,6 +47,7 @@ class Autosave : public QObject {
  private:
   void begin();
   void remove();
+  void remove_stale() const;
 
   Document& document_;
   QString folder_, file_;

@@ -51,7 +51,7 @@ SurfaceValues Document::surface_of(const ProjectMaterial& material, QString* pro
   SurfaceValues out = solved_;
   out.diffuse = vec(material.diffuse);
   out.gloss = material.gloss;
-  out.opacity = material.alpha;
+  out.opacity = material.alpha_mode == AlphaMode::opaque ? 1 : material.alpha;
   return out;
 }
 
@@ -82,7 +82,10 @@ void Document::add(std::vector<ProjectMaterial> materials, const std::vector<Mat
   if (materials.empty()) return;
   // Names are made unique against those added with them, too.
   FreeNames names = names_of(project_);
-  for (ProjectMaterial& each : materials) each.name = free_name(names, each.name);
+  for (ProjectMaterial& each : materials) {
+    each.name = free_name(names, each.name);
+    let_go_.erase(each.name);  // of one that is gone
+  }
   std::vector<Material> all = project_.spectra;
   for (const Material& each : spectra) {
     const auto same =
@@ -107,6 +110,8 @@ void Document::replace(Project project, const QString& path, bool saved) {
   project_ = std::move(project);
   path_ = path;
   recovered_ = !saved;
+  ++generation_;
+  let_go_.clear();
   current_ = project_.materials.empty() ? -1 : 0;
   ++revision_;
   set_spectra(project_.spectra);
@@ -119,6 +124,20 @@ QString Document::title() const {
   return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName();
 }
 
+QString Document::folder() const {
+  return path_.isEmpty() ? QString() : QFileInfo(path_).absolutePath();
+}
+
+std::optional<MeasuredF0> Document::let_go(const std::string& name) const {
+  const auto found = let_go_.find(name);
+  return found == let_go_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void Document::set_path(const QString& path) {
+  path_ = path;
+  emit saved_changed();
+}
+
 void Document::mark_saved(const QString& path) {
   path_ = path;
   recovered_ = false;
@@ -127,7 +146,16 @@ void Document::mark_saved(const QString& path) {
 }
 
 void Document::put(int index, const ProjectMaterial& material) {
-  project_.materials[static_cast<std::size_t>(index)] = material;
+  ProjectMaterial& now = project_.materials[static_cast<std::size_t>(index)];
+  if (now.name != material.name) {
+    if (auto kept = let_go_.extract(now.name)) {
+      let_go_.erase(material.name);
+      kept.key() = material.name;
+      let_go_.insert(std::move(kept));
+    }
+  }
+  if (now.measured && !material.measured) let_go_[material.name] = *now.measured;
+  now = material;
   ++revision_;
   emit material_changed(index);
 }

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -45,12 +46,21 @@ class Document : public QObject {
   /// Another project: empties the undo stack.
   void replace(Project project, const QString& path, bool saved);
 
+  /// The measurement that a material had before its colour was typed over, in this run.
+  std::optional<MeasuredF0> let_go(const std::string& name) const;
+
   const QString& path() const { return path_; }
+  QString folder() const;  // of the project; empty: it was never saved
   QString title() const;
   bool is_saved() const { return undo_.isClean() && !recovered_; }
   void mark_saved(const QString& path);
+  /// For a project that was written, and changed while it was: it has a file now, and changes that are not in
+  /// it.
+  void set_path(const QString& path);
   /// Counts every change, undone ones too: tells a worker's answer from an older state.
   int revision() const { return revision_; }
+  /// Counts the projects that were here, one after the other.
+  int generation() const { return generation_; }
 
  signals:
   void replaced();  // everything may be different
@@ -77,8 +87,9 @@ class Document : public QObject {
   Project project_;
   QUndoStack undo_;
   QString path_;
-  int current_ = -1, revision_ = 0;
+  int current_ = -1, revision_ = 0, generation_ = 0;
   bool recovered_ = false;
+  std::map<std::string, MeasuredF0> let_go_;  // by the material's name
   // The last solved surface: sliders ask for it again and again with the same F0.
   mutable std::optional<MeasuredF0> solved_measured_;
   mutable LinearRgb solved_specular_{-1, -1, -1};

@@ -115,10 +115,15 @@ ProjectMaterial material_of(const Material& record) {
   ProjectMaterial out;
   out.name = record.name;
   out.measured = MeasuredF0{record.id, {}, {}, {}};
+  // Opaque but for a clear body. Files that say no mode mean blend, so this one is written.
+  out.alpha_mode = AlphaMode::opaque;
   const bool clear = clarity(record, record.preferred_dataset()).clear;
   if (optical_kind(record.material_class) == "dielectric" && !clear) out.diffuse = {0.25, 0.25, 0.25};
   // Alpha is of the body, and a clear one lets the background through.
-  if (clear) out.alpha = 0;
+  if (clear) {
+    out.alpha = 0;
+    out.alpha_mode = AlphaMode::blend;
+  }
   out.gloss = default_gloss(record, clear).gloss;
   return out;
 }
@@ -131,6 +136,17 @@ QString accept_named(const QString& typed) {
 
 bool is_pipe(const QString& path) {
   return is_pipe_input(path.toStdString());
+}
+
+bool holds_project(const QString& path) {
+  if (!path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) return false;
+  try {
+    return is_project(read_file(path.toStdString()));
+  } catch (const Error&) {
+    return false;  // whoever reads it tells why
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 }
 
 Opened open_project(const QString& path, const MaterialLibrary& library) {

@@ -39,6 +39,9 @@ QString accept_named(const QString& typed);
 /// Whether `path` is of accept_named() and lies in no folder: what it holds cannot be saved to it.
 bool is_pipe(const QString& path);
 
+/// Whether the file can be read and is a project: not a material, a page or a table.
+bool holds_project(const QString& path);
+
 /// A project or a single material of one (.json).
 Opened open_project(const QString& path, const MaterialLibrary& library);
 

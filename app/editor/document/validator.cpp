@@ -10,7 +10,7 @@
 namespace etak::editor {
 namespace {
 
-constexpr int delay_ms = 200;
+constexpr int check_delay_ms = 200;
 constexpr std::size_t most_at_once = 64;  // materials between two looks at the list
 constexpr std::size_t most_texels = std::size_t{64} << 20;
 
@@ -20,7 +20,7 @@ Validator::Validator(Document& document, QObject* parent) : QObject(parent), doc
   pool_.setMaxThreadCount(1);
   pool_.setThreadPriority(QThread::LowPriority);
   timer_.setSingleShot(true);
-  timer_.setInterval(delay_ms);
+  timer_.setInterval(check_delay_ms);
   connect(&timer_, &QTimer::timeout, this, &Validator::begin);
   const auto mark = [this](int first, int count) {
     for (int i = first; i < first + count; ++i)

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPixmap>
+#include <QSignalBlocker>
 #include <QToolButton>
 
 #include "app/editor/fields/eyedropper.h"
@@ -64,10 +65,12 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
   }
   for (std::size_t c = 0; c < 3; ++c) {
     linear_[c] = add_number(grid, 0, c, tr("linear"), [](double value) { return value; });
-    linear_[c]->setRange(-1000, 1000);
-    linear_[c]->setToolTip(tr("%1, linear; wheel edits, Ctrl coarse, Shift fine").arg(channel_words()[c]));
+    linear_[c]->setRange(0, 1000);
+    linear_[c]->setToolTip(
+        tr("%1, linear; in the field the wheel edits, Ctrl coarse, Shift fine").arg(channel_words()[c]));
     // The other channels keep what 8 bits would take from them.
     codes_[c] = add_number(grid, 1, c, tr("sRGB 8 bit"), [](double code) { return srgb_decode(code / 255); });
+    codes_[c]->setToolTip(tr("%1 as a code of 8-bit sRGB").arg(channel_words()[c]));
     codes_[c]->setDecimals(0);
     codes_[c]->setSingleStep(1);
     codes_[c]->setRange(0, 255);
@@ -77,6 +80,7 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
   hex_ = new QLineEdit(this);
   hex_->setMaxLength(9);
   hex_->setAccessibleName(tr("%1, hexadecimal").arg(name));
+  hex_->setToolTip(tr("%1 as a code of 8-bit sRGB: #RRGGBB").arg(name));
   hex_->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("#wwwwww")) + 16);
   line->addWidget(hex_);
   const auto button = [&](const QString& label, const QString& accessible, const QString& tip) {
@@ -117,14 +121,19 @@ FineSpinBox* ColorField::add_number(QGridLayout* grid, int row, std::size_t chan
 
 void ColorField::connect_parts() {
   connect(hex_, &QLineEdit::editingFinished, this, [this] {
-    if (showing_ || hex_->text().toStdString() == hex(srgb_u8(color_))) return;
+    if (showing_) return;
     try {
-      take(srgb_decode(parse_hex(hex_->text().trimmed().toStdString())), next_press_id());
+      const Srgb8 typed = parse_hex(hex_->text().trimmed().toStdString());
+      // The codes that stand there already are not read back: the colour is finer than they are.
+      if (typed != srgb_u8(color_)) return take(srgb_decode(typed), next_press_id());
     } catch (const Error&) {
-      show_all();  // what was typed is no colour: back to the one there is
     }
+    show_all();  // what was typed is no colour, or the one there is
   });
-  connect(reset_, &QToolButton::clicked, this, [this] { take(standard_, next_press_id()); });
+  connect(reset_, &QToolButton::clicked, this, [this] {
+    if (own_reset_) return take(standard_, next_press_id());
+    emit reset_asked();
+  });
   connect(dropper_, &QToolButton::clicked, this, [this] {
     new Eyedropper(this, [this](std::optional<QColor> picked) {
       if (picked) take(linear_of(*picked), next_press_id());
@@ -192,6 +201,9 @@ void ColorField::show_all() {
   const Srgb8 codes = srgb_u8(color_);
   const std::array<int, 3> numbers{codes.r, codes.g, codes.b};
   for (std::size_t c = 0; c < 3; ++c) {
+    // A channel below 0 is out of gamut: shown as it is, never reached by steps from above.
+    const QSignalBlocker quiet(linear_[c]);
+    linear_[c]->setMinimum(std::min(0.0, part(color_, c)));
     linear_[c]->show_value(part(color_, c));
     codes_[c]->show_value(numbers[c]);
   }

@@ -26,9 +26,14 @@ class ColorField : public QWidget {
 
   const LinearRgb& color() const { return color_; }
   void show_color(const LinearRgb& color);
+  const LinearRgb& standard() const { return standard_; }
+  /// Whoever answers reset_asked() shows the colour to go back to; without this it is the standard of the
+  /// constructor.
+  void leave_reset_to_owner() { own_reset_ = false; }
 
  signals:
   void edited(const etak::LinearRgb& color, int press_id);
+  void reset_asked();
 
  private:
   void take(const LinearRgb& color, int press_id);
@@ -45,7 +50,7 @@ class ColorField : public QWidget {
   QToolButton *swatch_ = nullptr, *dropper_ = nullptr, *reset_ = nullptr;
   QWidget* outside_ = nullptr;
   QLabel* badge_ = nullptr;
-  bool showing_ = false;
+  bool showing_ = false, own_reset_ = true;
 };
 
 }  // namespace etak::editor

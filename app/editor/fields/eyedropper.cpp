@@ -46,6 +46,10 @@ bool Eyedropper::eventFilter(QObject*, QEvent* event) {
                                              : std::nullopt);
     return true;
   }
+  if (event->type() == QEvent::ShortcutOverride) {
+    event->accept();  // Escape is this one's, whatever it is a shortcut of
+    return true;
+  }
   if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
     finish(std::nullopt);
     return true;

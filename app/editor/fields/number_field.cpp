@@ -2,10 +2,12 @@
 #include "app/editor/fields/number_field.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
-#include <QSlider>
+#include <QStyle>
+#include <QStyleOptionSlider>
 #include <QToolButton>
 #include <QWheelEvent>
 #include <algorithm>
@@ -29,10 +31,19 @@ FineSpinBox::FineSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
   connect(this, &QDoubleSpinBox::valueChanged, this, [this] {
     if (!showing_) tell(step_press_ != 0 ? step_press_ : next_press_id());
   });
+  // What is taken over is undone by the document, no longer by the line.
+  connect(this, &QDoubleSpinBox::editingFinished, this, [this] {
+    if (lineEdit()->isUndoAvailable()) lineEdit()->setText(lineEdit()->text());
+  });
 }
 
 QString FineSpinBox::textFromValue(double value) const {
   return QString::fromStdString(number(value, 5));
+}
+
+double FineSpinBox::valueFromText(const QString& text) const {
+  // The text of an untouched box is rounded; the value is not.
+  return text == textFromValue(value()) ? value() : QDoubleSpinBox::valueFromText(text);
 }
 
 QSize FineSpinBox::minimumSizeHint() const {
@@ -49,16 +60,22 @@ void FineSpinBox::show_value(double value) {
   showing_ = false;
 }
 
+bool FineSpinBox::is_typed_in() const {
+  return lineEdit()->text() != textFromValue(value());
+}
+
 void FineSpinBox::tell(int press_id) {
   emit edited(value(), press_id);
 }
 
 void FineSpinBox::stepBy(int steps) {
-  // Keys and buttons that repeat are one press each; they are few.
+  step_press_ = steps_.id();
   QDoubleSpinBox::stepBy(steps);
+  step_press_ = 0;
 }
 
 void FineSpinBox::wheelEvent(QWheelEvent* event) {
+  if (!hasFocus()) return event->ignore();
   // Some desktops turn Shift + wheel sideways.
   const QPoint turn = event->angleDelta();
   const double notches = (turn.y() != 0 ? turn.y() : turn.x()) / 120.0;
@@ -68,10 +85,60 @@ void FineSpinBox::wheelEvent(QWheelEvent* event) {
   double change = notches * factor * singleStep();
   // Whole numbers have no tenth of a step.
   if (decimals() == 0 && std::abs(change) < 1) change = change < 0 ? -1 : 1;
-  step_press_ = wheel_.id();
+  step_press_ = steps_.id();
   setValue(value() + change);
   step_press_ = 0;
   event->accept();
+}
+
+QuietSpinBox::QuietSpinBox(QWidget* parent) : QSpinBox(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+}
+
+void QuietSpinBox::wheelEvent(QWheelEvent* event) {
+  if (hasFocus())
+    QSpinBox::wheelEvent(event);
+  else
+    event->ignore();
+}
+
+FieldSlider::FieldSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  connect(this, &QSlider::sliderPressed, this, [this] {
+    if (press_ == 0) press_ = next_press_id();
+  });
+  connect(this, &QSlider::sliderReleased, this, [this] { press_ = 0; });
+  connect(this, &QSlider::valueChanged, this,
+          [this](int position) { emit edited(position, press_ != 0 ? press_ : next_press_id()); });
+}
+
+void FieldSlider::mousePressEvent(QMouseEvent* event) {
+  QStyleOptionSlider option;
+  initStyleOption(&option);
+  const QRect handle = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, this);
+  const int x = event->position().toPoint().x();
+  if (event->button() == Qt::LeftButton && (x < handle.left() || x > handle.right())) {
+    const QRect groove = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderGroove, this);
+    // The handle goes under the cursor, where a drag may hold it: jump and drag are one press.
+    press_ = next_press_id();
+    setValue(QStyle::sliderValueFromPosition(minimum(), maximum(), x - groove.x() - handle.width() / 2,
+                                             groove.width() - handle.width(), option.upsideDown));
+  }
+  QSlider::mousePressEvent(event);
+  if (!isSliderDown()) press_ = 0;
+}
+
+void FieldSlider::wheelEvent(QWheelEvent* event) {
+  if (!hasFocus()) return event->ignore();
+  press_ = steps_.id();
+  QSlider::wheelEvent(event);
+  press_ = 0;
+}
+
+void FieldSlider::keyPressEvent(QKeyEvent* event) {
+  press_ = steps_.id();
+  QSlider::keyPressEvent(event);
+  press_ = 0;
 }
 
 NumberField::NumberField(const QString& name, double least, double most, double standard, QWidget* parent)
@@ -80,7 +147,7 @@ NumberField::NumberField(const QString& name, double least, double most, double 
       most_(most),
       standard_(standard),
       by_ratio_(least > 0 && most / least >= 1000),
-      slider_(new QSlider(Qt::Horizontal, this)),
+      slider_(new FieldSlider(this)),
       box_(new FineSpinBox(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -96,17 +163,14 @@ NumberField::NumberField(const QString& name, double least, double most, double 
   slider_->setRange(0, slider_steps);
   slider_->setMinimumWidth(50);
   slider_->setAccessibleName(tr("%1, slider").arg(name));
-  slider_->setFocusPolicy(Qt::StrongFocus);
   box_->setRange(least, most);
   box_->setSingleStep(by_ratio_ ? standard / 20 : (most - least) / 100);
   box_->setAccessibleName(name);
   setAccessibleName(tr("%1, field").arg(name));
-  connect(slider_, &QSlider::sliderPressed, this, [this] { press_ = next_press_id(); });
-  connect(slider_, &QSlider::sliderReleased, this, [this] { press_ = 0; });
-  connect(slider_, &QSlider::valueChanged, this, [this](int position) {
+  connect(slider_, &FieldSlider::edited, this, [this](int position, int press_id) {
     const double value = of_slider(position);
     box_->show_value(value);
-    emit edited(value, press_ != 0 ? press_ : next_press_id());
+    emit edited(value, press_id);
   });
   connect(box_, &FineSpinBox::edited, this, [this](double value, int press_id) {
     const QSignalBlocker quiet(slider_);

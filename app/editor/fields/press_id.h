@@ -11,11 +11,12 @@ inline int next_press_id() {
   return ++last;
 }
 
-/// Turns of a wheel that follow each other closely are one press.
-class WheelPress {
+/// Turns of a wheel and repeated steps of a key that follow each other closely are one press. The pause is
+/// longer than the time that passes before a held key repeats.
+class RepeatedPress {
  public:
   int id() {
-    constexpr qint64 pause_ms = 600;
+    constexpr qint64 pause_ms = 800;
     if (id_ == 0 || !since_.isValid() || since_.elapsed() > pause_ms) id_ = next_press_id();
     since_.start();
     return id_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "app/editor/document/document.h"
 #include "app/editor/panels/sections.h"
 
@@ -12,6 +15,7 @@ namespace etak::editor {
 class ColorField;
 class ModelSection;
 class NumberField;
+class Section;
 class SourceSection;
 class TextureSection;
 
@@ -32,12 +36,22 @@ class Inspector : public PanelScroll {
   TextureSection& textures() { return *textures_; }
   /// Brings the field of a channel into sight and gives it the focus.
   void go_to(Channel channel);
+  /// Shows a material that is only looked at, with fields that cannot be edited; none: the one in hand again.
+  void show_preview(const std::optional<ProjectMaterial>& material);
+
+ signals:
+  void told(const QString& message);
 
  private:
   void show_material();
   QWidget* make_numbers();
+  void connect_colors();
+  void connect_numbers();
+  void edit(const QString& what, int press, const std::function<void(ProjectMaterial&)>& change);
+  void reset_color(ColorField& field, LinearRgb ProjectMaterial::*member, const QString& what);
 
   Document& document_;
+  std::optional<ProjectMaterial> preview_;
   QWidget* page_;
   QLabel* empty_;
   QLineEdit* name_;
@@ -46,6 +60,7 @@ class Inspector : public PanelScroll {
   NumberField *gloss_ = nullptr, *roughness_ = nullptr, *alpha_ = nullptr, *cutoff_ = nullptr;
   QuietComboBox* alpha_mode_ = nullptr;
   QLabel* lobe_ = nullptr;
+  Section* numbers_ = nullptr;
   ModelSection* model_;
   TextureSection* textures_;
 };

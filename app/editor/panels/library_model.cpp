@@ -57,6 +57,7 @@ void LibraryModel::set_library(std::shared_ptr<const MaterialLibrary> library) {
             QString::fromStdString(m.name),
             QString::fromStdString(m.material_class),
             {},
+            {},
             {}};
     const Flags flags = quality_flags(m, m.preferred_dataset());
     row.quality = QString::fromStdString(quality_text(m.preferred_dataset().origin, flags));
@@ -65,6 +66,8 @@ void LibraryModel::set_library(std::shared_ptr<const MaterialLibrary> library) {
     row.keys += QLatin1Char(' ') + QString::fromStdString(m.group);
     for (const std::string& alias : m.aliases) row.keys += QLatin1Char(' ') + QString::fromStdString(alias);
     row.keys = search_key(row.keys);
+    row.names = {search_key(row.id), search_key(row.name)};
+    for (const std::string& alias : m.aliases) row.names << search_key(QString::fromStdString(alias));
     rows_.push_back(std::move(row));
   }
   endResetModel();
@@ -109,6 +112,8 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return row.material_class;
     case keys_role:
       return row.keys;
+    case names_role:
+      return row.names;
     case quality_role:
       return row.quality;
     case Qt::DecorationRole: {
@@ -158,9 +163,27 @@ QMimeData* LibraryModel::mimeData(const QModelIndexList& indexes) const {
   return out;
 }
 
+LibraryFilter::LibraryFilter(QObject* parent) : QSortFilterProxyModel(parent) {
+  sort(0);
+}
+
 void LibraryFilter::set_search(const QString& text) {
   words_ = search_key(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-  invalidateFilter();
+  invalidate();  // the order, too
+}
+
+int LibraryFilter::rank(const QModelIndex& row) const {
+  const QString wanted = words_.join(QLatin1Char(' '));
+  const QStringList names = row.data(LibraryModel::names_role).toStringList();
+  if (wanted.isEmpty() || names.contains(wanted)) return 0;
+  const auto any = [&](const auto& test) { return std::any_of(names.begin(), names.end(), test); };
+  if (any([&](const QString& name) { return name.startsWith(wanted); })) return 1;
+  return any([&](const QString& name) { return name.contains(QLatin1Char(' ') + wanted); }) ? 2 : 3;
+}
+
+bool LibraryFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+  const int a = rank(left), b = rank(right);
+  return a != b ? a < b : left.row() < right.row();
 }
 
 void LibraryFilter::set_class(const QString& material_class) {

@@ -16,7 +16,7 @@ class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  enum Role { id_role = Qt::UserRole, class_role, keys_role, quality_role };
+  enum Role { id_role = Qt::UserRole, class_role, keys_role, names_role, quality_role };
 
   LibraryModel(Thumbnails& thumbnails, QObject* parent = nullptr);
 
@@ -35,6 +35,7 @@ class LibraryModel : public QAbstractListModel {
  private:
   struct Row {
     QString id, name, material_class, keys;
+    QStringList names;    // search keys of id, name and aliases
     QString quality;      // quality_text() of the preferred dataset
     bool marked = false;  // its data are computed, sparse or doubtful: the picture gets a dot
   };
@@ -47,19 +48,22 @@ class LibraryModel : public QAbstractListModel {
 };
 
 /// The rows that a search and a class leave: every word of the search is found in id, name, aliases, group
-/// or class.
+/// or class. What is called exactly so comes first, then what begins so, then what has a word that begins so.
 class LibraryFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
  public:
-  using QSortFilterProxyModel::QSortFilterProxyModel;
+  explicit LibraryFilter(QObject* parent = nullptr);
   void set_search(const QString& text);
   void set_class(const QString& material_class);  // empty: all
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
  private:
+  int rank(const QModelIndex& row) const;  // least is best
+
   QStringList words_;
   QString class_;
 };

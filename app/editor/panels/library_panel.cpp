@@ -18,11 +18,32 @@ constexpr int sphere_side = 72;
 
 }  // namespace
 
+// A list that gets the focus takes its first row in hand: that nobody has asked to look at.
+class LibraryList : public QListView {
+ public:
+  using QListView::QListView;
+  bool is_entered() const { return entered_; }
+
+ protected:
+  void focusInEvent(QFocusEvent* event) override {
+    entered_ = true;
+    QListView::focusInEvent(event);
+    entered_ = false;
+  }
+
+ private:
+  bool entered_ = false;
+};
+
+QListView& LibraryPanel::list() {
+  return *list_;
+}
+
 LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
     : QWidget(parent),
       model_(thumbnails),
       search_(new QLineEdit(this)),
-      list_(new QListView(this)),
+      list_(new LibraryList(this)),
       chips_(new QWidget(this)),
       chip_row_(new FlowLayout(3, chips_)),
       chip_group_(new QButtonGroup(this)),
@@ -83,16 +104,20 @@ LibraryPanel::LibraryPanel(Thumbnails& thumbnails, QWidget* parent)
 }
 
 void LibraryPanel::connect_list() {
-  connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
-    filter_.set_search(text);
-    tell_count();
-  });
+  connect(search_, &QLineEdit::textChanged, this,
+          [this](const QString& text) { narrow([&] { filter_.set_search(text); }); });
   connect(search_, &QLineEdit::returnPressed, this, [this] {
     if (filter_.rowCount() == 0) return;
-    if (!list_->currentIndex().isValid()) list_->setCurrentIndex(filter_.index(0, 0));
+    // What fits best, whatever was in hand before.
     list_->setFocus();
+    list_->setCurrentIndex(filter_.index(0, 0));
+    emit looked_at(selected());
   });
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
+    if (!narrowing_ && !list_->is_entered() && !selected().isEmpty()) emit looked_at(selected());
+  });
+  // A row that is in hand already, too.
+  connect(list_, &QListView::clicked, this, [this] {
     if (!selected().isEmpty()) emit looked_at(selected());
   });
   connect(list_, &QListView::activated, this, [this] {
@@ -101,14 +126,22 @@ void LibraryPanel::connect_list() {
 }
 
 void LibraryPanel::set_library(std::shared_ptr<const MaterialLibrary> library) {
-  const QString before = selected();
   library_ = library;
-  model_.set_library(std::move(library));
+  narrow([&] { model_.set_library(std::move(library)); });
   make_chips();
-  tell_count();
+}
+
+// What is in hand stays so where it is still among the rows; no neighbour takes its place.
+void LibraryPanel::narrow(const std::function<void()>& change) {
+  narrowing_ = true;
+  const QString before = selected();
+  change();
+  QModelIndex again;
   for (int row = 0; row < filter_.rowCount() && !before.isEmpty(); ++row)
-    if (filter_.index(row, 0).data(LibraryModel::id_role).toString() == before)
-      list_->setCurrentIndex(filter_.index(row, 0));
+    if (filter_.index(row, 0).data(LibraryModel::id_role).toString() == before) again = filter_.index(row, 0);
+  list_->setCurrentIndex(again);
+  narrowing_ = false;
+  tell_count();
 }
 
 QString LibraryPanel::selected() const {
@@ -142,8 +175,7 @@ void LibraryPanel::make_chips() {
       const QAbstractButton* chosen = nullptr;
       for (const QAbstractButton* button : chip_group_->buttons())
         if (button->isChecked()) chosen = button;
-      filter_.set_class(chosen == nullptr ? QString() : chosen->text());
-      tell_count();
+      narrow([&] { filter_.set_class(chosen == nullptr ? QString() : chosen->text()); });
     });
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
 #include "app/editor/panels/library_model.h"
 
@@ -13,6 +14,7 @@ class QListView;
 namespace etak::editor {
 
 class FlowLayout;
+class LibraryList;
 
 /// The library: search, classes, pictures. A double click, Return or a drag puts a material to use.
 class LibraryPanel : public QWidget {
@@ -23,29 +25,31 @@ class LibraryPanel : public QWidget {
 
   void set_library(std::shared_ptr<const MaterialLibrary> library);
   QLineEdit& search() { return *search_; }
-  QListView& list() { return *list_; }
+  QListView& list();
   QString selected() const;  // id; empty: none
   /// Puts the selection on the row after or before; wraps around.
   void step(int rows);
 
  signals:
-  void looked_at(const QString& id);  // selected
+  void looked_at(const QString& id);  // selected by hand
   void wanted(const QString& id);     // to be added to the project
 
  private:
   void connect_list();
   void make_chips();
   void tell_count();
+  void narrow(const std::function<void()>& change);
 
   std::shared_ptr<const MaterialLibrary> library_;
   LibraryModel model_;
   LibraryFilter filter_;
   QLineEdit* search_;
-  QListView* list_;
+  LibraryList* list_;
   QWidget* chips_;
   FlowLayout* chip_row_;
   QButtonGroup* chip_group_;
   QLabel* count_;
+  bool narrowing_ = false;
 };
 
 }  // namespace etak::editor

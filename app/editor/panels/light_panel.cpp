@@ -25,8 +25,10 @@ LinearRgb rgb(const Vec3& v) {
   return {v[0], v[1], v[2]};
 }
 
-QWidget* three_boxes(const QString& name, std::array<FineSpinBox*, 3>& boxes, QWidget* parent) {
+QWidget* three_boxes(const QString& name, const QString& tip, std::array<FineSpinBox*, 3>& boxes,
+                     QWidget* parent) {
   auto* out = new QWidget(parent);
+  out->setToolTip(tip);
   out->setAccessibleName(name);
   auto* row = new QHBoxLayout(out);
   row->setContentsMargins(0, 0, 0, 0);
@@ -55,6 +57,8 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
   column->addWidget(make_environment());
   pi_scaled_ = new QCheckBox(tr("irradiance as E / \u03c0, as in the sources"), page);
   pi_scaled_->setAccessibleName(tr("Irradiance as E over pi"));
+  pi_scaled_->setToolTip(
+      tr("Lights are given so that a white diffuse surface has their colour, as the articles have it"));
   column->addWidget(pi_scaled_);
   auto* standard = new QPushButton(tr("Default lights"), page);
   standard->setAccessibleName(tr("Default lights"));
@@ -79,6 +83,7 @@ Section* LightPanel::make_light() {
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(0, 0, 0, 0);
   which_ = new QuietComboBox(tr("Light in hand"), row);
+  which_->setToolTip(tr("The light that the fields below are of"));
   line->addWidget(which_, 1);
   const auto button = [&](const QString& label, const QString& tip, auto act) {
     auto* tool_button = new QToolButton(row);
@@ -106,18 +111,27 @@ Section* LightPanel::make_light() {
                 [&](LightSetup& l) { l.lights.erase(l.lights.begin() + row_now); });
   });
   kind_ = new QuietComboBox(tr("Kind of light"), out);
+  kind_->setToolTip(
+      tr("point: from a place to all sides; directional: from far away; spot: from a place within a cone"));
   for (const LightKind each : kinds) kind_->addItem(qt_text(name(each)));
   color_ = new ColorField(tr("Light colour"), {1, 1, 1}, out);
   intensity_ = new NumberField(tr("Intensity"), 0, 20, 1, out);
+  intensity_->setToolTip(tr("Factor of the light's colour"));
+  color_->setToolTip(tr("Linear, times the intensity"));
   intensity_->box().setRange(0, 1e6);
   inner_ = new NumberField(tr("Inner cone"), 0, 90, 20, out);
   outer_ = new NumberField(tr("Outer cone"), 0, 90, 30, out);
+  inner_->setToolTip(tr("Angle from the spot's axis up to which it has its whole strength, in degrees"));
+  outer_->setToolTip(tr("Angle from the spot's axis from which on there is no light, in degrees"));
   out->add(row);
   out->add(tr("Kind"), kind_);
   out->add_below(tr("Colour"), color_);
   out->add(tr("Intensity"), intensity_);
-  out->add(tr("Place"), three_boxes(tr("Light place"), position_, out));
-  out->add(tr("Direction"), three_boxes(tr("Light direction"), direction_, out));
+  out->add(tr("Place"), three_boxes(tr("Light place"),
+                                    tr("Where the light is, in radii of the sphere: right, up, towards you"),
+                                    position_, out));
+  out->add(tr("Direction"),
+           three_boxes(tr("Light direction"), tr("Where the light shines to, of length 1"), direction_, out));
   out->add(tr("Inner \u00b0"), inner_);
   out->add(tr("Outer \u00b0"), outer_);
   connect_light();
@@ -168,11 +182,18 @@ Section* LightPanel::make_hemispheres() {
   upper_ = new ColorField(tr("Upper hemisphere"), {0.6, 0.7, 0.8}, out);
   lower_ = new ColorField(tr("Lower hemisphere"), {0.25, 0.22, 0.2}, out);
   form_ = new QuietComboBox(tr("Form of the hemispheres' formula"), out);
+  form_->setToolTip(tr(
+      "How the two colours are mixed over the mirrored directions: corrected; wide, with a transition that "
+      "is never a step; printed, as the article has it, white on rough surfaces"));
   for (const HemisphereForm each : forms) form_->addItem(qt_text(name(each)));
+  hemispheres_->setToolTip(tr("Light from two half spheres, one colour each"));
+  upper_->setToolTip(tr("Linear colour of the half sphere around the axis"));
+  lower_->setToolTip(tr("Linear colour of the half sphere opposite to the axis"));
   out->add(hemispheres_);
   out->add_below(tr("Upper"), upper_);
   out->add_below(tr("Lower"), lower_);
-  out->add(tr("Axis"), three_boxes(tr("Hemispheres' axis"), axis_, out));
+  out->add(tr("Axis"), three_boxes(tr("Hemispheres' axis"), tr("Where the upper hemisphere is, of length 1"),
+                                   axis_, out));
   out->add(tr("Form"), form_);
   const auto edit = [this](const QString& what, int press, auto change) {
     edit_lights(what, press, [&](LightSetup& l) {
@@ -213,8 +234,11 @@ Section* LightPanel::make_environment() {
   environment_->addItem(tr("none"), QString());
   environment_->addItem(tr("studio"), QStringLiteral("studio"));
   scale_ = new NumberField(tr("Environment scale"), 0, 4, 1, out);
+  environment_->setToolTip(tr("A lat-long picture of light from all sides"));
+  scale_->setToolTip(tr("Factor of the picture's values"));
   scale_->box().setRange(0, 1e6);
   turn_ = new NumberField(tr("Environment turn"), -180, 180, 0, out);
+  turn_->setToolTip(tr("Turn of the environment about the upright axis, in degrees"));
   auto* open = new QPushButton(tr("Open a lat-long HDR or EXR\u2026"), out);
   open->setAccessibleName(tr("Open an environment picture"));
   out->add(tr("Picture"), environment_);
@@ -226,7 +250,7 @@ Section* LightPanel::make_environment() {
                 [&](LightSetup& l) { l.environment = environment_->currentData().toString().toStdString(); });
   });
   connect(open, &QPushButton::clicked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Environment"), {},
+    const QString file = QFileDialog::getOpenFileName(this, tr("Environment"), document_.folder(),
                                                       tr("Lat-long pictures (*.hdr *.exr);;All files (*)"));
     if (!file.isEmpty())
       edit_lights(tr("environment"), next_press_id(),

@@ -45,6 +45,8 @@ ModelSection::ModelSection(Document& document, QWidget* parent)
     box->addItem(qt_text(each.id), qt_text(each.id));
     box->setItemData(box->count() - 1, qt_text(each.title), Qt::ToolTipRole);
   }
+  specular_->setToolTip(tr("The formula of the surface's reflection"));
+  diffuse_->setToolTip(tr("The formula of the body's reflection"));
   add(tr("Specular"), specular_);
   add(tr("Diffuse"), diffuse_);
   add(about_);
@@ -77,7 +79,11 @@ void ModelSection::rebuild() {
         field->leave_reset_to_owner();
         field->box().setRange(p.min, p.max);
         const std::string parameter(p.name);
-        slider_rows_->addRow(qt_text(p.name), field);
+        // "alpha" alone is taken for opacity.
+        auto* label = new QLabel(
+            p.role == Role::alpha ? tr("%1 (roughness)").arg(qt_text(p.name)) : qt_text(p.name), sliders_);
+        label->setToolTip(field->toolTip());
+        slider_rows_->addRow(label, field);
         connect(field, &NumberField::edited, this,
                 [this, parameter](double value, int press) { set(parameter, value, press); });
         connect(field, &NumberField::reset_asked, this,
@@ -102,15 +108,15 @@ void ModelSection::set(const std::string& parameter, std::optional<double> value
   document_.edit(document_.current(), next, qt_text(parameter), press_id);
 }
 
-void ModelSection::show_material() {
-  const ProjectMaterial* m = document_.material();
+void ModelSection::show_material(const ProjectMaterial* m) {
   const Model* specular = m == nullptr ? nullptr : find_model(m->specular_model);
   const Model* diffuse = m == nullptr ? nullptr : find_model(m->diffuse_model);
   specular_->setCurrentIndex(std::max(0, m == nullptr ? 0 : specular_->findData(qt_text(m->specular_model))));
   diffuse_->setCurrentIndex(std::max(0, m == nullptr ? 0 : diffuse_->findData(qt_text(m->diffuse_model))));
   const bool combined = specular != nullptr && specular->kind == ModelKind::combined;
   diffuse_->setEnabled(!combined);
-  diffuse_->setToolTip(combined ? tr("The specular model has a diffuse part of its own") : QString());
+  diffuse_->setToolTip(combined ? tr("The specular model has a diffuse part of its own")
+                                : tr("The formula of the body's reflection"));
   if (combined) diffuse = nullptr;
   if (!built_ || specular != shown_specular_ || diffuse != shown_diffuse_) {
     built_ = true;

@@ -15,7 +15,7 @@ class ModelSection : public Section {
 
  public:
   explicit ModelSection(Document& document, QWidget* parent = nullptr);
-  void show_material();
+  void show_material(const ProjectMaterial* material);  // null: none
 
  private:
   void rebuild();

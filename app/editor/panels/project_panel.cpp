@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <functional>
 
 #include "app/editor/fields/press_id.h"
@@ -127,7 +128,9 @@ ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* 
   list_->setModel(&model_);
   list_->setIconSize({row_side, row_side});
   list_->setUniformItemSizes(true);
-  list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+  // Several may be marked, to be exported together.
+  list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list_->setAccessibleName(tr("Materials of the project"));
   column->addWidget(list_, 1);
   auto* row = new QHBoxLayout;
@@ -148,12 +151,22 @@ ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* 
           [this](const QModelIndex& now) {
             if (!showing_ && now.isValid()) document_.set_current(now.row());
           });
+  connect(list_, &QListView::clicked, this, &ProjectPanel::picked);
   connect(&document, &Document::current_changed, this, &ProjectPanel::show_current);
   connect(&document, &Document::replaced, this, &ProjectPanel::show_current);
   connect(&document, &Document::materials_added, this, &ProjectPanel::show_current);
 }
 
+std::vector<int> ProjectPanel::selected() const {
+  std::vector<int> out;
+  for (const QModelIndex& each : list_->selectionModel()->selectedIndexes()) out.push_back(each.row());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 void ProjectPanel::show_current() {
+  // Where the row is in hand already, what is marked beside it stays marked.
+  if (list_->currentIndex().row() == document_.current()) return;
   showing_ = true;
   list_->setCurrentIndex(model_.index(document_.current(), 0));
   showing_ = false;

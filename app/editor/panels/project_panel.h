@@ -35,11 +35,13 @@ class ProjectPanel : public QWidget {
  public:
   ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* parent = nullptr);
   QListView& list() { return *list_; }
+  std::vector<int> selected() const;  // rows, in their order
 
  signals:
   void new_asked();
   void copy_asked();
   void remove_asked();
+  void picked();  // a row was clicked, if only the one in hand
 
  private:
   void show_current();

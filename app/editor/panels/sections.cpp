@@ -34,7 +34,10 @@ Section::Section(const QString& title, QWidget* parent)
 
 void Section::add(const QString& name, QWidget* field) {
   if (field->accessibleName().isEmpty()) field->setAccessibleName(name);
-  rows_->addRow(name, field);
+  auto* label = new QLabel(name, this);
+  label->setToolTip(field->toolTip());
+  label->setBuddy(field);
+  rows_->addRow(label, field);
 }
 
 void Section::add(QWidget* wide) {
@@ -42,7 +45,9 @@ void Section::add(QWidget* wide) {
 }
 
 void Section::add_below(const QString& name, QWidget* field) {
-  rows_->addRow(new QLabel(name, this));
+  auto* label = new QLabel(name, this);
+  label->setToolTip(field->toolTip());
+  rows_->addRow(label);
   rows_->addRow(field);
 }
 

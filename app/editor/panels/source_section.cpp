@@ -57,6 +57,13 @@ SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& l
 
 }  // namespace
 
+QString let_go_text(const ProjectMaterial& m) {
+  return QObject::tr(
+             "%1 is measured no longer: its colours are typed numbers now. Undo or the colour's reset goes "
+             "back to the measurement of %2")
+      .arg(qt_text(m.name), qt_text(m.measured->material));
+}
+
 SourceSection::SourceSection(Document& document, QWidget* parent)
     : Section(tr("Measured F0"), parent),
       document_(document),
@@ -81,6 +88,11 @@ SourceSection::SourceSection(Document& document, QWidget* parent)
   outside_->lineEdit()->setAccessibleName(tr("Outside medium, text"));
   outside_->lineEdit()->setPlaceholderText(tr("vacuum"));
   outside_->setToolTip(tr("A transparent material of the library, or an index such as 1.33"));
+  material_->setToolTip(
+      tr("The record whose spectra give the colours; empty: the colours are typed numbers"));
+  dataset_->setToolTip(tr("Which measurement of the record is used"));
+  illuminant_->setToolTip(tr("The light under which the spectrum becomes a colour"));
+  observer_->setToolTip(tr("The CIE colour matching functions that make the spectrum a colour"));
   for (const char* medium : {"", "air", "water", "1.5"}) outside_->addItem(qt_text(medium));
   for (const Illuminant each : {Illuminant::d65, Illuminant::d50, Illuminant::a, Illuminant::e})
     illuminant_->addItem(qt_text(name(each)));
@@ -117,7 +129,6 @@ void SourceSection::set_library() {
   for (const std::string& id : document_.library()->ids()) material_->addItem(qt_text(id));
   showing_ = false;
   datasets_of_.clear();
-  show_material();
 }
 
 void SourceSection::fill_datasets(const std::string& material) {
@@ -133,8 +144,7 @@ void SourceSection::fill_datasets(const std::string& material) {
   }
 }
 
-void SourceSection::show_material() {
-  const ProjectMaterial* m = document_.material();
+void SourceSection::show_material(const ProjectMaterial* m, bool editable) {
   showing_ = true;
   const MeasuredF0 measured = m != nullptr && m->measured ? *m->measured : MeasuredF0{};
   const bool on = m != nullptr && m->measured.has_value();
@@ -145,12 +155,14 @@ void SourceSection::show_material() {
   outside_->setCurrentText(qt_text(measured.outside));
   illuminant_->setCurrentText(qt_text(name(measured.viewing.illuminant)));
   observer_->setCurrentText(qt_text(name(measured.viewing.observer)));
+  material_->setEnabled(editable);
   for (QWidget* each : {static_cast<QWidget*>(dataset_), static_cast<QWidget*>(outside_),
                         static_cast<QWidget*>(illuminant_), static_cast<QWidget*>(observer_)})
-    each->setEnabled(on);
+    each->setEnabled(on && editable);
   for (QLabel* each : {result_, spread_, citation_}) each->setVisible(on);
   body_->setVisible(on && !body_->text().isEmpty());
   showing_ = false;
+  shown_ = m != nullptr ? m->measured : std::nullopt;
   if (on) tell(*m);
 }
 
@@ -158,8 +170,7 @@ void SourceSection::tell(const ProjectMaterial& material) {
   in_background(
       pool_, this, [material, library = document_.library()] { return source_text(material, *library); },
       [this, measured = material.measured](const SourceText& what) {
-        const ProjectMaterial* m = document_.material();
-        if (m == nullptr || m->measured != measured) return;  // of an older one
+        if (shown_ != measured) return;  // of an older one
         result_->setText(what.result);
         body_->setText(what.body);
         body_->setVisible(!what.body.isEmpty());
@@ -170,11 +181,12 @@ void SourceSection::tell(const ProjectMaterial& material) {
 
 void SourceSection::take() {
   const ProjectMaterial* now = document_.material();
-  if (showing_ || now == nullptr) return;
+  if (showing_ || now == nullptr || !material_->isEnabled()) return;
   ProjectMaterial next = *now;
   const std::string wanted = material_->lineEdit()->text().trimmed().toStdString();
   if (wanted.empty()) {
     next.measured.reset();
+    if (now->measured) emit told(let_go_text(*now));
   } else {
     MeasuredF0 measured;
     measured.material = wanted;
@@ -186,13 +198,15 @@ void SourceSection::take() {
         illuminant_named(illuminant_->currentText().toStdString()).value_or(Illuminant::d65);
     measured.viewing.observer =
         observer_named(observer_->currentText().toStdString()).value_or(Observer::cie1931_2deg);
+    // A field that was left as it is changes nothing, not even the colours.
+    if (now->measured == measured) return;
     next.measured = measured;
     // The surface over a measured total is the assumed one, not that of what was measured before.
     if (!now->measured || now->measured->material != wanted) next.specular = ProjectMaterial{}.specular;
     try {
       next = with_measured(std::move(next), *document_.library());
     } catch (const Error& error) {
-      show_material();
+      show_material(now, true);
       result_->setVisible(true);
       result_->setText(QString::fromUtf8(error.what()));
       return;

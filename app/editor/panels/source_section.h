@@ -8,6 +8,9 @@
 
 namespace etak::editor {
 
+/// That `m`, which has a measurement, lets go of it, for people.
+QString let_go_text(const ProjectMaterial& m);
+
 /// "Use measured F0 of ...": material, dataset with the spread of all of them, outside medium, illuminant,
 /// observer.
 class SourceSection : public Section {
@@ -17,8 +20,12 @@ class SourceSection : public Section {
   explicit SourceSection(Document& document, QWidget* parent = nullptr);
   ~SourceSection() override;
 
-  void show_material();
+  /// Of the material in hand, or of one that is only looked at, which cannot be edited; null: none.
+  void show_material(const ProjectMaterial* material, bool editable);
   void set_library();
+
+ signals:
+  void told(const QString& message);
 
  private:
   void take();
@@ -30,6 +37,7 @@ class SourceSection : public Section {
   QLabel *result_, *body_, *spread_, *citation_;
   QThreadPool pool_;
   std::string datasets_of_;
+  std::optional<MeasuredF0> shown_;
   bool showing_ = false;
 };
 

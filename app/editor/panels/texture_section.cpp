@@ -5,14 +5,14 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLineEdit>
 #include <QMimeData>
 #include <QToolButton>
-#include <QUrl>
 
 #include "app/editor/document/files.h"
+#include "app/editor/fields/path_edit.h"
 #include "app/editor/fields/press_id.h"
 #include "app/viewport/qt_text.h"
+#include "app/viewport/viewport.h"
 
 namespace etak::editor {
 namespace {
@@ -28,14 +28,11 @@ QString title_of(Channel channel) {
     case Channel::alpha:
       break;
   }
-  return QObject::tr("Alpha");
+  return QObject::tr("Alpha opacity");
 }
 
-QStringList local_files(const QMimeData* data) {
-  QStringList out;
-  for (const QUrl& url : data->urls())
-    if (url.isLocalFile()) out << url.toLocalFile();
-  return out;
+bool is_picture(const QString& path) {
+  return kind_of_file(path) == FileKind::picture;
 }
 
 }  // namespace
@@ -64,7 +61,7 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(3);
     const QString title = title_of(channel);
-    row.path = new QLineEdit(box);
+    row.path = new PathEdit(box);
     row.path->setPlaceholderText(tr("drop a picture here"));
     row.path->setAccessibleName(tr("%1 texture, file").arg(title));
     row.path->setAcceptDrops(false);  // the row takes drops: a line would paste the address
@@ -84,13 +81,16 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
     box->installEventFilter(this);
     box->setProperty("channel", static_cast<int>(channel));
     box->setAccessibleName(tr("%1 texture").arg(title));
+    box->setToolTip(tr("A picture in the place of the number, where the material is packed and drawn"));
     add(title, box);
     connect(row.path, &QLineEdit::editingFinished, this, [this, channel] {
       set(channel, rows_[static_cast<std::size_t>(channel)].path->text().trimmed());
     });
     connect(row.open, &QToolButton::clicked, this, [this, channel, title] {
+      const QString now = rows_[static_cast<std::size_t>(channel)].path->text();
       const QString file = QFileDialog::getOpenFileName(
-          this, tr("%1 texture").arg(title), {}, tr("Pictures (%1);;All files (*)").arg(picture_patterns()));
+          this, tr("%1 texture").arg(title), now.isEmpty() ? document_.folder() : now,
+          tr("Pictures (%1);;All files (*)").arg(picture_patterns()));
       if (!file.isEmpty()) set(channel, file);
     });
     connect(row.clear, &QToolButton::clicked, this, [this, channel] { set(channel, {}); });
@@ -101,22 +101,33 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
 bool TextureSection::eventFilter(QObject* object, QEvent* event) {
   if (event->type() == QEvent::DragEnter) {
     auto* drag = static_cast<QDragEnterEvent*>(event);
-    if (!local_files(drag->mimeData()).isEmpty()) drag->acceptProposedAction();
+    const QStringList files = dragged_files(*drag->mimeData());
+    if (std::any_of(files.begin(), files.end(), is_picture))
+      drag->acceptProposedAction();
+    else
+      drag->ignore();
     return true;
   }
   if (event->type() == QEvent::Drop) {
     auto* drop = static_cast<QDropEvent*>(event);
-    const QStringList files = local_files(drop->mimeData());
-    if (files.isEmpty()) return true;
-    const QString& file = files.front();
-    if (kind_of_file(file) == FileKind::picture)
-      set(static_cast<Channel>(object->property("channel").toInt()), file);
-    else
-      emit refused(tr("%1 is no picture; expected %2").arg(QFileInfo(file).fileName(), picture_patterns()));
+    take_drop(static_cast<Channel>(object->property("channel").toInt()), dragged_files(*drop->mimeData()));
     drop->acceptProposedAction();
     return true;
   }
   return Section::eventFilter(object, event);
+}
+
+void TextureSection::take_drop(Channel channel, const QStringList& files) {
+  const auto first = std::find_if(files.begin(), files.end(), is_picture);
+  if (first != files.end()) set(channel, *first);
+  for (auto each = files.begin(); each != files.end(); ++each) {
+    if (each == first) continue;
+    const QString name = QFileInfo(*each).fileName();
+    return emit refused(
+        is_picture(*each)
+            ? tr("%1: a channel has one picture; %2 was taken").arg(name, QFileInfo(*first).fileName())
+            : tr("%1 is no picture; expected %2").arg(name, picture_patterns()));
+  }
 }
 
 void TextureSection::take_files(const QStringList& paths, Channel other) {
@@ -141,8 +152,7 @@ void TextureSection::set(Channel channel, const QString& path) {
   document_.edit(document_.current(), next, tr("%1 texture").arg(qt_text(name(channel))), next_press_id());
 }
 
-void TextureSection::show_material() {
-  const ProjectMaterial* m = document_.material();
+void TextureSection::show_material(const ProjectMaterial* m) {
   for (const Channel channel : all_channels) {
     Row& row = rows_[static_cast<std::size_t>(channel)];
     const bool has = m != nullptr && m->texture(channel).has_value();

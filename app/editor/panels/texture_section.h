@@ -4,10 +4,11 @@
 #include "app/editor/document/document.h"
 #include "app/editor/panels/sections.h"
 
-class QLineEdit;
 class QToolButton;
 
 namespace etak::editor {
+
+class PathEdit;
 
 /// A picture file for each of the four channels: by dialog, by dropping a file on the row, by a typed name.
 class TextureSection : public Section {
@@ -15,7 +16,7 @@ class TextureSection : public Section {
 
  public:
   explicit TextureSection(Document& document, QWidget* parent = nullptr);
-  void show_material();
+  void show_material(const ProjectMaterial* material);  // null: none
   /// Puts pictures to the channels that their names tell ("crate_gloss.png"); those that tell none go to
   /// `other`.
   void take_files(const QStringList& paths, Channel other);
@@ -29,8 +30,9 @@ class TextureSection : public Section {
 
  private:
   void set(Channel channel, const QString& path);
+  void take_drop(Channel channel, const QStringList& files);
   struct Row {
-    QLineEdit* path = nullptr;
+    PathEdit* path = nullptr;
     QToolButton *open = nullptr, *clear = nullptr, *look = nullptr;
   };
   Document& document_;

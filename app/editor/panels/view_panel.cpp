@@ -5,12 +5,12 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "app/editor/fields/number_field.h"
-#include "app/editor/fields/press_id.h"
+#include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/sections.h"
+#include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/color/ocio.h"
@@ -18,13 +18,34 @@
 namespace etak::editor {
 namespace {
 
-QCheckBox* check(const QString& label, QWidget* parent) {
+QCheckBox* check(const QString& label, const QString& tip, QWidget* parent) {
   auto* out = new QCheckBox(label, parent);
+  out->setToolTip(tip);
   out->setAccessibleName(label);
   return out;
 }
 
 }  // namespace
+
+struct ViewPanel::ReadDisplays {
+  std::vector<OcioDisplayInfo> displays;
+  QString error;
+};
+
+ViewPanel::ReadDisplays ViewPanel::read_displays(const std::string& config) {
+  ReadDisplays out;
+  try {
+    out.displays = ocio_displays(config);
+  } catch (const Error& error) {
+    out.error = QString::fromUtf8(error.what());
+  }
+  return out;
+}
+
+ViewPanel::~ViewPanel() {
+  pool_.clear();
+  pool_.waitForDone();
+}
 
 ViewPanel::ViewPanel(Document& document, Look& look, QWidget* parent)
     : PanelScroll(tr("View"), parent), document_(document), look_(look) {
@@ -37,6 +58,7 @@ ViewPanel::ViewPanel(Document& document, Look& look, QWidget* parent)
   column->addWidget(make_compare());
   column->addStretch(1);
   setWidget(page);
+  pool_.setMaxThreadCount(1);
   connect(&document, &Document::view_changed, this, &ViewPanel::show_look);
   connect(&document, &Document::replaced, this, &ViewPanel::show_look);
   show_look();
@@ -48,6 +70,9 @@ Section* ViewPanel::make_display() {
   exposure_->setToolTip(tr("Linear factor"));
   display_ = new QuietComboBox(tr("Display"), out);
   view_ = new QuietComboBox(tr("View of the display"), out);
+  display_->setToolTip(
+      tr("What kind of screen the picture is made for: the plain sRGB curve, or a display of the config"));
+  view_->setToolTip(tr("How the config brings scene colours to that screen"));
   config_ = quiet_label(tr("OpenColorIO config"), out);
   auto* buttons = new QWidget(out);
   buttons->setAccessibleName(tr("OpenColorIO config, choice"));
@@ -85,7 +110,7 @@ Section* ViewPanel::make_display() {
     document_.edit_view(view, tr("OpenColorIO config"), next_press_id());
   };
   connect(open, &QPushButton::clicked, this, [this, take_config] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("OpenColorIO config"), {},
+    const QString file = QFileDialog::getOpenFileName(this, tr("OpenColorIO config"), document_.folder(),
                                                       tr("Configs (*.ocio);;All files (*)"));
     if (!file.isEmpty()) take_config(file);
   });
@@ -102,36 +127,55 @@ void ViewPanel::take_display() {
 }
 
 void ViewPanel::fill_displays() {
-  const std::string& config = document_.project().view.config;
-  if (config == filled_config_) return;
-  filled_config_ = config;
+  const ProjectView& view = document_.project().view;
+  if (view.config == filled_config_) return;
+  filled_config_ = view.config;
+  // etak's own config is at hand; a file may lie on a share that is slow to answer.
+  if (view.config.empty()) return show_displays(read_displays(""));
+  ReadDisplays until_read;
+  if (!view.display.empty()) until_read.displays = {{view.display, {view.view}}};
+  show_displays(until_read);
+  pool_.clear();
+  in_background(
+      pool_, this, [config = view.config] { return read_displays(config); },
+      [this, config = view.config](const ReadDisplays& read) {
+        if (config != filled_config_) return;
+        show_displays(read);
+        show_look();
+      });
+}
+
+void ViewPanel::show_displays(const ReadDisplays& read) {
   display_->clear();
   display_->addItem(tr("sRGB curve"), QStringList{});
-  QString label = tr("own OpenColorIO config");
-  try {
-    for (const OcioDisplayInfo& each : ocio_displays(config)) {
-      QStringList views;
-      for (const std::string& view : each.views) views << qt_text(view);
-      display_->addItem(qt_text(each.name), views);
-    }
-    if (!config.empty()) label = qt_text(config);
-  } catch (const Error& error) {
-    label = QString::fromUtf8(error.what());
+  for (const OcioDisplayInfo& each : read.displays) {
+    QStringList views;
+    for (const std::string& view : each.views) views << qt_text(view);
+    display_->addItem(qt_text(each.name), views);
   }
-  config_->setText(label);
+  const QString path = qt_text(filled_config_);
+  config_->setText(!read.error.isEmpty() ? read.error
+                   : path.isEmpty()      ? tr("own OpenColorIO config")
+                                         : short_path(path));
+  config_->setToolTip(path);
 }
 
 Section* ViewPanel::make_shape() {
   auto* out = new Section(tr("Shape"), this);
   shape_ = new QuietComboBox(tr("Shape"), out);
   shape_->addItems({tr("sphere"), tr("quad"), tr("wedge of a parameter")});
+  shape_->setToolTip(tr("What the material is shown on"));
   parameter_ = new QuietComboBox(tr("Parameter of the wedge"), out);
-  steps_ = new QSpinBox(out);
+  parameter_->setToolTip(tr("What runs from its least to its most along the wedge's spheres"));
+  steps_ = new QuietSpinBox(out);
   steps_->setRange(Wedge::least_steps, Wedge::most_steps);
   steps_->setAccessibleName(tr("Steps of the wedge"));
-  textured_ = check(tr("show textures"), out);
-  zone_ = check(tr("forbidden zone overlay"), out);
-  energy_ = check(tr("energy overlay"), out);
+  steps_->setToolTip(tr("Number of spheres of the wedge"));
+  textured_ = check(tr("show textures"), tr("The textures of the material, or its numbers alone"), out);
+  zone_ =
+      check(tr("forbidden zone overlay"),
+            tr("Marks F0 of a luminance between 0.20 and 0.45, where few real materials are (Ctrl+1)"), out);
+  energy_ = check(tr("energy overlay"), tr("Marks where more light leaves than comes (Ctrl+2)"), out);
   out->add(tr("Shape"), shape_);
   out->add(tr("Wedge of"), parameter_);
   out->add(tr("Steps"), steps_);
@@ -152,7 +196,7 @@ Section* ViewPanel::make_shape() {
     document_.edit_wedge(to, tr("wedge"), press_id);
   };
   connect(parameter_, &QComboBox::activated, this, [wedge] { wedge(next_press_id()); });
-  connect(steps_, &QSpinBox::valueChanged, this, [wedge] { wedge(next_press_id()); });
+  connect(steps_, &QSpinBox::valueChanged, this, [this, wedge] { wedge(step_press_.id()); });
   const auto update_look = [this] {
     if (showing_) return;
     look_.zone_overlay = zone_->isChecked();
@@ -166,9 +210,11 @@ Section* ViewPanel::make_shape() {
 
 Section* ViewPanel::make_compare() {
   auto* out = new Section(tr("Compare A and B"), this);
-  split_ = check(tr("split the picture"), out);
+  split_ = check(tr("split the picture"),
+                 tr("Side A left, side B right of a line that can be dragged (Ctrl+T)"), out);
   pinned_ = quiet_label(tr("Side B"), out);
   model_ = new QuietComboBox(tr("Specular model of side B"), out);
+  model_->setToolTip(tr("The formula of side B's reflection"));
   model_->addItem(tr("as the material"), QString());
   for (const Model& each : models())
     if (each.kind != ModelKind::diffuse) model_->addItem(qt_text(each.id), qt_text(each.id));

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QThreadPool>
+
 #include "app/editor/document/look.h"
+#include "app/editor/fields/press_id.h"
 #include "app/editor/panels/sections.h"
 
 class QCheckBox;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace etak::editor {
 
 class NumberField;
+class QuietSpinBox;
 
 /// Exposure, display, shape, comparison, overlays.
 class ViewPanel : public PanelScroll {
@@ -20,6 +23,7 @@ class ViewPanel : public PanelScroll {
  public:
   /// `look` is the window's: it is changed here, and look_changed() told.
   ViewPanel(Document& document, Look& look, QWidget* parent = nullptr);
+  ~ViewPanel() override;
   void show_look();
   /// What the viewport says of the patch under the cursor.
   void show_patch(const QString& text);
@@ -32,7 +36,10 @@ class ViewPanel : public PanelScroll {
   Section* make_display();
   Section* make_shape();
   Section* make_compare();
+  struct ReadDisplays;
+  static ReadDisplays read_displays(const std::string& config);
   void fill_displays();
+  void show_displays(const ReadDisplays& read);
   void take_display();
 
   Document& document_;
@@ -40,10 +47,12 @@ class ViewPanel : public PanelScroll {
   NumberField* exposure_ = nullptr;
   QuietComboBox *display_ = nullptr, *view_ = nullptr, *shape_ = nullptr, *parameter_ = nullptr,
                 *model_ = nullptr;
-  QSpinBox* steps_ = nullptr;
+  QuietSpinBox* steps_ = nullptr;
   QCheckBox *zone_ = nullptr, *energy_ = nullptr, *textured_ = nullptr, *split_ = nullptr;
   QLabel *pinned_ = nullptr, *patch_ = nullptr, *config_ = nullptr;
   QPushButton* unpin_ = nullptr;
+  RepeatedPress step_press_;
+  QThreadPool pool_;
   std::string filled_config_ = "?";
   bool showing_ = false;
 };

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/preview_bar.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace etak::editor {
+
+PreviewBar::PreviewBar(QWidget* picture) : QFrame(picture), text_(new QLabel(this)) {
+  setAccessibleName(tr("Preview"));
+  setFrameShape(QFrame::StyledPanel);
+  setAutoFillBackground(true);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 3, 4, 3);
+  text_->setAccessibleName(tr("What is looked at"));
+  row->addWidget(text_);
+  const auto button = [&](const QString& label, const QString& tip, void (PreviewBar::*signal)()) {
+    auto* out = new QToolButton(this);
+    out->setText(label);
+    out->setToolTip(tip);
+    out->setAccessibleName(tip);
+    connect(out, &QToolButton::clicked, this, signal);
+    row->addWidget(out);
+  };
+  button(tr("Add"), tr("Add the material that is looked at to the project"), &PreviewBar::add_asked);
+  button(QStringLiteral("\u2715"), tr("End the preview (Esc)"), &PreviewBar::end_asked);
+  picture->installEventFilter(this);
+  hide();
+}
+
+void PreviewBar::show_name(const QString& name) {
+  text_->setText(tr("%1: preview, not in the project").arg(name));
+  place();
+  show();
+  raise();
+}
+
+bool PreviewBar::eventFilter(QObject* object, QEvent* event) {
+  if (event->type() == QEvent::Resize) place();
+  return QFrame::eventFilter(object, event);
+}
+
+void PreviewBar::place() {
+  adjustSize();
+  // Below the name that the picture shows at its top.
+  const int top = 2 * fontMetrics().height();
+  move(std::max(0, (parentWidget()->width() - width()) / 2), top);
+}
+
+}  // namespace etak::editor

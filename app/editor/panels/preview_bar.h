@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+
+namespace etak::editor {
+
+/// Lies over a picture that shows a material of the library: says that it is not of the project, and offers
+/// to add it.
+class PreviewBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  /// `picture`: the widget that it lies upon, in the middle of its upper part.
+  explicit PreviewBar(QWidget* picture);
+  void show_name(const QString& name);
+
+ signals:
+  void add_asked();
+  void end_asked();
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  void place();
+  QLabel* text_;
+};
+
+}  // namespace etak::editor
