@@ -62,6 +62,24 @@ void Detail::add(const Detail& o) {
     }
 }
 
+DarkValues dark_values(const std::array<Histogram, 4>& picture) {
+  const std::array<bool, 101>& comb = comb_codes();
+  std::array<std::uint64_t, 101> counts{};
+  std::uint64_t all = 0;
+  for (std::size_t code = 0; code < counts.size(); ++code) {
+    for (std::size_t c = 0; c < 3; ++c) counts[code] += picture[c][code];
+    all += counts[code];
+  }
+  DarkValues out;
+  for (std::size_t code = 0; code < counts.size(); ++code) {
+    if (counts[code] == 0 || 4 * counts[code] > all) continue;
+    out.count += counts[code];
+    if (comb[code]) out.in_comb += counts[code];
+    ++out.codes;
+  }
+  return out;
+}
+
 const PlateauSummary* TileEvidence::region(RegionKind kind) const {
   const auto found = std::find(kinds.begin(), kinds.end(), kind);
   return found == kinds.end() ? nullptr : &regions[static_cast<std::size_t>(found - kinds.begin())];

@@ -53,6 +53,16 @@ struct Detail {
   void add(const Detail& other);
 };
 
+/// The values of a picture's three colours with codes up to 100, for ETK404.
+struct DarkValues {
+  std::uint64_t count = 0, in_comb = 0;  // in_comb: among comb_codes()
+  int codes = 0;                         // distinct ones
+};
+
+/// Counts the dark values of `picture` (of Detail). A code with more than a quarter of all of them is a flat
+/// area, which says nothing of how the values came about, and is left out.
+DarkValues dark_values(const std::array<Histogram, 4>& picture);
+
 /// A metallic value between these is neither metal nor dielectric (ETK101, ETK113): glTF 2.0 and Filament ask
 /// for values close to 0 or 1. `metal_from` begins the metals.
 inline constexpr double half_metal_above = 0.1, metal_from = 0.9;

@@ -162,16 +162,8 @@ bool needs_second_look(const TileEvidence& tile, const PassPlan& plan, const Set
   if (is_on("ETK404", settings))
     for (const bool diffuse : {true, false}) {
       if (diffuse ? !plan.has_a : (!plan.has_b || plan.has_metallic)) continue;
-      std::uint64_t low = 0, in_gap = 0;
-      int distinct = 0;
-      for (std::size_t code = 0; code <= 100; ++code) {
-        std::uint64_t count = 0;
-        for (std::size_t c = 0; c < 3; ++c) count += (diffuse ? detail.a : detail.b)[c][code];
-        low += count;
-        distinct += count != 0;
-        if (!comb_codes()[code]) in_gap += count;
-      }
-      if (low >= 128 && distinct >= 8 && 100 * in_gap < low) return true;
+      const DarkValues dark = dark_values(diffuse ? detail.a : detail.b);
+      if (dark.count >= 128 && dark.codes >= 8 && 100 * (dark.count - dark.in_comb) < dark.count) return true;
     }
   return false;
 }

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of which a rule said what is not so, or nothing where there was something to say.
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <utility>
+
+#include "core/color/srgb.h"
+#include "core/validate/nearest.h"
+#include "tests/core/validate/checked.h"
+#include "tests/core/validate/corpus.h"
+#include "tests/support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+// A wall of noisy diffuse with the F0 of a dielectric all over, as most dielectrics are painted.
+TextureSet wall(int size = 512) {
+  Random random(1);
+  TextureSet set{Image8(size, size, 4, 255), Image8(size, size, 4, 56), {}, {}};
+  each_texel(set.a, [&](auto texel, int, int) {
+    const int grey = 80 + random.below(80);
+    set_rgb(texel, {grey, grey, grey});
+  });
+  each_texel(set.b, [&](auto texel, int, int) { texel[3] = to_byte(60 + random.below(140)); });
+  return set;
+}
+
+void paint(Image8& image, const PixelBox& box, std::array<int, 3> codes) {
+  for (int y = box.y; y < box.y + box.height; ++y)
+    for (int x = box.x; x < box.x + box.width; ++x) set_rgb(image.at(x, y), codes);
+}
+
+}  // namespace
+
+TEST_CASE("found 3.8: a flat F0 on a tooth of the comb, with some texels of others, is no comb") {
+  for (const auto& [flat_areas, share] :
+       {std::pair(1, 8e-4), std::pair(2, 8e-4), std::pair(3, 8e-4), std::pair(1, 8e-3), std::pair(3, 8e-3)}) {
+    TextureSet set = wall();
+    // An 8-bit linear source reaches codes 46, 50 and 56, and a third of those that are strewn over them.
+    for (int i = 1; i < flat_areas; ++i)
+      paint(set.b, {512 / flat_areas * i, 0, 512 / flat_areas, 512},
+            i == 1 ? std::array{50, 50, 50} : std::array{46, 46, 46});
+    Random random(2);
+    each_texel(set.b, [&](auto texel, int, int) {
+      if (random.unit() >= share) return;
+      const int grey = 57 + random.below(43);
+      set_rgb(texel, {grey, grey, grey});
+    });
+    INFO(flat_areas << " flat areas, " << share << " of others");
+    CHECK(find(check_set(set), "ETK404") == nullptr);
+  }
+}
+
+TEST_CASE("found 3.8: a comb beside a flat area is found") {
+  TextureSet set = wall();
+  Random random(2);
+  constexpr std::array comb{34, 38, 42, 46, 50, 53, 59, 61, 64, 66, 69, 71};
+  paint(set.a, {0, 0, 512, 512}, {56, 56, 56});
+  for (int y = 0; y < 512; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const int grey = comb[static_cast<std::size_t>(random.below(12))];
+      set_rgb(set.a.at(x, y), {grey, grey, grey});
+    }
+  const CheckedFile file = check_set(set);
+  REQUIRE(find(file, "ETK404") != nullptr);
+  CHECK(find(file, "ETK404")->message ==
+        "98,304 dark values use 12 of 101 codes, those of an 8-bit linear source");
+}
