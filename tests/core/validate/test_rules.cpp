@@ -113,6 +113,7 @@ TEST_CASE("silicon is let pass as information when named, and warned of when it 
   const CheckedFile unnamed = check_set(set);
   REQUIRE(find(unnamed, "ETK101") != nullptr);
   CHECK(find(unnamed, "ETK101")->severity == Severity::warning);
+  CHECK(contains(find(unnamed, "ETK101")->message, "within 3 codes of silicon, which is common"));
   set.manifest.material = "silicon";
   const CheckedFile named = check_set(set);
   REQUIRE(find(named, "ETK101") != nullptr);

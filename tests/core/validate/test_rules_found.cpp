@@ -70,3 +70,43 @@ TEST_CASE("found 3.8: a comb beside a flat area is found") {
   CHECK(find(file, "ETK404")->message ==
         "98,304 dark values use 12 of 101 codes, those of an 8-bit linear source");
 }
+
+TEST_CASE(
+    "found 3.7: an unnamed F0 in the zone is an error, unless a common material has it, which is named") {
+  std::vector<int> warned;
+  for (int code = 124; code <= 178; ++code) {
+    TextureSet set = wall(64);
+    paint(set.b, {20, 20, 16, 16}, {code, code, code});
+    const CheckedFile file = check_set(set);
+    INFO("code " << code);
+    REQUIRE(find(file, "ETK101") != nullptr);
+    const Finding& finding = *find(file, "ETK101");
+    if (finding.severity != Severity::error) {
+      warned.push_back(code);
+      CHECK(finding.severity == Severity::warning);
+      CHECK(contains(finding.message, "no error, because it is within 3 codes of graphite, which is common"));
+    } else {
+      CHECK_FALSE(contains(finding.message, "which is common"));
+    }
+  }
+  CHECK(warned == std::vector{140, 141, 142, 143});
+  // The material that was in the way, named: information.
+  TextureSet named = wall(64);
+  paint(named.b, {0, 0, 64, 64}, {146, 146, 146});
+  named.manifest.material = "boron_carbide";
+  REQUIRE(find(check_set(named), "ETK101") != nullptr);
+  CHECK(find(check_set(named), "ETK101")->severity == Severity::info);
+}
+
+TEST_CASE("the common materials of the zone are those that people paint") {
+  std::vector<std::string> common;
+  for (const KnownF0& entry : KnownMaterials::builtin().f0())
+    if (entry.preferred && entry.common) {
+      common.push_back(entry.id);
+      CHECK(entry.luminance > 0.20);
+      CHECK(entry.luminance < 0.45);
+    }
+  std::ranges::sort(common);
+  CHECK(common == std::vector<std::string>{"graphite", "graphite_powder", "hematite", "silicon",
+                                           "silicon_amorphous", "titanium_nitride"});
+}
