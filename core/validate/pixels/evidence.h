@@ -34,7 +34,8 @@ struct ByteCounts {
   std::uint64_t gloss_zero = 0, gloss_full = 0;  // opaque
   std::uint64_t gloss_sum = 0, gloss_squares = 0, gloss_texels = 0;
   std::uint8_t gloss_least = 255, gloss_most = 0;
-  // Texels with 8 < alpha < 247: their number, those with max(RGB) <= alpha + 1, and sums for a correlation.
+  // Texels with 8 < alpha < 247 that have a diffuse colour: their number, those with max(RGB) <= alpha + 1,
+  // and sums for a correlation. Black is black whatever it is multiplied by, and metals have it.
   std::uint64_t middle = 0, middle_below = 0, sum_max = 0, sum_alpha = 0, sum_max2 = 0, sum_alpha2 = 0,
                 sum_product = 0;
 

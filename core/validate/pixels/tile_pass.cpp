@@ -162,7 +162,6 @@ void TilePass::count_words(ByteCounts& counts, const std::vector<MaskWords>& wor
     const std::uint64_t opaque = m.opaque;
     const int x0 = static_cast<int>(64 * w);
     if (invisible != nullptr) invisible[w] = m.alpha_zero;
-    if (m.alpha_middle != 0) count_middle(counts, m.alpha_middle, x0, row);
     if ((m.energy_doubt & opaque) != 0) count_energy(counts, m.energy_doubt & opaque, x0, y, row);
 
     // Y against the levels: sure from the channels where all agree, else from the sum.
@@ -175,6 +174,8 @@ void TilePass::count_words(ByteCounts& counts, const std::vector<MaskWords>& wor
                                                            row.b + 4 * x0, plan_.b_y[level]);
     const std::uint64_t metals = bits.b_from[b_metal] & opaque;
     if (metals != 0) counts.metals += static_cast<std::uint64_t>(std::popcount(metals));
+    if (const std::uint64_t middle = m.alpha_middle & ~m.diffuse_black & ~bits.b_from[b_metal]; middle != 0)
+      count_middle(counts, middle, x0, row);
     if (masks == nullptr) continue;
     for (std::size_t level = 0; level < ByteLimits::a_levels; ++level)
       bits.a_from[level] = m.a_from[level] | sum_is_from(opaque & ~(m.a_from[level] | m.a_below[level]),

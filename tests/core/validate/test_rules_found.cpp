@@ -110,3 +110,28 @@ TEST_CASE("the common materials of the zone are those that people paint") {
   CHECK(common == std::vector<std::string>{"graphite", "graphite_powder", "hematite", "silicon",
                                            "silicon_amorphous", "titanium_nitride"});
 }
+
+TEST_CASE("found 3.10: premultiplied colour is found beside metals, whose diffuse is black") {
+  for (const std::array<int, 3> diffuse_of_metal : {std::array{0, 0, 0}, std::array{9, 7, 5}}) {
+    TextureSet set = wall();
+    each_texel(set.a, [](auto texel, int x, int y) {
+      const double alpha = std::abs(std::sin(x / 40.0) * std::sin(y / 40.0));
+      texel[3] = to_byte(255 * alpha);
+      for (std::size_t c = 0; c < 3; ++c) texel[c] = to_byte(texel[c] * alpha);
+    });
+    CHECK(find(check_set(set), "ETK501") != nullptr);
+    paint(set.a, {0, 0, 100, 512}, diffuse_of_metal);
+    paint(set.b, {0, 0, 100, 512}, {255, 228, 156});
+    const CheckedFile file = check_set(set);
+    REQUIRE(find(file, "ETK501") != nullptr);
+    CHECK(find(file, "ETK501")->severity == Severity::error);
+    // Straight colour beside the same metal is none.
+    Random random(3);
+    for (int y = 0; y < 512; ++y)
+      for (int x = 100; x < 512; ++x) {
+        const int grey = 80 + random.below(80);
+        set_rgb(set.a.at(x, y), {grey, grey, grey});
+      }
+    CHECK(find(check_set(set), "ETK501") == nullptr);
+  }
+}
