@@ -135,3 +135,22 @@ TEST_CASE("found 3.10: premultiplied colour is found beside metals, whose diffus
     CHECK(find(check_set(set), "ETK501") == nullptr);
   }
 }
+
+TEST_CASE("found 3.10: a wide ramp of F0 is not accused of being encoded twice") {
+  for (const auto& [first, last] : {std::pair(53, 196), std::pair(20, 250), std::pair(80, 175)}) {
+    TextureSet set = wall();
+    each_texel(set.b, [&](auto texel, int x, int) {
+      const int code = first + (last - first) * x / 511;
+      set_rgb(texel, {code, code, code});
+    });
+    INFO("codes " << first << " to " << last);
+    CHECK(find(check_set(set), "ETK402") == nullptr);
+  }
+  // A ramp of dielectrics, encoded twice, still is.
+  TextureSet set = wall();
+  each_texel(set.b, [](auto texel, int x, int) {
+    const int code = 109 + 40 * x / 511;
+    set_rgb(texel, {code, code, code});
+  });
+  CHECK(find(check_set(set), "ETK402") != nullptr);
+}
