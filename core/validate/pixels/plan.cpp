@@ -147,7 +147,8 @@ bool needs_second_look(const TileEvidence& tile, const PassPlan& plan, const Set
       return true;
   }
   if (detail.every_row) return false;
-  if (has_gloss && is_on("ETK304", settings) && counts.gloss_most - counts.gloss_least > 32 &&
+  if (has_gloss && detail.opaque != 0 && is_on("ETK304", settings) &&
+      counts.gloss_most - counts.gloss_least > 32 &&
       std::ranges::count_if(detail.b[3], [](std::uint32_t n) { return n != 0; }) <= 8)
     return true;
   if (plan.has_a && is_on("ETK406", settings) &&

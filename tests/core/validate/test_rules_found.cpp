@@ -154,3 +154,15 @@ TEST_CASE("found 3.10: a wide ramp of F0 is not accused of being encoded twice")
   });
   CHECK(find(check_set(set), "ETK402") != nullptr);
 }
+
+TEST_CASE("found 3.10: where alpha is 0 all over, gloss is not judged besides") {
+  TextureSet set = wall();
+  each_texel(set.a, [](auto texel, int, int) { texel[3] = 0; });
+  each_texel(set.b, [](auto texel, int, int) { texel[3] = to_byte(texel[3] / 40 * 40); });
+  const CheckedFile file = check_set(set);
+  CHECK(find(file, "ETK503") != nullptr);
+  CHECK(find(file, "ETK304") == nullptr);
+  CHECK(file.stats.passes == 1);
+  each_texel(set.a, [](auto texel, int, int) { texel[3] = 255; });
+  CHECK(find(check_set(set), "ETK304") != nullptr);
+}
