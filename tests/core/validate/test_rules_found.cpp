@@ -166,3 +166,51 @@ TEST_CASE("found 3.10: where alpha is 0 all over, gloss is not judged besides") 
   each_texel(set.a, [](auto texel, int, int) { texel[3] = 255; });
   CHECK(find(check_set(set), "ETK304") != nullptr);
 }
+
+TEST_CASE("found 3.10: small patches with hard edges are told from edges, and both have a place") {
+  for (const int side : {7, 8}) {
+    TextureSet set = wall();
+    paint(set.b, {200, 210, side, side}, {160, 160, 160});
+    const CheckedFile file = check_set(set);
+    INFO("side " << side);
+    CHECK(find(file, "ETK101") == nullptr);
+    REQUIRE(find(file, "ETK102") != nullptr);
+    const Finding& finding = *find(file, "ETK102");
+    CHECK(finding.box == PixelBox{200, 210, side, side});
+    CHECK(finding.area_px == static_cast<std::size_t>(side * side));
+    CHECK(finding.byte == std::array{160, 160, 160});
+    CHECK(finding.message == "a solid patch of F0 0.35 (byte 160, grey), " + std::to_string(side) + " x " +
+                                 std::to_string(side) + " px with hard edges, too small for ETK101");
+  }
+  TextureSet set = wall();
+  for (const PixelBox& box :
+       {PixelBox{10, 20, 7, 8}, PixelBox{404, 410, 8, 8}, PixelBox{60, 64, 7, 7}, PixelBox{505, 300, 7, 5}})
+    paint(set.b, box, {160, 160, 160});
+  paint(set.b, {300, 0, 2, 200}, {150, 150, 150});  // a scratch
+  const CheckedFile several = check_set(set);
+  REQUIRE(find(several, "ETK102") != nullptr);
+  CHECK(find(several, "ETK102")->box == PixelBox{404, 410, 8, 8});
+  CHECK(
+      find(several, "ETK102")->message ==
+      "a solid patch of F0 0.35 (byte 160, grey), 8 x 8 px with hard edges, the largest of 3, too small for "
+      "ETK101; edges and thin features on 435 px (0.17 %)");
+}
+
+TEST_CASE("found 3.10: blurred edges are no patches, and their box is around them") {
+  for (const double sigma : {0.0, 1.0, 2.0, 3.0, 4.0})
+    for (const double metal : {0.55, 0.95})
+      for (const Blend blend : {Blend::linear, Blend::encoded}) {
+        const Pixels<float> mask = blob_mask(512, sigma, 21);
+        const CheckedFile file = check_set(blended_set(mask, 0.04, metal, blend));
+        INFO("sigma " << sigma << ", metal " << metal);
+        REQUIRE(find(file, "ETK102") != nullptr);
+        CHECK(contains(find(file, "ETK102")->message, "edges and thin features inside"));
+        CHECK(find(file, "ETK102")->box.has_value());
+      }
+  TextureSet set = wall();
+  paint(set.b, {40, 50, 2, 100}, {150, 150, 150});
+  paint(set.b, {130, 300, 70, 2}, {150, 150, 150});
+  const CheckedFile lines = check_set(set);
+  REQUIRE(find(lines, "ETK102") != nullptr);
+  CHECK(find(lines, "ETK102")->box == PixelBox{40, 50, 160, 252});
+}
