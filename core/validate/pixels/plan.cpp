@@ -59,6 +59,7 @@ void choose_kinds(const CheckTarget& target, const Settings& settings, PassPlan&
     want(RegionKind::f0_zero, is_on("ETK104", settings));
     want(RegionKind::gem, is_on("ETK105", settings) || encoding);
     want(RegionKind::coloured, is_on("ETK106", settings));
+    want(RegionKind::blue_metal, is_on("ETK115", settings));
     want(RegionKind::any_f0,
          is_on("ETK111", settings) || (named && (is_on("ETK112", settings) || is_on("ETK403", settings))));
   }
@@ -106,6 +107,7 @@ PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool ha
   limits.zone_first = limits.b_level[b_zone];
   limits.zone_last = static_cast<std::uint8_t>(std::max<int>(limits.zone_first, limits.b_level[b_metal] - 1));
   limits.spread = byte_of(value_of("ETK106", "spread_warning", settings));
+  limits.bluish = byte_of(value_of("ETK115", "apart", settings));
   limits.metal_diffuse = byte_of(value_of("ETK108", "warning_byte", settings));
   limits.single_bright = static_cast<std::uint8_t>(level_of(tables, first_above(0.2)) - 1);
   plan.energy_limit = of_one(value_of("ETK201", "limit", settings));

@@ -72,6 +72,8 @@ std::uint64_t bits_of_kind(RegionKind kind, const MaskWords& m, const LevelBits&
       return metallic.half;
     case RegionKind::dark_metal:
       return metallic.full & below_zone;
+    case RegionKind::blue_metal:
+      return y.b_from[b_metal] & m.bluish;
     // Black diffuse is right for metals: only what reflects like a dielectric is asked for its albedo.
     case RegionKind::albedo_dark:
       return ~y.a_from[a_dark] & (has_b ? dielectric : ~std::uint64_t{0});

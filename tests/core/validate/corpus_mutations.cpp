@@ -110,6 +110,14 @@ const std::vector<Mutation>& mutations() {
            s.metallic.at(x, y)[0] = 255;
          });
        }},
+      {"ETK115", "gold with red and blue exchanged",
+       [](TextureSet& s, Random& r) {
+         patch(s, r, 12 + r.below(20), [&](auto a, auto b, int x, int y) {
+           set_rgb(b, {156, 228, 255});
+           set_rgb(a, {0, 0, 0});
+           if (s.metallic.width != 0) s.metallic.at(x, y)[0] = 255;
+         });
+       }},
       {"ETK201", "more light than arrives",
        [](TextureSet& s, Random& r) {
          s.manifest.specular_weighs_diffuse = false;

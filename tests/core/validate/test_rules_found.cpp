@@ -214,3 +214,36 @@ TEST_CASE("found 3.10: blurred edges are no patches, and their box is around the
   REQUIRE(find(lines, "ETK102") != nullptr);
   CHECK(find(lines, "ETK102")->box == PixelBox{40, 50, 160, 252});
 }
+
+TEST_CASE("found 3.10: coloured metals with red and blue exchanged are told, and which metal it is") {
+  std::vector<std::string> exchanged;
+  for (const KnownF0& entry : KnownMaterials::builtin().f0()) {
+    if (!entry.conductor || !entry.preferred) continue;
+    std::array<int, 3> codes{};
+    for (std::size_t c = 0; c < 3; ++c) codes[c] = srgb_u8(std::clamp(entry.linear[c], 0.0, 1.0));
+    INFO(entry.id << " " << codes[0] << " " << codes[1] << " " << codes[2]);
+    TextureSet set = wall(96);
+    paint(set.b, {30, 30, 40, 40}, codes);
+    paint(set.a, {30, 30, 40, 40}, {0, 0, 0});
+    CHECK(find(check_set(set), "ETK115") == nullptr);
+    paint(set.b, {30, 30, 40, 40}, {codes[2], codes[1], codes[0]});
+    const CheckedFile file = check_set(set);
+    const Finding* finding = find(file, "ETK115");
+    if (finding == nullptr) continue;
+    exchanged.push_back(entry.id);
+    CHECK(finding->severity == Severity::warning);
+    CHECK(contains(finding->cause, "red and blue exchanged; then it is "));
+    CHECK(finding->box.has_value());
+  }
+  for (const char* metal : {"gold", "copper", "brass_70_30"})
+    CHECK(std::ranges::find(exchanged, metal) != exchanged.end());
+  // Named, it is ETK112 that says so.
+  TextureSet set = wall(96);
+  paint(set.b, {0, 0, 96, 96}, {156, 228, 255});
+  CHECK(contains(find(check_set(set), "ETK115")->cause, "then it is gold, within"));
+  set.manifest.material = "gold";
+  const CheckedFile named = check_set(set);
+  CHECK(find(named, "ETK115") == nullptr);
+  REQUIRE(find(named, "ETK112") != nullptr);
+  CHECK(find(named, "ETK112")->cause == "possible cause: red and blue exchanged");
+}
