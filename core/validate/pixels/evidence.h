@@ -19,6 +19,14 @@ namespace etak {
 /// Codes of one channel: how often each occurs.
 using Histogram = std::array<std::uint32_t, 256>;
 
+/// The codes between the 1st and the 99th percentile of a histogram.
+struct CodeSteps {
+  int first = 0, last = 0;               // codes
+  int used = 0;                          // of them
+  int median_step = 0, widest_step = 0;  // from one used code to the next
+};
+CodeSteps code_steps(const Histogram& codes);
+
 /// Counts of the byte pass: exact, over every texel.
 struct ByteCounts {
   std::uint64_t texels = 0, opaque = 0;  // opaque: those the 1xx to 3xx rules judge
@@ -48,8 +56,8 @@ struct Detail {
   std::uint64_t opaque = 0;
   bool every_row = false;
   std::array<Histogram, 4> a{}, b{};  // over opaque texels; a[3], b[3]: alpha and gloss
-  // Neighbours along the row whose green codes of A differ by at most 1.
-  std::uint64_t smooth = 0;
+  // Neighbours along the row whose green codes of A (of B) differ by at most 1.
+  std::uint64_t smooth_a = 0, smooth_b = 0;
 
   void add(const Detail& other);
 };

@@ -80,6 +80,15 @@ void choose_kinds(const CheckTarget& target, const Settings& settings, PassPlan&
   }
 }
 
+// What ETK406 asks, of a sample of rows and with room for what the sample lacks.
+bool seems_posterised(const Detail& detail, bool diffuse) {
+  const std::uint64_t smooth = diffuse ? detail.smooth_a : detail.smooth_b;
+  if (4 * smooth <= 3 * detail.texels) return false;
+  const CodeSteps steps = code_steps((diffuse ? detail.a : detail.b)[1]);
+  return steps.used >= 8 && 3 * steps.used < steps.last - steps.first + 1 &&
+         steps.widest_step <= 4 * steps.median_step;
+}
+
 }  // namespace
 
 PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool has_a, bool has_b,
@@ -153,15 +162,10 @@ bool needs_second_look(const TileEvidence& tile, const PassPlan& plan, const Set
       counts.gloss_most - counts.gloss_least > 32 &&
       std::ranges::count_if(detail.b[3], [](std::uint32_t n) { return n != 0; }) <= 8)
     return true;
-  if (plan.has_a && is_on("ETK406", settings) &&
-      static_cast<double>(detail.smooth) > 0.75 * static_cast<double>(detail.texels)) {
-    const Histogram& green = detail.a[1];
-    const auto used = std::ranges::count_if(green, [](std::uint32_t n) { return n != 0; });
-    int first = 0, last = 255;
-    while (first < 255 && green[static_cast<std::size_t>(first)] == 0) ++first;
-    while (last > 0 && green[static_cast<std::size_t>(last)] == 0) --last;
-    if (used >= 8 && 3 * used < last - first + 1) return true;
-  }
+  if (is_on("ETK406", settings))
+    for (const bool diffuse : {true, false})
+      if ((diffuse ? plan.has_a : plan.has_b && !plan.has_metallic) && seems_posterised(detail, diffuse))
+        return true;
   if (is_on("ETK404", settings))
     for (const bool diffuse : {true, false}) {
       if (diffuse ? !plan.has_a : (!plan.has_b || plan.has_metallic)) continue;

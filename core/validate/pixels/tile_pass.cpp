@@ -251,7 +251,10 @@ void TilePass::add_detail(Detail& detail, const RowPointers& row) {
       ++detail.b[c][b[c]];
     }
   }
-  for (int x = 1; x < width; ++x) detail.smooth += std::abs(row.a[4 * x + 1] - row.a[4 * x - 3]) <= 1;
+  for (int x = 1; x < width; ++x) {
+    detail.smooth_a += std::abs(row.a[4 * x + 1] - row.a[4 * x - 3]) <= 1;
+    detail.smooth_b += std::abs(row.b[4 * x + 1] - row.b[4 * x - 3]) <= 1;
+  }
 }
 
 void TilePass::follow_row(int y, const std::function<RowPointers(int)>& rows) {

@@ -213,6 +213,15 @@ const std::vector<Mutation>& mutations() {
            set_rgb(a, {code, code, code});
          });
        }},
+      {"ETK406", "F0 in few steps",
+       [](TextureSet& s, Random& r) {
+         s.metallic = {};  // of pairs only
+         const int step = 12 + r.below(6);
+         each_texel(s.b, [&](auto b, int x, int) {
+           const int code = 40 + 180 * x / s.b.width / step * step;
+           set_rgb(b, {code, code, code});
+         });
+       }},
       {"ETK501", "premultiplied alpha",
        [](TextureSet& s, Random& r) {
          const double phase = r.unit() * 6;

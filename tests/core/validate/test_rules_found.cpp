@@ -247,3 +247,29 @@ TEST_CASE("found 3.10: coloured metals with red and blue exchanged are told, and
   REQUIRE(find(named, "ETK112") != nullptr);
   CHECK(find(named, "ETK112")->cause == "possible cause: red and blue exchanged");
 }
+
+TEST_CASE("found 3.10: posterised F0 is told as posterised diffuse is, and flat materials are not") {
+  TextureSet set = wall();
+  each_texel(set.b, [](auto texel, int x, int) {
+    const int code = 36 + 180 * x / 511 / 12 * 12;
+    set_rgb(texel, {code, code, code});
+  });
+  const CheckedFile file = check_set(set);
+  REQUIRE(find(file, "ETK406") != nullptr);
+  CHECK(find(file, "ETK406")->file == "b.png");
+  CHECK(find(file, "ETK406")->message == "a smooth gradient of F0 uses 15 codes between 36 and 204");
+  each_texel(set.b, [](auto texel, int x, int) {
+    const int code = 36 + 180 * x / 511;
+    set_rgb(texel, {code, code, code});
+  });
+  CHECK(find(check_set(set), "ETK406") == nullptr);
+  // Ten materials side by side, as an atlas has them.
+  constexpr std::array codes{39, 44, 50, 56, 63, 80, 184, 200, 230, 250};
+  each_texel(set.b, [&](auto texel, int x, int) {
+    const int code = codes[static_cast<std::size_t>(10 * x / 512)];
+    set_rgb(texel, {code, code, code});
+  });
+  const CheckedFile materials = check_set(set);
+  CHECK(find(materials, "ETK406") == nullptr);
+  CHECK(materials.stats.passes == 1);
+}
