@@ -273,3 +273,21 @@ TEST_CASE("found 3.10: posterised F0 is told as posterised diffuse is, and flat 
   CHECK(find(materials, "ETK406") == nullptr);
   CHECK(materials.stats.passes == 1);
 }
+
+TEST_CASE("found 3.10: of channels that stand at 255 each is named") {
+  const auto said = [](std::array<int, 3> codes) {
+    TextureSet set = wall(128);
+    paint(set.b, {0, 0, 128, 64}, codes);
+    const CheckedFile file = check_set(set);
+    const Finding* finding = find(file, "ETK107");
+    return finding == nullptr ? std::string("nothing") : finding->message;
+  };
+  CHECK(said({255, 228, 156}) ==
+        "F0 red stands at code 255 on 50 % of the texels while green and blue do not: clipped or mapped into "
+        "the gamut");
+  CHECK(
+      said({255, 255, 156}) ==
+      "F0 red and green stand at code 255 on up to 50 % of the texels while blue does not: clipped or mapped "
+      "into the gamut");
+  CHECK(said({255, 255, 255}) == "nothing");
+}
