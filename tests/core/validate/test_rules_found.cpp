@@ -291,3 +291,15 @@ TEST_CASE("found 3.10: of channels that stand at 255 each is named") {
       "into the gamut");
   CHECK(said({255, 255, 255}) == "nothing");
 }
+
+TEST_CASE("found 3.10: black diffuse is not to be brightened where it may be glass or a metal") {
+  TextureSet set = wall(128);
+  paint(set.a, {20, 20, 40, 40}, {0, 0, 0});
+  const CheckedFile black = check_set(set);
+  REQUIRE(find(black, "ETK202") != nullptr);
+  CHECK(find(black, "ETK202")->fix.starts_with("Leave it black if it is glass"));
+  paint(set.a, {20, 20, 40, 40}, {10, 10, 10});
+  const CheckedFile dark = check_set(set);
+  REQUIRE(find(dark, "ETK202") != nullptr);
+  CHECK(find(dark, "ETK202")->fix.starts_with("Brighten to code 30 or more"));
+}
