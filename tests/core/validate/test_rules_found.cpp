@@ -303,3 +303,14 @@ TEST_CASE("found 3.10: black diffuse is not to be brightened where it may be gla
   REQUIRE(find(dark, "ETK202") != nullptr);
   CHECK(find(dark, "ETK202")->fix.starts_with("Brighten to code 30 or more"));
 }
+
+TEST_CASE("found 3.10: a metallic value has no nearest materials") {
+  TextureSet set = wall(128);
+  set.metallic = Image8(128, 128, 1, 0);
+  for (int y = 20; y < 60; ++y)
+    for (int x = 20; x < 60; ++x) set.metallic.at(x, y)[0] = 128;
+  const CheckedFile file = check_set(set);
+  REQUIRE(find(file, "ETK113") != nullptr);
+  CHECK(find(file, "ETK113")->nearest.empty());
+  CHECK(find(file, "ETK113")->value == "metallic 0.5");
+}
