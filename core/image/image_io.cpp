@@ -10,6 +10,7 @@
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/files/steady_file.h"
+#include "core/image/files/icc.h"
 #include "core/image/picture_bytes.h"
 
 namespace etak {
@@ -150,10 +151,14 @@ PictureHeader header_of(const Input& input) {
   out.floating = spec.format.is_floating_point() || out.bits > 16;
   out.format = input.reader->format_name();
   out.lossy = is_lossy(input.bytes, out.format, spec.get_string_attribute("compression"));
-  if (spec.find_attribute("ICCProfile") != nullptr)
-    out.colour_space = "icc";
-  else if (spec.get_int_attribute("Exif:ColorSpace") == 1)
+  if (const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile")) {
+    const auto colors = icc_colors(
+        {static_cast<const char*>(profile->data()), static_cast<std::size_t>(profile->datasize())});
+    out.colour_space = colors ? colors->curve : "icc";
+    if (colors) out.primaries = colors->primaries;
+  } else if (spec.get_int_attribute("Exif:ColorSpace") == 1) {
     out.colour_space = "srgb";
+  }
   return out;
 }
 

@@ -106,6 +106,7 @@ Picture load_picture(std::string_view bytes, const std::string& label, const Pic
         if (const auto png = png_header(file)) {
           out.header.palette = png->palette;
           out.header.colour_space = png->colour_space;
+          out.header.primaries = png->primaries;
         }
         return out;
       });

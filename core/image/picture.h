@@ -29,8 +29,10 @@ struct PictureHeader {
   bool strips = false;    // a PNG whose rows PngReader reads one by one
   bool lossy = false;     // compressing changed the values: JPEG, lossy WebP, DWA, block formats
   std::string format{};   // "png", "jpeg", "openexr", ...: OpenImageIO's names
-  std::string
-      colour_space{};  // declared: "srgb", "linear", "gamma22", "gamma 0.6", "icc: NAME"; empty: not said
+  // The declared curve: "srgb", "linear", "gamma22", "gamma 0.6", "a curve of its own", or "icc: NAME" for a
+  // colour profile that icc_colors() cannot read; empty: not said.
+  std::string colour_space{};
+  std::string primaries{};  // of a colour profile, as icc_colors() names them; empty: no profile
   friend bool operator==(const PictureHeader&, const PictureHeader&) = default;
 };
 

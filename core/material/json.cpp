@@ -291,8 +291,8 @@ Material parse_material(std::string_view text, std::string_view file) {
 }
 
 Material read_material(const Node& node) {
-  node.expect_object({"schema", "id", "name", "aliases", "alias_notes", "class", "group", "preferred",
-                      "preferred_reason", "datasets"});
+  node.expect_object({"schema", "id", "name", "aliases", "alias_notes", "class", "group", "common",
+                      "preferred", "preferred_reason", "datasets"});
   if (node.at("schema").text() != schema_name)
     node.at("schema").fail_type("\"" + std::string(schema_name) + "\"");
 
@@ -313,6 +313,7 @@ Material read_material(const Node& node) {
   m.group = node.text_or_empty("group");
   if (node.has("group") && !is_made_of(m.group, "abcdefghijklmnopqrstuvwxyz"))
     node.at("group").fail_type("a word of a-z");
+  m.common = node.has("common") && node.at("common").boolean();
   const Node datasets = node.at("datasets");
   datasets.expect_array();
   if (datasets.value.empty()) datasets.fail("no datasets", "at least one");
@@ -341,6 +342,7 @@ std::string format_material(const Material& m) {
   }
   out.push_back({"class", json(m.material_class)});
   if (!m.group.empty()) out.push_back({"group", json(m.group)});
+  if (m.common) out.push_back({"common", json(true)});
   out.push_back({"preferred", json(m.preferred_dataset().id)});
   out.push_back({"preferred_reason", json(m.preferred_reason)});
   out.push_back({"datasets", json_lines_of(m.datasets, 2, dataset_json)});

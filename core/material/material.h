@@ -157,6 +157,7 @@ struct Material {
   std::vector<AliasNote> alias_notes;  // by alias
   std::string material_class;
   std::string group;              // within the class, such as "wood"; may be empty
+  bool common = false;            // as a surface so often seen that an unnamed F0 near it may be it (ETK101)
   std::vector<Dataset> datasets;  // at least one, ids unique
   std::size_t preferred = 0;      // index of the default dataset
   std::string preferred_reason;

@@ -19,6 +19,7 @@ struct KnownF0 {
   std::string id, name, dataset;  // material id and name
   bool preferred = false;
   bool conductor = false;          // metals, alloys, conductors
+  bool common = false;             // Material::common
   std::array<double, 3> linear{};  // linear sRGB, not clipped
   double luminance = 0;
 };

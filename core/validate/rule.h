@@ -61,11 +61,11 @@ enum class RegionKind : std::uint8_t {
   any_f0,              // ETK111, ETK112: every flat F0
   half_metal,          // ETK113
   dark_metal,          // ETK114
+  blue_metal,          // ETK115: F0 of a metal, more blue than red
   albedo_dark,         // ETK202
   albedo_bright,       // ETK203
   albedo_single,       // ETK204
 };
-inline constexpr std::size_t region_kind_count = 13;
 
 /// A number that a configuration may change: [rules] ETK202 = { min_byte = 50 }.
 struct RuleParameter {

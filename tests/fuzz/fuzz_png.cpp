@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whatever the bytes: the PNG reader answers with nothing, an Error, or pixels; the same pixels whether rows
 // are read at once or one by one, and after writing and reading them again. The first byte says whether the
-// checksums of chunks are put right first, so that what lies behind them is reached.
+// checksums of chunks are put right first, so that what lies behind them is reached. The bytes are read as a
+// colour profile too.
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/files/steady_file.h"
 #include "core/image/files/deflate.h"
+#include "core/image/files/icc.h"
 #include "core/image/files/png.h"
 
 using namespace etak;
@@ -39,6 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // On the heap and of the exact size, so that reading beyond it is seen.
   std::string file(reinterpret_cast<const char*>(data) + 1, size - 1);
   if ((data[0] & 1) == 0) put_checksums_right(file);
+  (void)icc_colors(file);  // what a profile's chunk would hold, without its checksum in the way
   const std::vector<char> bytes(file.begin(), file.end());
   const std::string_view view(bytes.data(), bytes.size());
   BytesInMemory source(view);

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <span>
 
-#include "core/base/number.h"
 #include "core/image/files/deflate.h"
+#include "core/image/files/icc.h"
 #include "core/image/files/png.h"
 
 namespace etak {
@@ -16,11 +17,37 @@ namespace {
 // A chunk may be as long as the file: it is summed in pieces that stay in the second-level cache.
 constexpr std::size_t piece_bytes = std::size_t{64} << 10;
 
-std::string gamma_name(double gamma) {
-  if (std::abs(gamma - 1) < 0.01) return "linear";
-  // 0.45455 stands in countless sRGB files as the nearest power.
-  if (std::abs(gamma - 0.45455) < 0.005) return "gamma22";
-  return "gamma " + number(gamma, 5);
+// What lies deflated in the data of a chunk behind its first `skip` bytes; empty where it is damaged, or
+// where either form of it has more than `most` bytes.
+std::string inflated(ByteSource& bytes, const PngChunk& chunk, std::size_t skip, std::size_t most) {
+  std::string out;
+  if (chunk.size > most) return out;
+  Inflater inflater;
+  for (std::size_t at = skip; at < chunk.size;) {
+    const std::string piece(bytes.view(chunk.data() + at, std::min(piece_bytes, chunk.size - at)));
+    at += piece.size();
+    inflater.feed(octets(piece));
+    for (auto status = Inflater::Status::more; status != Inflater::Status::hungry;) {
+      std::array<std::uint8_t, 16384> part;
+      std::size_t written = 0;
+      status = inflater.read(part, written);
+      out.append(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(written));
+      if (status == Inflater::Status::damaged || out.size() > most) return {};
+      if (status == Inflater::Status::ended) return out;
+    }
+  }
+  return {};
+}
+
+// An iCCP chunk: the profile's name, a zero, the method of compression, the profile.
+void read_profile(ByteSource& bytes, const PngChunk& chunk, PictureHeader& out) {
+  constexpr std::size_t most_name = 79;
+  const std::string head(bytes.view(chunk.data(), std::min<std::size_t>(chunk.size, most_name + 1)));
+  const std::size_t end = head.find('\0');
+  const auto colors =
+      end == head.npos ? std::nullopt : icc_colors(inflated(bytes, chunk, end + 2, largest_profile_bytes));
+  out.colour_space = colors ? colors->curve : "icc: " + head.substr(0, std::min(end, most_name));
+  out.primaries = colors ? colors->primaries : "";
 }
 
 }  // namespace
@@ -74,8 +101,7 @@ std::optional<PictureHeader> png_header(ByteSource& bytes) {
   out.format = "png";
   for (auto chunk = png_chunk_at(bytes, png_signature.size()); chunk && chunk->type != "IDAT";
        chunk = png_chunk_at(bytes, chunk->end())) {
-    // No more than the longest name of a colour profile.
-    const std::string_view data = bytes.view(chunk->data(), std::min<std::size_t>(chunk->size, 80));
+    const std::string_view data = bytes.view(chunk->data(), std::min<std::size_t>(chunk->size, 13));
     if (chunk->start == png_signature.size() && chunk->type == "IHDR" && chunk->size == 13) {
       const PngForm form = png_form(data);
       const auto side = [](std::uint32_t s) { return s >= 1 && s <= std::uint32_t{max_image_side}; };
@@ -88,11 +114,11 @@ std::optional<PictureHeader> png_header(ByteSource& bytes) {
                    form.interlace == 0 && side(form.width) && side(form.height);
     }
     if (chunk->type == "gAMA" && chunk->size == 4 && out.colour_space.empty())
-      out.colour_space = gamma_name(big_endian(data, 0) / 1e5);
-    if (chunk->type == "iCCP")
-      out.colour_space = "icc: " + std::string(data.substr(0, std::min<std::size_t>(data.find('\0'), 79)));
+      out.colour_space = power_curve_name(big_endian(data, 0) / 1e5);
+    if (chunk->type == "iCCP") read_profile(bytes, *chunk, out);
     if (chunk->type == "sRGB") {
       out.colour_space = "srgb";
+      out.primaries.clear();
       break;
     }
   }

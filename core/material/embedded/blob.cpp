@@ -191,6 +191,7 @@ std::string encode_library(const std::vector<Material>& materials,
     }
     body.text(m.material_class);
     body.text(m.group);
+    body.number(m.common ? 1 : 0);
     body.number(m.preferred);
     body.text(m.preferred_reason);
     body.number(m.datasets.size());
@@ -238,6 +239,7 @@ Material decode_material(std::string_view blob, std::size_t offset) {
   }
   m.material_class = r.text();
   m.group = r.text();
+  m.common = r.number() != 0;
   m.preferred = r.number();
   m.preferred_reason = r.text();
   m.datasets.resize(r.number());

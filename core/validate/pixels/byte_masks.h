@@ -16,6 +16,7 @@ struct ByteLimits {
   std::uint8_t b_level[b_levels] = {36, 81, 124, 179};  // least grey code at or above each limit of Y, 1..255
   std::uint8_t a_level[a_levels] = {30, 251};
   std::uint8_t spread = 4;           // of a dielectric's channels
+  std::uint8_t bluish = 12;          // blue above red by more than this
   std::uint8_t metal_diffuse = 30;   // diffuse above it under a metal
   std::uint8_t black_diffuse = 2;    // diffuse at or below it
   std::uint8_t single_bright = 124;  // one diffuse channel above it beside one at 0
@@ -29,6 +30,7 @@ struct MaskWords {
   std::uint64_t zone_any, zone_all;                    // channels of B in the zone's codes
   std::uint64_t black, nearly_black;                   // B: all 0; all at most 1
   std::uint64_t spread;                                // B: largest - smallest channel > spread
+  std::uint64_t bluish;                                // B: blue - red > bluish
   std::uint64_t b_below[ByteLimits::b_levels], b_from[ByteLimits::b_levels];
   std::uint64_t a_below[ByteLimits::a_levels], a_from[ByteLimits::a_levels];
   std::uint64_t diffuse_on_metal, diffuse_black, single_channel;  // A

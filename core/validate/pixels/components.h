@@ -31,6 +31,12 @@ struct PlateauSummary {
   PixelBox box;                           // around all of them
   std::vector<Plateau> largest;           // at most `kept`, largest first; equal ones from the top
   std::vector<std::size_t> area_by_code;  // 256, by the luminance code of the mean; empty when regions is 0
+  PixelBox masked_box;                    // around all texels that meet the condition
+  // Of the zone: solid patches with hard edges that are too small for a region, and the largest of them with
+  // the texels around it that erosion took.
+  std::size_t patches = 0;
+  std::size_t patch_area = 0;  // of their boxes
+  Plateau largest_patch;
   static constexpr std::size_t kept = 256;
 };
 
@@ -43,14 +49,19 @@ struct RowPointers {
 /// component is judged and forgotten as soon as a row adds nothing to it, so memory follows the width.
 class Components {
  public:
-  ///   origin_x, origin_y   left upper corner of the tile in the picture
-  ///   least_area           components of fewer texels are dropped
-  Components(RegionKind kind, int origin_x, int origin_y, std::size_t least_area, const CodeTables& tables);
+  ///   tile         in the picture
+  ///   least_area   components of fewer texels are dropped
+  ///   eroded       how far the mask reached beyond the components, in texels
+  Components(RegionKind kind, const PixelBox& tile, std::size_t least_area, int eroded,
+             const CodeTables& tables);
 
   /// Row y of the tile, y ascending by 1 from any row; bit i of word w is texel 64 w + i.
-  ///   codes   luminance codes of the judged plane in this row
+  ///   codes   luminance codes of the judged plane in this row, and of the `edge_reach` texels on both sides
+  ///           of each texel that is set; before the first and behind the last column their codes
   void add_row(int y, const std::uint64_t* words, std::size_t word_count, const RowPointers& rows,
                const std::uint8_t* codes);
+
+  static constexpr int edge_reach = 5;
 
   /// A row without any texel.
   void add_empty_row();
@@ -65,7 +76,8 @@ class Components {
     std::array<std::uint64_t, 3> specular{}, diffuse{};
     std::uint64_t metallic = 0;
     std::uint8_t least = 255, most = 0;
-    bool touched = false;  // by the current row
+    std::size_t hard_ends = 0, soft_ends = 0;  // of runs; ends at the tile's border are neither
+    bool touched = false;                      // by the current row
   };
   struct Run {
     int first, last;
@@ -76,12 +88,15 @@ class Components {
   std::uint32_t create();
   std::uint32_t join(std::uint32_t a, std::uint32_t b);
   void add_run(int y, const Run& run, const RowPointers& rows, const std::uint8_t* codes);
+  Plateau plateau_of(const Sums& sums) const;
   void close(const Sums& sums);
+  void close_small(const Sums& sums);
   void retire(bool all);
 
   RegionKind kind_;
-  int origin_x_, origin_y_;
+  PixelBox tile_;
   std::size_t least_area_;
+  int eroded_;
   const CodeTables& tables_;
   std::vector<Sums> sums_;
   std::vector<std::uint32_t> parent_, free_, open_;

@@ -5,6 +5,30 @@
 
 namespace etak {
 
+CodeSteps code_steps(const Histogram& codes) {
+  std::uint64_t all = 0, below = 0;
+  for (const std::uint32_t count : codes) all += count;
+  CodeSteps out{-1, -1};
+  for (int code = 0; code < 256; ++code) {
+    below += codes[static_cast<std::size_t>(code)];
+    if (out.first < 0 && 100 * below > all) out.first = code;
+    if (out.last < 0 && 100 * below >= 99 * all) out.last = code;
+  }
+  std::vector<int> steps;
+  int before = -1;
+  for (int code = out.first; code >= 0 && code <= out.last; ++code) {
+    if (codes[static_cast<std::size_t>(code)] == 0) continue;
+    ++out.used;
+    if (before >= 0) steps.push_back(code - before);
+    before = code;
+  }
+  if (steps.empty()) return out;
+  std::ranges::sort(steps);
+  out.median_step = steps[steps.size() / 2];
+  out.widest_step = steps.back();
+  return out;
+}
+
 void ByteCounts::add(const ByteCounts& o) {
   if (o.energy_over != 0) {
     if (energy_over == 0) {
@@ -54,12 +78,31 @@ void ByteCounts::add(const ByteCounts& o) {
 void Detail::add(const Detail& o) {
   texels += o.texels;
   opaque += o.opaque;
-  smooth += o.smooth;
+  smooth_a += o.smooth_a;
+  smooth_b += o.smooth_b;
   for (std::size_t c = 0; c < 4; ++c)
     for (std::size_t i = 0; i < 256; ++i) {
       a[c][i] += o.a[c][i];
       b[c][i] += o.b[c][i];
     }
+}
+
+DarkValues dark_values(const std::array<Histogram, 4>& picture) {
+  const std::array<bool, 101>& comb = comb_codes();
+  std::array<std::uint64_t, 101> counts{};
+  std::uint64_t all = 0;
+  for (std::size_t code = 0; code < counts.size(); ++code) {
+    for (std::size_t c = 0; c < 3; ++c) counts[code] += picture[c][code];
+    all += counts[code];
+  }
+  DarkValues out;
+  for (std::size_t code = 0; code < counts.size(); ++code) {
+    if (counts[code] == 0 || 4 * counts[code] > all) continue;
+    out.count += counts[code];
+    if (comb[code]) out.in_comb += counts[code];
+    ++out.codes;
+  }
+  return out;
 }
 
 const PlateauSummary* TileEvidence::region(RegionKind kind) const {

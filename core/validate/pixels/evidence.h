@@ -19,6 +19,14 @@ namespace etak {
 /// Codes of one channel: how often each occurs.
 using Histogram = std::array<std::uint32_t, 256>;
 
+/// The codes between the 1st and the 99th percentile of a histogram.
+struct CodeSteps {
+  int first = 0, last = 0;               // codes
+  int used = 0;                          // of them
+  int median_step = 0, widest_step = 0;  // from one used code to the next
+};
+CodeSteps code_steps(const Histogram& codes);
+
 /// Counts of the byte pass: exact, over every texel.
 struct ByteCounts {
   std::uint64_t texels = 0, opaque = 0;  // opaque: those the 1xx to 3xx rules judge
@@ -34,7 +42,8 @@ struct ByteCounts {
   std::uint64_t gloss_zero = 0, gloss_full = 0;  // opaque
   std::uint64_t gloss_sum = 0, gloss_squares = 0, gloss_texels = 0;
   std::uint8_t gloss_least = 255, gloss_most = 0;
-  // Texels with 8 < alpha < 247: their number, those with max(RGB) <= alpha + 1, and sums for a correlation.
+  // Texels with 8 < alpha < 247 that have a diffuse colour: their number, those with max(RGB) <= alpha + 1,
+  // and sums for a correlation. Black is black whatever it is multiplied by, and metals have it.
   std::uint64_t middle = 0, middle_below = 0, sum_max = 0, sum_alpha = 0, sum_max2 = 0, sum_alpha2 = 0,
                 sum_product = 0;
 
@@ -47,11 +56,21 @@ struct Detail {
   std::uint64_t opaque = 0;
   bool every_row = false;
   std::array<Histogram, 4> a{}, b{};  // over opaque texels; a[3], b[3]: alpha and gloss
-  // Neighbours along the row whose green codes of A differ by at most 1.
-  std::uint64_t smooth = 0;
+  // Neighbours along the row whose green codes of A (of B) differ by at most 1.
+  std::uint64_t smooth_a = 0, smooth_b = 0;
 
   void add(const Detail& other);
 };
+
+/// The values of a picture's three colours with codes up to 100, for ETK404.
+struct DarkValues {
+  std::uint64_t count = 0, in_comb = 0;  // in_comb: among comb_codes()
+  int codes = 0;                         // distinct ones
+};
+
+/// Counts the dark values of `picture` (of Detail). A code with more than a quarter of all of them is a flat
+/// area, which says nothing of how the values came about, and is left out.
+DarkValues dark_values(const std::array<Histogram, 4>& picture);
 
 /// A metallic value between these is neither metal nor dielectric (ETK101, ETK113): glTF 2.0 and Filament ask
 /// for values close to 0 or 1. `metal_from` begins the metals.

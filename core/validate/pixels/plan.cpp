@@ -59,6 +59,7 @@ void choose_kinds(const CheckTarget& target, const Settings& settings, PassPlan&
     want(RegionKind::f0_zero, is_on("ETK104", settings));
     want(RegionKind::gem, is_on("ETK105", settings) || encoding);
     want(RegionKind::coloured, is_on("ETK106", settings));
+    want(RegionKind::blue_metal, is_on("ETK115", settings));
     want(RegionKind::any_f0,
          is_on("ETK111", settings) || (named && (is_on("ETK112", settings) || is_on("ETK403", settings))));
   }
@@ -77,6 +78,15 @@ void choose_kinds(const CheckTarget& target, const Settings& settings, PassPlan&
     want(RegionKind::albedo_single, is_on("ETK204", settings));
     plan.fringe = is_on("ETK502", settings);
   }
+}
+
+// What ETK406 asks, of a sample of rows and with room for what the sample lacks.
+bool seems_posterised(const Detail& detail, bool diffuse) {
+  const std::uint64_t smooth = diffuse ? detail.smooth_a : detail.smooth_b;
+  if (4 * smooth <= 3 * detail.texels) return false;
+  const CodeSteps steps = code_steps((diffuse ? detail.a : detail.b)[1]);
+  return steps.used >= 8 && 3 * steps.used < steps.last - steps.first + 1 &&
+         steps.widest_step <= 4 * steps.median_step;
 }
 
 }  // namespace
@@ -106,6 +116,7 @@ PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool ha
   limits.zone_first = limits.b_level[b_zone];
   limits.zone_last = static_cast<std::uint8_t>(std::max<int>(limits.zone_first, limits.b_level[b_metal] - 1));
   limits.spread = byte_of(value_of("ETK106", "spread_warning", settings));
+  limits.bluish = byte_of(value_of("ETK115", "apart", settings));
   limits.metal_diffuse = byte_of(value_of("ETK108", "warning_byte", settings));
   limits.single_bright = static_cast<std::uint8_t>(level_of(tables, first_above(0.2)) - 1);
   plan.energy_limit = of_one(value_of("ETK201", "limit", settings));
@@ -147,31 +158,19 @@ bool needs_second_look(const TileEvidence& tile, const PassPlan& plan, const Set
       return true;
   }
   if (detail.every_row) return false;
-  if (has_gloss && is_on("ETK304", settings) && counts.gloss_most - counts.gloss_least > 32 &&
+  if (has_gloss && detail.opaque != 0 && is_on("ETK304", settings) &&
+      counts.gloss_most - counts.gloss_least > 32 &&
       std::ranges::count_if(detail.b[3], [](std::uint32_t n) { return n != 0; }) <= 8)
     return true;
-  if (plan.has_a && is_on("ETK406", settings) &&
-      static_cast<double>(detail.smooth) > 0.75 * static_cast<double>(detail.texels)) {
-    const Histogram& green = detail.a[1];
-    const auto used = std::ranges::count_if(green, [](std::uint32_t n) { return n != 0; });
-    int first = 0, last = 255;
-    while (first < 255 && green[static_cast<std::size_t>(first)] == 0) ++first;
-    while (last > 0 && green[static_cast<std::size_t>(last)] == 0) --last;
-    if (used >= 8 && 3 * used < last - first + 1) return true;
-  }
+  if (is_on("ETK406", settings))
+    for (const bool diffuse : {true, false})
+      if ((diffuse ? plan.has_a : plan.has_b && !plan.has_metallic) && seems_posterised(detail, diffuse))
+        return true;
   if (is_on("ETK404", settings))
     for (const bool diffuse : {true, false}) {
       if (diffuse ? !plan.has_a : (!plan.has_b || plan.has_metallic)) continue;
-      std::uint64_t low = 0, in_gap = 0;
-      int distinct = 0;
-      for (std::size_t code = 0; code <= 100; ++code) {
-        std::uint64_t count = 0;
-        for (std::size_t c = 0; c < 3; ++c) count += (diffuse ? detail.a : detail.b)[c][code];
-        low += count;
-        distinct += count != 0;
-        if (!comb_codes()[code]) in_gap += count;
-      }
-      if (low >= 128 && distinct >= 8 && 100 * in_gap < low) return true;
+      const DarkValues dark = dark_values(diffuse ? detail.a : detail.b);
+      if (dark.count >= 128 && dark.codes >= 8 && 100 * (dark.count - dark.in_comb) < dark.count) return true;
     }
   return false;
 }

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 namespace etak {
 
@@ -214,7 +215,8 @@ struct KindState {
   RegionKind kind;
   BitRows across, eroded, across2, eroded2;
   Components components;
-  std::size_t masked = 0;
+  std::size_t masked = 0, masked_rows = 0;
+  int left = std::numeric_limits<int>::max(), right = -1, top = 0, bottom = 0;  // of the mask, in the tile
   bool open = false;  // the components hold a row above
 
   KindState(RegionKind k, std::size_t words, const PixelBox& tile, std::size_t least_area, int erode,
@@ -224,7 +226,29 @@ struct KindState {
         eroded(words),
         across2(erode == 5 ? words : 0),
         eroded2(erode == 5 ? words : 0),
-        components(k, tile.x, tile.y, least_area, tables) {}
+        components(k, tile, least_area, erode / 2, tables) {}
+
+  // Row y of the mask counts, and widens the box around all of it.
+  bool add_mask(int y, const std::uint64_t* mask, std::size_t words) {
+    std::size_t first = words, last = 0;
+    for (std::size_t w = 0; w < words; ++w) {
+      if (mask[w] == 0) continue;
+      masked += static_cast<std::size_t>(std::popcount(mask[w]));
+      first = std::min(first, w);
+      last = w;
+    }
+    if (first == words) return false;
+    left = std::min(left, static_cast<int>(64 * first) + std::countr_zero(mask[first]));
+    right = std::max(right, static_cast<int>(64 * last) + 63 - std::countl_zero(mask[last]));
+    if (masked_rows++ == 0) top = y;
+    bottom = y;
+    return true;
+  }
+
+  PixelBox masked_box(const PixelBox& tile) const {
+    if (masked == 0) return {};
+    return {tile.x + left, tile.y + top, right - left + 1, bottom - top + 1};
+  }
 };
 
 }  // namespace
@@ -319,17 +343,13 @@ void RegionAnalysis::push(int y, const std::uint64_t* masks, const std::function
       s.recorder(i, y, mask);
       continue;
     }
-    std::uint64_t any = 0;
-    for (std::size_t w = 0; w < s.words; ++w) {
-      any |= mask[w];
-      k.masked += static_cast<std::size_t>(std::popcount(mask[w]));
-    }
+    const bool any = k.add_mask(y, mask, s.words);
     if (s.erode == 1) {
-      k.eroded.filled[slot_of(y)] = any != 0;
-      if (any != 0) std::copy_n(mask, s.words, k.eroded.row(y));
+      k.eroded.filled[slot_of(y)] = any;
+      if (any) std::copy_n(mask, s.words, k.eroded.row(y));
     } else {
-      k.across.filled[slot_of(y)] = any != 0;
-      if (any != 0) erode_across(mask, s.words, s.tile.width, k.across.row(y));
+      k.across.filled[slot_of(y)] = any;
+      if (any) erode_across(mask, s.words, s.tile.width, k.across.row(y));
       for (int e = std::max(0, y - 1); e <= (last ? y : y - 1); ++e) {
         State::erode_down(k.across, k.eroded, e, height);
         if (s.erode != 5) continue;
@@ -349,6 +369,7 @@ std::vector<PlateauSummary> RegionAnalysis::finish() {
   for (KindState& k : state_->kinds) {
     PlateauSummary& summary = out.emplace_back();
     summary.masked = k.masked;
+    summary.masked_box = k.masked_box(state_->tile);
     k.components.finish(summary);
   }
   return out;

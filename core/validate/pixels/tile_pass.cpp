@@ -72,6 +72,8 @@ std::uint64_t bits_of_kind(RegionKind kind, const MaskWords& m, const LevelBits&
       return metallic.half;
     case RegionKind::dark_metal:
       return metallic.full & below_zone;
+    case RegionKind::blue_metal:
+      return y.b_from[b_metal] & m.bluish;
     // Black diffuse is right for metals: only what reflects like a dielectric is asked for its albedo.
     case RegionKind::albedo_dark:
       return ~y.a_from[a_dark] & (has_b ? dielectric : ~std::uint64_t{0});
@@ -162,7 +164,6 @@ void TilePass::count_words(ByteCounts& counts, const std::vector<MaskWords>& wor
     const std::uint64_t opaque = m.opaque;
     const int x0 = static_cast<int>(64 * w);
     if (invisible != nullptr) invisible[w] = m.alpha_zero;
-    if (m.alpha_middle != 0) count_middle(counts, m.alpha_middle, x0, row);
     if ((m.energy_doubt & opaque) != 0) count_energy(counts, m.energy_doubt & opaque, x0, y, row);
 
     // Y against the levels: sure from the channels where all agree, else from the sum.
@@ -175,6 +176,8 @@ void TilePass::count_words(ByteCounts& counts, const std::vector<MaskWords>& wor
                                                            row.b + 4 * x0, plan_.b_y[level]);
     const std::uint64_t metals = bits.b_from[b_metal] & opaque;
     if (metals != 0) counts.metals += static_cast<std::uint64_t>(std::popcount(metals));
+    if (const std::uint64_t middle = m.alpha_middle & ~m.diffuse_black & ~bits.b_from[b_metal]; middle != 0)
+      count_middle(counts, middle, x0, row);
     if (masks == nullptr) continue;
     for (std::size_t level = 0; level < ByteLimits::a_levels; ++level)
       bits.a_from[level] = m.a_from[level] | sum_is_from(opaque & ~(m.a_from[level] | m.a_below[level]),
@@ -248,7 +251,10 @@ void TilePass::add_detail(Detail& detail, const RowPointers& row) {
       ++detail.b[c][b[c]];
     }
   }
-  for (int x = 1; x < width; ++x) detail.smooth += std::abs(row.a[4 * x + 1] - row.a[4 * x - 3]) <= 1;
+  for (int x = 1; x < width; ++x) {
+    detail.smooth_a += std::abs(row.a[4 * x + 1] - row.a[4 * x - 3]) <= 1;
+    detail.smooth_b += std::abs(row.b[4 * x + 1] - row.b[4 * x - 3]) <= 1;
+  }
 }
 
 void TilePass::follow_row(int y, const std::function<RowPointers(int)>& rows) {

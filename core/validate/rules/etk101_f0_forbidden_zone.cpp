@@ -24,40 +24,48 @@ double ordinary_share(const TileEvidence& tile) {
   return static_cast<double>(tile.counts.opaque - others) / static_cast<double>(tile.counts.opaque);
 }
 
-// A real material of the zone excuses the plateau; a named one fully.
-Severity severity_of_plateau(const RuleCheck& check, const TileEvidence& tile, const Plateau& plateau) {
-  if (is_half_metal(check, plateau)) return check.at_most(Severity::warning);
+struct PlateauVerdict {
+  Severity severity;
+  const KnownF0* softener = nullptr;  // the common material that makes a warning of it
+};
+
+// A common material of the zone makes a warning of an error; one that the file names lets the plateau pass.
+PlateauVerdict verdict_on(const RuleCheck& check, const TileEvidence& tile, const Plateau& plateau) {
+  if (is_half_metal(check, plateau)) return {check.at_most(Severity::warning)};
   const ZoneSettings& zone = check.settings.zone;
-  const double most = check.parameter("match_bytes");
   const KnownMaterials& known = known_materials(check.settings);
   const std::vector<const KnownF0*> named = known.f0_of(tile.tile.material);
-  bool matches = false;
+  double nearest = check.parameter("match_bytes");
+  PlateauVerdict out{check.severity()};
   for (const KnownF0& entry : known.f0()) {
     if (entry.luminance <= zone.low || entry.luminance >= zone.high) continue;
     const bool is_named = !named.empty() && named.front()->id == entry.id;
-    // Of others only the preferred dataset: with all of them a tenth of the greys would be excused.
-    if ((!entry.preferred && !is_named) ||
-        code_distance(plateau.specular, entry, check.settings.transfer) > most)
-      continue;
-    if (is_named) return check.at_most(Severity::info);
-    matches = true;
+    // Of others only common ones, by their preferred dataset: with all of them a fifth of the greys would be
+    // excused.
+    if (!is_named && !(entry.preferred && entry.common)) continue;
+    const double distance = code_distance(plateau.specular, entry, check.settings.transfer);
+    if (distance > check.parameter("match_bytes")) continue;
+    if (is_named) return {check.at_most(Severity::info)};
+    if (out.softener != nullptr && distance >= nearest) continue;
+    nearest = distance;
+    out = {check.at_most(Severity::warning), &entry};
   }
-  return matches ? check.at_most(Severity::warning) : check.severity();
+  return out;
 }
 
 void etk101(RuleCheck& check) {
   const ZoneSettings& zone = check.settings.zone;
   for_each_region(check, RegionKind::zone, [&](const TileEvidence& tile, const PlateauSummary& plateaus) {
     const Plateau* shown = nullptr;
-    Severity worst = Severity::off;
+    PlateauVerdict worst{Severity::off};
     for (const Plateau& plateau : plateaus.largest) {
-      const Severity severity = severity_of_plateau(check, tile, plateau);
-      if (severity <= worst) continue;
-      worst = severity;
+      const PlateauVerdict verdict = verdict_on(check, tile, plateau);
+      if (verdict.severity <= worst.severity) continue;
+      worst = verdict;
       shown = &plateau;
     }
     Finding& finding = check.report(tile, plateaus, *shown, false);
-    finding.severity = worst;
+    finding.severity = worst.severity;
     finding.limit = percent(zone.low) + " to " + percent(zone.high);
     const Explanation why =
         explain_f0(known_materials(check.settings), shown->specular, check.settings.transfer);
@@ -72,9 +80,10 @@ void etk101(RuleCheck& check) {
         finding.cause = "possible cause: " + finding.cause;
       else
         finding.message += "; " + finding.cause;
-    } else if (why.cause == Explanation::Cause::none && worst < Severity::error && !finding.nearest.empty()) {
-      finding.message += "; close to " + finding.nearest.front().id;
     }
+    if (worst.softener != nullptr)
+      finding.message += "; no error, because it is within " + number(check.parameter("match_bytes"), 2) +
+                         " codes of " + worst.softener->id + ", which is common";
   });
 }
 
@@ -92,10 +101,11 @@ constinit const Rule etk101_f0_forbidden_zone{
     "below 0.4564 invalid; thresholds of the region analysis measured on synthetic edges "
     "(etak)",
     "A plateau of F0 with luminance between the zone's limits, 0.20 and 0.45 (sRGB codes 124 "
-    "to 178 for greys). A warning where the colour is within 3 codes of a material of the "
-    "library that lies in the zone itself (silicon, gallium arsenide, titanium nitride), "
-    "information when the file names that material, and a warning where a metal-rough set is "
-    "half metal (ETK113). Regions, not texels: what filtering makes of an edge between metal "
+    "to 178 for greys). A warning where the colour is within 3 codes of a common material of "
+    "the library that lies in the zone itself (silicon, graphite, hematite, titanium nitride), "
+    "information when the file names a material of the zone and the colour is its own, and a "
+    "warning where a metal-rough set is half metal (ETK113). Regions, not texels: what filtering makes of an "
+    "edge between metal "
     "and dielectric is left to ETK102. The smallest region is 32 texels and 0.001 % of the "
     "tile: a first limit of 0.01 % would have hidden a patch of 10 x 10 in a tile of 1024 x "
     "1024. Codes are rounded: a value within half a code of a limit (0.0028 at 0.45, 0.0018 at "

@@ -22,8 +22,25 @@ void etk102(RuleCheck& check) {
     finding.area_share = share;
     finding.value = percent(share);
     finding.limit = number(check.parameter("warn_share"), 3) + " %";
-    finding.message =
-        "edges and thin features inside the forbidden zone on " + area_text(count, tile.counts.texels);
+    finding.box = zone->masked_box;
+    if (zone->patches == 0) {
+      finding.message =
+          "edges and thin features inside the forbidden zone on " + area_text(count, tile.counts.texels);
+      continue;
+    }
+    const Plateau& patch = zone->largest_patch;
+    finding.box = patch.box;
+    finding.linear = patch.specular;
+    finding.byte = check.bytes(patch.specular);
+    finding.luminance = luminance_of(patch.specular);
+    finding.message = "a solid patch of F0 " + check.colour(patch.specular) + ", " +
+                      std::to_string(patch.box.width) + " x " + std::to_string(patch.box.height) +
+                      " px with hard edges";
+    if (zone->patches > 1) finding.message += ", the largest of " + in_thousands(zone->patches);
+    finding.message += ", too small for ETK101";
+    if (count > zone->patch_area)
+      finding.message +=
+          "; edges and thin features on " + area_text(count - zone->patch_area, tile.counts.texels);
   }
 }
 
@@ -40,11 +57,12 @@ constinit const Rule etk102_f0_transition{
     "etak: filtered edges between metal and dielectric fill 0.5 to 30 % of a tile, by their "
     "softness",
     "Texels in the zone that are filtered edges, soft masks or features thinner than 5 "
-    "texels, summed up. A warning above 10 % of the tile.",
+    "texels, summed up, and solid patches with hard edges that are too small for ETK101 (7 or 8 "
+    "texels a side), of which the largest is shown. A warning above 10 % of the tile.",
     "Edges pass through the zone; that is not a mistake. Wide soft masks are: they show as a "
     "seam of a material that does not exist.",
     "A metal mask blurred with a large brush.",
-    "Use a sharper metal mask, or more texels.",
+    "Use a sharper metal mask, or more texels; give a patch the F0 of its material.",
     &etk102,
     RegionKind::zone};
 

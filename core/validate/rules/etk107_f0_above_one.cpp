@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/number.h"
@@ -15,6 +16,39 @@ bool is_known_metal(const KnownMaterials& known, const std::array<double, 3>& li
     for (std::size_t c = 0; c < 3; ++c) distance = std::max(distance, std::abs(linear[c] - entry.linear[c]));
     return entry.conductor && distance <= 0.03;
   });
+}
+
+// "red", "red and green".
+std::string names_of(const std::vector<std::string_view>& channels) {
+  std::string out;
+  for (const std::string_view channel : channels) out += (out.empty() ? "" : " and ") + std::string(channel);
+  return out;
+}
+
+// Codes of a coloured metal: one channel at the end of the scale, or two, and another far from it.
+void check_codes(RuleCheck& check, const TileEvidence& tile) {
+  const Detail& d = tile.detail;
+  const std::uint64_t least = std::min({d.b[0][255], d.b[1][255], d.b[2][255]});
+  std::uint64_t most = 0;
+  std::vector<std::string_view> full, others;
+  for (std::size_t c = 0; c < 3; ++c) {
+    constexpr std::array<std::string_view, 3> channels{"red", "green", "blue"};
+    const std::uint64_t count = d.b[c][255];
+    const bool stands =
+        count >= std::max<std::uint64_t>(check.least_area(tile), d.opaque / 100) && 10 * least <= count;
+    (stands ? full : others).push_back(channels[c]);
+    if (stands) most = std::max(most, count);
+  }
+  if (full.empty()) return;
+  Finding& finding = check.report(tile, FileRole::specular_gloss);
+  const bool several = full.size() > 1;
+  finding.value = names_of(full) + " 255";
+  finding.limit = "254";
+  finding.area_share = static_cast<double>(most) / static_cast<double>(std::max<std::uint64_t>(1, d.texels));
+  finding.message = "F0 " + names_of(full) + (several ? " stand" : " stands") + " at code 255 on " +
+                    (several ? "up to " : "") + percent(finding.area_share) + " of the texels while " +
+                    names_of(others) + (others.size() > 1 ? " do not" : " does not") +
+                    ": clipped or mapped into the gamut";
 }
 
 void etk107(RuleCheck& check) {
@@ -36,27 +70,7 @@ void etk107(RuleCheck& check) {
                       (metal ? ", as metals have outside of the sRGB gamut" : "");
     return;
   }
-  for (const TileEvidence& tile : check.evidence.tiles) {
-    // Codes of a coloured metal: one channel at the end of the scale, another far from it.
-    const Detail& d = tile.detail;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::uint64_t full = d.b[c][255];
-      std::uint64_t least = full;
-      for (std::size_t other = 0; other < 3; ++other) least = std::min<std::uint64_t>(least, d.b[other][255]);
-      if (full < std::max<std::uint64_t>(check.least_area(tile), d.opaque / 100) || 10 * least > full)
-        continue;
-      Finding& finding = check.report(tile, FileRole::specular_gloss);
-      const char* const channel[] = {"red", "green", "blue"};
-      finding.value = std::string(channel[c]) + " 255";
-      finding.limit = "254";
-      finding.area_share =
-          static_cast<double>(full) / static_cast<double>(std::max<std::uint64_t>(1, d.texels));
-      finding.message = std::string("F0 ") + channel[c] + " stands at code 255 on " +
-                        percent(finding.area_share) +
-                        " of the texels while the others do not: clipped or mapped into the gamut";
-      break;
-    }
-  }
+  for (const TileEvidence& tile : check.evidence.tiles) check_codes(check, tile);
 }
 
 }  // namespace
@@ -71,8 +85,8 @@ constinit const Rule etk107_f0_above_one{
     {},
     "Hoffman prints gold with red 1.022; glTF refuses F0 above 1",
     "Float: a channel above 1; information while the luminance is not above 1 and a metal of "
-    "the library matches, else an error. 8 bits: a channel at code 255 on bright coloured "
-    "F0, which was clipped or mapped into the gamut by somebody.",
+    "the library matches, else an error. 8 bits: a channel (or two) at code 255 on bright "
+    "coloured F0, which was clipped or mapped into the gamut by somebody.",
     "Gold's red lies outside of linear sRGB, so 1.02 to 1.06 is right there. Anything else "
     "above 1 creates energy.",
     "Specular multiplied by an exposure; gold exported to 8 bits, red clipped.",

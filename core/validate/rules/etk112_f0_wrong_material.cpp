@@ -13,15 +13,18 @@ constexpr RuleParameter etk112_parameters[] = {
     {"distance", 3, 3, "codes", "largest channel difference from the nearest dataset"},
 };
 
-// Whether `found` is `expected` with the curve applied twice or not at all, in all three channels.
-std::string encoding_of(const CodeTables& tables, const std::array<double, 3>& found,
-                        const std::array<double, 3>& expected) {
-  double twice = 0, never = 0;
+// Whether `found` is `expected` with the curve applied twice or not at all, or with red and blue exchanged,
+// in all three channels.
+std::string cause_of(const CodeTables& tables, const std::array<double, 3>& found,
+                     const std::array<double, 3>& expected) {
+  double twice = 0, never = 0, exchanged = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const int code = tables.encode(found[c]);
     twice = std::max<double>(twice, std::abs(code - tables.encode(tables.encode(expected[c]) / 255.0)));
     never = std::max(never, std::abs(code - 255 * std::clamp(expected[c], 0.0, 1.0)));
+    exchanged = std::max<double>(exchanged, std::abs(code - tables.encode(expected[2 - c])));
   }
+  if (exchanged < 4 && exchanged <= std::min(twice, never)) return "red and blue exchanged";
   if (twice < 4 && twice <= never) return "encoded twice";
   return never < 4 ? "stored linear" : "";
 }
@@ -53,10 +56,10 @@ void etk112(RuleCheck& check) {
     finding.message = finding.value + " on " + area_text(area, tile.counts.texels) + ", " +
                       number(shown_distance, 2) + " codes from the nearest dataset of " +
                       datasets.front()->id;
-    // What a metal's value tells of its encoding is little, so a cause is only possible here, where it is
-    // named.
+    // What a metal's value tells of how it came about is little, so a cause is only possible here, where it
+    // is named.
     for (const KnownF0* entry : datasets) {
-      const auto cause = encoding_of(check.tables, shown->specular, entry->linear);
+      const auto cause = cause_of(check.tables, shown->specular, entry->linear);
       if (cause.empty()) continue;
       finding.cause = "possible cause: " + cause;
       break;

@@ -12,6 +12,7 @@ void etk113(RuleCheck& check) {
                     const Plateau& largest = plateaus.largest.front();
                     Finding& finding = check.report(tile, plateaus, largest, false);
                     finding.file = check.file_of(FileRole::metal_rough);
+                    finding.nearest.clear();  // a metallic value is no F0
                     finding.value = "metallic " + number(largest.metallic, 2);
                     finding.limit = "below 0.1 or above 0.9";
                     finding.message = finding.value + " on " + area_text(plateaus.area, tile.counts.texels);

@@ -18,17 +18,21 @@ void etk304(RuleCheck& check) {
   if (!check.has_gloss()) return;
   for (const TileEvidence& tile : check.evidence.tiles) {
     const Detail& d = tile.detail;
-    if (!d.every_row || static_cast<double>(tile.counts.texels) <= check.parameter("min_texels")) continue;
-    const auto distinct =
-        static_cast<int>(std::count_if(d.b[3].begin(), d.b[3].end(), [](std::uint32_t n) { return n != 0; }));
-    const int span = tile.counts.gloss_most - tile.counts.gloss_least;
-    if (distinct > check.parameter("codes") || span <= check.parameter("span")) continue;
+    if (!d.every_row || static_cast<double>(d.opaque) <= check.parameter("min_texels")) continue;
+    // Of opaque texels, so that an alpha of 0 all over (ETK503) says nothing of gloss.
+    int distinct = 0, least = 255, most = 0;
+    for (int code = 0; code < 256; ++code) {
+      if (d.b[3][static_cast<std::size_t>(code)] == 0) continue;
+      ++distinct;
+      least = std::min(least, code);
+      most = code;
+    }
+    if (distinct > check.parameter("codes") || most - least <= check.parameter("span")) continue;
     Finding& finding = check.report(tile, FileRole::specular_gloss);
     finding.value = std::to_string(distinct) + " codes";
     finding.limit = "more than " + number(check.parameter("codes"), 3);
-    finding.message = "gloss has " + finding.value + " between " + std::to_string(tile.counts.gloss_least) +
-                      " and " + std::to_string(tile.counts.gloss_most) + " over " +
-                      in_thousands(tile.counts.texels) + " px";
+    finding.message = "gloss has " + finding.value + " between " + std::to_string(least) + " and " +
+                      std::to_string(most) + " over " + in_thousands(d.opaque) + " px";
   }
 }
 
@@ -43,7 +47,7 @@ constinit const Rule etk304_gloss_steps{
     {Need::bytes_b},
     etk304_parameters,
     "One step of 8 bits changes the exponent 2^(12 g) by 3.3 % (etak)",
-    "At most 8 distinct gloss codes over more than 65,536 texels that span more than 32 "
+    "At most 8 distinct gloss codes over more than 65,536 opaque texels that span more than 32 "
     "codes.",
     "Highlights change their size in visible steps.",
     "Gloss stored in a palette picture or posterised.",

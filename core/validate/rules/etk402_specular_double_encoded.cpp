@@ -9,8 +9,22 @@ namespace etak {
 namespace {
 
 constexpr RuleParameter etk402_parameters[] = {
-    {"share", 80, 80, "%", "of the achromatic non-metal plateau area"},
+    {"share", 80, 80, "%", "of the achromatic non-metal plateau area, and of the texels"},
 };
+
+// Share of the texels darker than metals whose green has the codes of dielectrics encoded twice. A plateau is
+// judged by its mean, and that of a wide gradient is anything.
+double doubled_share(const RuleCheck& check, const TileEvidence& tile) {
+  const Histogram& green = tile.detail.b[1];
+  const int metal = check.tables.encode(check.settings.zone.high);
+  std::uint64_t below = 0, doubled = 0;
+  for (int code = 0; code < metal; ++code) {
+    const std::uint64_t count = green[static_cast<std::size_t>(code)];
+    below += count;
+    if (doubled_dielectric_codes.holds(code)) doubled += count;
+  }
+  return below == 0 ? 0 : static_cast<double>(doubled) / static_cast<double>(below);
+}
 
 void etk402(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
@@ -34,7 +48,8 @@ void etk402(RuleCheck& check) {
       if (shown == nullptr) shown = &plateau;
     }
     if (shown == nullptr ||
-        100.0 * static_cast<double>(doubled) < check.parameter("share") * static_cast<double>(grey))
+        100.0 * static_cast<double>(doubled) < check.parameter("share") * static_cast<double>(grey) ||
+        100 * doubled_share(check, tile) < check.parameter("share"))
       continue;
     const double meant = check.tables.decode(255 * luminance_of(shown->specular));
     if (meant < least_dielectric_f0 || meant > most_dielectric_f0) continue;
@@ -63,7 +78,8 @@ constinit const Rule etk402_specular_double_encoded{
     "Leave-one-out over 109 materials: 95 % of dielectrics recognised; 0.04 reads as 0.221, "
     "and 47 of 77 dielectrics land in the forbidden zone (etak)",
     "At least 80 % of the area of achromatic non-metal plateaus has codes 105 to 155, whose "
-    "second decoding is an ordinary dielectric F0 of 0.017 to 0.09. Over black diffuse "
+    "second decoding is an ordinary dielectric F0 of 0.017 to 0.09, and so have 80 % of the "
+    "texels darker than metals (a wide ramp has their mean only). Over black diffuse "
     "nothing is said: a grey metal stored linear has the same codes. A warning where there "
     "is no diffuse picture, and where all of it lies below the forbidden zone: F0 0.02 to "
     "0.03 encoded twice has the codes of diamond, 109 to 120.",

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "core/validate/rules/rows.h"
 
 namespace etak {
@@ -10,33 +8,23 @@ namespace {
 void etk406(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const Detail& d = tile.detail;
-    if (!d.every_row || d.opaque < 4096 ||
-        static_cast<double>(d.smooth) < 0.8 * static_cast<double>(d.texels))
-      continue;
-    const Histogram& green = d.a[1];
-    std::uint64_t below = 0;
-    int first = -1, last = -1;
-    for (int code = 0; code < 256; ++code) {
-      below += green[static_cast<std::size_t>(code)];
-      if (first < 0 && 100 * below > d.opaque) first = code;
-      if (last < 0 && 100 * below >= 99 * d.opaque) last = code;
+    if (!d.every_row || d.opaque < 4096) continue;
+    for (const bool diffuse : {true, false}) {
+      const std::uint64_t smooth = diffuse ? d.smooth_a : d.smooth_b;
+      // The F0 of a metal-rough set is made from the picture that has been asked.
+      if (!(diffuse ? check.evidence.a : check.evidence.b) || (!diffuse && check.evidence.metal_rough) ||
+          static_cast<double>(smooth) < 0.8 * static_cast<double>(d.texels))
+        continue;
+      const CodeSteps steps = code_steps((diffuse ? d.a : d.b)[1]);
+      const int span = steps.last - steps.first + 1;
+      if (steps.used < 8 || 4 * steps.used >= span || steps.widest_step > 2 * steps.median_step) continue;
+      Finding& finding = check.report(tile, diffuse ? FileRole::diffuse_alpha : FileRole::specular_gloss);
+      finding.value = std::to_string(steps.used) + " codes";
+      finding.limit = "a quarter of " + std::to_string(span);
+      finding.message = std::string("a smooth gradient of ") + (diffuse ? "diffuse" : "F0") + " uses " +
+                        finding.value + " between " + std::to_string(steps.first) + " and " +
+                        std::to_string(steps.last);
     }
-    std::vector<int> steps;
-    int used = 0, before = -1;
-    for (int code = first; code <= last; ++code) {
-      if (green[static_cast<std::size_t>(code)] == 0) continue;
-      ++used;
-      if (before >= 0) steps.push_back(code - before);
-      before = code;
-    }
-    if (used < 8 || 4 * used >= last - first + 1) continue;
-    std::sort(steps.begin(), steps.end());
-    if (steps.back() > 2 * steps[steps.size() / 2]) continue;
-    Finding& finding = check.report(tile, FileRole::diffuse_alpha);
-    finding.value = std::to_string(used) + " codes";
-    finding.limit = "a quarter of " + std::to_string(last - first + 1);
-    finding.message = "a smooth gradient uses " + finding.value + " between " + std::to_string(first) +
-                      " and " + std::to_string(last);
   }
 }
 
@@ -48,13 +36,14 @@ constinit const Rule etk406_posterised{
     "A gradient in few steps",
     Severity::info,
     Severity::warning,
-    {Need::bytes_a},
+    {Need::bytes_a, Need::bytes_b},
     {},
     "etak (proposed); at least 8 steps of similar width are asked for, because flat artwork "
     "of a few colours is no mistake",
-    "Diffuse (green) is smooth along 80 % of neighbouring texels, and uses less than a "
+    "Diffuse or F0 (green) is smooth along 80 % of neighbouring texels, and uses less than a "
     "quarter of the codes between its 1st and 99th percentile, in at least 8 steps of "
-    "similar width.",
+    "similar width. One finding per picture and tile. Fewer levels of F0 are what a few "
+    "materials have.",
     "Bands show in gradients.",
     "A texture saved with a palette, or quantised by a video codec.",
     "Export again from the source.",

@@ -34,7 +34,8 @@ void etk501(RuleCheck& check) {
     finding.value = "correlation " + number(correlation, 3);
     finding.limit = number(check.parameter("correlation"), 3);
     finding.message = "diffuse is at most alpha on " + percent(share) + " of " + in_thousands(c.middle) +
-                      " half-transparent px and follows it (correlation " + number(correlation, 2) + ")";
+                      " half-transparent px that have a colour, and follows it (correlation " +
+                      number(correlation, 2) + ")";
   }
 }
 
@@ -51,7 +52,8 @@ constinit const Rule etk501_premultiplied{
     "Premultiplied: share 1.000, correlation 0.96 to 0.99; straight: share 0.20 to 0.93, "
     "correlation within 0.02 (etak). glTF: texels must not be premultiplied",
     "Over at least 256 texels with alpha 9 to 246: max(RGB) is at most alpha + 1 for 99.9 % "
-    "of them and the correlation of the two is 0.9 or more.",
+    "of them and the correlation of the two is 0.9 or more. Metals and black diffuse (code 2 or "
+    "less) are not asked: whatever black is multiplied by, it stays.",
     "The engine multiplies again: dark halos around cut-outs.",
     "A picture saved by a compositor that works premultiplied.",
     "Export with straight alpha.",

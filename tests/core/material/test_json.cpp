@@ -160,18 +160,20 @@ TEST_CASE("what is written reads back equal, and writing it again gives the same
     d.citation.doi = d.citation.url = "";
     round_trip(m);
     const std::string text = format_material(m);
-    for (const auto* key :
-         {"alias_notes", "group", "temperature_kelvin", "axis", "flags", "note", "year", "doi", "url"})
+    for (const auto* key : {"alias_notes", "group", "common", "temperature_kelvin", "axis", "flags", "note",
+                            "year", "doi", "url"})
       CHECK(!contains(text, std::string("\"") + key + "\""));
   }
 }
 
 TEST_CASE(
-    "found 1.10: notes on aliases and the group are read, written, and refused where they stand for "
-    "nothing") {
-  const std::string notes = R"("alias_notes": {"Tt": "its symbol", "testium": "its id"}, "group": "stone", )";
+    "found 1.10: notes on aliases, the group and commonness are read, written, and refused where they stand "
+    "for nothing") {
+  const std::string notes =
+      R"("alias_notes": {"Tt": "its symbol", "testium": "its id"}, "group": "stone", "common": true, )";
   const Material m = parse_material(with_change("\"class\"", notes + "\"class\""), "testium.json");
   CHECK(m.group == "stone");
+  CHECK(m.common);
   CHECK(m.alias_notes == std::vector<AliasNote>{{"Tt", "its symbol"}, {"testium", "its id"}});
   round_trip(m);
   CHECK(contains(json_complaint(with_change("\"class\"", R"("alias_notes": {"Xx": "a"}, "class")")),
@@ -181,6 +183,7 @@ TEST_CASE(
   CHECK(contains(json_complaint(with_change("\"class\"", R"("alias_notes": ["Tt"], "class")")),
                  "#/alias_notes"));
   CHECK(contains(json_complaint(with_change("\"class\"", R"("group": "Wood", "class")")), "#/group"));
+  CHECK(contains(json_complaint(with_change("\"class\"", R"("common": 1, "class")")), "#/common"));
 }
 
 TEST_CASE(

@@ -110,6 +110,14 @@ const std::vector<Mutation>& mutations() {
            s.metallic.at(x, y)[0] = 255;
          });
        }},
+      {"ETK115", "gold with red and blue exchanged",
+       [](TextureSet& s, Random& r) {
+         patch(s, r, 12 + r.below(20), [&](auto a, auto b, int x, int y) {
+           set_rgb(b, {156, 228, 255});
+           set_rgb(a, {0, 0, 0});
+           if (s.metallic.width != 0) s.metallic.at(x, y)[0] = 255;
+         });
+       }},
       {"ETK201", "more light than arrives",
        [](TextureSet& s, Random& r) {
          s.manifest.specular_weighs_diffuse = false;
@@ -203,6 +211,15 @@ const std::vector<Mutation>& mutations() {
          each_texel(s.a, [&](auto a, int x, int) {
            const int code = 40 + 180 * x / s.a.width / step * step;
            set_rgb(a, {code, code, code});
+         });
+       }},
+      {"ETK406", "F0 in few steps",
+       [](TextureSet& s, Random& r) {
+         s.metallic = {};  // of pairs only
+         const int step = 12 + r.below(6);
+         each_texel(s.b, [&](auto b, int x, int) {
+           const int code = 40 + 180 * x / s.b.width / step * step;
+           set_rgb(b, {code, code, code});
          });
        }},
       {"ETK501", "premultiplied alpha",

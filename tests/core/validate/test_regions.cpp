@@ -206,6 +206,7 @@ TEST_CASE("byte tests give the same masks in both sets of instructions as one te
         REQUIRE(bit(m->black) == (most == 0));
         REQUIRE(bit(m->nearly_black) == (most <= 1));
         REQUIRE(bit(m->spread) == (most - least > 4));
+        REQUIRE(bit(m->bluish) == (q[2] - q[0] > 12));
         for (int level = 0; level < ByteLimits::b_levels; ++level) {
           REQUIRE(bit(m->b_below[level]) == (most < limits.b_level[level]));
           REQUIRE(bit(m->b_from[level]) == (least >= limits.b_level[level]));

@@ -13,6 +13,7 @@
 #include "core/material/f0.h"
 #include "core/validate/files/files.h"
 #include "core/validate/rules.h"
+#include "tests/core/image/icc_maker.h"
 #include "tests/core/image/png_of.h"
 #include "tests/core/validate/checked.h"
 #include "tests/core/validate/corpus.h"
@@ -123,6 +124,49 @@ TEST_CASE("headers are judged: companions, sizes, channels, sides, colour space,
   CheckTarget guessed = pair_of(folder.file("a.png"), folder.file("b.png"));
   guessed.files[0].guessed = true;
   CHECK(find(checked(guessed, {}), "ETK010") != nullptr);
+}
+
+TEST_CASE("found 3.10: a colour profile is judged by its curves and primaries") {
+  const TempFolder folder;
+  const TextureSet set = natural_set(64, 1);
+  const auto said = [&](const std::string& profile, FileRole role) {
+    spit(folder.file("a.png"), png_of(set.a));
+    spit(folder.file("b.png"), with_iccp(png_of(set.b), profile));
+    CheckTarget target = pair_of(folder.file("a.png"), folder.file("b.png"));
+    if (role == FileRole::metal_rough) {
+      target.files[0].role = FileRole::base_color;
+      target.files[1].role = role;
+    }
+    const CheckedFile file = checked(target, {});
+    const Finding* found = find(file, "ETK006");
+    return found == nullptr ? std::string("nothing") : found->file + " " + found->message;
+  };
+  const auto of_specular = [&](const std::string& profile) {
+    return said(profile, FileRole::specular_gloss);
+  };
+  CHECK(of_specular(icc_rgb(icc_srgb, icc_srgb_curve())) == "nothing");
+  CHECK(of_specular(icc_rgb(icc_srgb, icc_gamma(2.2))) == "nothing");
+  CHECK(of_specular("no profile") == "nothing");
+  CHECK(of_specular(icc_rgb(icc_srgb, icc_gamma(1))) ==
+        "b.png declares \"linear\", but specular is taken as srgb");
+  CHECK(of_specular(icc_rgb(icc_adobe_rgb, icc_gamma(2.19921875))) ==
+        "b.png declares the primaries of Adobe RGB, but specular is taken for colours of sRGB");
+  CHECK(of_specular(icc_rgb(icc_display_p3, icc_srgb_curve())) ==
+        "b.png declares the primaries of Display P3, but specular is taken for colours of sRGB");
+  CHECK(
+      of_specular(icc_rgb(icc_rec2020, icc_gamma(1))) ==
+      "b.png declares \"linear\", but specular is taken as srgb; and it declares the primaries of Rec. 2020, "
+      "but specular is taken for colours of sRGB");
+  // Nobody reads a profile on plain numbers, and editors of pictures leave theirs on everything.
+  for (const IccColorants& colorants : {icc_srgb, icc_display_p3})
+    for (const std::string& curve : {icc_srgb_curve(), icc_gamma(1), icc_gamma(1.8)})
+      CHECK(said(icc_rgb(colorants, curve), FileRole::metal_rough) == "nothing");
+  // A linear profile is what ETK405 and ETK407 ask for.
+  spit(folder.file("a.png"), with_iccp(png_of(set.a), icc_rgb(icc_srgb, icc_gamma(1))));
+  spit(folder.file("b.png"), with_iccp(png_of(set.b), icc_rgb(icc_srgb, icc_gamma(1))));
+  const CheckedFile linear = checked(pair_of(folder.file("a.png"), folder.file("b.png")), {});
+  CHECK(find(linear, "ETK405") != nullptr);
+  CHECK(find(linear, "ETK407") != nullptr);
 }
 
 TEST_CASE("float pictures: NaN, infinity, negative values and F0 above 1") {
