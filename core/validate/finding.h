@@ -77,7 +77,8 @@ struct CheckedFile {
   std::vector<std::pair<std::string, std::int64_t>> counts;
   CheckStats stats;
   std::shared_ptr<const CheckTarget> target;  // what was checked; null for what could not be, and for others
-  // Of a UDIM set, which `target` is the first tile of: all tiles. A finding's `tile` is the number of its own.
+  // Of a UDIM set, which `target` is the first tile of: all tiles. A finding's `tile` is the number of its
+  // own.
   std::vector<std::shared_ptr<const CheckTarget>> tiles;
 
   /// The target that a finding is about: its tile's.
@@ -93,7 +94,8 @@ struct RunCounts {
   std::size_t from_cache = 0;  // of those
 };
 
-/// Folders as labels name them, relative to the run's root, and as the user typed them ("": the working folder).
+/// Folders as labels name them, relative to the run's root, and as the user typed them ("": the working
+/// folder).
 using TypedFolders = std::map<std::string, std::string>;
 
 struct ValidationReport {

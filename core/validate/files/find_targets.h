@@ -39,10 +39,11 @@ struct FoundTargets {
 };
 
 /// Finds the files that the request names, tells their kinds and puts together what belongs together:
-/// pictures of one folder whose names differ in what tells the role only ("crate_diff.png", "crate_spec.png").
-/// A picture named alone takes its companion along. Pictures that a scene or a layout of the run names belong
-/// to it alone. Of names of the list that lead to no file a thousand fail one by one; the others fail as a number,
-/// under the name of the list. The list itself is used up: it may hold a million names.
+/// pictures of one folder whose names differ in what tells the role only ("crate_diff.png",
+/// "crate_spec.png"). A picture named alone takes its companion along. Pictures that a scene or a layout of
+/// the run names belong to it alone. Of names of the list that lead to no file a thousand fail one by one;
+/// the others fail as a number, under the name of the list. The list itself is used up: it may hold a million
+/// names.
 FoundTargets find_targets(ValidationRequest& request);
 
 /// `path` relative to `root` (empty: the working folder) as text alone (links are not looked at), with '/'.

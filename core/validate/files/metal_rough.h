@@ -35,10 +35,10 @@ class ScenePictures {
 /// is empty for the specular-glossiness model.
 LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pictures);
 
-/// The files of a material as one: base colour with metallic and roughness, which are single files or channels
-/// of packed ones, or diffuse and specular with gloss in a file of its own. What is missing of metallic,
-/// roughness and gloss is a constant. Pictures that are put together get the larger's size (the texel under
-/// the centre is taken).
+/// The files of a material as one: base colour with metallic and roughness, which are single files or
+/// channels of packed ones, or diffuse and specular with gloss in a file of its own. What is missing of
+/// metallic, roughness and gloss is a constant. Pictures that are put together get the larger's size (the
+/// texel under the centre is taken).
 class MetalRoughSet {
  public:
   /// Opens nothing yet. `door` outlives this.

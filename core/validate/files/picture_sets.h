@@ -31,8 +31,8 @@ struct PictureSet {
 };
 
 /// Puts the pictures of one key together: diffuse with specular (and gloss), base colour with metallic and
-/// roughness or with a packed picture, F0 alone. Two resolutions or formats of one set are two sets. Roles are
-/// settled by what lies beside: "diffuse" beside roughness is a base colour, "albedo" beside F0 is diffuse.
+/// roughness or with a packed picture, F0 alone. Two resolutions or formats of one set are two sets. Roles
+/// are settled by what lies beside: "diffuse" beside roughness is a base colour, "albedo" beside F0 diffuse.
 std::vector<PictureSet> sets_of(std::span<NamedPicture> same);
 
 }  // namespace etak

@@ -24,8 +24,8 @@ using enum FileRole;
 constexpr bool unsure = false, sure = true;
 constexpr GreenAxis no_axis = GreenAxis::unsaid, gl = GreenAxis::opengl, dx = GreenAxis::directx;
 
-// In each convention the longer names stand first only for reading: a name is compared with whole words. Of rows
-// with one word the first whose convention's marks the name bears is taken.
+// A name is compared with whole words. Of the rows with one word the first is taken whose convention's marks
+// the name bears.
 constexpr auto words_table = std::to_array<NameWord>({
     // Unreal: T_ in front; without it these are proof only together.
     {unreal, "bc d c basecolor base_color albedo diffuse color", base_color, "", sure},

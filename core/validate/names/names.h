@@ -14,9 +14,9 @@
 
 namespace etak {
 
-// What the name of a picture tells: the set it belongs to, what it holds, and its resolution, format, UDIM tile
-// and level of detail. The words are those of the conventions of studios and tools (conventions.cpp) and those
-// of [names] in etak.toml.
+// What the name of a picture tells: the set it belongs to, what it holds, and its resolution, format, UDIM
+// tile and level of detail. The words are those of the conventions of studios and tools (conventions.cpp) and
+// those of [names] in etak.toml.
 
 /// Whose convention a name follows.
 ///   common   words that Blender, Godot, glTF exporters and many others share
@@ -35,7 +35,7 @@ enum class GreenAxis { unsaid, opengl, directx };
 ///   words      endings of names, separated by spaces: in lower case, '_' for any of the separators '_', '-',
 ///              '.' and ' '
 ///   channels   what R, G, B and A hold, a letter each (channel_word); empty: the role's own layout
-///   sure       whether the ending alone is proof. What is not sure counts only with the convention's marks or
+///   sure       whether the ending, with the marks of its convention, is proof. Other endings count only
 ///              beside companions that agree, so that band_d.png stays a picture of a band
 ///   otherwise  what the picture holds where a companion says that it cannot be `role`: T_x_A is the albedo,
 ///              and opacity where there is T_x_D too
@@ -69,7 +69,7 @@ std::string normal_ending(std::string_view ending);
 /// A name that was understood.
 ///   set          what is left without the parts below, as written: "Wall" of "Wall_4K-PNG_Color.png"; empty
 ///                where the name is the word alone ("albedo.png")
-///   resolution   "4k", "2048"; format, tile ("1001", "u1_v1") and lod ("lod0") in the same way; in lower case
+///   resolution   "4k", "2048"; format, tile ("1001", "u1_v1") and lod ("lod0") likewise; in lower case
 ///   sure         false: counts only beside companions that agree
 struct ParsedName {
   std::string set;
