@@ -67,8 +67,11 @@ Image8 marks_of(const Finding& finding, const CheckTarget& target, const LoadedP
   return marks;
 }
 
+// No name begins with a dot, which would hide the file: what lies above the run's root loses its "../".
 std::string file_name(const Finding& finding) {
   std::string out = finding.file;
+  while (out.starts_with("../")) out.erase(0, 3);
+  if (out.starts_with('.')) out.insert(0, 1, '_');
   if (!finding.tile.empty()) out += '.' + finding.tile;
   if (finding.tile.empty() && !finding.material.empty()) out += '.' + finding.material;
   for (char& c : out)
@@ -138,6 +141,13 @@ std::vector<std::size_t> with_places(const ValidationReport& report) {
   return out;
 }
 
+std::vector<const CheckTarget*> targets_of(const CheckedFile& file) {
+  if (file.tiles.empty()) return {file.target.get()};
+  std::vector<const CheckTarget*> out;
+  for (const auto& tile : file.tiles) out.push_back(tile.get());
+  return out;
+}
+
 }  // namespace
 
 std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& settings,
@@ -157,16 +167,19 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& se
   parallel_chunks(wanted.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t w = begin; w < end; ++w) {
       const CheckedFile& file = report.files[wanted[w]];
-      const CheckTarget& target = *file.target;
-      PictureSource source(target, door);
-      for (std::size_t i = 0; i < file.findings.size(); ++i) {
-        const Finding& finding = file.findings[i];
-        const LoadedPictures* pictures = names[w][i].empty() ? nullptr : source.of(finding);
-        if (pictures == nullptr) continue;
-        const Image8& picture = is_about_a(finding, target, *pictures) ? pictures->a : pictures->b;
-        if (picture.pixel_count() == 0) continue;
-        const Image8 marks = marks_of(finding, target, *pictures, picture, settings);
-        out->write(names[w][i] + ".png", png_bytes(mask_picture(picture, marks), {}));
+      // One tile of a UDIM set after the other, so that the pictures of one are in memory.
+      for (const CheckTarget* target : targets_of(file)) {
+        PictureSource source(*target, door);
+        for (std::size_t i = 0; i < file.findings.size(); ++i) {
+          const Finding& finding = file.findings[i];
+          if (names[w][i].empty() || &file.target_of(finding) != target) continue;
+          const LoadedPictures* pictures = source.of(finding);
+          if (pictures == nullptr) continue;
+          const Image8& picture = is_about_a(finding, *target, *pictures) ? pictures->a : pictures->b;
+          if (picture.pixel_count() == 0) continue;
+          const Image8 marks = marks_of(finding, *target, *pictures, picture, settings);
+          out->write(names[w][i] + ".png", png_bytes(mask_picture(picture, marks), {}));
+        }
       }
     }
   });
@@ -201,14 +214,14 @@ ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Fi
   return out;
 }
 
-ValidationPageFile page_file(const CheckedFile& file, const Settings& settings, const PictureDoor& door) {
-  ValidationPageFile out;
-  const CheckTarget& target = *file.target;
+void add_pictures(const CheckedFile& file, const CheckTarget& target, const Settings& settings,
+                  const PictureDoor& door, ValidationPageFile& out) {
   PictureSource source(target, door);
   // Of a scene every material with findings is shown, of other targets the one pair.
   std::map<std::string, std::vector<const Finding*>> groups;
   for (const Finding& finding : file.findings)
-    groups[source.is_scene() ? finding.pointer : ""].push_back(&finding);
+    if (&file.target_of(finding) == &target)
+      groups[source.is_scene() ? finding.pointer : ""].push_back(&finding);
   for (const auto& [pointer, findings] : groups) {
     const LoadedPictures* pictures = source.of(*findings.front());
     if (pictures == nullptr) continue;
@@ -232,6 +245,11 @@ ValidationPageFile page_file(const CheckedFile& file, const Settings& settings, 
     if (!out.f0) out.f0.emplace();
     for (std::size_t code = 0; code < counts.size(); ++code) (*out.f0)[code] += counts[code];
   }
+}
+
+ValidationPageFile page_file(const CheckedFile& file, const Settings& settings, const PictureDoor& door) {
+  ValidationPageFile out;
+  for (const CheckTarget* target : targets_of(file)) add_pictures(file, *target, settings, door, out);
   return out;
 }
 

@@ -43,25 +43,6 @@ std::string find_config(const std::string& path) {
   }
 }
 
-const std::vector<RolePattern>& default_roles() {
-  static const std::vector<RolePattern> patterns = [] {
-    std::vector<RolePattern> out;
-    const auto add = [&](FileRole role, std::initializer_list<const char*> endings) {
-      for (const char* ending : endings) out.push_back({role, std::string("*") + ending + ".*"});
-    };
-    add(FileRole::diffuse_alpha, {"_diffuse_alpha", "_diffusealpha", "_diff", "_diffuse"});
-    add(FileRole::specular_gloss, {"_specular_gloss", "_speculargloss", "_specgloss", "_spec", "_specular"});
-    add(FileRole::f0_only, {"_f0"});
-    add(FileRole::base_color, {"_basecolor", "_base_color", "_basecoloralpha", "_albedo"});
-    add(FileRole::metallic, {"_metallic", "_metalness", "_metal"});
-    add(FileRole::roughness, {"_roughness", "_rough"});
-    add(FileRole::metal_rough, {"_metallicroughness", "_metalrough", "_occlusionroughnessmetallic",
-                                "_occlusionroughmetal", "_orm", "_arm"});
-    return out;
-  }();
-  return patterns;
-}
-
 bool can_be_turned_off(const Rule& rule) {
   return rule.id != "ETK001" && (!rule.id.starts_with("ETK9") || rule.id == "ETK903");
 }

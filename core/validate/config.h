@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/validate/names/names.h"
 #include "core/validate/settings.h"
 #include "core/validate/target.h"
 
@@ -23,15 +24,12 @@ struct RolePattern {
 
 struct ValidateConfig {
   Settings settings;
-  std::vector<RolePattern> roles;  // in the file's order; they come before default_roles()
+  std::vector<RolePattern> roles;  // in the file's order; they come before all endings
+  std::vector<OwnName> names;      // [names]: endings that come before the built-in ones
   std::string file;                // that it was read from; empty: none
   std::string root;                // folder that labels are relative to, absolute: the file's
   friend bool operator==(const ValidateConfig&, const ValidateConfig&) = default;
 };
-
-/// Names as texture tools write them: *_diff.*, *_spec.*, *_basecolor.*, *_orm.* and others. Upper and lower
-/// case are alike here.
-const std::vector<RolePattern>& default_roles();
 
 /// An etak.toml document, everything checked: unknown keys, ids that no rule has (ETK904), values out of
 /// range, [[allow]] without a reason. Throws Error naming `file` and line.

@@ -155,6 +155,58 @@ void read_roles(const Node& node, ValidateConfig& config) {
   }
 }
 
+// ---- [names]
+
+constexpr std::string_view name_roles =
+    "one of diffuse, specular, f0, base-color, metal-rough, metallic, roughness, gloss, normal, height, "
+    "occlusion, emissive, opacity, other, ignore";
+
+std::string read_channels(const Node& node) {
+  constexpr std::string_view expected =
+      "one to four of roughness, smoothness, metallic, occlusion, height, opacity, none, for R, G, B and A";
+  const auto* list = node.value.as_array();
+  if (list == nullptr || list->empty() || list->size() > 4) node.fail_value(expected);
+  std::string out;
+  for (const toml::node& item : *list) {
+    const auto letter = channel_letter(Node{item, node.file, node.name}.text(expected));
+    if (!letter) node.fail_value(expected);
+    if (*letter != '-' && out.find(*letter) != out.npos) node.fail("a channel twice", expected);
+    out += *letter;
+  }
+  out.resize(4, '-');
+  if (out.find_first_of("rsm") == out.npos) node.fail("no roughness, smoothness or metallic", expected);
+  return out;
+}
+
+FileRole read_name_role(const Node& node) {
+  std::string text = node.text(name_roles);
+  std::replace(text.begin(), text.end(), '_', '-');
+  const auto role = picture_role_named(text);
+  if (!role) node.fail_value(name_roles);
+  return *role;
+}
+
+void read_names(const Node& node, ValidateConfig& config) {
+  for (const auto& [key, value] : table_of(node)) {
+    const Node entry{value, node.file, "[names] " + printable(key.str(), 60)};
+    OwnName own{normal_ending(key.str()), FileRole::metal_rough, {}};
+    if (own.ending.empty() || own.ending.find('/') != own.ending.npos)
+      entry.fail("no ending", "the end of a file's name before its format, such as _alb");
+    for (const OwnName& other : config.names)
+      if (other.ending == own.ending) entry.fail("the same ending a second time", "each ending once");
+    if (value.is_string()) {
+      own.role = read_name_role(entry);
+    } else {
+      const auto* table = value.as_table();
+      const toml::node* channels = table == nullptr || table->size() != 1 ? nullptr : table->get("channels");
+      if (channels == nullptr)
+        entry.fail_value("a role, or { channels = [\"roughness\", \"metallic\", ...] }");
+      own.channels = read_channels({*channels, node.file, entry.name + ".channels"});
+    }
+    config.names.push_back(std::move(own));
+  }
+}
+
 // ---- [rules]
 
 void read_rule(const Node& node, const std::vector<const Rule*>& meant, ValidateConfig& config) {
@@ -301,7 +353,7 @@ void read_allow(const Node& node, ValidateConfig& config) {
 
 constexpr Key top_keys[] = {{"profile", read_profile}, {"transfer", read_transfer}, {"fail_on", read_fail_on},
                             {"alpha", read_alpha},     {"roles", read_roles},       {"rules", read_rules},
-                            {"zone", read_zone},       {"allow", read_allow}};
+                            {"zone", read_zone},       {"allow", read_allow},       {"names", read_names}};
 
 toml::table document_of(std::string_view text, std::string_view file) {
   try {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/finding.h"
 
+#include "core/validate/target.h"
+
 namespace etak {
 
 std::string_view name(Severity severity) {
@@ -15,6 +17,12 @@ std::string_view name(Severity severity) {
       return "error";
   }
   return "";
+}
+
+const CheckTarget& CheckedFile::target_of(const Finding& finding) const {
+  for (const auto& tile : tiles)
+    if (tile->tile == finding.tile) return *tile;
+  return *target;
 }
 
 }  // namespace etak

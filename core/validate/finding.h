@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -76,6 +77,12 @@ struct CheckedFile {
   std::vector<std::pair<std::string, std::int64_t>> counts;
   CheckStats stats;
   std::shared_ptr<const CheckTarget> target;  // what was checked; null for what could not be, and for others
+  // Of a UDIM set, which `target` is the first tile of: all tiles. A finding's `tile` is the number of its
+  // own.
+  std::vector<std::shared_ptr<const CheckTarget>> tiles;
+
+  /// The target that a finding is about: its tile's.
+  const CheckTarget& target_of(const Finding& finding) const;
 };
 
 /// What a run looked at.
@@ -87,6 +94,10 @@ struct RunCounts {
   std::size_t from_cache = 0;  // of those
 };
 
+/// Folders as labels name them, relative to the run's root, and as the user typed them ("": the working
+/// folder).
+using TypedFolders = std::map<std::string, std::string>;
+
 struct ValidationReport {
   std::string profile, transfer, settings_hash;
   std::vector<CheckedFile> files;                   // in path order
@@ -94,7 +105,10 @@ struct ValidationReport {
   bool passed = true;
   bool incomplete = false;              // something could not be checked: exit status 2
   bool stopped = false;                 // somebody asked for it: files are missing
+  bool nothing_checked = false;         // where something had to be: incomplete
   std::vector<std::string> not_opened;  // pipes, sockets and devices that folders hold
+  std::vector<std::string> unknown;     // pictures of folders and lists whose names tell no role
+  TypedFolders typed;
   RunCounts run;
 };
 

@@ -8,17 +8,32 @@ namespace etak {
 
 namespace {
 
-constexpr std::array<std::pair<FileRole, std::string_view>, 11> roles{{{FileRole::diffuse_alpha, "diffuse"},
-                                                                       {FileRole::specular_gloss, "specular"},
-                                                                       {FileRole::f0_only, "f0"},
-                                                                       {FileRole::base_color, "base-color"},
-                                                                       {FileRole::metal_rough, "metal-rough"},
-                                                                       {FileRole::metallic, "metallic"},
-                                                                       {FileRole::roughness, "roughness"},
-                                                                       {FileRole::layout, "layout"},
-                                                                       {FileRole::scene, "scene"},
-                                                                       {FileRole::material, "material"},
-                                                                       {FileRole::spectrum, "spectrum"}}};
+constexpr auto roles =
+    std::to_array<std::pair<FileRole, std::string_view>>({{FileRole::diffuse_alpha, "diffuse"},
+                                                          {FileRole::specular_gloss, "specular"},
+                                                          {FileRole::f0_only, "f0"},
+                                                          {FileRole::base_color, "base-color"},
+                                                          {FileRole::metal_rough, "metal-rough"},
+                                                          {FileRole::metallic, "metallic"},
+                                                          {FileRole::roughness, "roughness"},
+                                                          {FileRole::gloss, "gloss"},
+                                                          {FileRole::layout, "layout"},
+                                                          {FileRole::scene, "scene"},
+                                                          {FileRole::material, "material"},
+                                                          {FileRole::spectrum, "spectrum"},
+                                                          {FileRole::normal, "normal"},
+                                                          {FileRole::height, "height"},
+                                                          {FileRole::occlusion, "occlusion"},
+                                                          {FileRole::emissive, "emissive"},
+                                                          {FileRole::opacity, "opacity"},
+                                                          {FileRole::other, "other"},
+                                                          {FileRole::ignored, "ignore"}});
+
+std::optional<FileRole> role_in(std::string_view text, bool (*wanted)(FileRole)) {
+  for (const auto& [value, row] : roles)
+    if (row == text && wanted(value)) return value;
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -29,9 +44,11 @@ std::string_view name(FileRole role) {
 }
 
 std::optional<FileRole> role_named(std::string_view text) {
-  for (const auto& [value, row] : roles)
-    if (row == text) return value;
-  return std::nullopt;
+  return role_in(text, [](FileRole role) { return role <= FileRole::spectrum && role != FileRole::gloss; });
+}
+
+std::optional<FileRole> picture_role_named(std::string_view text) {
+  return role_in(text, [](FileRole role) { return role <= FileRole::gloss || role > FileRole::spectrum; });
 }
 
 PictureRows PicturesInMemory::rows() const {

@@ -25,14 +25,26 @@ enum class FileRole {
   metal_rough,     // metal-rough: G roughness, B metallic
   metallic,        // the same in files of their own: grey
   roughness,
+  gloss,     // 1 - roughness in a file of its own: grey
   layout,    // JSON of a packed atlas
   scene,     // glTF
   material,  // material JSON
   spectrum,  // page or table of n,k or reflectance
+  // What names tell and no rule judges.
+  normal,
+  height,
+  occlusion,
+  emissive,
+  opacity,
+  other,    // cavity, masks, translucency, ...
+  ignored,  // left out by [names] of etak.toml
 };
 // "diffuse", "specular", "f0", "base-color", "metal-rough", "layout", ...
 std::string_view name(FileRole role);
+// Of what is judged; gloss is none of its own.
 std::optional<FileRole> role_named(std::string_view text);
+// Of everything that the name of a picture may tell: also "gloss", "normal", "ignore", ...
+std::optional<FileRole> picture_role_named(std::string_view text);
 // What a person may say that a picture is.
 inline constexpr std::string_view picture_roles = "diffuse, specular, f0, base-color or metal-rough";
 
@@ -41,6 +53,8 @@ struct TargetFile {
   std::string path;      // to open
   std::string label;     // for reports: relative to the run's root
   bool guessed = false;  // the role comes from the file's name (ETK010)
+  // What R, G, B and A hold, a letter each (channel_word of names.h); empty: the role's own layout.
+  std::string channels = {};
   friend bool operator==(const TargetFile&, const TargetFile&) = default;
 };
 
@@ -76,11 +90,14 @@ struct Manifest {
   friend bool operator==(const Manifest&, const Manifest&) = default;
 };
 
-/// One thing to check: a file, or the files that belong together. It yields one CheckedFile.
+/// One thing to check: a file, or the files that belong together. It yields one CheckedFile; the tiles of a
+/// UDIM set yield one together.
 struct CheckTarget {
   std::string label;  // path of the CheckedFile, relative; the first file's when empty
   std::vector<TargetFile> files;
   Manifest manifest;
+  std::string udim = {};  // of a tile: the label with <UDIM> in the place of its number, equal for all tiles
+  std::string tile = {};  // "1001"
   friend bool operator==(const CheckTarget&, const CheckTarget&) = default;
 };
 

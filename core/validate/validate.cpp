@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <map>
 
 #include "core/base/files/links.h"
 #include "core/base/hash/sha256.h"
@@ -111,6 +112,18 @@ void add_hashes(ValidationReport& report, unsigned threads) {
   });
 }
 
+// The tiles of a UDIM set become one file.
+std::vector<CheckedFile> with_tiles_joined(std::vector<CheckedFile> files) {
+  std::vector<CheckedFile> out;
+  std::map<std::string, std::vector<CheckedFile>> sets;
+  for (CheckedFile& file : files) {
+    const bool is_tile = file.target && !file.target->udim.empty();
+    (is_tile ? sets[file.target->udim] : out).push_back(std::move(file));
+  }
+  for (auto& [label, tiles] : sets) out.push_back(joined_tiles(std::move(tiles)));
+  return out;
+}
+
 bool names_whole_tree(const ValidationRequest& request) {
   std::error_code failure;
   return std::ranges::any_of(request.paths, [&](const std::string& path) {
@@ -119,6 +132,13 @@ bool names_whole_tree(const ValidationRequest& request) {
 }
 
 }  // namespace
+
+FileList list_files(ValidationRequest request) {
+  request.list_files = true;
+  FoundTargets found = find_targets(request);
+  found.listing.typed = std::move(found.typed);
+  return std::move(found.listing);
+}
 
 ValidationReport validate(ValidationRequest request) {
   FoundTargets found = find_targets(request);
@@ -129,16 +149,21 @@ ValidationReport validate(ValidationRequest request) {
   Checks checks(request, found.targets);
   checks.run();
   const RunCounts run{found.files, found.skipped, found.failed.size(),
-                      found.targets.size() + request.materials.materials.size(), checks.from_cache()};
-  std::vector<CheckedFile> files = checks.take_files();
+                      found.targets.size() + found.lone.size() + request.materials.materials.size(),
+                      checks.from_cache()};
+  std::vector<CheckedFile> files = with_tiles_joined(checks.take_files());
+  std::move(found.lone.begin(), found.lone.end(), std::back_inserter(files));
   std::move(found.failed.begin(), found.failed.end(), std::back_inserter(files));
   ValidationReport report =
       report_of_run(std::move(files), request.config,
                     {request.today, names_whole_tree(request), request.known, request.renew_known});
   report.not_opened = std::move(found.no_files);
   report.run = run;
+  report.unknown = std::move(found.unknown);
+  report.typed = std::move(found.typed);
   report.stopped = checks.stopped();
-  if (report.stopped) {
+  report.nothing_checked = request.must_check && run.checks + run.failed == 0;
+  if (report.stopped || report.nothing_checked) {
     report.incomplete = true;
     report.passed = false;
   }

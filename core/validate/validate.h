@@ -13,6 +13,7 @@
 #include "core/validate/baseline.h"
 #include "core/validate/config.h"
 #include "core/validate/finding.h"
+#include "core/validate/names/listing.h"
 #include "core/validate/target.h"
 
 namespace etak {
@@ -55,12 +56,17 @@ struct ValidationRequest {
   std::string cache_key;     // the bytes of a secret: only entries written with it count; empty: all of them
   std::string version;       // of the program: results of other versions do not count
   bool hashes = false;       // the report gives the SHA-256 of every file, which reads all files once more
+  bool must_check = false;   // a run that checks nothing is incomplete
+  bool list_files = false;   // for list_files()
   unsigned threads = 1;      // the report is the same for any number of them
   // Called by the thread that called validate(), with how many of the checks are done.
   std::function<void(std::size_t done, std::size_t all)> progress;
   // Asked before each check, from any thread; true: no other check is begun, and the report says so.
   std::function<bool()> stop;
 };
+
+/// What would be checked as what; no picture is opened.
+FileList list_files(ValidationRequest request);
 
 /// Checks what the request names. What cannot be read is a finding (ETK001), never an exception; an error of
 /// a rule is ETK901. Throws Error where the folder of the cache cannot be made.

@@ -196,6 +196,16 @@ def validate_pictures(n):
 
 
 @case(20)
+def validate_tiles(n):
+    # Tiles of one UDIM set, which share a report entry.
+    os.mkdir("pictures")
+    for i in range(n):
+        for role in ("BaseColor", "Roughness"):
+            write_png(f"pictures/hull_{role}_u{1 + i % 99}_v{1 + i // 99}.png", 4, i)
+    return ["validate", "--no-config", "pictures", "--exit-zero"]
+
+
+@case(20)
 def pack_folder(n):
     pictures(n)
     return ["pack", "pictures", "--out", "atlas", "--no-validate", "--report", "none"]

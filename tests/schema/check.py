@@ -171,5 +171,14 @@ with tempfile.TemporaryDirectory() as folder:
         text = run_where_built("validate", atlas, "--format", "json")
         if text is not None:
             check(schema("validation"), json.loads(text), "validate")
+        names = os.path.join(folder, "names")
+        os.mkdir(names)
+        for name in ("T_Wall_BC.1001.png", "T_Wall_RMA.1001.png", "Wall_4K-PNG_NormalDX.png", "band.png", "notes.txt"):
+            open(os.path.join(names, name), "w", encoding="utf-8").close()
+        text = run_where_built("validate", atlas, names, "--list-files", "--format", "json")
+        if text is not None:
+            listed = json.loads(text)
+            check(schema("files"), listed, "validate --list-files")
+            assert {"checked", "not checked by a rule", "not recognised"} <= {f["state"] for f in listed["files"]}, text
 
 print(f"{len(files)} materials and etak's JSON follow their schemas")

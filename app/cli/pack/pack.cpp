@@ -67,7 +67,7 @@ void say(const PackArguments& a, const PackResult& report, const PackCheck* chec
     write_output({}, report_json(report, a.stats));
   else if (a.report == "text" && !a.quiet)
     write_output({}, report_text(report, a.stats) +
-                         (findings == nullptr ? "" : validation_text(*findings, use_color({}))));
+                         (findings == nullptr ? "" : validation_text(*findings, {use_color({})})));
   if (a.report != "json")
     for (const std::string& each : report.remarks) remark(remarks, each);
   // Why the exit status is not 0 is told even where nothing else is.

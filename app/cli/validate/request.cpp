@@ -20,6 +20,12 @@ std::shared_ptr<const KnownMaterials> asked_materials(Library& library) {
   return std::make_shared<const KnownMaterials>(library.get());
 }
 
+std::optional<Severity> told_severity(const std::string& text) {
+  for (const Severity severity : {Severity::info, Severity::warning, Severity::error})
+    if (text == name(severity)) return severity;
+  return std::nullopt;
+}
+
 ValidateConfig validate_config(const ValidateArguments& arguments,
                                std::shared_ptr<const KnownMaterials> known) {
   const std::string file = !arguments.config.empty() ? arguments.config
@@ -40,14 +46,9 @@ ValidateConfig validate_config(const ValidateArguments& arguments,
   given("--transfer", arguments.transfer, texture_transfer_named, settings.transfer,
         "srgb, gamma22 or linear");
   settings.transfer_stated = settings.transfer_stated || !arguments.transfer.empty();
-  const auto failing = [](const std::string& text) -> std::optional<Severity> {
-    for (const Severity severity : {Severity::info, Severity::warning, Severity::error})
-      if (text == name(severity)) return severity;
-    return std::nullopt;
-  };
   // "never" leaves the limit alone: the caller ends with 0 whatever it says.
-  given("--fail-on", arguments.fail_on == never_fails ? "" : arguments.fail_on, failing, settings.fail_on,
-        "error, warning, info or never");
+  given("--fail-on", arguments.fail_on == never_fails ? "" : arguments.fail_on, told_severity,
+        settings.fail_on, "error, warning, info or never");
   const auto alpha = [](const std::string& text) -> std::optional<bool> {
     if (text == "mask" || text == "transparency") return text == "transparency";
     return std::nullopt;
@@ -80,6 +81,7 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   out.cache_folder = arguments.cache_folder;
   if (!arguments.cache_key.empty()) out.cache_key = read_cache_key(arguments.cache_key);
   out.version = ETAK_VERSION;
+  out.must_check = !arguments.allow_empty;
   // Only this form tells them.
   out.hashes = arguments.output.format == "json";
   out.threads = thread_count(arguments.threads);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/validate/validate.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <optional>
 
+#include "app/cli/output/form.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
 #include "app/cli/pictures/pictures.h"
@@ -36,10 +38,47 @@ std::string form_of(const ValidationReport& report, const ValidateArguments& arg
   if (format == "junit") return validation_junit(report, options);
   if (format == "github") return validation_github(report);
   if (format == "csv") return validation_csv(report);
-  if (format != "html") return validation_text(report, use_color(arguments.output));
+  if (format != "html") {
+    TextOptions text{use_color(arguments.output)};
+    text.findings = !arguments.output.quiet;
+    text.least = told_severity(arguments.min_severity).value_or(Severity::info);
+    text.fold_infos = arguments.min_severity.empty();
+    return validation_text(report, text);
+  }
   const auto pictures = page_pictures(report, settings, picture_door(), most_pages_with_pictures,
                                       thread_count(arguments.threads));
   return validation_page(report, pictures, {ETAK_VERSION, settings});
+}
+
+std::string count_text(std::size_t count, const char* one, const char* more) {
+  return grouped(count) + ' ' + (count == 1 ? one : more);
+}
+
+// An empty run is most often a mistake in a path or names that nobody knows.
+void tell_nothing_checked(const ValidationReport& report) {
+  const std::size_t unknown = report.unknown.size();
+  std::string out =
+      "nothing was checked: " + count_text(report.run.files, "file was", "files were") + " looked at";
+  if (unknown > 0)
+    out += ", " + count_text(unknown, "picture whose name tells", "pictures whose names tell") +
+           " no role (--list-files shows which)";
+  if (report.run.skipped > unknown)
+    out += ", " + grouped(report.run.skipped - unknown) + " that no rule is about";
+  complain(out +
+           "; expected texture pairs, metal-rough sets, F0 pictures, atlas layouts, glTF scenes, material "
+           "files or spectra, or --allow-empty");
+}
+
+void tell_unknown(const ValidationReport& report, const ValidateArguments& arguments) {
+  constexpr std::size_t most_named = 5;
+  if (report.unknown.empty()) return;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most_named, report.unknown.size()); ++i)
+    names += (i == 0 ? "" : ", ") + shown_path(report.unknown[i], report.typed);
+  if (report.unknown.size() > most_named) names += ", ...";
+  remark(arguments.output, count_text(report.unknown.size(), "picture was", "pictures were") +
+                               " not recognised by name and not checked: " + names +
+                               "; etak validate --list-files shows what every file is taken for");
 }
 
 void tell_stats(const ValidationReport& report, double seconds) {
@@ -80,6 +119,16 @@ void check_targets(const ValidateArguments& arguments) {
   if (!arguments.mask_folder.empty()) check_mask_folder(arguments.mask_folder);
 }
 
+int list_found_files(ValidateArguments& arguments) {
+  if (arguments.output.format != "text" && arguments.output.format != "json")
+    refuse_form(arguments.output, "etak validate", "with --list-files", {"text", "json"});
+  check_output(arguments.output);
+  const FileList list = list_files(validation_request(arguments));
+  write_output(arguments.output,
+               arguments.output.format == "json" ? file_list_json(list) : file_list_text(list));
+  return std::ranges::count(list.files, ListedAs::unreadable, &ListedFile::as) == 0 ? exit_ok : exit_failure;
+}
+
 }  // namespace
 
 int check_files(ValidateArguments& arguments) {
@@ -90,6 +139,9 @@ int check_files(ValidateArguments& arguments) {
     throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
   if (!arguments.cache_key.empty() && arguments.cache_folder.empty())
     throw Error::at("--cache-key", "no --cache", "--cache DIR with it");
+  if (!arguments.min_severity.empty() && !told_severity(arguments.min_severity))
+    throw Error::at("--min-severity", printable(arguments.min_severity), "info, warning or error");
+  if (arguments.list_files) return list_found_files(arguments);
   check_targets(arguments);
   ValidationRequest request = validation_request(arguments);
   std::optional<Progress> progress(std::in_place, arguments.output, 0, "validate");
@@ -98,7 +150,11 @@ int check_files(ValidateArguments& arguments) {
   ValidationReport report = validate(std::move(request));
   progress.reset();
   if (!report.not_opened.empty()) remark(arguments.output, skipped_remark(report.not_opened));
-  if (report.run.checks + report.run.failed == 0)
+  if (report.nothing_checked)
+    tell_nothing_checked(report);
+  else
+    tell_unknown(report, arguments);
+  if (!report.nothing_checked && report.run.checks + report.run.failed == 0)
     remark(arguments.output, "no file of a kind that etak validate checks was found");
   std::unique_ptr<Output> baseline;
   if (!arguments.write_baseline.empty()) {

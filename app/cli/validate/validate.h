@@ -23,8 +23,9 @@ struct ValidateArguments {
   bool no_config = false;
   RuleChoice choice;
   std::optional<std::size_t> max_warnings;
-  bool allow_empty = false;  // of files_from
-  bool exit_zero = false, list_rules = false, stats = false;
+  std::string min_severity;  // of the text form
+  bool allow_empty = false;  // nothing to check is no failure
+  bool exit_zero = false, list_rules = false, list_files = false, stats = false;
   std::string baseline, write_baseline, mask_folder, cache_folder, cache_key;
   unsigned threads = 0;
   Library library;

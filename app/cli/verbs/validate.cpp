@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "app/cli/options/empty_list.h"
 #include "app/cli/options/files.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/form.h"
@@ -80,7 +79,10 @@ void add_validate(CommandLine& line) {
   verb.option("--files-from", a.files_from, "file with one path a line; - is standard input")
       .reads_file()
       .value_name("FILE");
-  add_allow_empty_option(verb, a.allow_empty);
+  verb.flag("--allow-empty", a.allow_empty,
+            "pass where there is nothing to check, also with an empty --files-from; else that is status 2");
+  verb.flag("--list-files", a.list_files,
+            "show what every file is taken for, and stop (--format text or json)");
   verb.option("--role", a.role,
               "what the pictures are: diffuse, specular, f0, base-color or metal-rough (default: by "
               "their names)");
@@ -91,6 +93,9 @@ void add_validate(CommandLine& line) {
   add_rule_options(verb, a);
   add_verdict_options(verb, a);
   add_output_options(verb, a.output, {"text", "json", "sarif", "junit", "github", "csv", "html"});
+  verb.option("--min-severity", a.min_severity,
+              "findings below info, warning or error are not shown as text; given, infos are not folded")
+      .value_name("SEVERITY");
   verb.option("--mask", a.mask_folder, "folder for a picture per finding: plateau red, transition yellow")
       .value_name("DIR");
   verb.flag("--stats", a.stats, "say on standard error what was read, left out and how long it took");
@@ -107,6 +112,7 @@ void add_validate(CommandLine& line) {
   add_thread_option(verb, a.threads);
   verb.footer(
       "Exit status: 0 nothing at or above --fail-on, 1 findings, 2 not everything could be checked.\n"
+      "-q with the text form prints the verdict alone.\n"
       "Example:\n  etak validate textures --format sarif -o findings.sarif");
   verb.runs([arguments] { return run(*arguments); });
 }

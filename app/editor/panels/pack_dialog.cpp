@@ -124,8 +124,7 @@ void PackDialog::start() {
           const PackResult report =
               pack(packed_manifest(project, *library), label, folder, options, *library);
           out.written = true;
-          out.text =
-              QString::fromStdString(report_text(report, false) + validation_text(*check.report(), false));
+          out.text = QString::fromStdString(report_text(report, false) + validation_text(*check.report()));
           for (const std::string& remark : report.remarks)
             out.text += QString::fromStdString(remark) + QLatin1Char('\n');
         } catch (const PackCancelled&) {

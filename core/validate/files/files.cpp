@@ -27,11 +27,6 @@ namespace etak {
 
 namespace {
 
-bool is_metal_rough(const CheckTarget& target) {
-  return std::ranges::any_of(target.files,
-                             [](const TargetFile& file) { return MetalRoughSet::is_part(file.role); });
-}
-
 const TargetFile* with_role(const CheckTarget& target, std::initializer_list<FileRole> roles) {
   for (const TargetFile& file : target.files)
     if (std::ranges::find(roles, file.role) != roles.end()) return &file;
@@ -83,16 +78,23 @@ void check_pair(const CheckTarget& target, const PictureOpener& opener, const Se
   look_at_pixels(target, open, settings, threads, evidence, file);
 }
 
+// What a file's header is held against: diffuse and specular need no fourth channel where gloss has a file of
+// its own, and gloss is grey as roughness is.
+FileRole role_in_set(FileRole role) {
+  if (role == FileRole::diffuse_alpha) return FileRole::base_color;
+  if (role == FileRole::specular_gloss) return FileRole::f0_only;
+  return role == FileRole::gloss ? FileRole::roughness : role;
+}
+
 void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                        unsigned threads, Evidence& evidence, CheckedFile& file) {
   MetalRoughSet set(target, door);
   int image = 0;
   for (const TargetFile& part : target.files)
-    if (MetalRoughSet::is_part(part.role))
-      evidence.headers.push_back({set.header(image++), part.label, part.role, {}});
-  evidence.metal_rough = true;
+    evidence.headers.push_back({set.header(image++), part.label, role_in_set(part.role), {}});
+  evidence.metal_rough = !set.is_specular();
   CheckTarget weighed = target;
-  weighed.manifest.specular_weighs_diffuse = true;
+  if (evidence.metal_rough) weighed.manifest.specular_weighs_diffuse = true;
   std::optional<LoadedPictures> whole;
   const auto open = [&](Needs) {
     if (!whole)
@@ -102,7 +104,8 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
   };
   look_at_pixels(weighed, open, settings, threads, evidence, file);
   // Alpha is that of the base colour's file.
-  if (const TargetFile* base = with_role(target, {FileRole::base_color}); base != nullptr && evidence.a)
+  if (const TargetFile* base = with_role(target, {FileRole::base_color, FileRole::diffuse_alpha});
+      base != nullptr && evidence.a)
     for (const PictureEvidence& header : evidence.headers)
       if (header.label == base->label) evidence.a->header.channels = header.header.channels;
 }
@@ -134,13 +137,7 @@ JudgedTextures textures_of(const GltfMaterial& m) {
   return {m.base_color_texture, m.metallic_roughness_texture, FileRole::base_color, FileRole::metal_rough};
 }
 
-// What was found of one material joins what was found of the scene.
-void add_material(const std::string& names, int index, CheckedFile one, CheckedFile& file) {
-  for (Finding& finding : one.findings) {
-    finding.material = names;
-    finding.pointer = "/materials/" + std::to_string(index);
-    file.findings.push_back(std::move(finding));
-  }
+void add_sums(const CheckedFile& one, CheckedFile& file) {
   file.unreadable = file.unreadable || one.unreadable;
   file.plateau_px += one.plateau_px;
   file.transition_px += one.transition_px;
@@ -159,6 +156,16 @@ void add_material(const std::string& names, int index, CheckedFile one, CheckedF
     else
       same->second += count;
   }
+}
+
+// What was found of one material joins what was found of the scene.
+void add_material(const std::string& names, int index, CheckedFile one, CheckedFile& file) {
+  for (Finding& finding : one.findings) {
+    finding.material = names;
+    finding.pointer = "/materials/" + std::to_string(index);
+    file.findings.push_back(std::move(finding));
+  }
+  add_sums(one, file);
 }
 
 // The headers of a scene's textures, each once.
@@ -298,7 +305,7 @@ CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Sett
       return check_scene(*scene, target, door, own, threads, file);
     if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
       return check_material(*material, evidence);
-    if (is_metal_rough(target)) return check_metal_rough(target, door, own, threads, evidence, file);
+    if (MetalRoughSet::is_set(target)) return check_metal_rough(target, door, own, threads, evidence, file);
     const auto open = [&](const TargetFile& part) { return open_picture(part.path, door); };
     check_pair(target, open, own, threads, evidence, file);
   });
@@ -309,6 +316,30 @@ CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, c
   return checked(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
     check_pair(target, open, own, threads, evidence, file);
   });
+}
+
+CheckedFile joined_tiles(std::vector<CheckedFile> tiles) {
+  CheckedFile set;
+  set.width = tiles.front().width;
+  set.height = tiles.front().height;
+  set.target = tiles.front().target;
+  set.path = set.target->udim;
+  for (CheckedFile& one : tiles) {
+    for (Finding& finding : one.findings) {
+      if (finding.tile.empty()) finding.tile = one.target->tile;
+      set.findings.push_back(std::move(finding));
+    }
+    set.companions.push_back(one.path);
+    std::move(one.companions.begin(), one.companions.end(), std::back_inserter(set.companions));
+    std::move(one.roles.begin(), one.roles.end(), std::back_inserter(set.roles));
+    set.tiles.push_back(one.target);
+    set.stats.pictures_decoded += one.stats.pictures_decoded;
+    set.stats.pictures_left_out += one.stats.pictures_left_out;
+    set.stats.decode_seconds += one.stats.decode_seconds;
+    add_sums(one, set);
+  }
+  sort_findings(set);
+  return set;
 }
 
 namespace {
@@ -363,7 +394,7 @@ PicturesInMemory LoadedPictures::in_memory() const {
 }
 
 LoadedPictures load_pictures(const CheckTarget& target, const PictureDoor& door) {
-  if (is_metal_rough(target)) return MetalRoughSet(target, door).convert();
+  if (MetalRoughSet::is_set(target)) return MetalRoughSet(target, door).convert();
   LoadedPictures out;
   const auto load = [&](const TargetFile* file, Image8& to) {
     if (file == nullptr) return;

@@ -25,6 +25,9 @@ struct AtlasLayout;
 CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                   unsigned threads = 1);
 
+/// What was found of the tiles of a UDIM set, at least one, as one file: findings name their tiles.
+CheckedFile joined_tiles(std::vector<CheckedFile> tiles);
+
 /// Where the rows of a target's picture come from; called once per pass over the pixels.
 using PictureOpener = std::function<std::unique_ptr<RowSource>(const TargetFile&)>;
 

@@ -12,11 +12,14 @@
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
-#include "core/base/files/links.h"
 #include "core/base/parallel.h"
 #include "core/exchange/data_folder.h"
 #include "core/scene/gltf.h"
+#include "core/validate/engine.h"
+#include "core/validate/files/file_hints.h"
 #include "core/validate/files/files.h"
+#include "core/validate/files/picture_sets.h"
+#include "core/validate/names/names.h"
 #include "core/validate/rules.h"
 #include "core/validate/suppress.h"
 
@@ -30,27 +33,14 @@ std::string_view folder_of(std::string_view path) {
   return slash == path.npos ? std::string_view() : path.substr(0, slash + 1);
 }
 
-bool is_picture(FileRole role) {
-  return role != FileRole::layout && role != FileRole::scene && role != FileRole::material &&
-         role != FileRole::spectrum;
-}
-
 // A list of a million names that lead nowhere is one mistake: so many of them are told one by one, the others
 // are counted.
 constexpr std::size_t most_missing_reported = 1000;
 
-// Why nothing stands at `path`.
-std::string why_missing(const std::string& path) {
-  std::error_code failure;
-  (void)fs::status(path, failure);
-  if (failure && failure != std::errc::no_such_file_or_directory)
-    return "cannot be read: " + failure.message();
-  if (fs::is_symlink(fs::symlink_status(path, failure))) return "a link that leads to no file";
-  return "there is no such file";
-}
+constexpr const char* missing_fix = "Correct the path, or write the file first.";
 
 // Where a file came from decides what happens when nothing can be said of it.
-enum class Named { by_hand, by_folder, by_list, as_companion };
+enum class Named { by_hand, by_folder, by_list };
 
 struct Candidate {
   std::string path;
@@ -58,71 +48,28 @@ struct Candidate {
   std::string searched;  // the folder whose search found it; else empty
 };
 
-// A picture with the role its name gives, and the name without that.
-struct NamedPicture {
-  std::string path, stem;  // stem: folder and the name before the role, in lower case
-  FileRole role = FileRole::specular_gloss;
-  bool guessed = false, companion = false;
-  Named named = Named::by_hand;
-};
-
-// What a pattern leaves of a file name: "crate" for "*_spec.*" and "crate_spec.png"; for other forms the
-// whole name.
-std::string stem_of(const std::string& pattern, const std::string& name) {
-  const std::size_t dot = name.rfind('.');
-  const std::string bare = name.substr(0, dot);
-  if (!pattern.starts_with('*')) return bare;
-  std::string ending =
-      pattern.substr(1, pattern.rfind('.') == std::string::npos ? pattern.npos : pattern.rfind('.') - 1);
-  if (ending.empty() || ending.find_first_of("*?/") != ending.npos || !bare.ends_with(ending)) return bare;
-  return bare.substr(0, bare.size() - ending.size());
-}
-
-// "atlas/page0.mip3.png" is a level of "atlas/page0.png", as etak pack names them; "" for other names.
-std::string level_0_of(const std::string& path) {
-  const fs::path whole(path);
-  const std::string stem = whole.stem().string();
-  const std::size_t mip = stem.rfind(".mip");
-  if (mip == std::string::npos || mip + 4 == stem.size() ||
-      stem.find_first_not_of("0123456789", mip + 4) != std::string::npos)
-    return {};
-  return (whole.parent_path() / (stem.substr(0, mip) + whole.extension().string())).string();
-}
-
-// Tables and YAML files of a project are rarely spectra: one found in a folder is taken for that only when it
-// says so, by a refractiveindex.info page's "DATA:" or a header line that begins with a wavelength.
-bool looks_like_spectrum(const std::string& path) {
-  const std::string head = read_head(path, 4096);
-  if (!path.ends_with(".csv")) return head.find("DATA:") != head.npos;
-  std::size_t begin = 0;
-  while (begin < head.size() && head[begin] == '#')
-    begin = std::min(head.find('\n', begin), head.size() - 1) + 1;
-  const std::string line = lower_case(head.substr(begin, head.find('\n', begin) - begin));
-  for (const char* name : {"wavelength", "lambda", "wl", "nm", "um", "\"wavelength"})
-    if (line.starts_with(name)) return true;
-  return false;
-}
-
-// Throws Error where a link leads from `folder` out to `path`, which was found there and which nobody named.
-void check_links(const std::string& folder, const std::string& path) {
-  (void)path_beside(folder, fs::path(path).lexically_relative(folder.empty() ? "." : folder).string());
-}
-
 class Finder {
  public:
-  explicit Finder(ValidationRequest& request) : request_(request) {}
+  explicit Finder(ValidationRequest& request) : request_(request), reader_(request.config.names) {}
 
   FoundTargets find() {
     for (const std::string& path : request_.paths) add_path(path);
     candidates_.reserve(candidates_.size() + request_.listed.size());
-    for (std::string& path : request_.listed) candidates_.push_back({std::move(path), Named::by_list, {}});
+    for (std::string& path : request_.listed) {
+      remember_typed(folder_of(path));
+      candidates_.push_back({std::move(path), Named::by_list, {}});
+    }
     request_.listed = {};
+    const ValidateConfig& config = request_.config;
+    if (!config.file.empty()) out_.typed.try_emplace(".", fs::path(config.file).parent_path().string());
     drop_doubles();
     classify();
     group_pictures();
     std::stable_sort(
         out_.targets.begin(), out_.targets.end(),
         [](const FoundTarget& a, const FoundTarget& b) { return a.target.label < b.target.label; });
+    std::ranges::sort(out_.unknown);
+    std::ranges::stable_sort(out_.listing.files, {}, &ListedFile::file);
     return std::move(out_);
   }
 
@@ -143,6 +90,7 @@ class Finder {
     finding.file = text;
     finding.message = message;
     if (!fix.empty()) finding.fix = fix;
+    list_document(text, "", ListedAs::unreadable, message);
     out_.failed.push_back(std::move(file));
   }
 
@@ -150,11 +98,22 @@ class Finder {
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
     if (fs::is_directory(status)) return add_folder(path);
-    if (!fs::exists(status) && !is_pipe_input(path)) return fail(path, why_missing(path));
+    remember_typed(folder_of(path));
+    if (!fs::exists(status) && !is_pipe_input(path)) return fail(path, why_missing(path), missing_fix);
     candidates_.push_back({path, Named::by_hand, {}});
   }
 
+  // A folder that the user named, ending in '/' or empty, and as labels name it: for messages.
+  void remember_typed(std::string_view folder) {
+    if (folder == last_typed_ && !out_.typed.empty()) return;
+    last_typed_ = folder;
+    const std::string text = (fs::path(folder).lexically_normal() / "").parent_path().string();
+    out_.typed.try_emplace(relative_label(text.empty() ? "." : text, request_.config.root),
+                           text == "." ? "" : text);
+  }
+
   void add_folder(const std::string& path) {
+    remember_typed(path);
     Folder folder;
     try {
       folder = list_folder(path, request_.threads, [](std::string_view) { return true; });
@@ -217,7 +176,7 @@ class Finder {
       else if (missing[i] && candidate.named == Named::by_list && missing_reported == most_missing_reported)
         ++missing_more;
       else if (missing[i]) {
-        fail(candidate.path, why_missing(candidate.path));
+        fail(candidate.path, why_missing(candidate.path), missing_fix);
         ++missing_reported;
       } else if (!failures[i].empty())
         fail(candidate.path, failures[i]);
@@ -236,17 +195,32 @@ class Finder {
     for (const Candidate* picture : pictures)
       if (!claimed_.contains(picture->path) && !claimed_.contains(level_0_of(picture->path)))
         add_picture(*picture);
+      else if (request_.list_files)
+        list_document(label(picture->path), "", ListedAs::judged, "with the scene or layout that names it");
+  }
+
+  void list_document(const std::string& file, std::string_view role, ListedAs as,
+                     const std::string& note = {}) {
+    if (!request_.list_files) return;
+    ListedFile& row = out_.listing.files.emplace_back();
+    row.file = file;
+    row.role = role;
+    row.as = as;
+    row.note = note;
   }
 
   void skip(const Candidate& candidate, const std::string& why, const std::string& fix = {}) {
     if (candidate.named == Named::by_hand) return fail(candidate.path, why, fix);
     ++out_.skipped;
+    ++out_.listing.others;
   }
 
   void add_document(const std::string& path, FileRole role) {
     if (role == FileRole::layout) {
       try {
-        for (CheckTarget& page : targets_of_layout(path, label(path))) {
+        std::vector<CheckTarget> pages = targets_of_layout(path, label(path));
+        list_document(label(path), name(role), ListedAs::judged);
+        for (CheckTarget& page : pages) {
           FoundTarget found{std::move(page), {path}};
           for (const TargetFile& file : found.target.files) {
             const std::string picture = fs::path(file.path).lexically_normal().string();
@@ -262,7 +236,8 @@ class Finder {
     }
     FoundTarget found;
     found.target.label = label(path);
-    found.target.files = {{role, path, label(path), false}};
+    list_document(found.target.label, name(role), ListedAs::judged);
+    found.target.files = {{role, path, found.target.label, false}};
     found.depends = {path};
     if (role == FileRole::scene) {
       GltfFiles files = files_of_gltf(path);
@@ -272,60 +247,72 @@ class Finder {
     out_.targets.push_back(std::move(found));
   }
 
-  // The role of a picture by its name; none when no pattern matches.
+  // What the name of a picture tells; none where it tells no role.
   std::optional<NamedPicture> named_picture(const std::string& path) const {
-    const std::string relative = label(path), name = relative.substr(folder_of(relative).size());
-    NamedPicture out{path,
-                     lower_case(path.substr(0, folder_of(path).size())),
-                     FileRole::specular_gloss,
-                     false,
-                     false,
-                     Named::as_companion};
-    for (const RolePattern& pattern : request_.config.roles)
-      if (glob_matches(pattern.pattern, relative)) {
-        out.role = pattern.role;
-        out.stem += lower_case(stem_of(pattern.pattern.substr(folder_of(pattern.pattern).size()), name));
+    const std::string_view folder = folder_of(path), name = std::string_view(path).substr(folder.size());
+    NamedPicture out;
+    out.path = path;
+    if (!request_.config.roles.empty()) {
+      const std::string relative = label(path);
+      for (const RolePattern& pattern : request_.config.roles) {
+        if (!glob_matches(pattern.pattern, relative)) continue;
+        out.name.role = pattern.role;
+        out.name.convention = Convention::own;
+        out.name.set =
+            pattern_stem(pattern.pattern.substr(folder_of(pattern.pattern).size()), std::string(name));
+        out.key = lower_case(std::string(folder) + out.name.set);
         return out;
       }
-    const std::string small = lower_case(name);
-    for (const RolePattern& pattern : default_roles())
-      if (glob_matches(pattern.pattern, small)) {
-        out.role = pattern.role;
-        out.guessed = true;
-        out.stem += stem_of(pattern.pattern, small);
-        return out;
-      }
-    return std::nullopt;
+    }
+    auto parsed = reader_.read(name);
+    if (!parsed) return std::nullopt;
+    out.name = std::move(*parsed);
+    out.guessed = out.name.convention != Convention::own;
+    out.key = lower_case(std::string(folder) + out.name.set);
+    // No name of a set holds a line's end that is not its own: keys with and without these parts differ.
+    if (!out.name.tile.empty()) out.key += '\n' + out.name.tile;
+    if (!out.name.lod.empty()) out.key += '\n' + out.name.lod;
+    return out;
   }
 
   void add_picture(const Candidate& candidate) {
     if (request_.role) {
       // Each stands for itself: --role names what it is, and its companion would have another role.
-      pictures_.push_back({candidate.path, candidate.path, *request_.role, false, false, candidate.named});
+      NamedPicture picture;
+      picture.path = picture.key = candidate.path;
+      picture.name.role = *request_.role;
+      picture.by_hand = candidate.named == Named::by_hand;
+      pictures_.push_back(std::move(picture));
       return;
     }
     auto picture = named_picture(candidate.path);
-    if (!picture) {
-      // Texels do not tell a role either: grey may be F0, metallic, roughness or a mask.
-      const bool pipe = is_pipe_input(candidate.path);
-      return skip(
-          candidate,
-          pipe ? "a picture that comes without a name, which would tell its role" : "its name tells no role",
-          "Say what it is: --role " + std::string(picture_roles) +
-              (pipe ? "." : "; or give a pattern in [roles] of etak.toml."));
-    }
-    picture->named = candidate.named;
+    if (!picture) return unknown_picture(candidate.path, candidate.named == Named::by_hand);
+    picture->by_hand = candidate.named == Named::by_hand;
     pictures_.push_back(std::move(*picture));
+  }
+
+  // Texels do not tell a role either: grey may be F0, metallic, roughness or a mask.
+  void unknown_picture(const std::string& path, bool by_hand,
+                       const std::string& why = "its name tells no role") {
+    if (by_hand) {
+      const bool pipe = is_pipe_input(path);
+      return fail(path, pipe ? "a picture that comes without a name, which would tell its role" : why,
+                  "Say what it is: --role " + std::string(picture_roles) +
+                      (pipe ? "." : "; or give a pattern in [roles] of etak.toml."));
+    }
+    ++out_.skipped;
+    out_.unknown.push_back(label(path));
+    list_document(out_.unknown.back(), "", ListedAs::unknown, why);
   }
 
   // The pictures beside those of the run that have a role, for companions: each folder is listed once.
   void add_companions() {
     if (request_.role) return;
-    std::unordered_set<std::string> have, stems;
+    std::unordered_set<std::string> have, keys;
     std::set<std::string> folders;
     for (const NamedPicture& picture : pictures_) {
       have.insert(picture.path);
-      stems.insert(picture.stem);
+      keys.insert(picture.key);
       folders.insert(std::string(folder_of(picture.path)));
     }
     for (const std::string& folder : folders) {
@@ -335,7 +322,7 @@ class Finder {
         const std::string path = folder + at->path().filename().string();
         if (have.contains(path) || claimed_.contains(path)) continue;
         auto picture = named_picture(path);
-        if (!picture || !stems.contains(picture->stem)) continue;
+        if (!picture || !is_judged(picture->name.role) || !keys.contains(picture->key)) continue;
         std::error_code gone;
         if (path.ends_with(".json") || (at->exists(gone) && !at->is_regular_file(gone))) continue;
         const auto kind = role_of_file(path);
@@ -355,69 +342,94 @@ class Finder {
   void group_pictures() {
     add_companions();
     std::sort(pictures_.begin(), pictures_.end(), [](const NamedPicture& a, const NamedPicture& b) {
-      return std::tie(a.stem, a.role, a.companion, a.path) < std::tie(b.stem, b.role, b.companion, b.path);
+      return std::tie(a.key, a.name.role, a.companion, a.path) <
+             std::tie(b.key, b.name.role, b.companion, b.path);
     });
     for (std::size_t begin = 0, end = 0; begin < pictures_.size(); begin = end) {
-      while (end < pictures_.size() && pictures_[end].stem == pictures_[begin].stem) ++end;
-      group({pictures_.data() + begin, end - begin});
-    }
-  }
-
-  // Pictures of one stem: the first of each role form the pair or set, others stand alone.
-  void group(std::span<NamedPicture> same) {
-    const auto has = [&](FileRole role) {
-      return std::ranges::any_of(same, [&](const NamedPicture& picture) { return picture.role == role; });
-    };
-    // Beside metallic or roughness, and without F0, "diffuse" is another word for the base colour.
-    const bool parts = has(FileRole::metallic) || has(FileRole::roughness);
-    const bool metal_rough = parts || has(FileRole::metal_rough);
-    if (metal_rough && !has(FileRole::specular_gloss) && !has(FileRole::base_color))
-      for (NamedPicture& picture : same)
-        if (picture.role == FileRole::diffuse_alpha) picture.role = FileRole::base_color;
-    std::vector<char> used(same.size());
-    // They say nothing on their own.
-    if (parts && !has(FileRole::base_color))
-      for (std::size_t i = 0; i < same.size(); ++i)
-        if (same[i].role == FileRole::metallic || same[i].role == FileRole::roughness) {
-          used[i] = 1;
-          if (!same[i].companion)
-            skip({same[i].path, same[i].named, {}}, "there is no base colour beside it");
+      while (end < pictures_.size() && pictures_[end].key == pictures_[begin].key) ++end;
+      const std::span<NamedPicture> same(pictures_.data() + begin, end - begin);
+      for (PictureSet& set : sets_of(same)) {
+        // Who names the role says that there is no more.
+        if (request_.role == FileRole::base_color) set.missing.clear();
+        // What is beside the files of the run is judged with them only.
+        if (!std::ranges::all_of(set.members, &NamedPicture::companion)) add_set(set);
+      }
+      for (const NamedPicture& picture : same)
+        if (picture.as == ListedAs::unknown) {
+          if (!picture.companion) unknown_picture(picture.path, picture.by_hand, picture.note);
+        } else {
+          out_.skipped += picture.as == ListedAs::not_judged && !picture.companion;
+          if (request_.list_files) list_picture(picture);
         }
-    const auto take = [&](std::initializer_list<FileRole> roles) {
-      std::vector<const NamedPicture*> members;
-      bool wanted = false;
-      for (const FileRole role : roles)
-        for (std::size_t i = 0; i < same.size(); ++i)
-          if (!used[i] && same[i].role == role) {
-            used[i] = 1;
-            members.push_back(&same[i]);
-            wanted = wanted || !same[i].companion;
-            break;
-          }
-      if (wanted) add_set(members);
-      return !members.empty();
-    };
-    while (take({FileRole::diffuse_alpha, FileRole::specular_gloss})) continue;
-    while (take({FileRole::base_color, FileRole::metal_rough, FileRole::metallic, FileRole::roughness}))
-      continue;
-    while (take({FileRole::f0_only})) continue;
+    }
+    settle_tiles();
   }
 
-  void add_set(const std::vector<const NamedPicture*>& members) {
+  void list_picture(const NamedPicture& picture) {
+    ListedFile& row = out_.listing.files.emplace_back();
+    row.file = label(picture.path);
+    row.role = name(picture.name.role);
+    row.set = std::string(folder_of(row.file)) + picture.name.set;
+    row.parsed = picture.name;
+    row.as = picture.as;
+    row.note = picture.note;
+  }
+
+  void add_set(const PictureSet& set) {
     FoundTarget found;
     found.target.manifest = request_.manifest;
-    for (const NamedPicture* member : members) {
-      found.target.files.push_back({member->role, member->path, label(member->path), member->guessed});
+    for (const NamedPicture* member : set.members) {
+      found.target.files.push_back(
+          {member->name.role, member->path, label(member->path), member->guessed, member->name.channels});
       found.depends.push_back(member->path);
     }
-    found.target.label = found.target.files.front().label;
+    CheckTarget& target = found.target;
+    target.label = target.files.front().label;
+    if (!set.missing.empty()) return add_lone(target, set.missing);
+    const ParsedName& name = set.members.front()->name;
+    if (!name.tile.empty()) {
+      target.tile = name.tile;
+      target.udim = target.label;
+      const std::size_t at = lower_case(target.label).rfind(name.tile);
+      target.udim.replace(at, name.tile.size(), "<UDIM>");
+    }
     out_.targets.push_back(std::move(found));
   }
 
+  void add_lone(const CheckTarget& target, const std::string& missing) {
+    const Rule& rule = *find_rule("ETK002");
+    CheckedFile file = checked_file_of(target);
+    if (const Severity severity = severity_of(rule, request_.config.settings); severity != Severity::off) {
+      Finding& finding = file.findings.emplace_back(finding_of(rule, severity));
+      finding.file = file.path;
+      finding.value = missing;
+      finding.limit = "the whole set";
+      finding.message = missing + ": nothing of it was judged";
+      finding.fix =
+          "Add the missing picture under the name of its set, or say in [names] of etak.toml what "
+          "the endings of the names mean; etak validate --list-files shows what was understood.";
+    }
+    out_.lone.push_back(std::move(file));
+  }
+
+  // A number alone, such as that of chair_1234_diff.png, makes no set of tiles.
+  void settle_tiles() {
+    std::unordered_map<std::string, std::size_t> tiles;
+    for (const FoundTarget& found : out_.targets)
+      if (!found.target.udim.empty()) ++tiles[found.target.udim];
+    for (FoundTarget& found : out_.targets)
+      if (!found.target.udim.empty() && tiles[found.target.udim] < 2) {
+        found.target.udim.clear();
+        found.target.tile.clear();
+      }
+  }
+
   ValidationRequest& request_;
+  const NameReader reader_;
   std::vector<Candidate> candidates_;
   std::vector<NamedPicture> pictures_;
   std::unordered_set<std::string> claimed_, failed_;  // by a scene or a layout
+  std::string last_typed_;
   FoundTargets out_;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/validate/finding.h"
+#include "core/validate/names/listing.h"
 #include "core/validate/target.h"
 #include "core/validate/validate.h"
 
@@ -21,21 +22,28 @@ struct FoundTarget {
 
 /// What was found, in the order of labels.
 ///   failed     one unreadable CheckedFile (ETK001) for everything that was named and cannot be checked
+///   lone       sets whose companion is missing (ETK002), which are not opened
+///   no_files   pipes, sockets and devices of folders, which were not opened
+///   unknown    labels of the pictures, in folders and lists, whose names tell no role
+///   listing    everything that was found, where the request asks for it
 ///   files      how many files were looked at
 ///   skipped    how many of those, in folders and lists, no rule is about
-///   no_files   pipes, sockets and devices of folders, which were not opened
+///   typed      folders as labels name them, and as the user did
 struct FoundTargets {
   std::vector<FoundTarget> targets;
-  std::vector<CheckedFile> failed;
-  std::vector<std::string> no_files;
+  std::vector<CheckedFile> failed, lone;
+  std::vector<std::string> no_files, unknown;
+  FileList listing;
   std::size_t files = 0, skipped = 0;
+  TypedFolders typed;
 };
 
 /// Finds the files that the request names, tells their kinds and puts together what belongs together:
-/// pictures of one folder whose names differ in the role's ending only ("crate_diff.png", "crate_spec.png").
-/// A picture named alone takes its companion along. Pictures that a scene or a layout of the run names belong
-/// to it alone. Of names of the list that lead to no file a thousand fail one by one; the others fail as a number,
-/// under the name of the list. The list itself is used up: it may hold a million names.
+/// pictures of one folder whose names differ in what tells the role only ("crate_diff.png",
+/// "crate_spec.png"). A picture named alone takes its companion along. Pictures that a scene or a layout of
+/// the run names belong to it alone. Of names of the list that lead to no file a thousand fail one by one;
+/// the others fail as a number, under the name of the list. The list itself is used up: it may hold a million
+/// names.
 FoundTargets find_targets(ValidationRequest& request);
 
 /// `path` relative to `root` (empty: the working folder) as text alone (links are not looked at), with '/'.

@@ -73,7 +73,20 @@ LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pic
 }
 
 bool MetalRoughSet::is_part(FileRole role) {
-  return role >= FileRole::base_color && role <= FileRole::roughness;
+  return role >= FileRole::base_color && role <= FileRole::gloss;
+}
+
+bool MetalRoughSet::is_set(const CheckTarget& target) {
+  return std::ranges::any_of(target.files, [](const TargetFile& file) { return is_part(file.role); });
+}
+
+// Letters of names.h: roughness, smoothness, metallic.
+void MetalRoughSet::add_channels(std::string_view letters, int image) {
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    if (letters[i] == 'm' && metallic_.image < 0) metallic_ = {image, i, false};
+    if ((letters[i] == 'r' || letters[i] == 's') && roughness_.image < 0)
+      roughness_ = {image, i, letters[i] == 's'};
+  }
 }
 
 MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
@@ -86,22 +99,32 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
     return out;
   };
   for (const TargetFile& file : target.files) {
-    if (!is_part(file.role)) continue;
     const auto image = static_cast<int>(images_.size());
     images_.push_back({file.path, "", file.label});
     if (file.role == FileRole::base_color) material_.base_color_texture = texture(image);
-    if (file.role == FileRole::metal_rough) material_.metallic_roughness_texture = texture(image);
-    if (file.role == FileRole::metallic) metallic_ = image;
-    if (file.role == FileRole::roughness) roughness_ = image;
+    if (file.role == FileRole::diffuse_alpha) material_.diffuse_texture = texture(image);
+    if (file.role == FileRole::specular_gloss) specular_ = image;
+    if (file.role == FileRole::metallic) add_channels("m", image);
+    if (file.role == FileRole::roughness) add_channels("r", image);
+    if (file.role == FileRole::gloss) add_channels("s", image);
+    if (file.role != FileRole::metal_rough) continue;
+    // As glTF packs them, the file needs no other.
+    const std::string_view letters = file.channels.empty() ? "-rm-" : std::string_view(file.channels);
+    if (letters.substr(1, 2) == "rm" && !material_.metallic_roughness_texture)
+      material_.metallic_roughness_texture = texture(image);
+    else
+      add_channels(letters, image);
   }
+  material_.specular_glossiness = specular_ >= 0;
   const bool whole = material_.metallic_roughness_texture.has_value();
-  if (!whole && (metallic_ >= 0 || roughness_ >= 0)) {
+  if (specular_ >= 0 || (!whole && (metallic_.image >= 0 || roughness_.image >= 0))) {
     joined_ = static_cast<int>(images_.size());
     images_.push_back({"", "", target.label});
-    material_.metallic_roughness_texture = texture(joined_);
+    (specular_ >= 0 ? material_.specular_glossiness_texture : material_.metallic_roughness_texture) =
+        texture(joined_);
   }
   // A base colour without anything on metal is taken for that of a dielectric.
-  if (!whole && metallic_ < 0) material_.metallic = 0;
+  if (!whole && metallic_.image < 0) material_.metallic = 0;
   pictures_ = ScenePictures(images_, door);
 }
 
@@ -109,25 +132,44 @@ LoadedPictures MetalRoughSet::convert() {
   return convert(pictures_);
 }
 
-LoadedPictures MetalRoughSet::convert(ScenePictures& pictures) const {
-  if (joined_ >= 0) {
-    const Image8* metallic = metallic_ < 0 ? nullptr : &pictures.codes(metallic_);
-    const Image8* roughness = roughness_ < 0 ? nullptr : &pictures.codes(roughness_);
-    const Image8& larger = metallic == nullptr || (roughness != nullptr && roughness->width > metallic->width)
-                               ? *roughness
-                               : *metallic;
-    Image8 joined(larger.width, larger.height, 3);
-    const auto fill = [&](const Image8* from, std::size_t channel) {
-      for (int y = 0; y < joined.height; ++y)
-        for (int x = 0; x < joined.width; ++x)
-          joined.at(x, y)[channel] = from == nullptr ? std::uint8_t{255}
-                                                     : from->at(under(x, joined.width, from->width),
-                                                                under(y, joined.height, from->height))[0];
-    };
-    fill(roughness, 1);
-    fill(metallic, 2);
-    pictures.set(joined_, std::move(joined));
+// Of a metal-rough set G roughness and B metallic; else F0 and gloss, 1 - roughness.
+Image8 MetalRoughSet::joined(ScenePictures& pictures) const {
+  int width = 0, height = 0;
+  for (const int image : {specular_, metallic_.image, roughness_.image})
+    if (image >= 0) {
+      width = std::max(width, pictures.codes(image).width);
+      height = std::max(height, pictures.codes(image).height);
+    }
+  Image8 out(width, height, specular_ >= 0 ? 4 : 3);
+  // Calls put(texel of `out`, texel of `image` with its four channels).
+  const auto each = [&](int image, auto put) {
+    const Image8& from = pictures.codes(image);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const auto texel = from.at(under(x, width, from.width), under(y, height, from.height));
+        put(out.at(x, y), four_channels(texel.data(), texel.size(), std::uint8_t{255}));
+      }
+  };
+  const auto fill = [&](const Channel& channel, std::size_t to, bool inverted) {
+    const bool turn = channel.inverted != inverted;
+    each(channel.image, [&](auto texel, const auto& values) {
+      const std::uint8_t value = values[channel.index];
+      texel[to] = turn ? static_cast<std::uint8_t>(255 - value) : value;
+    });
+  };
+  std::fill(out.values.begin(), out.values.end(), std::uint8_t{255});
+  if (specular_ >= 0) {
+    each(specular_, [](auto texel, const auto& values) { std::copy_n(values.begin(), 4, texel.begin()); });
+    if (roughness_.image >= 0) fill(roughness_, 3, true);
+    return out;
   }
+  if (roughness_.image >= 0) fill(roughness_, 1, false);
+  if (metallic_.image >= 0) fill(metallic_, 2, false);
+  return out;
+}
+
+LoadedPictures MetalRoughSet::convert(ScenePictures& pictures) const {
+  if (joined_ >= 0) pictures.set(joined_, joined(pictures));
   return convert_material(material_, pictures);
 }
 
@@ -210,6 +252,7 @@ PictureRows MetalRoughSet::rows() const {
   PictureRows rows;
   rows.a = std::make_unique<ConvertedRows>(strips, &LoadedPictures::a, header);
   rows.b = std::make_unique<ConvertedRows>(strips, &LoadedPictures::b, header);
+  if (is_specular()) return rows;
   header.channels = 1;
   rows.metallic = std::make_unique<ConvertedRows>(strips, &LoadedPictures::metallic, header);
   return rows;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/scene/gltf.h"
@@ -33,8 +35,10 @@ class ScenePictures {
 /// is empty for the specular-glossiness model.
 LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pictures);
 
-/// A base colour and a metal-rough file as a material; either may be missing. Metallic and roughness in files
-/// of their own become one picture of the larger's size (the texel under the centre is taken).
+/// The files of a material as one: base colour with metallic and roughness, which are single files or
+/// channels of packed ones, or diffuse and specular with gloss in a file of its own. What is missing of
+/// metallic, roughness and gloss is a constant. Pictures that are put together get the larger's size (the
+/// texel under the centre is taken).
 class MetalRoughSet {
  public:
   /// Opens nothing yet. `door` outlives this.
@@ -47,16 +51,30 @@ class MetalRoughSet {
   /// Of the n-th file of the set, in the target's order.
   const PictureHeader& header(int file) { return pictures_.header(file); }
 
+  /// Whether it is diffuse and specular instead of base colour and metallic.
+  bool is_specular() const { return material_.specular_glossiness; }
+
   static bool is_part(FileRole role);
+  /// Whether a target is such a set.
+  static bool is_set(const CheckTarget& target);
 
  private:
   friend class MetalRoughStrips;
+  /// A channel of an image; none: the constant.
+  struct Channel {
+    int image = -1;
+    std::size_t index = 0;
+    bool inverted = false;
+  };
+  void add_channels(std::string_view letters, int image);
+  Image8 joined(ScenePictures& pictures) const;
   LoadedPictures convert(ScenePictures& pictures) const;
 
   const PictureDoor* door_;
   std::vector<PictureFile> images_;
   GltfMaterial material_;
-  int metallic_ = -1, roughness_ = -1, joined_ = -1;  // images
+  Channel metallic_, roughness_;
+  int specular_ = -1, joined_ = -1;  // images
   ScenePictures pictures_;
 };
 

@@ -105,7 +105,8 @@ CacheKey ResultCache::key_of(const FoundTarget& found) const {
   out.stamps = stamps_of(found.depends);
   std::string text = settings_ + '\n' + found.target.label + '\n';
   for (const TargetFile& file : found.target.files)
-    text += file.label + '\n' + std::string(name(file.role)) + (file.guessed ? " guessed\n" : "\n");
+    text += file.label + '\n' + std::string(name(file.role)) + (file.guessed ? " guessed " : " ") +
+            file.channels + '\n';
   add_manifest(text, found.target.manifest);
   for (const std::string& path : found.depends) {
     const std::string fingerprint = sha256_of_file(path);

@@ -37,6 +37,8 @@ ReportCounts count_files(const ValidationReport& report);
 
 /// Where a finding lies: `crate_spec.png:tile "hinge" [812,64 96x40]`, `wood.json#/datasets/0/n`.
 std::string place_of(const Finding& finding);
+/// The same with other words for the file.
+std::string place_of(const Finding& finding, const std::string& file);
 
 /// Its message with the cause behind it, one line without a full stop at its end.
 std::string sentence_of(const Finding& finding);
@@ -48,9 +50,24 @@ std::string grouped(std::size_t value);
 /// could not be checked comes first: "INCOMPLETE: 1 of 44 files could not be checked; ...".
 std::string verdict_of(const ValidationReport& report);
 
-/// One line per finding in the report's order, the verdict last.
-///   color   severity words in ANSI colours
-std::string validation_text(const ValidationReport& report, bool color);
+/// How much of a report the text form tells.
+///   color        severity words in ANSI colours
+///   least        findings below are left out; of the verdict's numbers nothing is
+///   fold_infos   infos of one rule share a line
+///   findings     false: the verdict alone
+struct TextOptions {
+  bool color = false;
+  Severity least = Severity::info;
+  bool fold_infos = true;
+  bool findings = true;
+};
+
+/// One line per finding, errors first, those of one severity in the order of places; the verdict last. Files
+/// are named as the user named them.
+std::string validation_text(const ValidationReport& report, const TextOptions& options = {});
+
+/// A label as the user would type it: below what was typed, else as it is.
+std::string shown_path(const std::string& label, const TypedFolders& typed);
 
 /// One row per finding, suppressed ones too, with a header; RFC 4180: CRLF, quotes where needed.
 std::string validation_csv(const ValidationReport& report);

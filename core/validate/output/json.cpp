@@ -105,7 +105,9 @@ std::string validation_json(const ValidationReport& report, const OutputOptions&
                     {"suppressed", files.suppressed},
                     {"baseline", files.known},
                     {"passed", report.passed && !report.incomplete},
-                    {"incomplete", report.incomplete}};
+                    {"incomplete", report.incomplete},
+                    {"notRecognised", report.unknown.size()}};
+  out["notRecognised"] = report.unknown;
   out["files"] = Json::array();
   out["truncated"] = false;
   const std::string frame = text_of(out);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
 
 #include "core/base/files/input.h"
 #include "core/base/text.h"
@@ -27,7 +30,11 @@ std::string grouped(std::size_t value) {
 }
 
 std::string place_of(const Finding& finding) {
-  std::string out = finding.file;
+  return place_of(finding, finding.file);
+}
+
+std::string place_of(const Finding& finding, const std::string& file) {
+  std::string out = file;
   // A scene's pointer to a material means nothing in the texture that the finding is in. What came from a
   // pipe is the scene itself: its textures are files.
   const bool in_texture = finding.pointer.starts_with("/materials/") && !finding.file.ends_with(".gltf") &&
@@ -56,7 +63,9 @@ ReportCounts count_files(const ValidationReport& report) {
   for (const CheckedFile& file : report.files) {
     // The configuration may have findings of its own (ETK903) but was not what was to be checked.
     const bool is_config = !file.roles.empty() && file.roles.front().second == "config";
-    const std::size_t members = is_config ? 0 : 1 + file.companions.size();
+    // The path of a UDIM set stands for its tiles and is no file.
+    const std::size_t own = file.tiles.empty() ? 1 : 0;
+    const std::size_t members = is_config ? 0 : own + file.companions.size();
     out.files += members;
     if (file.unreadable) ++out.unreadable;
     bool clean = !file.unreadable;
@@ -83,7 +92,9 @@ std::string verdict_of(const ValidationReport& report) {
   add(report.warnings, "warning");
   add(report.infos, "info");
   std::string out = report.incomplete ? "INCOMPLETE: " : report.passed ? "PASSED: " : "FAILED: ";
-  if (report.incomplete)
+  if (report.nothing_checked)
+    out += "nothing was checked; ";
+  else if (report.incomplete)
     out += files.unreadable > 0 ? counted(files.unreadable, "file") + " could not be checked; "
                                 : "not everything could be checked; ";
   if (found.empty())
@@ -93,29 +104,90 @@ std::string verdict_of(const ValidationReport& report) {
         found + " in " + counted(files.files - files.clean, "file") + " (" + grouped(files.clean) + " clean)";
   if (files.suppressed > 0) out += ", " + grouped(files.suppressed) + " allowed";
   if (files.known > 0) out += ", " + grouped(files.known) + " known from the baseline";
+  if (!report.unknown.empty()) out += ", " + counted(report.unknown.size(), "picture") + " not recognised";
   return out + '.';
 }
 
-std::string validation_text(const ValidationReport& report, bool color) {
-  std::string out;
+std::string shown_path(const std::string& label, const TypedFolders& typed) {
+  for (std::size_t end = label.rfind('/');; end = label.rfind('/', end - 1)) {
+    const bool top = end == label.npos;
+    const auto found = typed.find(top ? "." : label.substr(0, end));
+    if (found != typed.end()) {
+      const std::string rest = label.substr(top ? 0 : end + 1);
+      if (found->second.empty() || (top && rest.starts_with("../"))) return top ? label : rest;
+      return found->second + (found->second.ends_with('/') ? "" : "/") + rest;
+    }
+    if (top || end == 0) return label;
+  }
+}
+
+namespace {
+
+void add_severity(std::string& out, Severity severity, bool color) {
+  out += ' ';
+  if (color) out += color_of(severity);
+  out += name(severity);
+  if (color) out += "\x1b[0m";
+}
+
+void add_sentences(std::string& out, const Finding& finding) {
+  out += line_text(sentence_of(finding));
+  out += '.';
+  if (!finding.fix.empty()) {
+    out += " Fix: ";
+    out += line_text(finding.fix);
+    if (!finding.fix.ends_with('.')) out += '.';
+  }
+  out += '\n';
+}
+
+// Where a finding stands among those of its severity.
+auto place_key(const Finding& f) {
+  return std::tuple(std::string_view(f.file), std::string_view(f.pointer), std::string_view(f.tile),
+                    f.box ? f.box->y : -1, f.box ? f.box->x : -1, std::string_view(f.rule));
+}
+
+}  // namespace
+
+std::string validation_text(const ValidationReport& report, const TextOptions& options) {
+  if (!options.findings) return verdict_of(report) + '\n';
+  std::vector<const Finding*> shown;
+  std::map<std::string_view, std::vector<const Finding*>> infos;  // by rule
   for (const CheckedFile& file : report.files)
     for (const Finding& finding : file.findings) {
-      if (!counts(finding)) continue;
-      out += line_text(place_of(finding));
-      out += ' ';
-      if (color) out += color_of(finding.severity);
-      out += name(finding.severity);
-      if (color) out += "\x1b[0m";
-      out += ' ' + finding.rule + ' ' + finding.slug + ": ";
-      out += line_text(sentence_of(finding));
-      out += '.';
-      if (!finding.fix.empty()) {
-        out += " Fix: ";
-        out += line_text(finding.fix);
-        if (!finding.fix.ends_with('.')) out += '.';
-      }
-      out += '\n';
+      if (!counts(finding) || finding.severity < options.least) continue;
+      if (options.fold_infos && finding.severity == Severity::info)
+        infos[finding.rule].push_back(&finding);
+      else
+        shown.push_back(&finding);
     }
+  for (auto& [rule, findings] : infos)
+    if (findings.size() == 1) shown.push_back(std::exchange(findings, {}).front());
+  std::stable_sort(shown.begin(), shown.end(), [](const Finding* a, const Finding* b) {
+    return a->severity != b->severity ? a->severity > b->severity : place_key(*a) < place_key(*b);
+  });
+  std::string out;
+  const auto add_place = [&](const Finding& finding) {
+    out += line_text(place_of(finding, shown_path(finding.file, report.typed)));
+  };
+  for (const Finding* finding : shown) {
+    add_place(*finding);
+    add_severity(out, finding->severity, options.color);
+    out += ' ' + finding->rule + ' ' + finding->slug + ": ";
+    add_sentences(out, *finding);
+  }
+  for (const auto& [rule, findings] : infos) {
+    if (findings.empty()) continue;
+    std::set<std::string_view> files;
+    for (const Finding* finding : findings) files.insert(finding->file);
+    const Finding& first = *findings.front();
+    add_place(first);
+    out += " and " + grouped(findings.size() - 1) + " more";
+    if (files.size() > 1) out += " in " + counted(files.size(), "file");
+    add_severity(out, Severity::info, options.color);
+    out += ' ' + first.rule + ' ' + first.slug + ": ";
+    add_sentences(out, first);
+  }
   return out + verdict_of(report) + '\n';
 }
 

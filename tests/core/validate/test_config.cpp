@@ -83,6 +83,21 @@ expires = 2027-03-04
   CHECK(parse_config("", "etak.toml") == ValidateConfig{});
 }
 
+TEST_CASE("endings of a project's own are read with their role or their channels") {
+  const ValidateConfig config = parse_config(R"toml(
+[names]
+_Alb = "base_color"
+"base color" = "base-color"
+_pbr = { channels = ["roughness", "none", "metallic"] }
+_prev = "ignore"
+)toml",
+                                             "etak.toml");
+  CHECK(config.names == std::vector<OwnName>{{"alb", FileRole::base_color, ""},
+                                             {"pbr", FileRole::metal_rough, "r-m-"},
+                                             {"prev", FileRole::ignored, ""},
+                                             {"base_color", FileRole::base_color, ""}});
+}
+
 TEST_CASE("what is wrong in a configuration is refused with file and line") {
   struct Row {
     const char* text;
@@ -103,6 +118,16 @@ TEST_CASE("what is wrong in a configuration is refused with file and line") {
       {"[rules]\nETK001 = \"off\"", "it tells what was not checked"},
       {"[roles]\nnormal = \"*_n.*\"", "unknown role \"normal\""},
       {"[roles]\ndiffuse = [1]", "a pattern"},
+      {"[names]\n_x = \"colour\"", "etak.toml:2: [names] _x: "},
+      {"[names]\n_x = 3", "{ channels = ["},
+      {"[names]\n_x = { role = \"normal\" }", "{ channels = ["},
+      {"[names]\n_x = { channels = [\"gold\"] }", "one to four of roughness"},
+      {"[names]\n_x = { channels = [] }", "one to four of roughness"},
+      {"[names]\n_x = { channels = [\"occlusion\"] }", "no roughness, smoothness or metallic"},
+      {"[names]\n_x = { channels = [\"metallic\", \"metallic\"] }", "a channel twice"},
+      {"[names]\n_x = \"normal\"\n-X = \"height\"", "etak.toml:"},
+      {"[names]\n\"\" = \"normal\"", "no ending"},
+      {"names = \"_x\"", "a table"},
       {"[zone]\nlow = 0.5\nhigh = 0.4", "low 0.5 is not below high 0.4"},
       {"[zone]\nerode = 4", "1, 3 or 5"},
       {"[zone]\nmin_area_px = 1.5", "a whole number"},

@@ -88,7 +88,7 @@ void check_xml(const std::string& text) {
 }  // namespace
 
 TEST_CASE("text names place, severity, rule, message, cause and fix, and ends with a clear verdict") {
-  const std::string text = validation_text(nasty_report(), false);
+  const std::string text = validation_text(nasty_report());
   CHECK(contains(
       text,
       "props/crate_spec.png:tile \"hinge, \"left\"\" [812,64 96x40] error ETK101 f0-forbidden-zone: F0 0.22 "
@@ -100,16 +100,72 @@ TEST_CASE("text names place, severity, rule, message, cause and fix, and ends wi
   CHECK(text.ends_with(
       "INCOMPLETE: 1 file could not be checked; 2 errors, 1 warning, 1 info in 5 files (3 clean), 1 "
       "allowed, 1 known from the baseline.\n"));
-  CHECK(contains(validation_text(nasty_report(), true), "\x1b[1;31merror\x1b[0m"));
+  CHECK(contains(validation_text(nasty_report(), {true}), "\x1b[1;31merror\x1b[0m"));
+}
+
+TEST_CASE("the text tells errors first, then places; infos of one rule share a line") {
+  std::vector<CheckedFile> files;
+  for (const char* path : {"a.png", "b.png"})
+    files.push_back(checked_file(path, {finding("ETK010", path, Severity::info),
+                                        finding("ETK101", path, Severity::error, PixelBox{9, 20, 4, 4}),
+                                        finding("ETK101", path, Severity::error, PixelBox{30, 2, 4, 4}),
+                                        finding("ETK103", path, Severity::warning)}));
+  const ValidationReport report = report_of(files, {});
+  const auto lines = [](const std::string& text) {
+    std::string out;
+    for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1)
+      out += text.substr(at, text.find(": ", at) - at) + "; ";
+    return out;
+  };
+  const std::string errors =
+      "a.png [30,2 4x4] error ETK101 f0-forbidden-zone; a.png [9,20 4x4] error ETK101 f0-forbidden-zone; "
+      "b.png [30,2 4x4] error ETK101 f0-forbidden-zone; b.png [9,20 4x4] error ETK101 f0-forbidden-zone; ";
+  const std::string warnings = "a.png warning ETK103 f0-too-low; b.png warning ETK103 f0-too-low; ";
+  CHECK(lines(validation_text(report)) ==
+        errors + warnings + "a.png and 1 more in 2 files info ETK010 role-guessed; FAILED; ");
+  CHECK(lines(validation_text(report, {.fold_infos = false})) ==
+        errors + warnings + "a.png info ETK010 role-guessed; b.png info ETK010 role-guessed; FAILED; ");
+  CHECK(lines(validation_text(report, {.least = Severity::warning})) == errors + warnings + "FAILED; ");
+  CHECK(lines(validation_text(report, {.least = Severity::error})) == errors + "FAILED; ");
+  CHECK(validation_text(report, {.findings = false}) == verdict_of(report) + "\n");
+}
+
+TEST_CASE("files are named as the user typed them") {
+  TypedFolders typed{
+      {"../../work/set", "/home/me/set"}, {"props", "game/props"}, {"here", ""}, {"tree", "t/"}};
+  for (const auto& [label, shown] : {std::pair("../../work/set/a.png", "/home/me/set/a.png"),
+                                     {"../../work/set/deep/a.png", "/home/me/set/deep/a.png"},
+                                     {"props/a.png", "game/props/a.png"},
+                                     {"here/a.png", "a.png"},
+                                     {"tree/a.png", "t/a.png"},
+                                     {"etak.toml", "etak.toml"},
+                                     {"", ""},
+                                     {"../elsewhere/a.png", "../elsewhere/a.png"}})
+    CHECK(shown_path(label, typed) == shown);
+  typed["."] = "game";
+  CHECK(shown_path("etak.toml", typed) == "game/etak.toml");
+  CHECK(shown_path("other/a.png", typed) == "game/other/a.png");
+  CHECK(shown_path("../a.png", typed) == "../a.png");
+}
+
+TEST_CASE("what was not recognised is told in the verdict and in JSON") {
+  ValidationReport report = report_of({checked_file("a.png")}, {});
+  report.unknown = {"band.png", "odd\n.png"};
+  CHECK(verdict_of(report) == "PASSED: 1 file, 0 findings, 2 pictures not recognised.");
+  const Json json = Json::parse(validation_json(report, options));
+  CHECK(JsonSchema(Json::parse(slurp(source_folder() + "/resources/schema/validation.schema.json")))
+            .problem(json) == "");
+  CHECK(json["summary"]["notRecognised"] == 2);
+  CHECK(json["notRecognised"][0] == "band.png");
 }
 
 TEST_CASE("a message is one line of text whatever a file is called") {
-  const std::string text = validation_text(nasty_report(), false);
+  const std::string text = validation_text(nasty_report());
   CHECK(count_of(text, "\n") == 5);
 }
 
 TEST_CASE("the verdict of a clean run is yes") {
-  CHECK(validation_text(report_of({checked_file("a.png"), checked_file("b.png")}, {}), false) ==
+  CHECK(validation_text(report_of({checked_file("a.png"), checked_file("b.png")}, {})) ==
         "PASSED: 2 files, 0 findings.\n");
   Settings strict;
   strict.fail_on = Severity::warning;
@@ -139,7 +195,7 @@ TEST_CASE("JSON is valid against its schema and says what is suppressed and why"
 
 TEST_CASE("equal reports give equal bytes in every form") {
   for (int run = 0; run < 2; ++run) {
-    CHECK(validation_text(nasty_report(), false) == validation_text(nasty_report(), false));
+    CHECK(validation_text(nasty_report()) == validation_text(nasty_report()));
     CHECK(validation_json(nasty_report(), options) == validation_json(nasty_report(), options));
     CHECK(validation_sarif(nasty_report(), options) == validation_sarif(nasty_report(), options));
     CHECK(validation_csv(nasty_report()) == validation_csv(nasty_report()));

@@ -128,6 +128,99 @@ TEST_CASE("metallic and roughness in files of their own are judged as one metal-
   CHECK(said(mixed) == said(one));
 }
 
+TEST_CASE("packed pictures are read by their channels, and smoothness is turned round") {
+  const TempFolder folder;
+  const int side = 96;
+  Image8 color = flat(side, side, {150, 150, 150, 255}), gltf = flat(side, side, {255, 100, 0});
+  Random random(5);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      gltf.at(x, y)[1] = static_cast<std::uint8_t>(80 + random.below(40));
+      if (x >= 20 && x < 60 && y >= 20 && y < 60) gltf.at(x, y)[2] = 255;
+    }
+  save(folder.file("color.png"), color);
+  save(folder.file("gltf.png"), gltf);
+  const auto judged = [&](const std::vector<TargetFile>& parts) {
+    CheckTarget target;
+    target.files = {{FileRole::base_color, folder.file("color.png"), "color.png", false}};
+    target.files.insert(target.files.end(), parts.begin(), parts.end());
+    return checked(target, {});
+  };
+  const CheckedFile plain =
+      judged({{FileRole::metal_rough, folder.file("gltf.png"), "packed.png", false, "orm-"}});
+  CHECK(has(plain, "ETK101"));
+  for (const std::string letters : {"-rm-", "rmo-", "mro-", "rom-", "mo-s", "m--s", "s--m"}) {
+    Image8 packed(side, side, 4);
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x)
+        for (std::size_t c = 0; c < 4; ++c) {
+          const auto from = gltf.at(x, y);
+          packed.at(x, y)[c] = letters[c] == 'm'   ? from[2]
+                               : letters[c] == 'r' ? from[1]
+                               : letters[c] == 's' ? static_cast<std::uint8_t>(255 - from[1])
+                                                   : std::uint8_t{37};
+        }
+    save(folder.file("packed.png"), packed);
+    const CheckedFile file =
+        judged({{FileRole::metal_rough, folder.file("packed.png"), "packed.png", false, letters}});
+    INFO(letters << "\n" << said(file));
+    CHECK(said(file) == said(plain));
+    CHECK(file.counts == plain.counts);
+  }
+  // A gloss file beside a packed one that has metallic alone.
+  Image8 gloss(side, side, 1), metallic(side, side, 1);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      gloss.at(x, y)[0] = static_cast<std::uint8_t>(255 - gltf.at(x, y)[1]);
+      metallic.at(x, y)[0] = gltf.at(x, y)[2];
+    }
+  save(folder.file("gloss.png"), gloss);
+  save(folder.file("metallic.png"), metallic);
+  CHECK(judged({{FileRole::metallic, folder.file("metallic.png"), "metallic.png", false},
+                {FileRole::gloss, folder.file("gloss.png"), "gloss.png", false}})
+            .counts == plain.counts);
+}
+
+TEST_CASE("gloss or roughness in a file of its own is judged as the fourth channel of specular is") {
+  const TempFolder folder;
+  const int side = 96;
+  Image8 diffuse = flat(side, side, {120, 110, 100, 255}), both = flat(side, side, {56, 56, 56, 0}),
+         specular = flat(side, side, {56, 56, 56}), gloss(side, side, 1), roughness(side, side, 1);
+  Random random(9);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      if (x >= 20 && x < 60 && y >= 20 && y < 60)
+        for (std::size_t c = 0; c < 3; ++c) both.at(x, y)[c] = specular.at(x, y)[c] = 150;
+      const auto code = static_cast<std::uint8_t>(80 + random.below(90));
+      both.at(x, y)[3] = gloss.at(x, y)[0] = code;
+      roughness.at(x, y)[0] = static_cast<std::uint8_t>(255 - code);
+    }
+  for (const auto& [name, image] : {std::pair("diffuse.png", &diffuse),
+                                    {"both.png", &both},
+                                    {"specular.png", &specular},
+                                    {"gloss.png", &gloss},
+                                    {"roughness.png", &roughness}})
+    save(folder.file(name), *image);
+  const auto judged = [&](const char* second, std::vector<TargetFile> third) {
+    CheckTarget target;
+    target.files = {{FileRole::diffuse_alpha, folder.file("diffuse.png"), "diffuse.png", false},
+                    {FileRole::specular_gloss, folder.file(second), "specular.png", false}};
+    target.files.insert(target.files.end(), third.begin(), third.end());
+    return checked(target, {});
+  };
+  const CheckedFile pair = judged("both.png", {});
+  CHECK(has(pair, "ETK101"));
+  for (const auto& [role, name] :
+       {std::pair(FileRole::gloss, "gloss.png"), std::pair(FileRole::roughness, "roughness.png")}) {
+    const CheckedFile split = judged("specular.png", {{role, folder.file(name), name, false}});
+    INFO(name << "\n" << said(split) << "---\n" << said(pair));
+    CHECK(said(split) == said(pair));
+    CHECK(split.counts == pair.counts);
+    CHECK_FALSE(has(split, "ETK004"));
+    CHECK_FALSE(has(split, "ETK002"));
+  }
+}
+
 TEST_CASE("a metal-rough set read in strips says what the whole says, for any number of threads") {
   const TempFolder folder;
   const int width = 2048, height = 150;  // three strips, the last one shorter
