@@ -4,6 +4,7 @@
 #include <QColorDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QIcon>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
@@ -208,7 +209,11 @@ void ColorField::show_all() {
     codes_[c]->show_value(numbers[c]);
   }
   hex_->setText(QString::fromStdString(hex(codes)));
-  swatch_->setIcon(swatch_of(codes, swatch_->iconSize(), devicePixelRatioF()));
+  // A field that is only read shows the colour, too: the style would grey it.
+  const QPixmap swatch = swatch_of(codes, swatch_->iconSize(), devicePixelRatioF());
+  QIcon icon(swatch);
+  icon.addPixmap(swatch, QIcon::Disabled);
+  swatch_->setIcon(icon);
   const std::string outside = gamut_text(color_);
   outside_->setVisible(!outside.empty());
   if (!outside.empty()) {
