@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 
+#include "core/base/files/steady_file.h"
 #include "core/color/srgb.h"
 #include "core/image/files/icc.h"
 #include "core/image/files/png.h"
