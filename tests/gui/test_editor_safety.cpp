@@ -1,4 +1,5 @@
-// SPDX-License-Identifier: Apache-2.0 Nothing is lost: copies of unsaved work, files that change hands while
+// SPDX-License-Identifier: Apache-2.0
+// Nothing is lost: copies of unsaved work, files that change hands while
 // they are written or read, exports that cannot hold everything, drops.
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -16,7 +16,7 @@
 //   request.door = etak::picture_door();        // of etak::image_io; without it PNG alone is read
 //   request.threads = 2;
 //   const etak::ValidationReport report = etak::validate(request);
-//   std::fputs(etak::validation_text(report, false).c_str(), stdout);
+//   std::fputs(etak::validation_text(report).c_str(), stdout);
 //   for (const etak::CheckedFile& file : report.files)
 //     for (const etak::Finding& finding : file.findings)
 //       if (finding.severity == etak::Severity::error)
