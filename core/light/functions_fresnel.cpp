@@ -23,7 +23,7 @@ constexpr FunctionInput pair[] = {{"n1", "index on the light's side", "", 0, 1e4
                                   {"n2", "index beyond", "", 0, 1e4, true},
                                   {"theta_deg", "angle of incidence", "deg", 0, 90}};
 constexpr FunctionInput f0_cos[] = {f0, cosine};
-constexpr FunctionInput K_t[] = {K, {"t", "cosine; taken as 0 below 0", "", -1, 1}};
+constexpr FunctionInput schueler_inputs[] = {K, {"t", "cosine; taken as 0 below 0", "", -1, 1}};
 constexpr FunctionInput f82_inputs[] = {f0, {"f82", "reflectance at cosine 1/7", "", -10, 10}, cosine};
 constexpr FunctionInput tint_inputs[] = {
     f0, {"tint", "share of Schlick's value at cosine 1/7", "", 0, 1}, cosine};
@@ -110,7 +110,7 @@ constexpr Function rows[] = {
      pair, false, [](In x) { return formulas::fresnel_dielectric(x[0], x[1], cos_deg(x[2])); }},
     {"schlick", "reflectance", "Schlick 1994, eq. 15", f0_cos, false,
      [](In x) { return formulas::f_schlick(x[0], x[1]); }},
-    {"schueler_F", "lerp(K, min(60 K, 1), (1 - t)^4)", "Schueler 2009", K_t, false,
+    {"schueler_F", "lerp(K, min(60 K, 1), (1 - t)^4)", "Schueler 2009", schueler_inputs, false,
      [](In x) { return formulas::f_schueler(x[0], x[1]); }},
     {"f82_hoffman", "reflectance", "Hoffman 2019", f82_inputs, false,
      [](In x) { return formulas::f_f82(x[0], x[1], x[2]); }},

@@ -245,13 +245,13 @@ void see_through_texture(Chunk& c) {
 }
 
 ETAK_RENDER_CLONES void sphere_points(Chunk& c, double first_x, double step, double y) {
-  const real y_ = real(y), reach2 = real(1 - y * y), reach = std::sqrt(reach2 > 0 ? reach2 : real(0));
+  const real normal_y = real(y), reach2 = real(1 - y * y), reach = std::sqrt(reach2 > 0 ? reach2 : real(0));
   const std::size_t count = c.whole_blocks;
   for (std::size_t i = 0; i < count; ++i) {
     const real x = real(first_x + step * double(int(i)));
     const real depth2 = (reach - x) * (reach + x);
     c.normal[0][i] = x;
-    c.normal[1][i] = y_;
+    c.normal[1][i] = normal_y;
     c.normal[2][i] = std::sqrt(depth2 > 0 ? depth2 : real(0));
   }
 }
