@@ -178,8 +178,7 @@ bool Composer::mips_in_place(std::size_t region, const PlannedPlace& at, int lev
                              PagePixels& pixels) const {
   const PackInput& m = materials_[regions_[region].material];
   const PixelBox& source = regions_[region].box;
-  if (at.rotated || regions_[region].shrink > 0 || m.normal.is_image() ||
-      options_.gloss != GlossForm::schueler)
+  if (at.rotated || regions_[region].shrink > 0 || m.has_normals() || options_.gloss != GlossForm::schueler)
     return false;
   if (levels > full_mip_levels(source.width, source.height)) return false;
   std::array<std::vector<PixelsView8>, 2> to;

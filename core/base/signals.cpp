@@ -29,7 +29,8 @@ struct Entry {
 
 constexpr std::size_t most_entries = 64;
 std::array<Entry, most_entries> entries;
-std::atomic<int> held{0};
+std::atomic<int> held{0};  // threads that hold signals
+thread_local int held_here = 0;
 std::atomic<int> ending{0};  // the signal that ends the program
 
 // Removes the files of a folder; false where nothing could be removed.
@@ -105,6 +106,8 @@ void end_by_signals() {
 }
 
 SignalsHeld::SignalsHeld() {
+  // A thread that holds signals already must go on to where it lets them go.
+  if (held_here++ > 0) return;
   ++held;
   if (ending == 0) return;
   // A signal has come: no new work begins, and the last thread that held it back ends the program.
@@ -113,6 +116,7 @@ SignalsHeld::SignalsHeld() {
 }
 
 SignalsHeld::~SignalsHeld() {
+  if (--held_here > 0) return;
   if (--held == 0 && ending != 0) clean_and_end();
 }
 

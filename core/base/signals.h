@@ -11,7 +11,8 @@ namespace etak {
 /// so (nohup). XFSZ is ignored: growth of a file beyond the limit is then an error of the call that writes.
 void end_by_signals();
 
-/// While an object of this class lives, in any thread, INT, TERM and HUP wait.
+/// While an object of this class lives, in any thread, INT, TERM and HUP wait. A thread may hold them more than
+/// once; it must not wait for another thread meanwhile.
 class SignalsHeld {
  public:
   SignalsHeld();

@@ -46,6 +46,16 @@ bool died_of(int status, int number) {
 
 }  // namespace
 
+TEST_CASE("a thread that holds signals twice ends when it lets the first of them go") {
+  const int status = status_of_child([] {
+    ::alarm(10);  // instead of waiting for ever
+    const SignalsHeld outer;
+    ::raise(SIGTERM);
+    const SignalsHeld inner;
+  });
+  CHECK(died_of(status, SIGTERM));
+}
+
 TEST_CASE("found 4.09: a signal that ends the program takes what is half-made with it") {
   const test::TempFolder folder;
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
