@@ -203,6 +203,21 @@ std::uint32_t GltfElements::integer(std::size_t element) const {
   return load_integer(first + element * stride, type);
 }
 
+std::optional<AccessorBytes> bytes_of_accessor(const GltfDocument& document, int index) {
+  const JsonNode node = document.element("accessors", index);
+  if (!node.has("bufferView") || node.has("sparse") || node.at("type").text().starts_with("MAT"))
+    return std::nullopt;
+  AccessorBytes out;
+  out.view = document.index(node.at("bufferView"), "bufferViews");
+  out.stride = size_at(document.element("bufferViews", out.view), "byteStride", 0);
+  const std::size_t size =
+      components_of(node.at("type")) * component_size(component_type(node.at("componentType")));
+  const std::size_t count = size_at(node.at("count"), "", 0);
+  out.begin = out.end = size_at(node, "byteOffset", 0);
+  if (count > 0) out.end += (count - 1) * (out.stride > 0 ? out.stride : size) + size;
+  return out;
+}
+
 GltfElements open_accessor(const GltfDocument& document, int index) {
   const JsonNode node = document.element("accessors", index);
   GltfElements out;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,15 @@ struct GltfElements {
   double number(std::size_t element, std::size_t component) const;
   std::uint32_t integer(std::size_t element) const;
 };
+/// The bytes that an accessor reads, counted from the beginning of its view.
+struct AccessorBytes {
+  int view = -1;
+  std::size_t begin = 0, end = 0;
+  std::size_t stride = 0;  // of the view; 0: its elements are packed
+};
+/// None for an accessor without a view, with sparse elements, or of matrices.
+std::optional<AccessorBytes> bytes_of_accessor(const GltfDocument& document, int index);
+
 /// Opens accessor `index` of the document: SCALAR and VEC2..4.
 GltfElements open_accessor(const GltfDocument& document, int index);
 

@@ -165,6 +165,73 @@ std::set<std::size_t> named_views(const Json& root) {
   return out;
 }
 
+/// A part of a view that accessors read, and these accessors.
+struct ReadPart {
+  std::size_t begin = 0, end = 0;
+  std::vector<int> accessors;
+};
+
+/// Parts that lie nearer to each other than this stay together: a view of its own takes more in the document.
+constexpr std::size_t least_gap = 64;
+
+std::vector<ReadPart> parts_of(std::vector<ReadPart> reads, std::size_t stride) {
+  std::sort(reads.begin(), reads.end(),
+            [](const ReadPart& a, const ReadPart& b) { return a.begin < b.begin; });
+  std::vector<ReadPart> out;
+  for (const ReadPart& read : reads) {
+    // Elements that are interleaved cannot be taken apart.
+    if (!out.empty() && (stride > 0 || read.begin <= out.back().end + least_gap)) {
+      out.back().end = std::max(out.back().end, read.end);
+      out.back().accessors.insert(out.back().accessors.end(), read.accessors.begin(), read.accessors.end());
+    } else {
+      out.push_back(read);
+    }
+  }
+  // Elements begin at multiples of the stride, and at what they are aligned to.
+  const std::size_t unit = stride > 0 ? stride : 4;
+  for (ReadPart& part : out) part.begin -= part.begin % unit;
+  return out;
+}
+
+/// Cuts views down to what accessors read of them, each part a view of its own. Views that something else names,
+/// or of which not all readers are understood, stay whole.
+void cut_views(GltfRewrite& rewrite) {
+  Json& root = rewrite.root;
+  const std::size_t views = rewrite.document().count("bufferViews");
+  std::vector<std::size_t> named(views, 0), strides(views, 0);
+  std::vector<std::vector<ReadPart>> reads(views);
+  each_key(root, [&](const std::string& key, const Json& value) {
+    if (key == "bufferView" && value.is_number_integer() && value >= 0 && value < views)
+      ++named[value.get<std::size_t>()];
+  });
+  for (int i = 0; i < static_cast<int>(rewrite.document().count("accessors")); ++i)
+    if (const auto read = bytes_of_accessor(rewrite.document(), i)) {
+      reads[static_cast<std::size_t>(read->view)].push_back({read->begin, read->end, {i}});
+      strides[static_cast<std::size_t>(read->view)] = read->stride;
+    }
+  for (std::size_t v = 0; v < views; ++v) {
+    if (reads[v].empty() || named[v] != reads[v].size()) continue;
+    const Json view = root["bufferViews"][v];
+    const std::size_t begin = view.value("byteOffset", std::size_t{0});
+    const std::vector<ReadPart> parts = parts_of(std::move(reads[v]), strides[v]);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      Json part = view;
+      part["byteOffset"] = begin + parts[p].begin;
+      part["byteLength"] = parts[p].end - parts[p].begin;
+      std::size_t index = v;
+      if (p == 0)
+        root["bufferViews"][v] = std::move(part);
+      else
+        index = static_cast<std::size_t>(rewrite.append("bufferViews", std::move(part)));
+      for (const int accessor : parts[p].accessors) {
+        Json& json = root["accessors"][static_cast<std::size_t>(accessor)];
+        json["bufferView"] = index;
+        json["byteOffset"] = json.value("byteOffset", std::size_t{0}) - parts[p].begin;
+      }
+    }
+  }
+}
+
 /// Bytes [begin, end) of a buffer that stay, and where they begin in the new one.
 struct Kept {
   std::size_t begin, end, to;
@@ -194,6 +261,7 @@ std::vector<Kept> append_kept(std::string_view bytes, std::vector<Kept> ranges, 
 void drop_unused(GltfRewrite& rewrite, const Json& before) {
   drop_materials(rewrite);
   drop_accessors(rewrite, before);
+  cut_views(rewrite);
   drop_textures(rewrite);
   drop_of_textures(rewrite, "images", "source");
   drop_of_textures(rewrite, "samplers", "sampler");

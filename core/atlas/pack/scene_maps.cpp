@@ -154,6 +154,9 @@ SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, 
 SceneMaps worthwhile(const SceneMaps& maps, const std::vector<GltfForm>& forms, const PackDecision& decision,
                      const std::function<PictureHeader(int image)>& header) {
   SceneMaps out = maps;
+  // Beside another form the factors of a material are those of its constants.
+  if (forms.size() > 1)
+    for (auto& [owner, of] : out) of.exact = false;
   for (int p = 0; p < static_cast<int>(decision.plan.pages.size()); ++p) {
     const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(p)];
     std::set<std::size_t> owners;

@@ -38,8 +38,9 @@ using SceneMaps = std::map<std::size_t, MaterialMaps>;
 SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, const PackInputs& inputs,
                      const PackDecision& decision, const std::function<PictureHeader(int image)>& header);
 
-/// Those of `maps` that are worth their place in a scene of these forms: on a page where they would take more
-/// bytes on a GPU than the textures that they replace, these stay files of their own.
+/// Those of `maps` that are worth their place in a scene of these forms: where they would take more bytes on a
+/// GPU than the textures that they replace, these stay files of their own. `exact` is kept for metal_rough
+/// alone, beside which no other form stands.
 SceneMaps worthwhile(const SceneMaps& maps, const std::vector<GltfForm>& forms, const PackDecision& decision,
                      const std::function<PictureHeader(int image)>& header);
 
