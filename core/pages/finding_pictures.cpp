@@ -57,12 +57,17 @@ Image8 marks_of(const Finding& finding, const CheckTarget& target, const LoadedP
                       finding.box->height);
   else if (!fits)
     marks = Image8(picture.width, picture.height, 1);
-  const auto tile = std::find_if(target.manifest.tiles.begin(), target.manifest.tiles.end(),
-                                 [&](const CheckTile& t) { return t.name == finding.tile; });
-  if (finding.tile.empty() || tile == target.manifest.tiles.end()) return marks;
-  const Image8 inside =
-      box_marks(picture.width, picture.height, tile->box.x, tile->box.y, tile->box.width, tile->box.height);
-  for (std::size_t i = 0; i < marks.values.size(); ++i)
+  if (finding.tile.empty()) return marks;
+  Image8 inside(picture.width, picture.height, 1);
+  bool found = false;
+  for (const CheckTile& tile : target.manifest.tiles) {
+    if (tile.name != finding.tile && tile.island_of != finding.tile) continue;
+    found = true;
+    const Image8 own =
+        box_marks(picture.width, picture.height, tile.box.x, tile.box.y, tile.box.width, tile.box.height);
+    for (std::size_t i = 0; i < own.values.size(); ++i) inside.values[i] |= own.values[i];
+  }
+  for (std::size_t i = 0; found && i < marks.values.size(); ++i)
     if (inside.values[i] == 0) marks.values[i] = 0;
   return marks;
 }

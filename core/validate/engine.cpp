@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
 #include <tuple>
 
 #include "core/validate/pixels/pixel_pass.h"
@@ -220,6 +222,41 @@ void look_at_pixels(const CheckTarget& target, const std::function<PictureRows(N
   evidence.tiles = std::move(found.tiles);
 }
 
+namespace {
+
+// Of the findings of one rule in the islands of one material the worst stays, with a list of all.
+void join_islands(const Manifest& manifest, std::vector<Finding>& findings) {
+  std::map<std::string_view, std::string_view> material_of;  // by tile
+  for (const CheckTile& tile : manifest.tiles)
+    if (!tile.island_of.empty()) material_of.emplace(tile.name, tile.island_of);
+  if (material_of.empty()) return;
+  std::map<std::tuple<std::string, std::string, std::string_view>, std::size_t> joined;
+  std::vector<Finding> out;
+  for (Finding& finding : findings) {
+    const auto material = material_of.find(finding.tile);
+    if (material == material_of.end()) {
+      out.push_back(std::move(finding));
+      continue;
+    }
+    FindingIsland island{finding.tile, finding.box, finding.area_px};
+    finding.tile = material->second;
+    const auto [at, fresh] =
+        joined.try_emplace(std::tuple(finding.rule, finding.file, material->second), out.size());
+    if (fresh) out.push_back(finding);
+    Finding& worst = out[at->second];
+    std::vector<FindingIsland> islands = std::move(worst.islands);
+    islands.push_back(std::move(island));
+    if (std::tie(finding.severity, finding.area_px) > std::tie(worst.severity, worst.area_px))
+      worst = std::move(finding);
+    worst.islands = std::move(islands);
+  }
+  for (Finding& finding : out)
+    if (finding.islands.size() == 1) finding.islands.clear();
+  findings = std::move(out);
+}
+
+}  // namespace
+
 void judge(const CheckTarget& target, const Evidence& evidence, const Settings& settings, CheckedFile& file) {
   const CodeTables& tables = code_tables(settings.transfer);
   std::vector<Finding> findings;
@@ -236,6 +273,7 @@ void judge(const CheckTarget& target, const Evidence& evidence, const Settings& 
       file.unreadable = true;
     }
   }
+  join_islands(target.manifest, findings);
   const auto key = [](const Finding& f) {
     return std::tuple(f.rule, f.tile, f.box ? f.box->y : -1, f.box ? f.box->x : -1, f.file, f.pointer);
   };

@@ -26,15 +26,26 @@ struct NearestMaterial {
   friend bool operator==(const NearestMaterial&, const NearestMaterial&) = default;
 };
 
-/// What a rule has to say of one place. Never more than one per rule, file and tile.
+/// One of the islands of an atlas that a finding is about.
+struct FindingIsland {
+  std::string tile;  // the island's own
+  std::optional<PixelBox> box;
+  std::size_t area_px = 0;
+  friend bool operator==(const FindingIsland&, const FindingIsland&) = default;
+};
+
+/// What a rule has to say of one place. Never more than one per rule, file and tile. Where the texels of a
+/// material lie in several islands, they are one tile of the material's name: values, box and area are those of the
+/// worst island, `islands` has all that the rule found something in.
 struct Finding {
   std::string rule;  // "ETK101"
   std::string slug;  // "f0-forbidden-zone"
   Severity severity = Severity::warning;
-  std::string file;      // relative to the run's root
-  std::string tile;      // of an atlas; else empty
-  std::string material;  // when named
-  std::string pointer;   // JSON pointer, for materials and scenes
+  std::string file;                    // relative to the run's root
+  std::string tile;                    // of an atlas; else empty
+  std::vector<FindingIsland> islands;  // two or more; else empty
+  std::string material;                // when named
+  std::string pointer;                 // JSON pointer, for materials and scenes
   std::optional<PixelBox> box;
   std::size_t area_px = 0;
   double area_share = 0;                        // of the tile

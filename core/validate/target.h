@@ -72,6 +72,7 @@ struct CheckTile {
   // Of the diffuse and the specular texture: the codes of one that the pages do without, because they are
   // the same all over the tile.
   std::array<std::optional<std::array<std::uint8_t, 4>>, 2> flat;
+  std::string island_of;  // the material whose texels lie in several tiles; empty: the tile is no island
   friend bool operator==(const CheckTile&, const CheckTile&) = default;
 };
 

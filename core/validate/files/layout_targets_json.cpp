@@ -54,6 +54,8 @@ LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int level
   LayoutFacts::Place out{node.at("name").text(), {}};
   CheckTile& tile = out.tile;
   tile.name = node.has("island") ? tile_name(out.material, node.at("island").integer()) : out.material;
+  // etak's own first island has no number.
+  tile.island_of = out.material;
   tile.page = pages > 1 || node.has("page") ? node.at("page").integer(0, static_cast<int>(pages) - 1) : 0;
   tile.box = {node.at("x").integer(), node.at("y").integer(), node.at("w").integer(0),
               node.at("h").integer(0)};
@@ -153,6 +155,7 @@ LayoutFacts facts_of(const AtlasLayout& layout) {
   for (const AtlasRect& rect : layout.rects) {
     CheckTile& tile = out.places.emplace_back(LayoutFacts::Place{rect.name, {}}).tile;
     tile.name = rect.island > 0 ? tile_name(rect.name, rect.island) : rect.name;
+    tile.island_of = rect.name;
     tile.page = rect.page;
     tile.box = {rect.x, rect.y, rect.width, rect.height};
     tile.gutter = rect.source_gutter ? 0 : rect.gutter;

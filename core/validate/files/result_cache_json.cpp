@@ -18,11 +18,21 @@ void read_optional(const Json& json, std::optional<Value>& value) {
   if (!json.is_null()) value = json.get<Value>();
 }
 
+Json box_json(const std::optional<PixelBox>& box) {
+  return box ? Json::array({box->x, box->y, box->width, box->height}) : Json(nullptr);
+}
+
+std::optional<PixelBox> read_box(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return PixelBox{json.at(0).get<int>(), json.at(1).get<int>(), json.at(2).get<int>(), json.at(3).get<int>()};
+}
+
 Json finding_json(const Finding& f) {
   Json nearest = Json::array();
   for (const NearestMaterial& near : f.nearest) nearest.push_back({near.id, near.dataset, near.bytes});
-  Json box = nullptr;
-  if (f.box) box = {f.box->x, f.box->y, f.box->width, f.box->height};
+  Json islands = Json::array();
+  for (const FindingIsland& island : f.islands)
+    islands.push_back({island.tile, box_json(island.box), island.area_px});
   return Json::array({f.rule,
                       f.slug,
                       static_cast<int>(f.severity),
@@ -30,7 +40,7 @@ Json finding_json(const Finding& f) {
                       f.tile,
                       f.material,
                       f.pointer,
-                      box,
+                      box_json(f.box),
                       f.area_px,
                       f.area_share,
                       optional_json(f.linear),
@@ -42,7 +52,8 @@ Json finding_json(const Finding& f) {
                       f.message,
                       f.cause,
                       f.fix,
-                      f.source});
+                      f.source,
+                      islands});
 }
 
 Finding read_finding(const Json& json) {
@@ -59,8 +70,7 @@ Finding read_finding(const Json& json) {
   f.tile = next();
   f.material = next();
   f.pointer = next();
-  if (const Json& box = next(); !box.is_null())
-    f.box = PixelBox{box.at(0).get<int>(), box.at(1).get<int>(), box.at(2).get<int>(), box.at(3).get<int>()};
+  f.box = read_box(next());
   f.area_px = next();
   f.area_share = next();
   read_optional(next(), f.linear);
@@ -75,6 +85,9 @@ Finding read_finding(const Json& json) {
   f.cause = next();
   f.fix = next();
   f.source = next();
+  for (const Json& island : next())
+    f.islands.push_back(
+        {island.at(0).get<std::string>(), read_box(island.at(1)), island.at(2).get<std::size_t>()});
   return f;
 }
 

@@ -19,6 +19,10 @@ Json value_json(const Finding& finding) {
   return out;
 }
 
+Json box_json(const std::optional<PixelBox>& box) {
+  return box ? Json::array({box->x, box->y, box->width, box->height}) : Json(nullptr);
+}
+
 Json finding_json(const Finding& finding) {
   Json out = Json::object();
   out["id"] = finding.rule;
@@ -29,8 +33,13 @@ Json finding_json(const Finding& finding) {
   out["tile"] = finding.tile;
   out["material"] = finding.material;
   out["pointer"] = finding.pointer;
-  const auto& box = finding.box;
-  out["bbox"] = box ? Json::array({box->x, box->y, box->width, box->height}) : Json(nullptr);
+  out["bbox"] = box_json(finding.box);
+  if (!finding.islands.empty()) {
+    out["islands"] = Json::array();
+    for (const FindingIsland& island : finding.islands)
+      out["islands"].push_back(
+          {{"tile", island.tile}, {"bbox", box_json(island.box)}, {"areaPx", island.area_px}});
+  }
   out["areaPx"] = finding.area_px;
   out["areaShare"] = finding.area_share;
   out["value"] = value_json(finding);

@@ -47,6 +47,10 @@ std::string place_of(const Finding& finding, const std::string& file) {
   if (finding.box)
     out += " [" + std::to_string(finding.box->x) + ',' + std::to_string(finding.box->y) + ' ' +
            std::to_string(finding.box->width) + 'x' + std::to_string(finding.box->height) + ']';
+  if (!finding.islands.empty()) {
+    const std::size_t more = finding.islands.size() - 1;
+    out += " and " + grouped(more) + (more == 1 ? " more island" : " more islands");
+  }
   return out;
 }
 

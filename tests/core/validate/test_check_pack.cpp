@@ -5,6 +5,9 @@
 
 #include "core/base/files/output.h"
 #include "core/image/files/png.h"
+#include "core/validate/engine.h"
+#include "core/validate/files/files.h"
+#include "core/validate/output/formats.h"
 #include "core/validate/validate.h"
 #include "tests/core/image/png_of.h"
 #include "tests/core/material/library_support.h"
@@ -96,4 +99,46 @@ TEST_CASE("the limit of the configuration is part of what an atlas depends on") 
   nothing.config.settings.fail_on = Severity::info;
   CHECK(!pack_checked(folder, nothing, update).report.up_to_date);
   CHECK(pack_checked(folder, nothing, update).report.up_to_date);
+}
+
+TEST_CASE("islands of a material have one finding for each rule, with the worst in front and a list of all") {
+  AtlasLayout layout;
+  layout.pages.push_back({128, 64, {}});
+  layout.pages[0].files = {std::vector<std::string>{"a.png"}, std::vector<std::string>{"b.png"}};
+  for (int island = 0; island < 3; ++island) {
+    AtlasRect rect;
+    rect.name = "crate";
+    rect.island = island;
+    rect.x = 40 * island;
+    rect.width = 40, rect.height = 64;
+    layout.rects.push_back(rect);
+  }
+  Image8 a(128, 64, 4, 120), b(128, 64, 4, 56);
+  Random random(1);
+  for (std::size_t i = 3; i < a.values.size(); i += 4) {
+    a.values[i] = 255;
+    b.values[i] = static_cast<std::uint8_t>(60 + random.below(100));
+  }
+  const auto plateau = [&](int left, int side) {
+    for (int y = 8; y < 8 + side; ++y)
+      for (int x = left; x < left + side; ++x) std::fill_n(b.at(x, y).begin(), 3, std::uint8_t{160});
+  };
+  plateau(4, 16);
+  plateau(84, 24);
+  const std::vector<CheckTarget> targets =
+      targets_of_layout(layout, "atlas/layout.json", "atlas/layout.json");
+  REQUIRE(!targets.empty());
+  const CheckedFile file = check_pictures(targets[0], {&a, &b, nullptr}, {}, 1);
+  std::vector<Finding> zone;
+  for (const Finding& finding : file.findings)
+    if (finding.rule == "ETK101") zone.push_back(finding);
+  REQUIRE(zone.size() == 1);
+  CHECK(zone[0].tile == "crate");
+  REQUIRE(zone[0].islands.size() == 2);
+  CHECK(zone[0].islands[0].tile == "crate");
+  CHECK(zone[0].islands[1].tile == "crate#2");
+  CHECK(zone[0].area_px == zone[0].islands[1].area_px);
+  CHECK(zone[0].box == zone[0].islands[1].box);
+  CHECK(contains(place_of(zone[0]), ":tile \"crate\" ["));
+  CHECK(contains(place_of(zone[0]), "] and 1 more island"));
 }
