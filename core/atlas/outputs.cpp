@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/atlas/page_pixels.h"
+#include "core/atlas/texels/page_pixels.h"
 #include "core/base/files/output_folder.h"
 #include "core/image/files/containers.h"
 #include "core/image/files/png_strips.h"

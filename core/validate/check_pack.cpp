@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/atlas/page_pixels.h"
+#include "core/atlas/texels/page_pixels.h"
 #include "core/image/load.h"
 #include "core/validate/engine.h"
 #include "core/validate/files/files.h"

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/atlas/page_pixels.h"
+#include "core/atlas/texels/page_pixels.h"
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/output_file.h"

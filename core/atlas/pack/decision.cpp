@@ -5,8 +5,8 @@
 #include <string>
 #include <tuple>
 
-#include "core/atlas/pack/gltf_pack.h"
 #include "core/atlas/pack/pack.h"
+#include "core/atlas/pack/scene/gltf_pack.h"
 #include "core/atlas/sources/apply_variants.h"
 #include "core/atlas/sources/pictures.h"
 #include "core/base/error.h"

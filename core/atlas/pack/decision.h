@@ -5,12 +5,12 @@
 #include <map>
 #include <vector>
 
-#include "core/atlas/compose.h"
 #include "core/atlas/layout.h"
 #include "core/atlas/leave_out.h"
 #include "core/atlas/pack/source.h"
 #include "core/atlas/plan.h"
-#include "core/atlas/resolution.h"
+#include "core/atlas/texels/compose.h"
+#include "core/atlas/texels/resolution.h"
 
 namespace etak {
 

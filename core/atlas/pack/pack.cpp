@@ -9,7 +9,7 @@
 #include "core/atlas/pack/earlier.h"
 #include "core/atlas/pack/identity.h"
 #include "core/atlas/pack/pages.h"
-#include "core/atlas/pack/scene_facts.h"
+#include "core/atlas/pack/scene/scene_facts.h"
 #include "core/atlas/pack/source.h"
 #include "core/atlas/pack/stages.h"
 #include "core/atlas/pack/table.h"

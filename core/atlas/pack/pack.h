@@ -27,7 +27,7 @@ namespace etak {
 
 class Output;        // core/base/files/output.h
 class OutputFolder;  // core/base/files/output_folder.h
-class PagePixels;    // core/atlas/page_pixels.h
+class PagePixels;    // core/atlas/texels/page_pixels.h
 
 // From a list of materials to an atlas on disk. The target is etak::pack, which is no part of etak::core
 // because it reads and writes picture files.

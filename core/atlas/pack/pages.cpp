@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "core/atlas/compose_floats.h"
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/progress.h"
 #include "core/atlas/pack/table.h"
-#include "core/atlas/page_stream.h"
+#include "core/atlas/texels/compose_floats.h"
+#include "core/atlas/texels/page_stream.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
 

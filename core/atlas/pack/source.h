@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "core/atlas/pack/gltf_pack.h"
+#include "core/atlas/pack/scene/gltf_pack.h"
 #include "core/atlas/sources/sources.h"
 
 namespace etak {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/atlas/page_memory.h"
+#include "core/atlas/texels/page_memory.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/files/steady_file.h"

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/atlas/page_memory.h"
 #include "core/atlas/sources/floats.h"
+#include "core/atlas/texels/page_memory.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/color/gloss.h"

@@ -5,10 +5,10 @@
 #include <array>
 #include <cstddef>
 
-#include "core/atlas/page_memory.h"
-#include "core/atlas/page_pixels.h"
 #include "core/atlas/sources/plane.h"
 #include "core/atlas/sources/sources.h"
+#include "core/atlas/texels/page_memory.h"
+#include "core/atlas/texels/page_pixels.h"
 
 namespace etak {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/atlas/manifest.h"
-#include "core/atlas/pack/gltf_pack.h"
+#include "core/atlas/pack/scene/gltf_pack.h"
 #include "core/atlas/sources/pictures.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "core/atlas/pack/scene_facts.h"
-#include "core/atlas/pack/scene_pictures.h"
-#include "core/atlas/pack/scene_state.h"
+#include "core/atlas/pack/scene/scene_facts.h"
+#include "core/atlas/pack/scene/scene_pictures.h"
+#include "core/atlas/pack/scene/scene_state.h"
 #include "core/atlas/pack/table.h"
 #include "core/image/texture_bytes.h"
 #include "core/scene/image_roles.h"

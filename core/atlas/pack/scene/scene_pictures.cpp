@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/pack/scene_pictures.h"
+#include "core/atlas/pack/scene/scene_pictures.h"
 
 #include <algorithm>
 #include <array>

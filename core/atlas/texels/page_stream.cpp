@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/page_stream.h"
+#include "core/atlas/texels/page_stream.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/pack/gltf_pack.h"
+#include "core/atlas/pack/scene/gltf_pack.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
-#include "core/atlas/pack/scene_facts.h"
-#include "core/atlas/pack/scene_state.h"
+#include "core/atlas/pack/scene/scene_facts.h"
+#include "core/atlas/pack/scene/scene_state.h"
 #include "core/atlas/sources/floats.h"
 #include "core/base/error.h"
 #include "core/base/hash/content_hash.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/atlas/pack/decision.h"
-#include "core/atlas/page_pixels.h"
 #include "core/atlas/sources/sources.h"
+#include "core/atlas/texels/page_pixels.h"
 #include "core/image/picture.h"
 #include "core/scene/gltf.h"
 

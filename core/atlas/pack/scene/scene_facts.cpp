@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/pack/scene_facts.h"
+#include "core/atlas/pack/scene/scene_facts.h"
 
 #include <algorithm>
 #include <array>

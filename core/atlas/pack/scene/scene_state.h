@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/atlas/pack/gltf_pack.h"
 #include "core/atlas/pack/pack.h"
-#include "core/atlas/pack/scene_maps.h"
-#include "core/atlas/page_memory.h"
+#include "core/atlas/pack/scene/gltf_pack.h"
+#include "core/atlas/pack/scene/scene_maps.h"
+#include "core/atlas/texels/page_memory.h"
 #include "core/scene/uv_use.h"
 
 namespace etak {

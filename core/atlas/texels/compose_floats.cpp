@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/compose_floats.h"
+#include "core/atlas/texels/compose_floats.h"
 
 #include <algorithm>
 
 #include "core/atlas/outputs.h"
-#include "core/atlas/place_texels.h"
-#include "core/atlas/resolution.h"
 #include "core/atlas/sources/floats.h"
+#include "core/atlas/texels/place_texels.h"
+#include "core/atlas/texels/resolution.h"
 #include "core/image/dilate.h"
 
 namespace etak {

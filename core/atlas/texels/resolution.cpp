@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/resolution.h"
+#include "core/atlas/texels/resolution.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/pack/scene_maps.h"
+#include "core/atlas/pack/scene/scene_maps.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "core/atlas/compose.h"
-#include "core/atlas/pack/scene_pictures.h"
+#include "core/atlas/pack/scene/scene_pictures.h"
+#include "core/atlas/texels/compose.h"
 #include "core/image/texture_bytes.h"
 
 namespace etak {

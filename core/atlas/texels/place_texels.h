@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/atlas/plan.h"
-#include "core/atlas/resolution.h"
+#include "core/atlas/texels/resolution.h"
 #include "core/image/dilate.h"
 #include "core/image/material_pair.h"
 #include "core/image/mips.h"

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "core/atlas/compose.h"
 #include "core/atlas/outputs.h"
+#include "core/atlas/texels/compose.h"
 
 namespace etak {
 

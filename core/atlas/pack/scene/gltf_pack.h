@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/compose.h"
 #include "core/atlas/layout.h"
 #include "core/atlas/outputs.h"
 #include "core/atlas/pack/totals.h"
 #include "core/atlas/sources/sources.h"
+#include "core/atlas/texels/compose.h"
 #include "core/base/files/output_folder.h"
 #include "core/scene/gltf.h"
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/atlas/page_memory.h"
 #include "core/atlas/plan.h"
+#include "core/atlas/texels/page_memory.h"
 #include "core/image/pixels_view.h"
 
 namespace etak {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/atlas/compose.h"
+#include "core/atlas/texels/compose.h"
 #include "core/base/files/output_folder.h"
 
 namespace etak {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/page_pixels.h"
 #include "core/atlas/plan.h"
 #include "core/atlas/sources/sources.h"
+#include "core/atlas/texels/page_pixels.h"
 
 namespace etak {
 

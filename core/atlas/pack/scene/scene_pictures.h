@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/atlas/pack/scene_maps.h"
-#include "core/atlas/page_pixels.h"
+#include "core/atlas/pack/scene/scene_maps.h"
+#include "core/atlas/texels/page_pixels.h"
 #include "core/base/files/output_folder.h"
 #include "core/color/gloss.h"
 #include "core/image/files/png.h"

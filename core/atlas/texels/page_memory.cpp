@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/page_memory.h"
+#include "core/atlas/texels/page_memory.h"
 
 #include <sys/mman.h>
 

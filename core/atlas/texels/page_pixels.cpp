@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/page_pixels.h"
+#include "core/atlas/texels/page_pixels.h"
 
 #include <algorithm>
 #include <cstring>

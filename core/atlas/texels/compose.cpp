@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/atlas/compose.h"
+#include "core/atlas/texels/compose.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "core/atlas/place_texels.h"
-#include "core/atlas/resolution.h"
 #include "core/atlas/sources/strip_reader.h"
+#include "core/atlas/texels/place_texels.h"
+#include "core/atlas/texels/resolution.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/parallel.h"
 #include "core/image/dilate.h"
