@@ -58,6 +58,16 @@ void write_floats(OutputFolder& folder, int p, const FloatPage& page, const Pack
     if (holds_floats(format)) write_float_page(folder, p, page, format, options.input.pictures.door);
 }
 
+WriteOptions write_options(const PackOptions& options, const PackStages& stages, PackProgress& progress) {
+  WriteOptions out = options.output.write;
+  out.threads = options.run.threads;
+  out.written = [&](std::size_t texels) {
+    stages.stop_if_cancelled();
+    progress.written(texels);
+  };
+  return out;
+}
+
 }  // namespace
 
 std::optional<MadePages> make_pages(const PackOptions& options, PackSource& source,
@@ -81,12 +91,7 @@ std::optional<MadePages> make_pages(const PackOptions& options, PackSource& sour
     stages.stop_if_cancelled();
     progress.region();
   };
-  WriteOptions write = options.output.write;
-  write.threads = options.run.threads;
-  write.written = [&](std::size_t texels) {
-    stages.stop_if_cancelled();
-    progress.written(texels);
-  };
+  const WriteOptions write = write_options(options, stages, progress);
   const auto table = [&] { return layout_table(options, source, decision); };
   const auto check = [&](int p) {
     if (!options.check.page) return;
