@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/files/output_folder.h"
 #include "core/base/memory.h"
 #include "core/base/parallel.h"
 
