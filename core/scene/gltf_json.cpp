@@ -121,12 +121,8 @@ void mark_used_images(const GltfDocument& document, GltfScene& scene) {
   scene.image_used.assign(scene.images.size(), false);
   for (std::size_t i = 0; i < scene.material_used.size(); ++i) {
     if (!scene.material_used[i]) continue;
-    each_texture_info(document.root["materials"][i], [&](const std::string&, const Json& info) {
-      const std::string pointer = "/materials/" + std::to_string(i) + "/.../index";
-      const int texture = document.index({info["index"], document.file, pointer}, "textures");
-      if (const int image = image_of_texture(document, texture); image >= 0)
-        scene.image_used[static_cast<std::size_t>(image)] = true;
-    });
+    each_image_of_material(document, i,
+                           [&](const std::string&, std::size_t image) { scene.image_used[image] = true; });
   }
 }
 

@@ -124,5 +124,16 @@ void each_texture_info(Value& material, const See& see) {
       see(key, value);
   });
 }
+/// Calls see(key, image) for every texture of a material of the document that has an image; `key` is that of
+/// the texture info. Throws Error for a texture that is not there.
+template <class See>
+void each_image_of_material(const GltfDocument& document, std::size_t material, const See& see) {
+  each_texture_info(document.root["materials"][material], [&](const std::string& key, const Json& info) {
+    const std::string pointer = "/materials/" + std::to_string(material) + "/.../index";
+    const int texture = document.index({info["index"], document.file, pointer}, "textures");
+    if (const int image = image_of_texture(document, texture); image >= 0)
+      see(key, static_cast<std::size_t>(image));
+  });
+}
 
 }  // namespace etak

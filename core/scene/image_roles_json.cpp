@@ -66,12 +66,8 @@ std::vector<ImageRole> image_roles(std::string_view json, const std::string& pat
   const std::size_t count = document.count("images");
   std::vector<std::set<std::pair<std::size_t, std::string>>> keys(count);
   for (std::size_t i = 0; i < document.count("materials"); ++i)
-    each_texture_info(document.element("materials", static_cast<int>(i)).value, [&](const std::string& key,
-                                                                                    const Json& info) {
-      const std::string pointer = "/materials/" + std::to_string(i) + "/.../" + key + "/index";
-      const int texture = document.index({info["index"], path, pointer}, "textures");
-      const int image = image_of_texture(document, texture);
-      if (image >= 0) keys[static_cast<std::size_t>(image)].insert({order_of(key), key});
+    each_image_of_material(document, i, [&](const std::string& key, std::size_t image) {
+      keys[image].insert({order_of(key), key});
     });
   std::vector<ImageRole> out(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -95,12 +91,11 @@ std::vector<bool> images_kept(const GltfScene& scene, const GltfOutput& output) 
   for (const GltfMaterial& m : scene.materials) {
     if (!scene.material_used[static_cast<std::size_t>(m.index)]) continue;
     const auto found = replaced.find(m.index);
-    each_texture_info(document.element("materials", m.index).value,
-                      [&](const std::string& key, const Json& info) {
-                        if (found != replaced.end() && is_replaced(key, *found->second)) return;
-                        const int image = image_of_texture(document, info["index"].get<int>());
-                        if (image >= 0) out[static_cast<std::size_t>(image)] = true;
-                      });
+    each_image_of_material(document, static_cast<std::size_t>(m.index),
+                           [&](const std::string& key, std::size_t image) {
+                             if (found == replaced.end() || !is_replaced(key, *found->second))
+                               out[image] = true;
+                           });
   }
   return out;
 }

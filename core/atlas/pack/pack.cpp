@@ -64,9 +64,8 @@ void learn_floats(PackInputs& inputs) {
 // Writes the files beside the pages and marks files of the earlier atlas that are no longer needed for
 // removal. Returns the names of all files of the atlas, sorted.
 std::vector<std::string> complete(OutputFolder& folder, const PackOptions& options, const PackSource& source,
-                                  const PackDecision& decision, const EarlierAtlas& earlier,
-                                  AtlasLayout& layout) {
-  if (source.scene) layout.other_files = source.scene->write_scene(folder, layout, decision);
+                                  const EarlierAtlas& earlier, AtlasLayout& layout) {
+  if (source.scene) layout.other_files = source.scene->write_scene(folder, layout);
   folder.write(layout_file_name, layout_json(layout));
   std::set<std::string> files{layout_file_name};
   for (const AtlasPage& page : layout.pages)
@@ -174,7 +173,7 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
     result.layout.content_hash = content ? *content : content_hash(options, source);
     check_unchanged(stamps);
   });
-  if (made->folder) result.files = complete(*made->folder, options, source, decision, earlier, result.layout);
+  if (made->folder) result.files = complete(*made->folder, options, source, earlier, result.layout);
   tell(source, decision, learned, result);
   if (source.scene) result.forms = source.scene->form_costs();
   if (made->folder)

@@ -50,8 +50,7 @@ class ScenePack {
 
   /// Writes scene.gltf, its buffer and the files that it refers to; returns their names, without the pages'
   /// own.
-  std::vector<std::string> write_scene(OutputFolder& folder, const AtlasLayout& layout,
-                                       const PackDecision& decision);
+  std::vector<std::string> write_scene(OutputFolder& folder, const AtlasLayout& layout);
 
   struct State;
 

@@ -23,8 +23,8 @@ bool lies_on(const GltfTexture& map, const GltfTexture& lead) {
   return map.uv_set == lead.uv_set && map.transform == lead.transform && map.sampler == lead.sampler;
 }
 
-// The image that all users of some texels read as this texture; none where they do not agree, or where it does not
-// lie as the pair does.
+// The image that all users of some texels read as this texture. None where they do not agree, or where the
+// texture does not lie as the pair does.
 template <class Fits>
 std::optional<int> shared_image(const Users& users, TextureOf which, const Fits& fits) {
   std::optional<int> out;
@@ -68,6 +68,10 @@ Image8 four(const std::optional<int>& image, int width, int height,
   return out;
 }
 
+void fill_channel(Image8& to, std::size_t channel) {
+  for (std::size_t i = channel; i < to.values.size(); i += 4) to.values[i] = 255;
+}
+
 void copy_channel(const Image8& from, Image8& to, std::size_t channel) {
   for (std::size_t i = channel; i < to.values.size(); i += 4) to.values[i] = from.values[i];
 }
@@ -77,9 +81,11 @@ MaterialPair color_of(const MaterialMaps& maps, const PackInput& in,
   const std::optional<int> base = maps.exact ? maps.base_color : std::nullopt;
   const std::optional<int> metal = maps.exact ? maps.metal_rough : std::nullopt;
   MaterialPair out{four(base, in.width, in.height, picture), four(metal, in.width, in.height, picture)};
-  if (in.facts.opaque) copy_channel(Image8(in.width, in.height, 4, 255), out.diffuse_alpha, 3);
-  copy_channel(Image8(in.width, in.height, 4, 255), out.specular_gloss, 3);
-  if (maps.occlusion != metal || !metal)
+  if (in.facts.opaque) fill_channel(out.diffuse_alpha, 3);
+  fill_channel(out.specular_gloss, 3);
+  if (!maps.occlusion)
+    fill_channel(out.specular_gloss, 0);
+  else if (maps.occlusion != metal)
     copy_channel(four(maps.occlusion, in.width, in.height, picture), out.specular_gloss, 0);
   return out;
 }

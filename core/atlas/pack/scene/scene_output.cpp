@@ -188,8 +188,7 @@ void ScenePack::choose_pictures(const PackDecision& decision) {
   }
   for (FormCost& each : s.costs) each.written = has_form(s.forms, each.form);
   s.maps = worthwhile(maps, s.forms, decision, header);
-  const std::vector<std::string> read = scene_output(s, s.maps, s.forms, decision).gltf.images;
-  s.read = {read.begin(), read.end()};
+  s.output = scene_output(s, s.maps, s.forms, decision).gltf;
 }
 
 const std::vector<FormCost>& ScenePack::form_costs() const {
@@ -202,16 +201,15 @@ void ScenePack::write_page(OutputFolder& folder, int page, const PagePixels& pix
   if (!s.writes_scene()) return;
   const MapPixels maps = map_pixels(page, s.maps, s.inputs, decision, options.threads,
                                     [&](int image) { return s.decoded(image); });
-  const ScenePictureInput in{page, pixels, maps, s.maps, decision, s.read, s.gloss};
+  const ScenePictureInput in{page, pixels, maps, s.maps, decision, s.output.images, s.gloss};
   for (std::string& name : write_scene_pictures(folder, in, {options.png_level, options.threads}))
     s.written.insert(std::move(name));
 }
 
-std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const AtlasLayout& layout,
-                                                const PackDecision& decision) {
+std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const AtlasLayout& layout) {
   State& s = *state_;
   if (!s.writes_scene()) return {};
-  GltfOutput out = scene_output(s, s.maps, s.forms, decision).gltf;
+  GltfOutput& out = s.output;
   out.taken.emplace(s.written.begin(), s.written.end());
   for (const AtlasPage& page : layout.pages)
     for (const auto& files : page.files) out.taken->insert(files.begin(), files.end());

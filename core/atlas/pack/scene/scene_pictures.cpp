@@ -16,7 +16,7 @@ namespace {
 using Texel = std::array<std::uint8_t, 4>;
 // A texel of a picture, of the texels of a page's two textures.
 using PairMap = std::function<Texel(const std::uint8_t* diffuse_alpha, const std::uint8_t* specular_gloss)>;
-// What the texels of placed textures say of the texel in their place; null of a texture that is not placed.
+// Changes the texel of a picture by the texels `a` and `b` of the textures that are placed there.
 using MapsMap =
     std::function<void(const MaterialMaps& of, const std::uint8_t* a, const std::uint8_t* b, Texel&)>;
 
@@ -27,10 +27,17 @@ const std::uint8_t* texel_or_none(const PixelsView8& view, int x, int y) {
 }
 
 // A texture that the page does not have reads as 0, 0, 0, 255.
-Image8 mapped(const ScenePictureInput& in, const PairMap& map) {
+//   waste   only texels that lie in no region are wanted: those of the pair are 0 there
+Image8 mapped(const ScenePictureInput& in, const PairMap& map, bool waste = false) {
   const PlannedPage& page = in.decision.plan.pages[static_cast<std::size_t>(in.page)];
   const PixelsView8 a = in.pixels.view(Texture::diffuse_alpha), b = in.pixels.view(Texture::specular_gloss);
   Image8 out(page.width, page.height, 4);
+  if (waste) {
+    constexpr std::uint8_t zero[4] = {};
+    const Texel texel = map(a.data != nullptr ? zero : none, b.data != nullptr ? zero : none);
+    for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] = texel[i % 4];
+    return out;
+  }
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x) {
       const Texel texel = map(texel_or_none(a, x, y), texel_or_none(b, x, y));
@@ -101,10 +108,13 @@ struct ScenePictures {
     return out;
   }
   Image8 base_color() const {
-    Image8 out = mapped(in, [&](const std::uint8_t* da, const std::uint8_t* sg) {
-      const MetalRough m = solved(da, sg);
-      return Texel{srgb_u8(m.base[0]), srgb_u8(m.base[1]), srgb_u8(m.base[2]), da[3]};
-    });
+    Image8 out = mapped(
+        in,
+        [&](const std::uint8_t* da, const std::uint8_t* sg) {
+          const MetalRough m = solved(da, sg);
+          return Texel{srgb_u8(m.base[0]), srgb_u8(m.base[1]), srgb_u8(m.base[2]), da[3]};
+        },
+        all_exact());
     put_maps(
         in, in.maps.color,
         [](const MaterialMaps& of, const std::uint8_t* a, const std::uint8_t*, Texel& to) {
@@ -114,10 +124,13 @@ struct ScenePictures {
     return out;
   }
   Image8 metal_rough() const {
-    Image8 out = mapped(in, [&](const std::uint8_t* da, const std::uint8_t* sg) {
-      const double metallic = std::clamp(solved(da, sg).metallic, 0.0, 1.0);
-      return Texel{255, roughness[sg[3]], static_cast<std::uint8_t>(255 * metallic + 0.5), 255};
-    });
+    Image8 out = mapped(
+        in,
+        [&](const std::uint8_t* da, const std::uint8_t* sg) {
+          const double metallic = std::clamp(solved(da, sg).metallic, 0.0, 1.0);
+          return Texel{255, roughness[sg[3]], static_cast<std::uint8_t>(255 * metallic + 0.5), 255};
+        },
+        all_exact());
     put_maps(
         in, in.maps.color,
         [](const MaterialMaps& of, const std::uint8_t* a, const std::uint8_t* b, Texel& to) {
@@ -141,6 +154,16 @@ struct ScenePictures {
   }
 
  private:
+  // Whether no texel of the page that is read has to be solved from the pair.
+  bool all_exact() const {
+    const PackDecision& decision = in.decision;
+    for (std::size_t r = 0; r < decision.regions.size(); ++r) {
+      const auto of = in.by_owner.find(decision.regions[r].material);
+      const bool exact = of != in.by_owner.end() && of->second.exact;
+      if (decision.plan.places[r].page == in.page && !exact) return false;
+    }
+    return true;
+  }
   static void occlusion(const MaterialMaps& of, const std::uint8_t*, const std::uint8_t* b, Texel& out) {
     if (of.occlusion) out[0] = b[0];
   }
@@ -173,7 +196,8 @@ std::vector<std::string> write_scene_pictures(OutputFolder& folder, const SceneP
   };
   const ScenePictures pictures{in};
   const auto write_where_read = [&](const char* what, const auto& picture) {
-    if (in.read.contains(scene_picture(in.page, what))) write(what, picture());
+    const std::string name = scene_picture(in.page, what);
+    if (std::find(in.read.begin(), in.read.end(), name) != in.read.end()) write(what, picture());
   };
   write_where_read("roughness", [&] { return pictures.roughness_picture(); });
   write_where_read("occlusion", [&] { return pictures.occlusion_alone(); });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -29,8 +28,8 @@ struct ScenePictureInput {
   const MapPixels& maps;
   const SceneMaps& by_owner;
   const PackDecision& decision;
-  const std::set<std::string>& read;  // names of the files that the scene reads
-  GlossForm gloss;                    // of texture B
+  const std::vector<std::string>& read;  // names of the files that the scene reads
+  GlossForm gloss;                       // of texture B
 };
 
 /// Writes those pictures that the scene reads beside the page's two textures, level 0, as PNG files of as few

@@ -44,7 +44,7 @@ struct ScenePack::State {
   std::vector<GltfForm> forms;
   SceneMaps maps;
   std::vector<FormCost> costs;
-  std::set<std::string> read;  // pictures of pages that scene.gltf reads
+  GltfOutput output;  // `taken` is not known yet
   std::set<std::string> written;
 
   explicit State(const PackOptions& options);
