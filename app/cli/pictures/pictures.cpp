@@ -2,6 +2,7 @@
 #include "app/cli/pictures/pictures.h"
 
 #include <dlfcn.h>
+#include <pthread.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -9,8 +10,6 @@
 #include <array>
 #include <climits>
 #include <latch>
-#include <system_error>
-#include <thread>
 
 #include "core/base/error.h"
 
@@ -31,25 +30,38 @@ std::string program_folder() {
 
 // What the libraries of the module take while the loader initialises them. Liblog4cplus, which Debian's OpenImageIO
 // links, starts its threads there and ends or halts the process where it cannot, so that room is asked for before.
-constexpr std::size_t library_bytes = std::size_t{512} << 20;
+constexpr std::size_t library_bytes = std::size_t{448} << 20;
 constexpr std::size_t library_threads = 4;
 
-// Whether the process may have that much address space and that many threads more.
-bool has_room() {
+// Whether the process may have that many threads more. Threads of the system, since those of the standard library
+// free memory when they end, for which the C library would give each a heap of 64 MiB of addresses and keep it.
+bool may_start_threads() {
+  std::latch all_started(1);
+  std::array<pthread_t, library_threads> threads{};
+  std::size_t started = 0;
+  const auto wait = [](void* latch) -> void* {
+    static_cast<std::latch*>(latch)->wait();
+    return nullptr;
+  };
+  while (started < threads.size() && ::pthread_create(&threads[started], nullptr, wait, &all_started) == 0)
+    ++started;
+  all_started.count_down();
+  for (std::size_t i = 0; i < started; ++i) ::pthread_join(threads[i], nullptr);
+  return started == threads.size();
+}
+
+// Whether the process may have that many addresses more.
+bool has_addresses() {
   void* const room =
       ::mmap(nullptr, library_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (room == MAP_FAILED) return false;
   ::munmap(room, library_bytes);
-  bool well = true;
-  std::latch all_started(1);
-  std::array<std::jthread, library_threads> threads;
-  try {
-    for (std::jthread& each : threads) each = std::jthread([&all_started] { all_started.wait(); });
-  } catch (const std::system_error&) {
-    well = false;
-  }
-  all_started.count_down();
-  return well;
+  return true;
+}
+
+// The threads come first, since the C library keeps their stacks.
+bool has_room() {
+  return may_start_threads() && has_addresses();
 }
 
 struct OpenModule {
@@ -67,7 +79,7 @@ OpenModule open_module() {
                                   [](const std::string& file) { return ::access(file.c_str(), R_OK) == 0; });
   if (there == candidates.end()) return {nullptr, "is neither " + candidates[0] + " nor " + candidates[1]};
   if (!has_room())
-    return {nullptr, "there is not room for its libraries: 512 MiB of addresses and four threads"};
+    return {nullptr, "there is not room for its libraries: 448 MiB of addresses and four threads"};
   void* const module = ::dlopen(there->c_str(), RTLD_NOW | RTLD_LOCAL);
   using Open = const PicturesModule* (*)();
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the one way from a symbol to a function
