@@ -7,15 +7,21 @@
 #include <cstddef>
 #include <utility>
 
+#include "app/cli/completion/man.h"
 #include "app/cli/output/output.h"
 #include "app/cli/usage.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
+#include "core/base/text.h"
 
 namespace etak::cli {
 Option Option::group(const std::string& name) {
   option_->group(name);
   return *this;
+}
+
+Option Option::common() {
+  return group(common_group);
 }
 
 Option Option::value_name(const std::string& name) {
@@ -40,6 +46,11 @@ Option Option::show_default(const std::string& text) {
 
 Option Option::one_of(const std::vector<std::string>& all) {
   option_->check(CLI::IsMember(all));
+  return *this;
+}
+
+Option Option::words(const std::vector<std::string>& all) {
+  option_->type_name(joined(all, value_separator));
   return *this;
 }
 
@@ -154,6 +165,9 @@ void Command::runs(Work work) {
 CommandLine::CommandLine(const std::string& title, const std::string& name)
     : app_(std::make_unique<CLI::App>(title, name)) {
   app_->require_subcommand(0, 1);
+  // Before the verbs, which take these two over.
+  app_->set_help_flag("-h,--help", "help with the options that are used most");
+  app_->set_help_all_flag("--help-all", "help with all options");
 }
 
 CommandLine::~CommandLine() = default;
@@ -173,13 +187,24 @@ std::vector<Command> CommandLine::verbs() {
   return out;
 }
 
+std::vector<VerbRow> CommandLine::table() const {
+  return option_table(*app_);
+}
+
 void CommandLine::add_help_verb() {
-  const auto name = std::make_shared<std::string>();
+  struct HelpArguments {
+    std::string verb;
+    bool whole = false, manual = false;
+  };
+  const auto arguments = std::make_shared<HelpArguments>();
   Command help = verb("help", "what etak or one of its verbs takes");
-  help.option("VERB", *name, "a verb").value_name("");
+  help.option("VERB", arguments->verb, "a verb").value_name("");
+  help.flag("-a,--all", arguments->whole, "all options of the verb, as --help-all does");
+  help.flag("--man", arguments->manual, "the manual page, for man -l");
   help.footer("Example:\n  etak help f0");
-  help.runs([name, app = app_.get()] {
-    write_output({}, verb_help(*app, *name));
+  help.runs([arguments, this] {
+    write_output({}, arguments->manual ? manual_page(table(), arguments->verb)
+                                       : verb_help(*app_, arguments->verb, arguments->whole));
     return exit_ok;
   });
 }
@@ -190,8 +215,9 @@ Work CommandLine::read(int argc, const char* const* argv) {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw Error(message_of(*app_, error));
-    // --help, which may have nowhere to go like all other output.
-    return [text = app_->help()] {
+    // --help and --help-all, which may have nowhere to go like all other output.
+    const bool whole = dynamic_cast<const CLI::CallForAllHelp*>(&error) != nullptr;
+    return [text = app_->help("", whole ? CLI::AppFormatMode::All : CLI::AppFormatMode::Normal)] {
       write_output({}, text);
       return exit_ok;
     };

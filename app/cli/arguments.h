@@ -10,6 +10,8 @@
 // The command line's parser behind a door of etak's own: CLI11's headers take 20 s of compiling in each source that
 // includes them, so arguments.cpp and usage.cpp alone do.
 
+#include "app/cli/option_table.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -26,13 +28,16 @@ class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
-  Option group(const std::string& name);               // heading of the help that the option stands under
+  Option group(const std::string& name);               // heading of --help-all that the option stands under
+  Option common();                                     // the same, of what many verbs share
   Option value_name(const std::string& name);          // what stands for the value in the help: FILE, R,G,B
   Option help(const std::string& text);                // in place of the text that the option was added with
   Option show_default();                               // the help shows the value that the variable has now
   Option show_default(const std::string& text);        // the help shows `text` as the value
   Option one_of(const std::vector<std::string>& all);  // other values are refused
-  Option range(int least, int most);                   // values outside are refused
+  Option words(
+      const std::vector<std::string>& all);  // the help shows these values; the verb refuses others itself
+  Option range(int least, int most);         // values outside are refused
   Option range(unsigned least, unsigned most);
   Option range(double least, double most);
   Option separated_by(char separator);  // one argument holds several values
@@ -93,6 +98,9 @@ class CommandLine {
   Command top();
   Command verb(const std::string& name, const std::string& help);
   std::vector<Command> verbs();
+
+  /// etak itself and its verbs with all they take, in the order of the help: for what is generated from them.
+  std::vector<VerbRow> table() const;
 
   /// Adds `help [VERB]`.
   void add_help_verb();

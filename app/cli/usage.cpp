@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/usage.h"
 
+#include <unistd.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+
 #include <algorithm>
 #include <memory>
 
 #include "app/cli/output/output.h"
+#include "app/cli/output/terminal.h"
 #include "core/base/edit_distance.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/base/wrap.h"
 
 namespace etak::cli {
 namespace {
@@ -18,6 +23,16 @@ std::string listed(const std::vector<std::string>& words, const char* between, c
   std::string out;
   for (std::size_t i = 0; i < words.size(); ++i)
     out += (i == 0 ? "" : i + 1 == words.size() ? last : between) + words[i];
+  return out;
+}
+
+std::vector<std::string> parts_of(std::string_view text, std::string_view separator) {
+  std::vector<std::string> out;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    out.emplace_back(text.substr(begin, end - begin));
+    begin = end + separator.size();
+  }
   return out;
 }
 
@@ -30,8 +45,13 @@ struct Values {
 
 Values values_of(const CLI::Option& option) {
   const std::string whole = option.get_type_name();
-  const std::size_t colon = whole.find(':');
   Values out;
+  if (whole.find(value_separator) != whole.npos) {
+    out.name = "TEXT";
+    out.words = parts_of(whole, value_separator);
+    return out;
+  }
+  const std::size_t colon = whole.find(':');
   out.name = whole.substr(0, colon);
   if (colon == whole.npos) return out;
   const std::string check = whole.substr(colon + 1);
@@ -41,11 +61,7 @@ Values values_of(const CLI::Option& option) {
   } else if (open == check.npos || close == check.npos || close < open) {
     out.range = check;
   } else if (const std::string inside = check.substr(open + 1, close - open - 1); check[open] == '{') {
-    for (std::size_t begin = 0; begin <= inside.size();) {
-      const std::size_t end = std::min(inside.find(',', begin), inside.size());
-      out.words.push_back(inside.substr(begin, end - begin));
-      begin = end + 1;
-    }
+    out.words = parts_of(inside, ",");
   } else {
     const std::size_t dash = inside.find(" - ");
     out.range = inside.substr(0, dash) + " to " + inside.substr(std::min(dash + 3, inside.size()));
@@ -70,8 +86,62 @@ std::string expected_of(const CLI::Option& option) {
   return kind.empty() ? values.range : kind + ", " + values.range;
 }
 
+// The group of options that the short help shows: those that were given no heading of their own.
+constexpr const char* first_group = "Options";
+
+// Headings in the order of the help: what many verbs share comes last.
+std::vector<std::string> groups_of(const CLI::App& app) {
+  std::vector<std::string> out = app.get_groups();
+  std::stable_partition(out.begin(), out.end(), [](const std::string& g) { return g != common_group; });
+  std::erase(out, "");
+  return out;
+}
+
+std::vector<const CLI::Option*> options_under(const CLI::App& app, const std::string& group) {
+  return app.get_options(
+      [&](const CLI::Option* option) { return option->get_group() == group && option->nonpositional(); });
+}
+
 class PlainFormatter : public CLI::Formatter {
  public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    if (mode == CLI::AppFormatMode::Sub) return make_expanded(app);
+    return make_description(app) + make_usage(app, std::move(name)) + make_positionals(app) +
+           groups_text(app, mode == CLI::AppFormatMode::All) + make_subcommands(app, mode) + '\n' +
+           make_footer(app);
+  }
+
+  // The short help ends with what the long one has besides.
+  std::string groups_text(const CLI::App* app, bool whole) const {
+    std::string out;
+    std::vector<std::string> left_out;
+    std::size_t count = 0;
+    for (const std::string& group : groups_of(*app)) {
+      const std::vector<const CLI::Option*> options = options_under(*app, group);
+      if (options.empty()) continue;
+      if (whole || group == first_group) {
+        out += make_group(group, false, options);
+      } else {
+        left_out.push_back(group);
+        count += options.size();
+      }
+    }
+    if (left_out.empty()) return out;
+    return out + "\n" +
+           wrapped("etak " + app->get_name() + " --help-all lists " + std::to_string(count) +
+                       " more: " + listed(left_out, ", ", " and ") + ".",
+                   0, columns_of(STDOUT_FILENO));
+  }
+
+  // As the parser does, and no line longer than the terminal's.
+  std::string make_option(const CLI::Option* option, bool is_positional) const override {
+    const std::string name = "  " + make_option_name(option, is_positional) + make_option_opts(option);
+    const std::size_t indent = get_column_width();
+    const std::string text = wrapped(make_option_desc(option), indent, columns_of(STDOUT_FILENO));
+    if (text.empty() || name.size() >= indent) return name + "\n" + text;
+    return name + text.substr(name.size());
+  }
+
   std::string make_option_opts(const CLI::Option* option) const override {
     if (!option->get_option_text().empty() || option->get_type_size() == 0)
       return CLI::Formatter::make_option_opts(option);
@@ -82,7 +152,7 @@ class PlainFormatter : public CLI::Formatter {
     };
     const bool typed = values.name != "TEXT" || values.words.empty();
     if (typed) add(plain_name(values.name));
-    add(listed(values.words, " | ", " | "));
+    add(listed(values.words, value_separator, value_separator));
     if (!values.range.empty()) add("(" + values.range + ")");
     if (!option->get_default_str().empty()) add("[" + option->get_default_str() + "]");
     if (option->get_expected_max() == CLI::detail::expected_max_vector_size) add("...");
@@ -93,6 +163,24 @@ class PlainFormatter : public CLI::Formatter {
     return out;
   }
 };
+
+OptionRow option_row(const CLI::Option& option) {
+  OptionRow out;
+  for (const std::string& name : option.get_snames()) out.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) out.names.push_back("--" + name);
+  out.help = option.get_description();
+  out.required = option.get_required();
+  out.repeats = option.get_expected_max() == CLI::detail::expected_max_vector_size;
+  if (!option.get_positional()) out.group = option.get_group();
+  if (option.get_type_size() == 0) return out;
+  const Values values = values_of(option);
+  out.value = plain_name(values.name);
+  if (option.get_positional() && out.value.empty()) out.value = option.get_name(true, false);
+  out.words = values.words;
+  out.range = values.range;
+  out.standard = option.get_default_str();
+  return out;
+}
 
 std::vector<std::string> verbs_of(const CLI::App& app) {
   std::vector<std::string> out;
@@ -143,7 +231,7 @@ std::string unknown_argument(const CLI::App& app, const CLI::App& verb) {
   if (first.starts_with('-') && first.size() > 1) {
     const std::string name = first.substr(0, first.find('='));
     return Error::at(printable(name), "no option of " + called,
-                     "one that " + called + " --help lists" + did_you_mean(name, options_of(verb)))
+                     "one that " + called + " --help-all lists" + did_you_mean(name, options_of(verb)))
         .what();
   }
   if (&verb == &app)
@@ -207,12 +295,31 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   return text;
 }
 
-std::string verb_help(const CLI::App& app, const std::string& name) {
-  if (name.empty()) return app.get_formatter()->make_help(&app, "etak", CLI::AppFormatMode::Normal);
+std::string verb_help(const CLI::App& app, const std::string& name, bool whole) {
+  const auto mode = whole ? CLI::AppFormatMode::All : CLI::AppFormatMode::Normal;
+  if (name.empty()) return app.get_formatter()->make_help(&app, "etak", mode);
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-    if (verb->get_name() == name) return verb->help("etak");
+    if (verb->get_name() == name) return verb->help("etak", mode);
   throw Error::at(printable(name), "no verb of etak",
                   "one that etak --help lists" + did_you_mean(name, verbs_of(app)));
+}
+
+std::vector<VerbRow> option_table(const CLI::App& app) {
+  std::vector<VerbRow> out;
+  const auto add = [&](const CLI::App& verb) {
+    VerbRow& row = out.emplace_back();
+    row.name = &verb == &app ? "" : verb.get_name();
+    row.help = verb.get_description();
+    row.footer = verb.get_footer();
+    for (const CLI::Option* option :
+         verb.get_options([](const CLI::Option* o) { return o->get_positional(); }))
+      row.options.push_back(option_row(*option));
+    for (const std::string& group : groups_of(verb))
+      for (const CLI::Option* option : options_under(verb, group)) row.options.push_back(option_row(*option));
+  };
+  add(app);
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) add(*verb);
+  return out;
 }
 
 }  // namespace etak::cli

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/option_table.h"
+
 namespace CLI {
 class App;
 class ParseError;
@@ -23,7 +25,11 @@ void use_plain_help(CLI::App& app);
 /// A mistake on the line in etak's form, "PLACE: FOUND; expected EXPECTED", without the program's name.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error);
 
-/// The help of the verb `name`, or of etak itself where it is empty. Throws Error for a verb that does not exist.
-std::string verb_help(const CLI::App& app, const std::string& name);
+/// The help of the verb `name`, or of etak itself where it is empty: `whole` with every group of options, else with
+/// the first group alone. Throws Error for a verb that does not exist.
+std::string verb_help(const CLI::App& app, const std::string& name, bool whole);
+
+/// etak itself and its verbs with all they take, in the order of the help.
+std::vector<VerbRow> option_table(const CLI::App& app);
 
 }  // namespace etak::cli

@@ -8,8 +8,9 @@ namespace etak::cli {
 
 void add_follow_links(Command verb) {
   verb.flag(
-      "--follow-links", [] { set_follow_links(true); },
-      "follow links that lead out of the folder of a scene, manifest, layout or search");
+          "--follow-links", [] { set_follow_links(true); },
+          "follow links that lead out of the folder of a scene, manifest, layout or search")
+      .common();
 }
 
 void add_input_timeout(CommandLine& line) {
@@ -18,7 +19,8 @@ void add_input_timeout(CommandLine& line) {
     verb.option("--input-timeout", std::function<void(double)>(set_input_timeout),
                 "how long a named pipe may be silent at first (default 60); standard input may for ever")
         .value_name("SECONDS")
-        .range(0.0, longest);
+        .range(0.0, longest)
+        .common();
 }
 
 }  // namespace etak::cli

@@ -63,7 +63,8 @@ void add_library_options(Command verb, Library& library) {
           "folder of material files laid over the built-in library; may be given again. ETAK_LIBRARY holds "
           "more, with ':' between")
       .value_name("DIR")
-      .one_at_a_time();
+      .one_at_a_time()
+      .common();
 }
 
 void add_compute_options(Command verb, ComputeArguments& arguments) {
@@ -71,19 +72,27 @@ void add_compute_options(Command verb, ComputeArguments& arguments) {
   const auto add = [&](const char* name, std::string& value, const char* text) {
     return verb.option(name, value, text).group(group);
   };
-  add("--observer", arguments.observer, "1931-2deg (default) or 1964-10deg");
-  add("--illuminant", arguments.illuminant, "D65 (default), D50, A or E");
-  add("--interpolation", arguments.interpolation, "of n and k: linear (default) or pchip");
-  add("--method,--integration", arguments.method,
-      "integration: 1nm (default), exact, auto, 5nm, 10nm, 20nm, e308-10nm, e308-20nm, point-650-550-450 or "
-      "point-643-562-396");
+  add("--observer", arguments.observer, "whose colour-matching functions")
+      .words({"1931-2deg", "1964-10deg"})
+      .show_default("1931-2deg");
+  add("--illuminant", arguments.illuminant, "light under which F0 has its colour")
+      .words({"D65", "D50", "A", "E"})
+      .show_default("D65");
+  add("--interpolation", arguments.interpolation, "of n and k between the samples")
+      .words({"linear", "pchip"})
+      .show_default("linear");
+  add("--method,--integration", arguments.method, "integration over the spectrum")
+      .words({"1nm", "exact", "auto", "5nm", "10nm", "20nm", "e308-10nm", "e308-20nm", "point-650-550-450",
+              "point-643-562-396"})
+      .show_default("1nm");
   add("--integration-bound", arguments.integration_bound,
       "of the estimated error of X, Y and Z, for --integration auto (default 1e-5)")
       .value_name("NUMBER");
   add("--space", arguments.space,
       "output space: srgb (default; also Rec.709, linear), acescg, rec2020, display-p3, xyz, in any case, or "
       "a "
-      "colour space of an OpenColorIO config");
+      "colour space of an OpenColorIO config")
+      .value_name("SPACE");
   add("--ocio", arguments.ocio, "OpenColorIO config to look --space up in (else $OCIO, else etak's own)")
       .reads_file()
       .value_name("CONFIG");
@@ -134,14 +143,16 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library) {
 
 void add_table_options(Command verb, TableArguments& arguments) {
   const std::string group = "Tables";
-  verb.option("--unit", arguments.unit,
-              "unit of the wavelengths in tables: nm, um, A or eV; wins over the header")
+  verb.option("--unit", arguments.unit, "unit of the wavelengths in tables; wins over the header")
+      .words({"nm", "um", "A", "eV"})
       .group(group);
   verb.option("--columns", arguments.columns,
               "columns of a table without header, such as wavelength,n,k or wavelength,R; _ skips one")
+      .value_name("NAME,...")
       .group(group);
-  verb.option("--duplicates", arguments.duplicates,
-              "equal wavelengths with other values in tables: refuse (default), first or mean")
+  verb.option("--duplicates", arguments.duplicates, "equal wavelengths with other values in tables")
+      .words({"refuse", "first", "mean"})
+      .show_default()
       .group(group);
 }
 
@@ -167,7 +178,8 @@ void add_thread_option(Command verb, unsigned& threads) {
   verb.option("-j,--jobs", threads,
               "threads to use (default: all cores); the output is the same for any number")
       .value_name("N")
-      .range(1u, 256u);
+      .range(1u, 256u)
+      .common();
 }
 
 unsigned thread_count(unsigned asked) {

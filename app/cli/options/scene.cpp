@@ -263,9 +263,11 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.option("--dataset", arguments.dataset, "dataset of the material instead of the preferred one")
       .value_name("ID");
   verb.option("--model", arguments.model,
-              "specular model (see etak models), or none; default " + std::string(default_specular));
+              "specular model (see etak models), or none; default " + std::string(default_specular))
+      .value_name("MODEL");
   verb.option("--diffuse-model", arguments.diffuse_model,
-              "diffuse model, or none; default " + std::string(default_diffuse));
+              "diffuse model, or none; default " + std::string(default_diffuse))
+      .value_name("DIFFUSE_MODEL");
   verb.option("--set", arguments.set,
               "value of a model's parameter, NAME.r for one channel; may be given again")
       .value_name("NAME=NUMBER")
@@ -287,7 +289,8 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.option("--fov", arguments.field_of_view, "vertical field of view in degrees").show_default();
   rgb("--background", arguments.background, "linear; default 0.18 grey");
   verb.option("--exposure", arguments.exposure, "linear factor").show_default();
-  verb.option("--transfer", arguments.transfer, "display curve: srgb, power-0.45, sqrt or linear")
+  verb.option("--transfer", arguments.transfer, "display curve")
+      .words({"srgb", "power-0.45", "sqrt", "linear"})
       .show_default();
   add_library_options(verb, arguments.library);
 }

@@ -54,7 +54,8 @@ void add_output_options(Command verb, OutputArguments& arguments, const std::vec
   verb.option(
           "--color", arguments.color,
           "colour swatches: auto (on a terminal; NO_COLOR, CLICOLOR and CLICOLOR_FORCE count), always, never")
-      .one_of({"auto", "always", "never"});
+      .one_of({"auto", "always", "never"})
+      .common();
 }
 
 bool use_color(const OutputArguments& arguments) {

@@ -30,7 +30,8 @@ void add_progress_option(Command verb, std::string& progress) {
   verb.option("--progress", progress,
               "of long work, on standard error: auto (a line on a terminal), json (an object a line), none")
       .one_of({"auto", "json", "none"})
-      .show_default();
+      .show_default()
+      .common();
 }
 
 Progress::Mode Progress::mode_of(const OutputArguments& arguments) {

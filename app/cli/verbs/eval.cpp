@@ -65,7 +65,7 @@ int run(const EvalArguments& arguments) {
 void add_eval(CommandLine& line) {
   const auto arguments = std::make_shared<EvalArguments>();
   Command verb = line.verb("eval", "evaluate one formula, or a table of them, in double precision");
-  verb.option("FUNCTION", arguments->function, "name of the function, as --list gives it");
+  verb.option("FUNCTION", arguments->function, "name of the function, as --list gives it").value_name("");
   verb.option("INPUTS", arguments->inputs, "its inputs, as name=value").value_name("NAME=VALUE");
   verb.option("--csv", arguments->csv,
               "answer the rows id,function,inputs of FILE (inputs as name=value;name=value) "

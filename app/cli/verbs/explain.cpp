@@ -45,7 +45,7 @@ void add_explain(CommandLine& line) {
   const auto arguments = std::make_shared<ExplainArguments>();
   Command verb = line.verb("explain", "what a rule of etak validate says, why, and how to mend it");
   verb.option("id", arguments->ids, "ids such as ETK101, prefixes such as ETK1, or slugs")
-      .value_name("ID...")
+      .value_name("RULE")
       .required();
   add_output_options(verb, arguments->output, {"text", "markdown", "json"});
   verb.footer("Example:\n  etak explain ETK101");

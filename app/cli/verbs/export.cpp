@@ -48,7 +48,7 @@ void add_export(CommandLine& line) {
           "of --to values: only these, with ',' between (hex, srgb8, linear, glsl, unreal, unity-metallic, "
           "unity-specular, blender, filament, openpbr, gltf, gltf-specular-glossiness, gulbrandsen, rgb-nk)")
       .separated_by(',')
-      .value_name("LIST");
+      .value_name("TARGET,...");
   verb.option("--gltf-form", arguments->gltf_form,
               "metal-rough (dielectrics with KHR_materials_ior and _specular) or specular-glossiness")
       .one_of({"metal-rough", "specular-glossiness"})

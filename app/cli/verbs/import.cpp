@@ -84,7 +84,7 @@ void add_import(CommandLine& line) {
   add_input_options(verb, arguments->inputs);
   verb.option("--id", arguments->id, "id of the material, [a-z0-9_] (default: from the page's folder)");
   verb.option("--name", arguments->name, "name of the material");
-  verb.option("--class", arguments->material_class, "class, such as metal or glass");
+  verb.option("--class", arguments->material_class, "class, such as metal or glass").value_name("CLASS");
   add_table_options(verb, arguments->tables);
   add_output_options(verb, arguments->output, {"json"});
   add_thread_option(verb, arguments->threads);

@@ -15,7 +15,7 @@ void add_report(CommandLine& line) {
   verb.option("--family", arguments->families,
               "only these, such as fresnel,transfer; see the page for the names")
       .separated_by(',')
-      .value_name("NAME");
+      .value_name("FAMILY,...");
   verb.option("-o,--output", arguments->folder,
               "folder for report.html, report.json, report.csv and a plot per table")
       .required()

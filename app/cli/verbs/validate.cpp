@@ -24,9 +24,11 @@ int run(ValidateArguments& arguments) {
 
 void add_rule_options(Command verb, ValidateArguments& a) {
   const auto add = [&](const char* option, std::vector<std::string>& ids, const char* text) {
-    verb.option(option, ids, text).value_name("ID,...").separated_by(',').group("Rules");
+    verb.option(option, ids, text).value_name("RULE,...").separated_by(',').group("Rules");
   };
-  verb.option("--profile", a.profile, "default, strict, film or custom").group("Rules");
+  verb.option("--profile", a.profile, "which rules run, and how strict they are")
+      .words({"default", "strict", "film", "custom"})
+      .group("Rules");
   add("--select", a.choice.select,
       "only these rules, ids or prefixes such as ETK1; the configuration may still turn some off");
   add("--only", a.choice.only, "exactly these rules, whatever the configuration says");
@@ -44,7 +46,8 @@ void add_rule_options(Command verb, ValidateArguments& a) {
 void add_verdict_options(Command verb, ValidateArguments& a) {
   const char* group = "Verdict";
   verb.option("--fail-on", a.fail_on,
-              "least severity that fails the run: error (default), warning, info or never")
+              "least severity that fails the run (default: error, or what etak.toml says)")
+      .words({"error", "warning", "info", "never"})
       .group(group);
   verb.option("--max-warnings", a.max_warnings, "more warnings than this fail the run")
       .value_name("N")
@@ -83,19 +86,24 @@ void add_validate(CommandLine& line) {
             "pass where there is nothing to check, also with an empty --files-from; else that is status 2");
   verb.flag("--list-files", a.list_files,
             "show what every file is taken for, and stop (--format text or json)");
-  verb.option("--role", a.role,
-              "what the pictures are: diffuse, specular, f0, base-color or metal-rough (default: by "
-              "their names)");
-  verb.option("--transfer", a.transfer, "curve of the 8-bit codes: srgb (default), gamma22 or linear");
-  verb.option("--alpha", a.alpha, "what the alpha of diffuse is: mask (default) or transparency");
-  verb.option("--material", a.material, "the material that the pictures are of, an id or name of etak list");
-  verb.option("--surface", a.surface_class, "surface class of the pictures, for ETK205, such as dry-sand");
+  verb.option("--role", a.role, "what the pictures are (default: by their names)")
+      .words({"diffuse", "specular", "f0", "base-color", "metal-rough"});
+  verb.option("--transfer", a.transfer, "curve of the 8-bit codes")
+      .words({"srgb", "gamma22", "linear"})
+      .show_default("srgb");
+  verb.option("--alpha", a.alpha, "what the alpha of diffuse is")
+      .words({"mask", "transparency"})
+      .show_default("mask");
+  verb.option("--material", a.material, "the material that the pictures are of, an id or name of etak list")
+      .value_name("MATERIAL");
+  verb.option("--surface", a.surface_class, "surface class of the pictures, for ETK205, such as dry-sand")
+      .value_name("SURFACE");
   add_rule_options(verb, a);
   add_verdict_options(verb, a);
   add_output_options(verb, a.output, {"text", "json", "sarif", "junit", "github", "csv", "html"});
   verb.option("--min-severity", a.min_severity,
               "findings below info, warning or error are not shown as text; given, infos are not folded")
-      .value_name("SEVERITY");
+      .words({"info", "warning", "error"});
   verb.option("--mask", a.mask_folder, "folder for a picture per finding: plateau red, transition yellow")
       .value_name("DIR");
   verb.flag("--stats", a.stats, "say on standard error what was read, left out and how long it took");

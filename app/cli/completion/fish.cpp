@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/completion/kinds.h"
+#include "app/cli/completion/shells.h"
+#include "core/base/text.h"
+
+namespace etak::cli {
+namespace {
+
+std::string quoted(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text)
+    out += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c == '\n' ? ' ' : c);
+  return out + "'";
+}
+
+// What may stand for the value: the flags of complete(1) of fish.
+std::string fish_offer(const OptionRow& option) {
+  if (!option.words.empty()) return " -x -a " + quoted(joined(option.words, " "));
+  const Completes kind = completes(option);
+  const std::string words = "etak completion --words " + std::string(name(kind));
+  switch (kind) {
+    case Completes::nothing:
+      return " -x";
+    case Completes::files:
+      return " -r -F";
+    case Completes::folders:
+      return " -x -a '(__fish_complete_directories)'";
+    case Completes::materials:
+      return " -r -F -a " + quoted("(" + words + ")");
+    default:
+      return " -x -a " +
+             quoted(is_list(option) ? "(__fish_complete_list , " + quoted(words) + ")" : "(" + words + ")");
+  }
+}
+
+}  // namespace
+
+std::string fish_completion(const std::vector<VerbRow>& table) {
+  std::string out = "# fish completion of etak; made by: etak completion fish\ncomplete -c etak -f\n";
+  for (const VerbRow& verb : table) {
+    const std::string when =
+        verb.name.empty() ? "__fish_use_subcommand" : "'__fish_seen_subcommand_from " + verb.name + "'";
+    const std::string line = "complete -c etak -n " + when;
+    if (!verb.name.empty())
+      out += "complete -c etak -n __fish_use_subcommand -a " + verb.name + " -d " + quoted(verb.help) + '\n';
+    for (const OptionRow& option : verb.options) {
+      if (option.names.empty()) {
+        if (const std::string offered = fish_offer(option); offered != " -x") out += line + offered + '\n';
+        continue;
+      }
+      std::string names;
+      for (const std::string& each : option.names)
+        names += each.starts_with("--") ? " -l " + each.substr(2) : " -s " + each.substr(1);
+      out += line + names + (option.value.empty() ? "" : fish_offer(option)) + " -d " + quoted(option.help) +
+             '\n';
+    }
+  }
+  return out;
+}
+
+}  // namespace etak::cli

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/option_table.h"
+
+namespace etak::cli {
+
+/// Completion scripts made of the option table: verbs, options, words of options, files, and the names that
+/// `etak completion --words KIND` prints when asked.
+
+/// For bash 4 and newer, such as in share/bash-completion/completions/etak.
+std::string bash_completion(const std::vector<VerbRow>& table);
+
+/// For zsh, such as in a file _etak of $fpath.
+std::string zsh_completion(const std::vector<VerbRow>& table);
+
+/// For fish 3 and newer, such as in share/fish/vendor_completions.d/etak.fish.
+std::string fish_completion(const std::vector<VerbRow>& table);
+
+}  // namespace etak::cli
