@@ -190,7 +190,8 @@ Work CommandLine::read(int argc, const char* const* argv) {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw Error(message_of(*app_, error));
-    // --help, which may have nowhere to go like all other output.
+    // --help. Its text is written as the work of the line, so that standard output that cannot be written is
+    // reported as for all other output.
     return [text = app_->help()] {
       write_output({}, text);
       return exit_ok;
