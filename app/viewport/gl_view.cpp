@@ -46,7 +46,8 @@ GlView::GlView(QWidget* parent, bool threaded) : QOpenGLWidget(parent), threaded
 }
 
 GlView::~GlView() {
-  // The base class destroys the context after this part of the object is gone, which must not be told of it.
+  // The base class destroys the context when this part of the object is gone already; the signal of the
+  // context must not reach it then.
   if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
   drop();
 }
