@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the time of a reader grows with what it reads.
+// Checks how the time of a reader grows with its input.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 
 namespace etak::test {
 
-/// Processor time of `work`, the least of some runs, in seconds: a machine in use only ever adds to a time.
+/// Processor time of `work` in seconds: the least of some runs, because a busy machine can only add to a
+/// time.
 template <class Work>
 double seconds_of(const Work& work, int runs = 3) {
   double least = std::numeric_limits<double>::infinity();
@@ -24,12 +25,12 @@ double seconds_of(const Work& work, int runs = 3) {
   return least;
 }
 
-/// Checks over four doublings, from `count` things to 16 times as many, that work(made(things)) takes time in
-/// proportion, but for a logarithm and for what leaves the caches: 16 times the things may take 64 times as
-/// long, where a quadratic reader takes 256 times. What takes less than 2 ms is too short to be measured and
-/// counts as that.
-///   name   of the case, for its message
-///   made   makes the input, which is not timed, from the number of things
+/// Checks over four doublings, from `count` things to 16 times as many, that the time of work(made(things))
+/// is nearly proportional to the number of things. For 16 times the things, 64 times the time is allowed,
+/// because of logarithms and of data that do not fit the caches; a quadratic reader takes 256 times. Times
+/// below 2 ms are too short to be measured and count as 2 ms.
+///   name   name of the case, for its message
+///   made   makes the input from the number of things; it is not timed
 template <class Made, class Work>
 void check_growth(const char* name, std::size_t count, const Made& made, const Work& work) {
   constexpr double shortest = 0.002, most = 64;
@@ -43,8 +44,8 @@ void check_growth(const char* name, std::size_t count, const Made& made, const W
   CHECK(seconds.back() < most * std::max(shortest, seconds.front()));
 }
 
-/// `head`, then `count` items with commas between them, then `tail`.
-///   item   makes one from its number
+/// The text `head`, then `count` items with commas between them, then `tail`.
+///   item   makes an item from its number
 template <class Item>
 std::string listed(const std::string& head, std::size_t count, const Item& item, const std::string& tail) {
   std::string out = head;

@@ -128,8 +128,8 @@ Optics glass(double n) {
 
 }  // namespace etak::test
 
-// OpenImageIO 2.4 keeps the text of a thread's last error in memory that it does not give back at exit; the
-// leak checker asks this function which leaks are not etak's.
+// Tells the leak checker which leaks are not of etak: OpenImageIO 2.4 keeps the text of a thread's last error
+// in memory that it does not free at exit.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:ImageInput::geterror\n";

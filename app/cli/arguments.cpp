@@ -215,7 +215,8 @@ Work CommandLine::read(int argc, const char* const* argv) {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw Error(message_of(*app_, error));
-    // --help and --help-all, which may have nowhere to go like all other output.
+    // --help and --help-all. The text is written as the work of the line, so that standard output that cannot be
+    // written is reported as for all other output.
     const bool whole = dynamic_cast<const CLI::CallForAllHelp*>(&error) != nullptr;
     return [text = app_->help("", whole ? CLI::AppFormatMode::All : CLI::AppFormatMode::Normal)] {
       write_output({}, text);

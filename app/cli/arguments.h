@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-// The command line's parser behind a door of etak's own: CLI11's headers take 20 s of compiling in each source that
-// includes them, so arguments.cpp and usage.cpp alone do.
+// The parser of the command line. It hides CLI11, whose headers take 20 s to compile in each source that
+// includes them: only arguments.cpp and usage.cpp do.
 
 #include "app/cli/option_table.h"
 
@@ -19,8 +19,8 @@ class Option;
 
 namespace etak::cli {
 
-/// What a verb does once its arguments are read: returns the exit status (see Exit in output/output.h), throws
-/// Error.
+/// The work of a verb, which is done once its arguments are read. Returns the exit status (Exit in
+/// output/output.h) or throws Error.
 using Work = std::function<int()>;
 
 /// An option or argument of a verb. Each setter returns the option, so that setters chain.
@@ -28,10 +28,10 @@ class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
-  Option group(const std::string& name);               // heading of --help-all that the option stands under
-  Option common();                                     // the same, of what many verbs share
-  Option value_name(const std::string& name);          // what stands for the value in the help: FILE, R,G,B
-  Option help(const std::string& text);                // in place of the text that the option was added with
+  Option group(const std::string& name);               // --help-all lists the option under this heading
+  Option common();                                     // the heading of options that many verbs share
+  Option value_name(const std::string& name);          // name of the value in the help: FILE, R,G,B
+  Option help(const std::string& text);                // replaces the text that the option was added with
   Option show_default();                               // the help shows the value that the variable has now
   Option show_default(const std::string& text);        // the help shows `text` as the value
   Option one_of(const std::vector<std::string>& all);  // other values are refused
@@ -41,15 +41,15 @@ class Option {
   Option range(unsigned least, unsigned most);
   Option range(double least, double most);
   Option separated_by(char separator);  // one argument holds several values
-  Option one_at_a_time();               // a list of which each value follows a mention of the option
-  Option values(int count);             // so many, no less and no more
-  Option may_lack_value();              // the name of the option alone is complete
+  Option one_at_a_time();               // for lists: the name of the option stands before each value
+  Option values(int count);             // takes exactly `count` values
+  Option may_lack_value();              // the option may stand without a value
   Option required();
-  Option excludes(const Option& other);                       // refused beside the other
+  Option excludes(const Option& other);                       // refused where the other is given too
   Option each(std::function<void(const std::string&)> hear);  // called with each value as typed
 
-  /// The values name files to read: a pipe that is named there may be read, - and /dev/stdin among them
-  /// (core/base/files/input.h). A second standard input on the line throws Error.
+  /// The values name files to read. Pipes that the user names so may be read, among them - and /dev/stdin
+  /// (core/base/files/input.h). Reading the line throws Error where it names standard input twice.
   Option reads_file();
 
   /// Whether the option is on the line; known once the line is read.
@@ -59,20 +59,20 @@ class Option {
   CLI::Option* option_;
 };
 
-/// A verb, or what stands before the verb, as the parser knows it. The variables that options are bound to must
-/// outlive the reading of the line.
+/// A verb with its options, or etak itself with the options before the verb. The variables that options are
+/// bound to must live until the line is read.
 class Command {
  public:
   Command(CLI::App* app, Work* chosen) : app_(app), chosen_(chosen) {}
 
   /// An option whose names are given as "-o,--output", or an argument without dashes ("INPUT").
-  ///   Value  text, number, truth (a word behind the option, such as 1), optional number, list of texts or numbers; an
-  ///          instance of each type stands in arguments.cpp
+  ///   Value  text, number, truth (written as a word behind the option, such as 1), optional number, or list
+  ///          of texts or numbers; arguments.cpp instantiates the template for each of these types
   template <class Value>
   Option option(const std::string& names, Value& value, const std::string& help);
   Option option(const std::string& names, std::function<void(double)> hear, const std::string& help);
 
-  /// An option without value.
+  /// An option without a value.
   Option flag(const std::string& names, bool& value, const std::string& help);
   Option flag(const std::string& names, std::function<void()> hear, const std::string& help);
 
@@ -105,8 +105,8 @@ class CommandLine {
   /// Adds `help [VERB]`.
   void add_help_verb();
 
-  /// Reads the line. Returns the verb's work, or that of --help; empty where the line names no verb. Throws Error of
-  /// the form "PLACE: FOUND; expected EXPECTED" for a mistake on the line.
+  /// Reads the line. Returns the work of the verb, or of --help; empty where the line names no verb. Throws
+  /// Error with a text "PLACE: FOUND; expected EXPECTED" for a mistake on the line.
   Work read(int argc, const char* const* argv);
 
  private:

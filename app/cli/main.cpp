@@ -53,8 +53,8 @@ int run(int argc, char** argv) {
   return work();
 }
 
-// What no reader of files foresaw: memory for something that the line names. Its largest file is the likely
-// reason.
+// The message where memory ran out in code that reports no file of its own: it names the largest file of the
+// line, which is the likely reason.
 std::string out_of_memory(int argc, char** argv) {
   std::string largest;
   std::uintmax_t most = 0;
@@ -81,7 +81,8 @@ std::string out_of_memory(int argc, char** argv) {
 
 namespace {
 
-// Where an exception leaves a library's own thread or start-up code, no handler of main sees it.
+// Ends the program with a message where an exception leaves a thread or the start-up code of a library, which
+// no handler of main() sees.
 [[noreturn]] void tell_want_and_end() {
   const auto end = [](std::string_view text) {
     (void)!::write(STDERR_FILENO, text.data(), text.size());
@@ -103,7 +104,8 @@ namespace {
 int main(int argc, char** argv) {
   etak::end_by_signals();
   etak::settings_are_options();
-  // The libraries behind libetak-pictures.so start threads when they are loaded, and end the program where they cannot.
+  // The libraries of libetak-pictures.so start threads when they are loaded, and end the program where they
+  // cannot.
   std::set_terminate(tell_want_and_end);
   try {
     return etak::cli::run(argc, argv);
@@ -116,7 +118,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     etak::cli::complain(etak::cli::out_of_memory(argc, argv));
   } catch (const std::exception& error) {
-    // A mistake of etak: the text is the library's own, for a report of it.
+    // A fault of etak. The message holds the library's own text for a bug report.
     const std::string verb = argc > 1 ? std::string(" ") + argv[1] : "";
     etak::cli::complain("etak" + verb + ": internal error (" + error.what() + ")");
   }

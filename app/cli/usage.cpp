@@ -36,10 +36,10 @@ std::vector<std::string> parts_of(std::string_view text, std::string_view separa
   return out;
 }
 
-// What the parser says of an option's values, "NAME:{a,b}" or "N:INT in [1 - 9]", taken apart.
+// The parts of the parser's description of an option's values, "NAME:{a,b}" or "N:INT in [1 - 9]".
 struct Values {
   std::string name;                // "FILE", "TEXT", "INT"
-  std::vector<std::string> words;  // of a set
+  std::vector<std::string> words;  // "a", "b"
   std::string range;               // "1 to 9", "above 0"
 };
 
@@ -69,7 +69,7 @@ Values values_of(const CLI::Option& option) {
   return out;
 }
 
-// What a value is in a reader's words; the parser's names of types say nothing to who types it.
+// The name of a value in the help, in place of the parser's name of its type.
 std::string plain_name(const std::string& type) {
   if (type == "INT" || type == "UINT") return "N";
   if (type == "FLOAT") return "NUMBER";
@@ -212,7 +212,8 @@ const CLI::Option* option_in(const CLI::App& verb, std::string_view text) {
   return found;
 }
 
-// The value that does not fit: of a set the first that is not in it, else what was typed.
+// The value that does not fit: the first that is not in the option's set of words; all values where the
+// option has no such set.
 std::string misfit(const CLI::Option& option) {
   const Values values = values_of(option);
   const std::vector<std::string>& typed = option.results();
@@ -269,7 +270,7 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const CLI::App& verb = chosen.empty() ? app : *chosen.front();
   const std::string text = error.what(), kind = error.get_name();
-  // Its own name is that of the verb.
+  // The name of this error is the name of the verb, so its type tells it.
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return unknown_argument(app, verb);
   const CLI::Option* option = option_in(verb, text);
   if (option == nullptr) return text;

@@ -14,15 +14,16 @@ class ParseError;
 
 namespace etak::cli {
 
-/// "; did you mean NAME?" for the name that `typed` most likely stands for: the one that it begins, or one
-/// that is at most a third of its letters away. Empty where none is near.
+/// "; did you mean NAME?" with the name that the user most likely meant: a name that begins with `typed`, or
+/// the name of the smallest edit distance, if that is at most a third of the letters of `typed` (or 1). Empty
+/// where there is no such name.
 std::string did_you_mean(std::string_view typed, const std::vector<std::string>& names);
 
 /// Makes the help of `app` and its verbs show the values of an option as "table | csv" and "1 to 256" instead
-/// of the parser's own types.
+/// of as types of the parser.
 void use_plain_help(CLI::App& app);
 
-/// A mistake on the line in etak's form, "PLACE: FOUND; expected EXPECTED", without the program's name.
+/// The message for a mistake on the line, "PLACE: FOUND; expected EXPECTED", without the program's name.
 std::string message_of(const CLI::App& app, const CLI::ParseError& error);
 
 /// The help of the verb `name`, or of etak itself where it is empty: `whole` with every group of options, else with

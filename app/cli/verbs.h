@@ -5,7 +5,7 @@
 
 namespace etak::cli {
 
-// Each adds its verb with options, help and work to `line`.
+// Each function add_NAME() adds its verb with options, help and work to `line`.
 #define ETAK_VERB(name) void add_##name(CommandLine& line);
 #include "app/cli/verbs.inc"
 #undef ETAK_VERB

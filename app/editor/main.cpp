@@ -20,7 +20,7 @@
 
 namespace {
 
-// Before QApplication, as Qt asks for it: what QOpenGLWidget makes its contexts by.
+// Sets the format of the contexts that QOpenGLWidget makes. Qt wants it set before QApplication is made.
 void choose_gl() {
   QSurfaceFormat format;
   format.setVersion(3, 3);
@@ -36,7 +36,7 @@ void time_start(etak::editor::Window& window) {
     std::fflush(stdout);
     QCoreApplication::exit();
   };
-  // Told while the window is painted, which is shown when that event is over.
+  // first_frame() is emitted while the window is painted; the picture is on the screen after that event.
   QObject::connect(&window, &etak::editor::Window::first_frame, &window,
                    [&window, tell] { QTimer::singleShot(0, &window, tell); });
 }
@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
   QStringList arguments;
   for (int i = 0; i < argc; ++i) arguments << QString::fromLocal8Bit(argv[i]);
   Options options = parse_options(arguments);
-  // Answered without a display.
+  // Errors and help are written before QApplication is made, which needs a display.
   if (!options.error.isEmpty()) {
     std::fprintf(stderr, "etak-editor: %s\n", qPrintable(options.error));
     return 2;
@@ -76,10 +76,10 @@ int main(int argc, char** argv) {
       theme_named(picture ? QString() : QSettings().value(QStringLiteral("theme")).toString());
   apply_theme(application, options.theme.value_or(remembered));
 
-  // The pictures of a project are those that its author chose in this editor, links among them.
+  // The user chose the pictures of a project in this editor, so links to other folders are followed.
   etak::set_follow_links(true);
 
-  // A screenshot neither sees nor leaves anything of the user's.
+  // A screenshot reads and writes no settings, caches or copies of the user.
   QTemporaryDir own;
   WindowOptions window_options;
   window_options.cpu_viewport = options.cpu;
@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
   window.show();
   if (options.time_start) return QApplication::exec();
   QTimer::singleShot(0, &window, [&] {
-    // What is taken up again is not saved yet: nothing takes its place unasked.
+    // A recovered project is not saved yet: the file of the command line must not replace it unasked.
     if (!window.offer_recovery() && !options.subjects.isEmpty()) window.open(options.subjects.front());
   });
   return QApplication::exec();

@@ -12,16 +12,17 @@ namespace etak::editor {
 
 /// The command line of etak-editor.
 struct Options {
-  QStringList subjects;  // files to open, or with a screenshot a library material
-  QString screenshot;    // empty: an ordinary run
+  QStringList subjects;  // files to open; for a screenshot also a material of the library
+  QString screenshot;    // picture file to write; empty: the editor runs as usual
   QString model, state;
   QSize size{1280, 800};
   std::optional<Theme> theme;
   bool cpu = false, time_start = false;
   std::optional<double> input_timeout;  // seconds
   bool help = false, version = false;
-  QString error;  // not empty: what is wrong with the command line
+  QString error;  // the mistake in the command line; empty: none
 };
+/// The options of the command line. Mistakes are in Options::error.
 Options parse_options(const QStringList& arguments);
 QString help_text();
 

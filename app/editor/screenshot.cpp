@@ -37,7 +37,7 @@
 namespace etak::editor {
 namespace {
 
-// Until workers have nothing left to do and what they told has been drawn.
+// Waits until all workers are done and the window has drawn their results.
 void settle(Window& window) {
   constexpr int most_ms = 20000, quiet_ms = 250;
   QElapsedTimer all, quiet;
@@ -69,13 +69,14 @@ void edit_view(Window& window, const std::function<void(ProjectView&)>& change) 
   window.document().edit_view(view, QObject::tr("view"), next_press_id());
 }
 
-// Files that a state needs; gone when the program ends.
+// A folder for files that a state needs; it is removed when the program ends.
 const QTemporaryDir& own_files() {
   static const QTemporaryDir folder;
   return folder;
 }
 
-// Glazed tiles: a colour and a gloss of their own, joints between them.
+// Writes a picture of square tiles with joints between them; `tile` gives the colour of each tile. Returns
+// its path.
 QString tiles(const QString& name, const std::function<QColor(int)>& tile, const QColor& joint) {
   constexpr int side = 256, count = 4, step = side / count, gap = 6;
   QImage picture(side, side, QImage::Format_RGB32);
@@ -100,7 +101,7 @@ void put_tiles_on(Window& window) {
   window.inspector().textures().take_files({colors, gloss}, Channel::diffuse);
 }
 
-// A material that the rules object to, and the first of its findings in hand.
+// Makes the current material one that has findings, and selects the first of them.
 void show_findings(Window& window) {
   edit_material(window, [](ProjectMaterial& m) {
     m.measured.reset();
@@ -112,7 +113,8 @@ void show_findings(Window& window) {
   table->setCurrentIndex(table->model()->index(0, 0));
 }
 
-// One function per state; states that are not here are those of a fresh window.
+// Brings the window into a state by the function of that name. A state that has no function is that of a new
+// window.
 void show_state(Window& window, const QString& state) {
   const auto curve = [&](int tab) {
     window.tabs().setCurrentWidget(&window.curves());
@@ -185,7 +187,7 @@ QString bring_into_state(Window& window, const QString& material, const QString&
   if (!material.isEmpty()) {
     if (QFileInfo::exists(material) || is_pipe(material)) {
       bool well = false;
-      QObject scope;  // of the connection
+      QObject scope;  // ends the connection with this block
       QObject::connect(&window, &Window::opened, &scope, [&well](bool ok) { well = ok; });
       window.open(material);
       settle(window);
@@ -224,7 +226,7 @@ QPixmap picture_of(Window& window) {
 int take_screenshot(Window& window, const Options& options) {
   window.resize(options.size);
   window.show();
-  // The layout lets no panel get smaller than what is in it.
+  // The layout does not let a panel become smaller than its content.
   if (window.size() != options.size) {
     std::fprintf(stderr,
                  "etak-editor: --size: %dx%d is less than the window needs; expected at least %dx%d\n",

@@ -9,14 +9,15 @@ namespace etak::editor {
 
 class Window;
 
-/// Brings a window into the state that the options name and writes its picture. Returns the exit status.
+/// Brings a window into the state that the options name and writes a picture of it. Returns the exit status.
 int take_screenshot(Window& window, const Options& options);
 
-/// Takes up a library material and one of screenshot_states(), and waits until everything is drawn; empty
-/// text: well.
+/// Opens a file or adds a material of the library, sets a model, brings the window into one of
+/// screenshot_states(), and waits until everything is drawn. Returns the message of an error, empty where
+/// there was none.
 QString bring_into_state(Window& window, const QString& material, const QString& model, const QString& state);
 
-/// The window as it is, its dialogs over its middle.
+/// A picture of the window, with its visible dialogs over its middle.
 QPixmap picture_of(Window& window);
 
 }  // namespace etak::editor

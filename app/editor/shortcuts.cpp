@@ -12,7 +12,8 @@
 namespace etak::editor {
 namespace {
 
-// "Export material: MaterialX…" for what stands in a menu of a menu, where its own name says too little.
+// The title of an action. Where the action is in a submenu, the name of the submenu stands before it: "Export
+// material: MaterialX…".
 QString title_of(const QAction& action) {
   QString out = action.text();
   for (const QObject* each : action.associatedObjects())

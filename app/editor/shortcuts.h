@@ -7,8 +7,8 @@ class QMainWindow;
 
 namespace etak::editor {
 
-/// Every key and mouse gesture of the editor: those of the menus as they are, and those of viewport and
-/// fields.
+/// A list of all keys and mouse gestures of the editor: the shortcuts of the window's actions, and the
+/// gestures of viewport, fields and lists.
 class ShortcutsDialog : public QDialog {
   Q_OBJECT
 

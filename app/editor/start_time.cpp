@@ -22,7 +22,8 @@ SinceStart since_start() {
   out.work_ms = ms_of(CLOCK_PROCESS_CPUTIME_ID);
   QFile file(QStringLiteral("/proc/self/stat"));
   if (!file.open(QIODevice::ReadOnly)) return out;
-  // The name in brackets may hold anything; the start is the twentieth field behind it, in ticks since boot.
+  // The name of the program in brackets may hold any character. The start time is the twentieth field behind
+  // it, in ticks since boot.
   const QByteArray text = file.readAll();
   const QList<QByteArray> fields = text.mid(text.lastIndexOf(')') + 2).split(' ');
   constexpr qsizetype start = 19;

@@ -10,7 +10,8 @@
 namespace etak::editor {
 namespace {
 
-// Fusion draws an empty box in a colour that is hardly seen on a dark window.
+// Fusion with an outline around check boxes, because it draws an empty box in a colour that can hardly be
+// seen on a dark window.
 class OutlinedBoxes : public QProxyStyle {
  public:
   OutlinedBoxes() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -62,7 +63,7 @@ QPalette palette_of(Theme theme) {
 void apply_theme(QApplication& application, Theme theme) {
   QApplication::setStyle(new OutlinedBoxes);
   QApplication::setPalette(palette_of(theme));
-  // No role of the palette is seen against the window in both themes.
+  // No role of the palette has enough contrast to the window in both themes.
   const QString border = theme == Theme::dark ? QStringLiteral("#707070") : QStringLiteral("#a8a8a8");
   application.setStyleSheet(
       QStringLiteral(

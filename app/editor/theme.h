@@ -10,12 +10,12 @@ namespace etak::editor {
 
 enum class Theme { dark, light };
 
-/// Fusion with a palette of its own and a focus frame that can be seen. Qt 6.4 cannot tell which theme the
-/// desktop has.
+/// Sets Qt's Fusion style with a palette of the editor's own. The palette is grey, because the user judges
+/// colours, which must not stand on a coloured ground. Qt 6.4 cannot tell which theme the desktop has.
 void apply_theme(QApplication& application, Theme theme);
 bool is_dark(const QPalette& palette);
 
-/// Grey around colours: judged colours must not stand on a coloured ground.
+/// "dark" or "light", as options and settings name the themes; any other text means dark.
 QString name(Theme theme);
 Theme theme_named(const QString& name);
 

@@ -51,14 +51,14 @@ QTabWidget* tab_widget(const QString& name, QWidget* parent) {
   return out;
 }
 
-// Whether a field holds text that is not taken over yet; the search never does.
+// Whether a field holds a typed text that is not taken as a value yet. The search field never does.
 bool is_typed_in(const QWidget& widget) {
   if (const auto* number = qobject_cast<const FineSpinBox*>(&widget)) return number->is_typed_in();
   const auto* line = qobject_cast<const QLineEdit*>(&widget);
   return line != nullptr && line->isModified() && line->property("search").isNull();
 }
 
-// The room that a screen has, less the frame around a window.
+// The usual size of the window, but no larger than the screen without the frame around a window.
 QSize first_size(const QScreen& screen) {
   constexpr QSize wanted(1280, 800), frame(16, 48);
   return wanted.boundedTo(screen.availableSize() - frame);
@@ -100,7 +100,7 @@ Window::Window(const WindowOptions& options, QWidget* parent)
 
 Window::~Window() {
   qApp->removeEventFilter(this);
-  // A field that loses the focus takes over what was typed: while there is a document.
+  // A field that loses the focus takes its typed text as a value: that must happen while the document exists.
   if (QWidget* at = focusWidget()) at->clearFocus();
   io_.waitForDone();
   heavy_.clear();
@@ -148,9 +148,10 @@ void Window::make_panels() {
 void Window::prepare_lines() {
   library_panel_->search().setProperty("search", true);
   for (QLineEdit* line : findChildren<QLineEdit*>()) {
-    line->setAcceptDrops(false);  // files are the window's: a line would paste the address
+    line->setAcceptDrops(false);  // the window takes dropped files; a line would paste their address
     if (qobject_cast<QAbstractSpinBox*>(line->parentWidget()) != nullptr) continue;
-    // What is taken over is no longer being typed, and undone by the document.
+    // Once the text is taken as a value, the document undoes it. Setting the text clears the undo history of
+    // the line.
     connect(line, &QLineEdit::editingFinished, line, [line] {
       if (line->isModified()) line->setText(line->text());
     });
@@ -255,8 +256,8 @@ void Window::keyPressEvent(QKeyEvent* event) {
   document_.set_current((document_.current() + step + count) % count);
 }
 
-// Lines take the keys of undo for the text that is typed in them: theirs while it is typed, the document's
-// from then on.
+// Fields take the keys of undo for themselves. That is right only while they hold a typed text; otherwise the
+// keys must undo changes of the document.
 bool Window::eventFilter(QObject* object, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return QMainWindow::eventFilter(object, event);
   const auto* key = static_cast<QKeyEvent*>(event);

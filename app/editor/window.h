@@ -37,14 +37,15 @@ class ViewPanel;
 
 struct WindowOptions {
   bool cpu_viewport = false;
-  QString data_folder, cache_folder;  // of autosaves and thumbnails; empty: the user's
-  bool remember = true;               // layout, theme and recent files from run to run
+  QString data_folder, cache_folder;  // for autosaves and thumbnails; empty: the user's folders
+  bool remember = true;               // keeps layout, theme and recent files for the next run
 };
 
-/// The editor: library and project on the left, viewport with tabs under it, inspector on the right, findings
-/// below. In files by subject: window.cpp puts it together, window_menus.cpp the actions, window_files.cpp
-/// what is read and written, window_drops.cpp what is dropped, window_export.cpp what other programs get,
-/// window_recovery.cpp what might be lost, window_picture.cpp what the viewport shows.
+/// The window of the editor: library and project on the left, viewport with tabs under it, inspector on the
+/// right, findings below. Its functions are in files by subject: window.cpp makes the panels,
+/// window_menus.cpp the menus, window_files.cpp reads and writes files, window_drops.cpp takes dropped files,
+/// window_export.cpp exports to other programs, window_recovery.cpp guards unsaved changes,
+/// window_picture.cpp updates viewport and tabs.
 class Window : public QMainWindow {
   Q_OBJECT
 
@@ -69,23 +70,24 @@ class Window : public QMainWindow {
   Look& look() { return look_; }
   void look_changed();
 
-  /// Adds a material of the library to the project and takes it in hand; false where there is none of that
-  /// name.
+  /// Adds a material of the library to the project and makes it the current one. Returns false where the
+  /// library has no material of that name.
   bool use_library_material(const QString& name);
 
-  // Files. Reading and writing run on a worker; opened() and saved() tell their end.
+  // Files. A worker reads and writes them; opened() and saved() are emitted at the end.
   void open(const QString& path);
   void save_to(const QString& path);
   void import(const QStringList& paths);
-  /// Files that were dropped: spectra are imported, pictures become textures of the material in hand, a .hdr
-  /// the environment, and of a project it is asked whether to open or to add it. Others are refused with a
-  /// message.
+  /// Takes dropped files: spectra are imported, pictures become textures of the current material, a .hdr
+  /// becomes the environment. For a project, the user is asked whether to open it or to add its materials.
+  /// Other files are refused with a message.
   void take_files(const QStringList& paths);
   PackDialog* pack_to(const QString& folder);
-  /// Offers what killed runs left behind, until one is taken up; `ask` answers (a question to the user where
-  /// it is empty). Returns whether one was: its end is told by opened().
+  /// Offers the copies of unsaved changes that killed runs left behind, until one is recovered. Returns
+  /// whether one is: opened() is then emitted at the end.
+  ///   ask   decides for each copy; empty: the user is asked
   bool offer_recovery(const std::function<RecoveryChoice(const Recovery&)>& ask = {});
-  /// Files are read or written, or a picture is being drawn.
+  /// Whether files are read or written, or a picture is in work.
   bool is_busy() const { return busy_ > 0 || viewport_->is_drawing(); }
 
  signals:
@@ -105,7 +107,7 @@ class Window : public QMainWindow {
   void make_docks();
   void connect_panels();
   void prepare_lines();
-  /// What is typed in a field counts, although nobody has left it yet.
+  /// Takes the value that is typed in the focused field, although the user has not left the field yet.
   void take_typed();
   void make_menus();
   void make_file_menu();
@@ -124,7 +126,8 @@ class Window : public QMainWindow {
   void export_to(const QString& kind, ExportOf which);
 
   bool may_lose_changes();
-  /// The same of changes made since `revision`, for what was begun before them.
+  /// Whether a project may replace the present one: asks the user only where the document has changed since
+  /// `revision`, which is when the opening began.
   bool may_replace(int revision);
   bool wait_for_save();
   RecoveryChoice ask_recovery(const Recovery& recovery);
@@ -141,7 +144,7 @@ class Window : public QMainWindow {
   QString beside_project(const QString& file = {}) const;
   void choose_and_open();
   void save();
-  bool save_as();  // whether a name was chosen
+  bool save_as();  // returns whether the user has chosen a name
   void save_material_as();
   void choose_and_import();
   void choose_and_pack();
@@ -180,11 +183,11 @@ class Window : public QMainWindow {
   QTabWidget *tabs_ = nullptr, *inspector_tabs_ = nullptr, *left_tabs_ = nullptr;
   QLabel *backend_ = nullptr, *patch_ = nullptr;
   PreviewBar* preview_bar_ = nullptr;
-  QString previewed_;  // id of the library
+  QString previewed_;  // id of the library material in the preview
   QAction *undo_ = nullptr, *redo_ = nullptr, *end_preview_ = nullptr;
   QTimer refresh_timer_;
 
-  // The environment that is shown, and the one that is wanted.
+  // The environment that is shown, and the key of the one that is wanted.
   std::shared_ptr<const Environment> environment_;
   std::string environment_key_;
 };

@@ -19,7 +19,8 @@
 namespace etak::editor {
 namespace {
 
-// The targets take numbers: a texture would be lost in silence.
+// Throws Error for a material with textures: the targets take numbers only, and a texture would be lost
+// without a message.
 void refuse_textures(const ProjectMaterial& m) {
   QStringList channels;
   for (const Channel each : all_channels)
@@ -81,7 +82,7 @@ void Window::export_to(const QString& kind, ExportOf which) {
   if (which == ExportOf::selected)
     for (const int row : project_panel_->selected()) materials.push_back(all[static_cast<std::size_t>(row)]);
   if (materials.empty()) return tell(tr("There is nothing to export"));
-  // A name is no folder.
+  // A '/' in a name must not become a folder.
   const QString whose = materials.size() == 1 ? qt_text(materials.front().name).replace(u'/', u'_')
                                               : QFileInfo(document_.title()).completeBaseName();
   const QString file = QFileDialog::getSaveFileName(

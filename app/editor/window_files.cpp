@@ -38,7 +38,7 @@ void Window::open(const QString& path) {
   tell(tr("Opening %1").arg(short_path(path)));
   struct Read {
     Opened project;
-    bool is_there = false;  // asked on the worker: a share may be slow to answer
+    bool is_there = false;  // found out by the worker, because a network share may be slow to answer
   };
   in_background(
       io_, this,
@@ -55,13 +55,13 @@ void Window::open(const QString& path) {
           emit opened(false);
           return;
         }
-        // The window was there to be used while the file was read.
+        // The user may have changed the document while the file was read.
         if (!may_replace(revision)) {
           tell(tr("%1 was not opened").arg(short_path(path)));
           emit opened(false);
           return;
         }
-        // What came from a pipe is in no file yet.
+        // A project that was read from a pipe has no file yet.
         const bool pipe = is_pipe(path);
         document_.replace(std::move(opened_project.project), pipe ? QString() : path, !pipe);
         if (!pipe) note_recent(path);
@@ -121,7 +121,7 @@ bool Window::save_as() {
 
 void Window::save_to(const QString& path) {
   take_typed();
-  // Whatever happens while the file is written, the copy holds this state.
+  // The copy of the autosave holds this state if the writing of the file fails.
   autosave_->write_now();
   ++busy_;
   in_background(
@@ -138,8 +138,8 @@ void Window::save_to(const QString& path) {
           emit saved(false);
           return;
         }
-        // What was changed while it was written is not saved, but the project has its file; another project
-        // that came meanwhile has not.
+        // Changes that were made during the writing are not saved, but the project now has this file. Another
+        // project that was opened meanwhile does not get it.
         if (revision == document_.revision())
           document_.mark_saved(path);
         else if (generation == document_.generation())
@@ -222,7 +222,7 @@ void Window::fill_recent(QMenu* menu) {
   const QStringList list = QSettings().value(QLatin1String(recent_key)).toStringList();
   menu->setToolTipsVisible(true);
   for (const QString& each : list) {
-    // In a menu & is the mark of a key.
+    // In the text of a menu, '&' marks a key and "&&" is the character.
     QAction* out = menu->addAction(short_path(each).replace(u'&', QStringLiteral("&&")), this, [this, each] {
       if (may_lose_changes()) open(each);
     });

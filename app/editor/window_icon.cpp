@@ -9,10 +9,10 @@
 namespace etak::editor {
 namespace {
 
-constexpr double icon_side = 128;  // of the drawing
+constexpr double icon_side = 128;  // units of the drawing
 
 void half_sphere(QPainter& painter, const QRectF& half, const QGradientStops& stops) {
-  // In the square of the sphere: the highlight lies up and left.
+  // The highlight lies at the upper left of the square around the sphere.
   QRadialGradient light(QPointF(20 + 0.36 * 88, 20 + 0.3 * 88), 0.8 * 88);
   light.setStops(stops);
   painter.setClipRect(half);

@@ -5,7 +5,8 @@
 
 namespace etak::editor {
 
-/// The icon of resources/desktop/etak-editor.svg, painted: Qt reads SVG only with a module of its own.
+/// The icon of resources/desktop/etak-editor.svg, drawn by QPainter, because Qt reads SVG only with an extra
+/// module.
 QIcon window_icon();
 
 }  // namespace etak::editor

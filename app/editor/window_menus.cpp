@@ -97,7 +97,7 @@ void Window::make_edit_menu() {
          [this] { emit project_panel_->new_asked(); });
   action(menu, tr("&Duplicate material"), QKeySequence(Qt::CTRL | Qt::Key_D),
          [this] { emit project_panel_->copy_asked(); });
-  // Del alone belongs to text fields wherever they have the focus.
+  // The key Del works in the project panel only, because text fields need it wherever they have the focus.
   auto* remove = action(menu, tr("Re&move material"), QKeySequence::Delete,
                         [this] { emit project_panel_->remove_asked(); });
   remove->setShortcutContext(Qt::WidgetWithChildrenShortcut);
@@ -140,7 +140,7 @@ void Window::make_view_menu() {
   QMenu* panels = menu->addMenu(tr("P&anels"));
   panels->setAccessibleName(tr("Panels"));
   for (QDockWidget* dock : findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
-  // The first layout, before anything remembered is put over it.
+  // The layout of a new window, saved before a remembered layout replaces it.
   const QByteArray first = saveState();
   action(menu, tr("Reset the &layout"), {}, [this, first] {
     restoreState(first);

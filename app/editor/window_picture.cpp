@@ -40,7 +40,7 @@ LoadedEnvironment load(const std::string& name, double scale) {
 }  // namespace
 
 void Window::connect_viewport() {
-  // However many changes come in one turn of the event loop, the picture is drawn once.
+  // The timer draws the picture once for all changes of one turn of the event loop.
   refresh_timer_.setSingleShot(true);
   refresh_timer_.setInterval(0);
   connect(&refresh_timer_, &QTimer::timeout, this, &Window::refresh);
@@ -155,7 +155,7 @@ void Window::load_environment() {
     environment_.reset();
     return;
   }
-  // The old one stays until the new one is there; of several asked for in a row the last one counts.
+  // The old environment stays until the new one is loaded. Of several requests in a row, the last one counts.
   heavy_.clear();
   in_background(
       heavy_, this,

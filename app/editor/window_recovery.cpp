@@ -32,9 +32,9 @@ bool Window::may_replace(int revision) {
   return revision == document_.revision() || may_lose_changes();
 }
 
-// The caller goes on when the file is written; a failure is told and stops it. Where the file is long in
-// coming, as on a share that does not answer, the user may go on with the window: the save then ends when it
-// ends.
+// Waits for the end of a save. Returns whether the project was saved; a failure has been reported by then.
+// Where the writing takes long, as on a network share that does not answer, the user may cancel the waiting
+// and go on with the window; the save then goes on in the background.
 bool Window::wait_for_save() {
   constexpr int patience_ms = 300;
   QEventLoop wait;
@@ -95,7 +95,7 @@ void Window::recover(const Recovery& recovery) {
       [this, recovery, revision = document_.revision()](Opened recovered) {
         if (!recovered.error.isEmpty()) {
           --busy_;
-          // The copy is kept, so that somebody can look at it.
+          // The copy is kept, so that the user can look at it.
           show_problems(tr("The last state could not be read"), {recovered.error});
           emit opened(false);
           return;

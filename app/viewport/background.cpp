@@ -14,7 +14,8 @@ extern "C" void __tsan_release(void* address);
 namespace etak {
 namespace {
 
-// Whoever takes `address` over from here on sees all that happened before.
+// Tells the thread sanitizer that the thread that calls take_over() with the same address sees all that
+// happened before this call.
 void hand_over([[maybe_unused]] void* address) {
 #ifdef __SANITIZE_THREAD__
   __tsan_release(address);
@@ -54,7 +55,7 @@ class Call : public QEvent {
   std::function<void()> call_;
 };
 
-// Lives in the thread of windows.
+// An object of the user-interface thread, which makes the calls that are posted to it.
 class Caller : public QObject {
  protected:
   bool event(QEvent* event) override {
@@ -70,11 +71,11 @@ class Caller : public QObject {
 void run_in(QThreadPool& pool, std::function<void()> work, int priority) {
   auto* const task = new Task(std::move(work));
   hand_over(task);
-  pool.start(task, priority);  // which deletes it
+  pool.start(task, priority);  // the pool deletes the task
 }
 
 void call_in_ui(std::function<void()> call) {
-  // Never deleted: threads may ask until the program ends.
+  // Never deleted, because threads may post calls until the program ends.
   static Caller* const caller = [] {
     auto* const created = new Caller;
     created->moveToThread(QCoreApplication::instance()->thread());
@@ -82,7 +83,7 @@ void call_in_ui(std::function<void()> call) {
   }();
   auto* const event = new Call(std::move(call));
   hand_over(event);
-  QCoreApplication::postEvent(caller, event);  // which deletes it
+  QCoreApplication::postEvent(caller, event);  // Qt deletes the event
 }
 
 }  // namespace etak

@@ -10,19 +10,20 @@
 
 namespace etak {
 
-// The one way on which work leaves the thread of windows, and results come back. Qt's locks are invisible to the thread
-// sanitizer; these functions tell it which thread waits for which, so that it finds true races.
+// The only functions by which work leaves the user-interface thread and results come back to it. The thread
+// sanitizer cannot see Qt's locks; these functions tell it which thread waits for which, so that it reports
+// real races only.
 
-/// Runs `work` on a thread of `pool`. It must not throw and must own all it touches: nothing of the windows may be
-/// reached from it.
+/// Runs `work` on a thread of `pool`. `work` must not throw, and it must own all data that it uses: it may
+/// use no object of the user-interface thread.
 void run_in(QThreadPool& pool, std::function<void()> work, int priority = 0);
 
-/// Has `call` made by the thread of windows, when its event loop gets there, in the order of the callers. Any thread
-/// may ask.
+/// Makes `call` from the event loop of the user-interface thread, in the order in which call_in_ui() was
+/// called. Any thread may call it.
 void call_in_ui(std::function<void()> call);
 
-/// Runs `work` on a thread of `pool`, then hands what it returns to `done` on the thread of windows, unless `context`
-/// is gone by then. For `work` holds what run_in() says.
+/// Runs `work` on a thread of `pool`, then calls `done` with its result on the user-interface thread, unless
+/// `context` has been deleted by then. `work` must obey the rules of run_in().
 template <class Work, class Done>
 void in_background(QThreadPool& pool, QObject* context, Work work, Done done, int priority = 0) {
   run_in(

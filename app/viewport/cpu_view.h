@@ -9,8 +9,8 @@
 
 namespace etak {
 
-/// The picture of a state by core's CPU renderer, drawn in a thread of its own: the last picture stays until
-/// the next is there.
+/// Shows a state as the CPU renderer of core draws it, in a thread of its own. The last picture stays on the
+/// screen until the next is drawn.
 class CpuView : public QWidget {
   Q_OBJECT
 
@@ -41,7 +41,7 @@ class CpuView : public QWidget {
   QImage picture_;
   bool hurry_ = false, running_ = false, wanted_ = false;
   double whole_ms_ = 0;
-  QThreadPool pool_;  // last: its thread ends before the rest goes
+  QThreadPool pool_;  // the last member, so that its thread ends before the others are destroyed
 };
 
 }  // namespace etak

@@ -30,7 +30,8 @@ QImage shown(const Image& linear, const ViewDisplay& display, unsigned threads) 
     }
     to_codes(pixels, 1, Transfer::srgb, codes);
   };
-  std::vector<std::uint8_t*> lines;  // scanLine() may copy: once, before the threads
+  std::vector<std::uint8_t*>
+      lines;  // found before the threads start, because scanLine() may copy the picture
   for (int y = 0; y < out.height(); ++y) lines.push_back(out.scanLine(y));
   parallel_chunks(lines.size(), threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t y = begin; y < end; ++y) row_of(static_cast<int>(y), lines[y]);

@@ -11,12 +11,13 @@
 
 namespace etak {
 
-/// While a view moves, it is drawn at half its size where a whole picture takes longer than this, in ms.
+/// Milliseconds. While the user drags, a view whose whole picture takes longer is drawn at half its size.
 inline constexpr double fluid_ms = 33;
 
-/// How a state's pictures come to the screen: by OpenColorIO for both devices, or (both null) plain sRGB.
+/// The transform from linear light to the screen: an OpenColorIO display for the CPU and for OpenGL, or plain
+/// sRGB where `cpu` and `gpu` are null.
 struct ViewDisplay {
-  std::string config, display, view;  // as the state names them
+  std::string config, display, view;  // the names in the state
   std::shared_ptr<const OcioDisplay> cpu;
   std::shared_ptr<const OcioShader> gpu;
 
@@ -25,13 +26,15 @@ struct ViewDisplay {
   }
 };
 
-/// Reads the config: not for the thread of windows. Throws Error.
+/// Opens the display. The user-interface thread should not call it, because it reads the config. Throws
+/// Error.
 ViewDisplay open_display(const std::string& config, const std::string& display, const std::string& view);
 
-/// Codes of a picture in linear light, which already holds the exposure.
+/// The 8-bit codes of a picture in linear light (4 channels), which must be multiplied by the exposure
+/// already.
 QImage shown(const Image& linear, const ViewDisplay& display, unsigned threads);
 
-/// The picture of a state by core's CPU renderer. Throws Error.
+/// The picture of a state as the CPU renderer of core draws it, `size` in pixels. Throws Error.
 QImage cpu_picture(const ViewState& state, const ViewDisplay& display, const QSize& size, unsigned threads);
 
 }  // namespace etak

@@ -12,29 +12,31 @@
 
 namespace etak {
 
-/// What a frame is drawn from.
+/// A frame that is to be drawn.
 struct GlJob {
   ViewState state;
   ViewDisplay display;
   QSize size;
-  bool half = false;  // drawn at half the size, then enlarged
+  bool half = false;  // the frame is drawn at half the size and then enlarged
 };
 
-/// A frame in a texture, or why there is none.
+/// A frame in a texture, or the reason why there is none.
 struct GlFrame {
   unsigned texture = 0;  // 0: nothing was drawn
   QSize size;
   QColor background;
   bool half = false;
   double frame_ms = 0;
-  double compile_ms = 0;  // of the first tile's program and its first drawing, whenever that was
+  double compile_ms =
+      0;  // for the first tile's program and its first drawing, in this frame or an earlier one
   bool context_lost = false;
-  QString refused;  // the state cannot be drawn: the texture is grey
-  QString failed;   // this context draws nothing
+  QString refused;  // why the state cannot be drawn; the texture is then grey
+  QString failed;   // why this context cannot draw at all
 };
 
-/// Draws frames into textures with the context that is current; made, used and destroyed with it. The texture
-/// of a frame stays as it is until the frame after the next.
+/// Draws frames into textures with the current OpenGL context. The same context must be current when an
+/// object is made, used and destroyed. The texture of a frame keeps its content while the next frame is
+/// drawn.
 class GlFrames {
  public:
   /// Throws Error where the context is older than OpenGL 3.3.
@@ -43,7 +45,7 @@ class GlFrames {
 
   GlFrame draw(const GlJob& job);
 
-  /// Throws Error.
+  /// Draws the frame and reads it back. Throws Error.
   QImage picture(const GlJob& job);
 
  private:

@@ -25,7 +25,7 @@ double ms_of(const QElapsedTimer& timer) {
 struct GlPainter::State {
   Gl& gl = current_gl();
   GLuint no_vertices = 0;
-  std::map<std::string, std::unique_ptr<GlProgram>> programs;  // by fragment text
+  std::map<std::string, std::unique_ptr<GlProgram>> programs;  // by the text of their fragment shader
 
   std::shared_ptr<const Environment> environment;
   std::unique_ptr<GlTexture> irradiance;
@@ -33,7 +33,7 @@ struct GlPainter::State {
   std::shared_ptr<const OcioShader> display;
   std::vector<std::unique_ptr<GlTexture>> tables;
 
-  // Texture pairs of both sides, the last used first.
+  // The texture pairs of both sides of a comparison; the newest comes first.
   struct Pair {
     std::shared_ptr<const SurfaceTextures> of;
     std::unique_ptr<GlTexture> body, gloss;
@@ -73,7 +73,7 @@ struct GlPainter::State {
   }
 
   void bind_textures(GlProgram& program, const Scene& scene) {
-    // Before the rest: making one binds it.
+    // The pair is made before the other textures are bound, because making a texture binds it to unit 0.
     const Pair* pair = scene.textures ? &take_textures(scene.textures) : nullptr;
     int unit = 0;
     const auto bind = [&](GlTexture& texture, const std::string& sampler) {
@@ -94,7 +94,8 @@ struct GlPainter::State {
     for (std::size_t i = 0; i < tables.size(); ++i) bind(*tables[i], display->tables[i].sampler);
   }
 
-  // Milliseconds that were compiling now, and those of its program whenever it was compiled.
+  // Milliseconds of compiling in this frame, and of compiling the tile's program, in whichever frame that
+  // was.
   struct Compiled {
     double now_ms = 0, ms = 0;
   };
@@ -104,7 +105,7 @@ struct GlPainter::State {
     const GlslText text = glsl_text(tile.scene, GlslVersion::core_330, display ? &shown : nullptr);
     QElapsedTimer timer;
     timer.start();
-    // A session that tries everything does not keep everything.
+    // Limits the memory of a session in which very many programs are used.
     if (programs.size() > 200 && !programs.contains(text.fragment)) programs.clear();
     std::unique_ptr<GlProgram>& program = programs[text.fragment];
     if (!program) program = std::make_unique<GlProgram>(gl, text);
@@ -112,7 +113,7 @@ struct GlPainter::State {
     return {now_ms, program->compile_ms};
   }
 
-  // Milliseconds of compiling.
+  // Draws a tile. Returns the milliseconds of compiling, where the program draws for the first time; else 0.
   double draw_with(GlProgram& program, const GlslText& text, const ViewTile& tile, int height,
                    const QElapsedTimer& timer) {
     const int bottom = height - tile.y - tile.scene.height;
@@ -124,14 +125,14 @@ struct GlPainter::State {
     gl.glScissor(tile.clip_first, bottom, tile.clip_last - tile.clip_first, tile.scene.height);
     gl.glDrawArrays(GL_TRIANGLE_FAN, 0, text.corners);
     if (program.drawn) return 0;
-    // Drivers put off work to the first drawing.
+    // Drivers put off part of the compiling until the first drawing.
     gl.glFinish();
     program.drawn = true;
     program.compile_ms = ms_of(timer);
     return program.compile_ms;
   }
 
-  // The background as the display shows it, by core like the rest.
+  // The background of a scene in the codes of the display.
   QColor background(const Scene& scene, const ViewDisplay& shows) {
     Image pixel(1, 1, 4);
     for (std::size_t c = 0; c < 3; ++c)
@@ -157,7 +158,7 @@ struct GlPainter::State {
     out.background = tiles.empty() ? QColor(51, 51, 51) : background(tiles.front().scene, shows);
     gl.glClearColor(out.background.redF(), out.background.greenF(), out.background.blueF(), 1);
     gl.glClear(GL_COLOR_BUFFER_BIT);
-    // The fourth channel is the object's coverage: nothing for a window that would look through it.
+    // Shaders write the coverage of the object into the fourth channel, which in a window would be opacity.
     gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     gl.glEnable(GL_SCISSOR_TEST);
     for (const ViewTile& tile : tiles) {

@@ -15,7 +15,8 @@ namespace etak {
 class GlTarget;
 struct ViewDisplay;
 
-/// Draws the scenes of a view with the OpenGL context that is current; made, used and destroyed with it.
+/// Draws the scenes of a view with the current OpenGL context. The same context must be current when an
+/// object is made, used and destroyed.
 class GlPainter {
  public:
   /// Throws Error where the context is older than OpenGL 3.3.
@@ -26,12 +27,13 @@ class GlPainter {
 
   std::unique_ptr<GlTarget> target(const QSize& size);
 
-  /// Waits until it is drawn. Programs are kept by their text, so that only what switches parts on or off
-  /// compiles. Throws Error with the driver's message.
-  ///   environment, display   kept while they are the same
+  /// Draws the tiles into `target` and waits for the end of the drawing. Programs are kept by their text, so
+  /// that only a change that switches parts of a shader on or off compiles. Throws Error with the message of
+  /// the driver.
+  ///   environment, display   their textures are kept as long as they stay the same
   struct Drawn {
     double frame_ms = 0;    // without compiling
-    double compile_ms = 0;  // of the first tile's program and its first drawing, whenever that was
+    double compile_ms = 0;  // for the first tile's program and its first drawing, now or in an earlier frame
     QColor background;
     bool context_lost = false;
   };
@@ -40,7 +42,7 @@ class GlPainter {
 
   void enlarge(const GlTarget& small, const GlTarget& target);
 
-  /// The same as a picture.
+  /// Draws the tiles and returns them as a picture of `size` pixels. Throws Error as draw() does.
   QImage picture(const std::vector<ViewTile>& tiles, const std::shared_ptr<const Environment>& environment,
                  const ViewDisplay& display, const QSize& size);
 

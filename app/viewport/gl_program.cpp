@@ -74,7 +74,7 @@ GLint GlProgram::place(const std::string& name) {
 
 void GlProgram::set(const GlslUniform& uniform) {
   const GLint at = place(uniform.name);
-  if (at < 0) return;  // the driver found it unused
+  if (at < 0) return;  // the driver removed the uniform, because the program does not use it
   switch (uniform.width) {
     case 1:
       return gl_.glUniform1fv(at, uniform.count, uniform.values.data());

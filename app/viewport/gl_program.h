@@ -11,9 +11,10 @@ namespace etak {
 
 using Gl = QOpenGLFunctions_3_3_Core;
 
-/// Of the context that is current. Throws Error where that is older than OpenGL 3.3.
+/// The functions of the current context. Throws Error where the context is older than OpenGL 3.3.
 Gl& current_gl();
-std::string renderer_name(Gl& gl);  // the driver's, and its version
+/// Names of the renderer and of the OpenGL version, as the driver gives them.
+std::string renderer_name(Gl& gl);
 
 /// A linked pair of shaders.
 class GlProgram {
@@ -28,7 +29,7 @@ class GlProgram {
   void set(const GlslUniform& uniform);
   void set_sampler(const std::string& name, int unit);
 
-  double compile_ms = 0;  // compiling, linking and the first drawing
+  double compile_ms = 0;  // time of compiling, linking and the first drawing
   bool drawn = false;
 
  private:

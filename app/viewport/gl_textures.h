@@ -9,10 +9,11 @@
 
 namespace etak {
 
-/// A float texture; bound to a unit when asked.
+/// A texture of floats.
 class GlTexture {
  public:
-  GlTexture(Gl& gl, const Image& map, bool round);  // round: columns go around; rows never
+  GlTexture(Gl& gl, const Image& map,
+            bool round);  // round: the first column follows the last; rows are clamped
   GlTexture(Gl& gl, const OcioShader::Table& table);
   ~GlTexture();
   GlTexture(const GlTexture&) = delete;
@@ -29,11 +30,11 @@ class GlTexture {
   GLuint id_ = 0;
 };
 
-/// A picture of 8-bit codes to draw into. Its texture is seen by the contexts that share; its frame buffer is
-/// not.
+/// A frame buffer with a texture of 8-bit codes to draw into. Contexts that share can use the texture, but
+/// not the frame buffer.
 class GlTarget {
  public:
-  /// Throws Error where the driver cannot draw one of this size.
+  /// Throws Error where the driver cannot draw into a picture of this size.
   GlTarget(Gl& gl, const QSize& size);
   ~GlTarget();
   GlTarget(const GlTarget&) = delete;

@@ -16,7 +16,7 @@ std::unique_ptr<GlThread> GlThread::beside(QOpenGLContext& other) {
   out->context_->setFormat(other.format());
   out->context_->setShareContext(&other);
   if (!out->context_->create() || !QOpenGLContext::areSharing(out->context_.get(), &other)) return nullptr;
-  // Surfaces are windows on some systems, which only the thread of windows may make.
+  // On some systems surfaces are windows, which only the user-interface thread may make.
   out->surface_.setFormat(out->context_->format());
   out->surface_.create();
   if (!out->surface_.isValid()) return nullptr;

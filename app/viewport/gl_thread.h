@@ -13,27 +13,28 @@ class QOpenGLContext;
 
 namespace etak {
 
-/// Draws frames in a thread of its own, with a context that shares its textures with another one, so that
-/// compiling and drawing keep nobody waiting.
+/// Draws frames in a thread of its own, with a context that shares textures with another one, so that the
+/// user interface does not wait for compiling and drawing.
 class GlThread : public QObject {
  public:
-  /// Null where the system's contexts cannot share, or cannot be used by another thread.
+  /// A thread whose context shares textures with `other`. Null where contexts of the system cannot share or
+  /// cannot be used by another thread.
   static std::unique_ptr<GlThread> beside(QOpenGLContext& other);
-  ~GlThread() override;  // waits for the frame that is being drawn
+  ~GlThread() override;  // waits for the frame in work
 
-  /// `done` is called from the event loop of the thread that made this, unless this is gone by then. One at a
-  /// time.
+  /// Draws a frame and calls `done` from the event loop of the thread that made this object, unless the
+  /// object has been deleted by then. Frames are drawn one after the other.
   void draw(const GlJob& job, std::function<void(const GlFrame&)> done);
 
-  /// Waits for it. Throws Error.
+  /// Draws a frame as a picture and waits for it. Throws Error.
   QImage picture(const GlJob& job);
 
  private:
   GlThread();
-  GlFrames& frames();  // of the context, which is current in the thread
+  GlFrames& frames();  // made on first use, in the thread, with the context current there
 
   QThread thread_;
-  QObject hand_;  // lives in the thread: what is sent to it is done there
+  QObject hand_;  // belongs to the thread, which makes the calls that are posted to it
   QOffscreenSurface surface_;
   std::unique_ptr<QOpenGLContext> context_;
   std::unique_ptr<GlFrames> frames_;

@@ -27,7 +27,7 @@ QSurfaceFormat wanted_format() {
 }  // namespace
 
 QString why_no_gl() {
-  // On these a QOpenGLWidget is not supported, or ends the program.
+  // These platforms do not support QOpenGLWidget; some of them end the program.
   for (const char* platform : {"offscreen", "minimal", "vnc", "linuxfb", "minimalegl"})
     if (QGuiApplication::platformName() == QLatin1String(platform))
       return GlView::tr("Qt's platform \"%1\" has no OpenGL.").arg(QLatin1String(platform));
@@ -46,7 +46,8 @@ GlView::GlView(QWidget* parent, bool threaded) : QOpenGLWidget(parent), threaded
 }
 
 GlView::~GlView() {
-  // The context goes with the base class, when there is nothing left here that could hear of it.
+  // The base class destroys the context when this part of the object is gone already; the signal of the
+  // context must not reach it then.
   if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
   drop();
 }
@@ -78,7 +79,7 @@ void GlView::initializeGL() {
     gl.glGenFramebuffers(1, &reader_);
     if (threaded_) thread_ = GlThread::beside(*context());
     if (!thread_) frames_ = std::make_unique<GlFrames>();
-    // Qt makes another context where the window changes; what belongs to this one goes with it.
+    // Qt makes another context where the window changes; drop() then frees all that belongs to this one.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &GlView::drop, Qt::UniqueConnection);
   } catch (const Error& error) {
     emit failed(QString::fromUtf8(error.what()));
@@ -93,7 +94,7 @@ GlJob GlView::next_job() {
 }
 
 void GlView::begin() {
-  if (frames_) update();  // drawn when it is painted
+  if (frames_) update();  // without a thread, the frame is drawn in paintGL()
   if (!thread_ || !wanted_ || drawing_ || picture_size().isEmpty()) return;
   drawing_ = true;
   thread_->draw(next_job(), [this](const GlFrame& frame) {
@@ -130,12 +131,12 @@ void GlView::paintGL() {
   if (!fresh_) return;
   fresh_ = false;
   const double ms = frame_.frame_ms + static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  // A small frame tells what a whole one would take now: four times as much at most.
+  // A frame of half the size has a quarter of the pixels: a whole one takes at most four times as long.
   whole_ms_ = frame_.half ? 4 * ms : ms;
   emit drawn(ms);
 }
 
-// The last frame: in the middle, as it is, where the view has another size by now.
+// Shows the last frame. Where the view has another size by now, the frame lies in its middle, not scaled.
 void GlView::show_frame() {
   Gl& gl = current_gl();
   const GLuint target = defaultFramebufferObject();
@@ -156,7 +157,7 @@ void GlView::show_frame() {
   gl.glBlitFramebuffer(shown.x(), shown.y(), shown.x() + shown.width(), shown.y() + shown.height(), x, y,
                        x + shown.width(), y + shown.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
-  // The thread draws into this texture again: not before it was read.
+  // The thread will draw into this texture again, which must be read before.
   gl.glFinish();
 }
 

@@ -10,24 +10,25 @@ namespace etak {
 
 class GlThread;
 
-/// Why there can be no OpenGL view here; empty where there can. Makes a context to find out.
+/// The reason why there can be no OpenGL view, for the user; empty where there can. Makes a context to find
+/// out.
 QString why_no_gl();
 
-/// The picture of a state by OpenGL. Drawn in a thread of its own where contexts can share: the last picture
-/// stays until the next is there, so that nobody waits for a shader to be compiled.
+/// Shows a state as OpenGL draws it. Where contexts can share, it is drawn in a thread of its own: the last
+/// picture stays on the screen until the next is drawn, so that the user does not wait for a shader to be
+/// compiled.
 class GlView : public QOpenGLWidget {
   Q_OBJECT
 
  public:
-  /// `threaded` false: as where contexts cannot share.
+  ///   threaded   false: drawn by the user-interface thread, as where contexts cannot share
   explicit GlView(QWidget* parent, bool threaded = true);
   ~GlView() override;
 
-  /// `hurry`: while something is dragged; at half the size where a whole frame takes longer than a screen's
-  /// two.
+  ///   hurry   the user drags: the picture has half the size where a whole one takes longer than fluid_ms
   void show_state(const ViewState& state, const ViewDisplay& display, bool hurry);
 
-  /// Waits for it, and for the frame that is being drawn. Throws Error.
+  /// The picture of a state, `size` in pixels. Waits for it and for the frame in work. Throws Error.
   QImage picture(const ViewState& state, const ViewDisplay& display, const QSize& size);
   QSize picture_size() const { return size() * devicePixelRatioF(); }
 
@@ -40,8 +41,8 @@ class GlView : public QOpenGLWidget {
  signals:
   void drawn(double frame_ms);
   void refused(const QString& message);  // the state cannot be drawn
-  void failed(const QString& why);       // this view cannot go on
-  void lost();                           // the context is gone: another view may work
+  void failed(const QString& why);       // this view cannot draw any more
+  void lost();                           // the context is lost; a new view may work
 
  protected:
   void initializeGL() override;
@@ -49,7 +50,7 @@ class GlView : public QOpenGLWidget {
 
  private:
   GlJob next_job();
-  void begin();  // the next frame, if one is wanted and none is being drawn
+  void begin();  // begins the next frame, if one is wanted and none is in work
   void take(const GlFrame& frame);
   void tell_loss();
   void show_frame();
@@ -57,10 +58,10 @@ class GlView : public QOpenGLWidget {
 
   ViewState state_;
   ViewDisplay display_;
-  std::unique_ptr<GlThread> thread_;  // one of the two
+  std::unique_ptr<GlThread> thread_;  // either thread_ or frames_ is there
   std::unique_ptr<GlFrames> frames_;
-  GlFrame frame_;  // the last one
-  QSize whole_;    // what the view's size was when its drawing began
+  GlFrame frame_;  // the last frame
+  QSize whole_;    // size of the view when the last frame was begun
   unsigned reader_ = 0;
   QString gl_name_;
   bool hurry_ = false, threaded_, wanted_ = true, drawing_ = false, fresh_ = false, lost_ = false;

@@ -9,7 +9,8 @@ namespace {
 
 const QColor ink(255, 255, 255), shade(0, 0, 0, 170);
 
-// Text on a dark plate, so that it reads on any picture; `box` tells where it may be.
+// Draws text on a dark plate, so that it is legible on any picture.
+//   box   the area in which the text is aligned and wrapped
 void plate(QPainter& painter, const QRect& box, Qt::Alignment where, const QString& text) {
   if (text.isEmpty() || box.width() < 24) return;
   const int flags = static_cast<int>(where) | Qt::TextWordWrap;
@@ -31,7 +32,7 @@ Overlay::Overlay(QWidget* parent) : QWidget(parent) {
 }
 
 void Overlay::show_content(Content content) {
-  if (content == content_) return;  // painting it paints the picture below again
+  if (content == content_) return;  // painting the overlay would paint the picture below it again
   content_ = std::move(content);
   update();
 }

@@ -8,7 +8,8 @@
 
 namespace etak {
 
-/// What lies over the picture: the separator with both names, marks of lights, the patch's numbers, messages.
+/// The drawing over the picture: the separator with the names of both sides, marks of lights, the numbers of
+/// the patch under the cursor, messages.
 class Overlay : public QWidget {
  public:
   struct Mark {

@@ -6,7 +6,7 @@
 
 namespace etak {
 
-/// core's UTF-8 as Qt's text.
+/// A UTF-8 text of core as a QString.
 inline QString qt_text(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }

@@ -34,7 +34,7 @@ Viewport::Viewport(QWidget* parent, Backend backend) : QWidget(parent), d_(std::
 }
 
 Viewport::~Viewport() {
-  // The views' last signals must not find half an object.
+  // The views are deleted first: their last signals must not reach an object that is partly destroyed.
   delete d_->gl;
   delete d_->cpu;
 }
@@ -57,7 +57,7 @@ void Viewport::Private::use_gl() {
     refusal = why;
     tell_message();
   });
-  // Queued: they come while the view draws, and end it.
+  // These signals are queued, because they come while the view draws, and their slots delete the view.
   QObject::connect(
       gl, &GlView::failed, &q, [this](const QString& why) { use_cpu(why); }, Qt::QueuedConnection);
   QObject::connect(gl, &GlView::lost, &q, &Viewport::recover_from_lost_context, Qt::QueuedConnection);
@@ -115,7 +115,8 @@ void Viewport::Private::refresh() {
   tell_message();
 }
 
-// Configs take a tenth of a second to read: until then the last display stays.
+// Opens the display of the state in a thread, because a config takes a tenth of a second to read. The last
+// display stays in use until then.
 void Viewport::Private::open_display() {
   if (opening) return;
   opening = true;
@@ -136,7 +137,7 @@ void Viewport::Private::open_display() {
       },
       [this](const Opened& opened) {
         opening = false;
-        if (!opened.display.is_of(state)) return refresh();  // another was asked for since
+        if (!opened.display.is_of(state)) return refresh();  // the state names another display by now
         display = opened.display;
         display_failure = opened.failure;
         refresh();

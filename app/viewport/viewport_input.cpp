@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hands do to the viewport: core says what comes of it.
+// Mouse and keys of the viewport; core/render/view_moves.h holds what they do to a state.
 #include <QDragEnterEvent>
 #include <QKeyEvent>
 #include <QMimeData>
@@ -15,10 +15,10 @@
 namespace etak {
 namespace {
 
-constexpr double separator_reach = 6;   // pixels from the separator that still hold it
-constexpr double mark_reach = 0.15;     // radii from a mark within which it does not jump to the cursor
-constexpr double step_of_wheel = 1.1;   // factor of a wheel's notch
-constexpr double zoom_of_drag = 1.005;  // factor of a pixel
+constexpr double separator_reach = 6;  // pixels from the separator in which a press drags it
+constexpr double mark_reach = 0.15;  // radii from a mark in which a drag does not move it to the cursor first
+constexpr double step_of_wheel = 1.1;   // factor of a notch of the wheel
+constexpr double zoom_of_drag = 1.005;  // factor of a pixel of a drag
 
 }  // namespace
 
@@ -83,7 +83,7 @@ void Viewport::Private::drag_to(const QPointF& position) {
   if (!at) return;
   const double per_radius = at->radius_pixels / q.devicePixelRatioF();
   const ViewPlace way{(position.x() - last.x()) / per_radius, (last.y() - position.y()) / per_radius};
-  // The way of an orbit is one of the hand, not of the picture: zoom does not slow it.
+  // The angle of an orbit follows the pixels that the cursor moved, whatever the zoom.
   const ViewPlace turn{way.x * state.camera.zoom, way.y * state.camera.zoom};
   const ViewState before = state;
   switch (drag) {
@@ -116,7 +116,7 @@ void Viewport::Private::drag_to(const QPointF& position) {
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
   using Drag = Private::Drag;
-  if (d_->drag != Drag::none) return;  // a second button changes nothing
+  if (d_->drag != Drag::none) return;  // a second button during a drag is ignored
   const QPointF at = event->position();
   const Qt::KeyboardModifiers keys = event->modifiers();
   if (event->button() == Qt::LeftButton) {
@@ -156,7 +156,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (d_->drag == Private::Drag::none) return event->ignore();
   if (event->buttons() != Qt::NoButton) return;
   d_->drag = Private::Drag::none;
-  d_->refresh();  // the whole size again
+  d_->refresh();  // draws the picture at its whole size again
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -167,7 +167,7 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
-  // Some platforms turn the wheel sideways while Alt or Shift is held.
+  // Some platforms report the wheel as horizontal while Alt or Shift is held.
   const QPoint angle = event->angleDelta();
   const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
   const auto at = d_->under(event->position());
@@ -201,7 +201,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     if (!event->isAutoRepeat()) set_flipped(true);
     return;
   }
-  event->ignore();  // arrows and all others are the window's
+  event->ignore();  // the window handles arrows and all other keys
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent* event) {
@@ -253,7 +253,7 @@ void Viewport::focusInEvent(QFocusEvent* event) {
 void Viewport::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
   d_->shift_held = false;
-  set_flipped(false);  // its release goes elsewhere
+  set_flipped(false);  // the release of Space will go to another widget
   d_->refresh_overlay();
 }
 
@@ -321,7 +321,7 @@ void Viewport::Private::refresh_overlay() {
     content.right_name = QString::fromStdString(shown.b.label);
   }
   if (const bool lights = drag == Drag::light || shift_held; lights && state.shape != ViewShape::wedge) {
-    // Places to widget pixels, by what lies in the middle.
+    // Places of marks become widget pixels by the place and the scale in the middle of the widget.
     if (const auto middle = under(QPointF(q.width() / 2.0, q.height() / 2.0))) {
       const double radius = middle->radius_pixels / q.devicePixelRatioF();
       for (const LightMark& mark : light_marks(state.lights, state.camera)) {

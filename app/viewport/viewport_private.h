@@ -20,7 +20,7 @@ class Viewport::Private {
   Viewport& q;
   ViewState state;
   ViewDisplay display;
-  GlView* gl = nullptr;  // one of the two
+  GlView* gl = nullptr;  // either gl or cpu draws; the other is null
   CpuView* cpu = nullptr;
   Overlay* overlay = nullptr;
   QString no_gl, refusal, display_failure;
@@ -32,31 +32,31 @@ class Viewport::Private {
   enum class Drag { none, orbit, pan, zoom, environment, light, separator };
   Drag drag = Drag::none;
   int press_id = 0;
-  QPointF last;    // of the drag
-  ViewPlace grip;  // from the cursor to the mark it holds
+  QPointF last;    // last position of the drag
+  ViewPlace grip;  // vector from the cursor to the mark that it drags
   int held_light = 0;
   bool shift_held = false;
   QTimer hover_timer;
   QPointF hover_at;
   QString readout;
   std::function<bool(const QStringList&)> can_take;
-  QThreadPool openers;  // last: its thread ends before the rest goes
+  QThreadPool openers;  // the last member, so that its thread ends before the others are destroyed
 
   void use_gl();
   void use_cpu(const QString& why);
   ViewState shown_state() const;
-  void refresh();  // picture and overlay
+  void refresh();  // updates picture and overlay
   void refresh_overlay();
-  void open_display();  // in a thread
+  void open_display();  // works in a thread
   void tell_message();
   QString message() const;
   QSize picture_size() const;
 
-  // Of a point of the widget; none for a state that cannot be drawn.
+  // The place of the scene below a point of the widget; none for a state that cannot be drawn.
   std::optional<PlaceUnder> under(const QPointF& position) const;
   double separator_x() const;
   bool on_separator(const QPointF& position) const;
-  void edited();  // by hand: shows and tells
+  void edited();  // the user has changed the state: draws it and emits state_edited()
   void begin(Drag kind, const QPointF& position);
   void drag_to(const QPointF& position);
   int nearest_light(const ViewPlace& place, double& distance) const;

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# Part of cmake --install. Includes are followed when headers are installed, not when the build is configured, so that no
-# change of a header configures the build again.
+# Installs the headers as part of cmake --install. The includes are followed then, not when the build is
+# configured, so that a change of a header does not configure the build again.
 #   source        the checkout
-#   headers       those for users: etak/f0.h;...
+#   headers       the headers for users: etak/f0.h;...
 #   destination   the folder include/etak of the installation
-cmake_policy(VERSION 3.24)  # an install script has no policies of its project
+cmake_policy(VERSION 3.24)  # an install script does not have the policies of the project
 set(open ${headers})
 list(TRANSFORM open PREPEND core/include/)
 set(reached)

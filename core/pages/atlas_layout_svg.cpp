@@ -8,13 +8,13 @@
 namespace etak {
 namespace {
 
-// The picture is this wide whatever the page's size, so that text and lines look the same.
+// Plans of all pages have the same width, so that text and lines have the same size in all of them.
 constexpr double shown_width = 640;
 constexpr double largest_text = 22, smallest_text = 7;
-// Share of the text size that a letter takes.
+// Width of a letter as a share of the text size.
 constexpr double letter_share = 0.56;
 
-// Hues far apart for neighbours in the list: steps of the golden angle.
+// Hues in steps of the golden angle, so that neighbours in the list of materials differ strongly.
 std::string fill_of(std::size_t index) {
   return "hsl(" + std::to_string(index * 137 % 360) + " 45% 62%)";
 }
@@ -33,7 +33,7 @@ std::string layout_svg(const AtlasLayout& layout, int page) {
          std::to_string(page),
          "\" font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" "
          "fill=\"#3a3a3a\"/>\n");
-  // Materials that share texels have a rectangle each: one is drawn, under all the names.
+  // Materials that share texels have a rectangle each at the same place: one is drawn, with all the names.
   std::map<std::pair<int, int>, std::string> names;
   for (const AtlasRect& rect : layout.rects) {
     if (rect.page != page) continue;
@@ -45,7 +45,7 @@ std::string layout_svg(const AtlasLayout& layout, int page) {
   for (const AtlasRect& rect : layout.rects) {
     if (rect.page != page) continue;
     const auto name = names.find({rect.x, rect.y});
-    if (name == names.end()) continue;  // drawn
+    if (name == names.end()) continue;  // drawn before, for a material that shares the texels
     const auto box = [&](double grow) {
       const double left = std::max(0.0, rect.x - grow), top = std::max(0.0, rect.y - grow);
       const double right = std::min<double>(sheet.width, rect.x + rect.width + grow);

@@ -98,7 +98,7 @@ void append_findings(std::string& out, const AtlasPageData& data) {
   out += "</section>\n";
 }
 
-// A colour that is the same all over the material, as a swatch; "varies" for the rest.
+// A colour that is the same in all texels of the material, as a swatch with its codes; "varies" for others.
 std::string constant_text(const AtlasMaterialRow& row, std::size_t first) {
   for (std::size_t c = first; c < first + 3; ++c)
     if (!row.constant[c]) return "varies";

@@ -12,8 +12,8 @@
 
 namespace etak {
 
-/// What a page of an atlas holds, as PNG files of the same shape: diffuse over a checker pattern where alpha
-/// hides it, F0, gloss as grey. Empty where the page does without that texture.
+/// Pictures of one page of an atlas, as PNG files of the same aspect ratio: the diffuse colour over a checker
+/// pattern that shows where alpha hides it, F0, and gloss as grey. Empty where the page lacks that texture.
 struct AtlasPagePictures {
   std::string diffuse, specular, gloss;
 };
@@ -21,19 +21,20 @@ struct AtlasPagePictures {
 struct AtlasPageData {
   std::string title;
   AtlasLayout layout;
-  std::vector<AtlasPagePictures> pictures;  // one for each page
+  std::vector<AtlasPagePictures> pictures;  // one for each page; empty: none are shown
   std::vector<LeaveOutLine> left_out;
-  TexelAccount before, after;
-  const ValidationReport* findings = nullptr;              // null: not checked
+  TexelAccount before, after;                              // of leave_out()
+  const ValidationReport* findings = nullptr;              // null: the pages were not checked
   std::vector<std::pair<std::string, std::string>> links;  // text and target, for the head of the page
 };
 
-/// Where the regions of a page lie: the page, every region with its gutter, and names where they fit; others
-/// are in the tooltip. SVG to stand in a page.
+/// A plan of one page as an SVG element for an HTML page: every region with its gutter. A region's name is
+/// written into it where there is room; its tooltip always gives name, size and place.
+///   page   index into layout.pages
 std::string layout_svg(const AtlasLayout& layout, int page);
 
-/// Textures, layout, what was left out, findings and the materials' defines as one HTML page that works from
-/// disk: no script, no font, nothing from a network.
+/// An HTML page of an atlas: textures, layout, texels that were left out, findings, and the defines of each
+/// material. The page is one file without scripts, fonts or links to the network, so that it opens from disk.
 std::string atlas_page(const AtlasPageData& data);
 
 }  // namespace etak

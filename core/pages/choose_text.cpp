@@ -26,7 +26,7 @@ std::string saving(double everything, double chosen) {
          (less < 0 ? " % more)" : " % less)");
 }
 
-// What all of it saves, in evaluations a millisecond and in milliseconds for the spectra.
+// The saving over all choices: evaluations per millisecond, and milliseconds to integrate the spectra.
 std::string saved(const std::vector<Choice>& choices) {
   double everything = 0, chosen = 0, everything_solve = 0, chosen_solve = 0;
   for (const Choice& each : choices) {

@@ -42,7 +42,7 @@ article .data td.verdict b { color: var(--plot-1); }
 article .many th, article .many td { padding: 0.25rem 0.3rem; font-size: 0.75rem; min-width: 0; }
 )css";
 
-// Three digits; whole numbers up to ten million without an exponent.
+// Three significant digits; from 1000 to ten million all digits before the point, without an exponent.
 std::string shown(double value) {
   return std::abs(value) >= 1000 && std::abs(value) < 1e7 ? fixed(value, 0) : number(value, 3);
 }
@@ -64,7 +64,7 @@ void append_about(std::string& out, const ReportHeader& h) {
 }
 
 void append_table(std::string& out, const ErrorTimeTable& table) {
-  // More columns than a page has room for at the usual size.
+  // A table of more columns than the page has room for gets smaller text.
   append(out, "<div class=\"scroll\"><table class=\"data", table.metrics.size() > 8 ? " many" : "",
          "\"><thead><tr><th>Way</th>");
   for (const ErrorMetric& metric : table.metrics)

@@ -14,15 +14,16 @@ namespace {
 constexpr double width = 640;
 constexpr double left = 66, right = 612, top = 26, bottom = 350;
 constexpr double letter_width = 6.3, line_height = 13, label_gap = 8;
-// With more points than this only those that nothing beats have a name at any distance, the others beside
-// them: a web of thin lines would say less than the table below.
+// With more points than this, only points that nothing beats may have their name far away at the end of a
+// thin line; other names stand beside their points or are left out, because a web of thin lines says less
+// than the table below the plot.
 constexpr std::size_t most_named = 14;
 constexpr double nothing_shown = 1e-15;  // errors below it are drawn on the axis: rounding, not error
 
 // A logarithmic axis over whole or half decades.
 struct LogAxis {
-  double least = 0, most = 1;  // log10
-  double from = 0, to = 1;     // on the page
+  double least = 0, most = 1;  // log10 of the values at its ends
+  double from = 0, to = 1;     // coordinates of its ends in the SVG
 
   LogAxis(double smallest, double largest, double from_, double to_) : from(from_), to(to_) {
     least = std::floor(std::log10(smallest) * 2 - 0.2) / 2;
@@ -46,7 +47,7 @@ std::string tick_text(double value) {
 struct Point {
   const ErrorTimeRow* row;
   double x, y;
-  double first, last;  // the quartiles
+  double first, last;  // x of the quartiles
 };
 
 struct Box {
@@ -84,7 +85,7 @@ void append_grid(std::string& out, const LogAxis& x, const LogAxis& y) {
   append(out, "V", coordinate(bottom), "H", coordinate(right), "\"/>");
 }
 
-// The line through the points that nothing beats, as small boxes.
+// Adds the line through the points that nothing beats to `taken`, as small boxes.
 void take_front(const std::vector<Point>& points, std::vector<Box>& taken) {
   const Point* before = nullptr;
   for (const Point& p : points) {
@@ -101,8 +102,9 @@ void take_front(const std::vector<Point>& points, std::vector<Box>& taken) {
   }
 }
 
-// Beside its point where no other label, point or line is: right, left, above, below, then further off with a
-// thin line. What nothing beats chooses first.
+// Writes the name of each point where it covers no other name, point or line: at the point's right or left,
+// else above or below it in growing distance, with a thin line where it stands far off. Points that nothing
+// beats choose their places first.
 void append_labels(std::string& out, const std::vector<Point>& points) {
   std::vector<Box> taken;
   for (const Point& p : points) taken.push_back({p.x - 5, p.y - 5, p.x + 5, p.y + 5});

@@ -30,8 +30,8 @@ bool has_place(const Finding& finding) {
   return counts(finding) && ((rule != nullptr && rule->region) || finding.box);
 }
 
-// The picture a finding is about, A or B: by its file, and where that is no picture of the target (a scene),
-// by what its rule looks at.
+// Whether a finding is about texture A, not B. The role of its file decides; where the file is no picture of
+// the target (a scene), the kind of region that the rule looks for.
 bool is_about_a(const Finding& finding, const CheckTarget& target, const LoadedPictures& pictures) {
   if (pictures.b.pixel_count() == 0) return true;
   if (pictures.a.pixel_count() == 0) return false;
@@ -44,7 +44,7 @@ bool is_about_a(const Finding& finding, const CheckTarget& target, const LoadedP
          *rule->region == RegionKind::albedo_single;
 }
 
-// Marks of one finding on its picture; with a tile, only of that.
+// The marks of one finding on its picture. A finding of a tile has marks inside that tile only.
 Image8 marks_of(const Finding& finding, const CheckTarget& target, const LoadedPictures& pictures,
                 const Image8& picture, const Settings& settings) {
   const Rule* rule = find_rule(finding.rule);
@@ -72,7 +72,8 @@ Image8 marks_of(const Finding& finding, const CheckTarget& target, const LoadedP
   return marks;
 }
 
-// No name begins with a dot, which would hide the file: what lies above the run's root loses its "../".
+// The name of a finding's mask without ".png". A name must not begin with a dot, which would hide the file;
+// files above the root of the run therefore lose their "../".
 std::string file_name(const Finding& finding) {
   std::string out = finding.file;
   while (out.starts_with("../")) out.erase(0, 3);
@@ -84,7 +85,7 @@ std::string file_name(const Finding& finding) {
   return out + '.' + finding.rule;
 }
 
-// The pictures of a checked file, loaded again: the check itself reads in strips and keeps none.
+// The pictures of a checked file, which are loaded again: the check reads them in strips and keeps none.
 class PictureSource {
  public:
   PictureSource(const CheckTarget& target, const PictureDoor& door) {
@@ -100,13 +101,14 @@ class PictureSource {
         files_ = load_pictures(target, door);
       }
     } catch (const Error&) {
-      // The report says so already; there is nothing to show.
+      // The report has a finding for a file that cannot be read; there is nothing to show.
     }
   }
 
   bool is_scene() const { return scene_.has_value(); }
 
-  /// Those of the finding; of a scene, of the material that its pointer "/materials/3" names. Null: none.
+  /// The pictures that a finding is about; in a scene, those of the material that the finding's pointer
+  /// ("/materials/3") names. Null where there are none.
   const LoadedPictures* of(const Finding& finding) {
     constexpr std::string_view list = "/materials/";
     if (!scene_) return files_ ? &*files_ : nullptr;
@@ -134,7 +136,7 @@ class PictureSource {
   std::optional<MaterialUses> uses_;
   std::optional<MaterialLooks> looks_;
   std::optional<ScenePictures> textures_;
-  double material_ = -1;  // whose pictures files_ holds
+  double material_ = -1;  // index of the material whose pictures files_ holds
 };
 
 std::vector<std::size_t> with_places(const ValidationReport& report) {
@@ -172,7 +174,7 @@ std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& se
   parallel_chunks(wanted.size(), threads, 1, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t w = begin; w < end; ++w) {
       const CheckedFile& file = report.files[wanted[w]];
-      // One tile of a UDIM set after the other, so that the pictures of one are in memory.
+      // The tiles of a UDIM set are worked on one after the other, so that memory holds the pictures of one.
       for (const CheckTarget* target : targets_of(file)) {
         PictureSource source(*target, door);
         for (std::size_t i = 0; i < file.findings.size(); ++i) {
@@ -195,7 +197,8 @@ namespace {
 
 constexpr int thumbnail_side = 256;
 
-// Diffuse or specular with the heat map of all the findings it has among `findings`.
+// The thumbnail of a texture with the heat map and the boxes of those of `findings` that are about it.
+//   a   `picture` is texture A (diffuse); false: texture B (specular)
 ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Finding* const> findings,
                                const CheckTarget& target, const LoadedPictures& pictures,
                                const Settings& settings) {
@@ -222,7 +225,7 @@ ValidationPicture page_picture(const Image8& picture, bool a, std::span<const Fi
 void add_pictures(const CheckedFile& file, const CheckTarget& target, const Settings& settings,
                   const PictureDoor& door, ValidationPageFile& out) {
   PictureSource source(target, door);
-  // Of a scene every material with findings is shown, of other targets the one pair.
+  // For a scene, every material with findings is shown; other targets have a single pair of textures.
   std::map<std::string, std::vector<const Finding*>> groups;
   for (const Finding& finding : file.findings)
     if (&file.target_of(finding) == &target)

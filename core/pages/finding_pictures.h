@@ -14,16 +14,18 @@
 
 namespace etak {
 
-// Pictures of the findings of validate() (target etak::finding_pictures). The check reads in strips and keeps
-// no texels, so that the files are read once more, by `door` where they are no plain PNG.
+// Pictures of the findings of validate() (target etak::finding_pictures). The check reads pictures in strips
+// and keeps no texels, so these functions read the files again; `door` reads those that are no plain PNG.
 
 /// A mask picture for every finding that counts and has a place in a picture, as FOLDER/LABEL.TILE.RULE.png
-/// with '/' in names as '_', to be put in place with the other outputs of the run. Throws Error.
+/// with '/' in names as '_'. The caller puts the result in place with the other outputs of the run. Throws
+/// Error where a picture cannot be written.
 std::unique_ptr<Output> masks(const ValidationReport& report, const Settings& settings,
                               const PictureDoor& door, const std::string& folder, unsigned threads);
 
-/// Thumbnails, heat maps and histograms of the files with findings for the HTML page; of the first `most` of
-/// them, so that the page of a folder of thousands still opens.
+/// Thumbnails, heat maps and histograms of the files with findings, for validation_page(): an entry for each
+/// of report.files. Only the first `most` files with findings get pictures, so that browsers can open the
+/// page of a folder of thousands of files.
 std::vector<ValidationPageFile> page_pictures(const ValidationReport& report, const Settings& settings,
                                               const PictureDoor& door, std::size_t most, unsigned threads);
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::uint8_t, 3> stripe{255, 64, 64}, between{176, 0, 0};
 constexpr std::array<std::uint8_t, 3> yellow{255, 216, 0}, dot{90, 70, 0};
 
-// Stripes 4 texels wide, dots every 4 texels: both survive in a picture shown at half its size.
+// Stripes are 4 texels wide and dots lie 4 texels apart, so that both are visible at half the picture's size.
 std::array<std::uint8_t, 3> plateau_color(int x, int y) {
   return ((x + y) / 4) % 2 == 0 ? stripe : between;
 }

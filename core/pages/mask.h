@@ -5,15 +5,16 @@
 
 namespace etak {
 
-/// What a region rule means, as a picture for people: plateau red with slanted stripes, transition yellow
-/// with dots (so that the two differ without colour), the rest at 25 % of its codes.
-///   picture   3 or 4 channels; opacity or gloss is left out
+/// Shows on a picture which texels a region rule has found: plateau texels red with slanted stripes,
+/// transition texels yellow with dots (the patterns differ for readers who see no colour), all others at 25 %
+/// of their codes.
+///   picture   1, 3 or 4 channels; the fourth (opacity or gloss) is left out
 ///   marks     one channel of the same size: 0 nothing, 1 transition, 2 plateau (region_picture in
 ///             core/validate/engine.h)
 ///   returns   RGB
 Image8 mask_picture(const Image8& picture, const Image8& marks);
 
-/// Marks where a finding without a region lies: everything in its box is 2.
+/// Marks for a finding that has a box but no region: every texel in the box is 2, all others 0.
 Image8 box_marks(int width, int height, int x, int y, int box_width, int box_height);
 
 }  // namespace etak

@@ -27,10 +27,10 @@ struct Extent {
   bool empty() const { return least > most; }
 };
 
-// The table's own samples as dots on a curve; none for formulas.
+// Draws the rows of the published table as dots on a curve. Formulas have no rows and get no dots.
 void add_samples(LinePlot& plot, const PlotCurve& curve, const std::vector<double>& sample_nm,
                  const char* css_class) {
-  constexpr std::size_t too_many = 120;  // dots that touch say nothing
+  constexpr std::size_t too_many = 120;  // more dots than this would touch each other
   if (sample_nm.empty() || sample_nm.size() > too_many) return;
   PlotCurve dots;
   dots.css_class = css_class;
@@ -57,7 +57,7 @@ std::vector<double> seen(const std::vector<Vec3>& all, PlotChannel channel) {
   return out;
 }
 
-// Two decimals of nanoseconds say more than a clock knows.
+// Two significant digits, because the clock is no more precise; empty where nothing was timed.
 std::string time_text(double ns) {
   if (!(ns > 0)) return "";
   return ns < 1000 ? ", " + number(ns, 2) + " ns" : ", " + number(ns / 1000, 2) + " µs";

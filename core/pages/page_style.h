@@ -5,8 +5,8 @@
 
 namespace etak {
 
-/// Style sheet of the report pages. Surroundings are neutral greys in both schemes: a tinted page would tint
-/// the swatches in the eye.
+/// Style sheet of the report pages. The light and the dark scheme use neutral greys, because a tinted page
+/// would change how the colours of the swatches look.
 inline constexpr std::string_view page_css = R"css(
 :root { color-scheme: light dark; --page: #f2f2f2; --card: #ffffff; --ink: #1c1c1c; --ink-soft: #5c5c5c;
   --line: #d8d8d8; --link: #1a56a8; --warn: #8a4b00; --warn-bg: #ffe9c7; --bad: #a11d1d;
@@ -108,8 +108,8 @@ dd { margin: 0; }
 @media print { article { break-inside: avoid; } }
 )css";
 
-/// A filter box above the summary table and sorting by its column titles, within each class. The page says
-/// the same without it.
+/// Script of the F0 page: a filter box above the summary table, and column titles that sort the materials
+/// within each class. The page is complete where scripts are off.
 inline constexpr std::string_view page_script = R"js(
 (() => {
   const box = document.getElementById('summary');

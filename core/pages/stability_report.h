@@ -8,11 +8,13 @@
 
 namespace etak {
 
-// The stiff and extreme cases for people and machines.
+// The results of the stiff and extreme cases.
 
+/// Three or more lines for each case, and a last line that begins with "PASSED:" or "FAILED:".
 std::string stability_text(const std::vector<StabilityCase>& cases);
+/// {"schema": "etak-stability/1", "passed": true, "cases": [...]}
 std::string stability_json(const std::vector<StabilityCase>& cases);
-/// A table for report pages.
+/// An HTML table for report pages, such as error_time_page().
 std::string stability_html(const std::vector<StabilityCase>& cases);
 
 }  // namespace etak

@@ -53,8 +53,8 @@ article h3 { margin: 0; overflow-wrap: anywhere; }
 
 // ---- histogram
 
-// Bars of F0 by code; heights by the square root of the count, because one flat material outweighs all
-// others.
+// A bar for each code of F0. Heights are square roots of the counts, because a material of a single F0 would
+// otherwise leave all other bars too low to be seen.
 void append_histogram(std::string& out, const std::array<std::size_t, 256>& counts,
                       const Settings& settings) {
   constexpr double left = 10, width = 440, top = 16, height = 110, step = width / 256;
@@ -108,7 +108,7 @@ void append_picture(std::string& out, const ValidationPicture& picture, const st
   if (!picture.heat_png.empty())
     append(out, "<input type=\"checkbox\" class=\"heat\" id=\"", id,
            "\" checked> <label class=\"toggle\" for=\"", id, "\">heat map</label><br>");
-  // Small pictures are enlarged so that their boxes can be seen.
+  // The longer side always takes 256 pixels: small pictures are enlarged so that their boxes can be seen.
   const int longest = std::max({picture.width, picture.height, 1});
   const double scale = 256.0 / longest;
   append(out, "<div class=\"stack\" style=\"width: ", fixed(std::max(8.0, picture.width * scale), 0),
@@ -175,7 +175,7 @@ void append_file(std::string& out, const CheckedFile& file, const ValidationPage
     if (pictures.f0) append_histogram(out, *pictures.f0, options.settings);
     out += "</div>\n";
   }
-  // The worst first; what is allowed or known goes last.
+  // The worst findings come first; findings that are allowed or known come last.
   std::vector<const Finding*> sorted;
   for (const Finding& finding : file.findings) sorted.push_back(&finding);
   const auto weight = [](const Finding* finding) {

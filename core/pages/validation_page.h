@@ -14,10 +14,11 @@
 namespace etak {
 
 /// A picture of a checked file for the page.
-///   label          below it
-///   width, height  of the original, in whose texels the boxes are
-///   boxes          of its findings
-///   png, heat_png  thumbnail() and heat_map() of the same size, as PNG files; no heat map: empty
+///   label          text below the picture
+///   width, height  of the original picture, in texels
+///   boxes          of its findings, in texels of the original picture
+///   png, heat_png  thumbnail() and heat_map() of the same size, as PNG files; heat_png is empty where there
+///                  is no heat map
 struct ValidationPicture {
   std::string label;
   int width = 0, height = 0;
@@ -32,12 +33,12 @@ struct ValidationPageFile {
 
 struct ValidationPageOptions {
   std::string version;
-  Settings settings;  // zone and transfer for the histogram, fail_on for the head
+  Settings settings;  // zone and transfer are for the histogram, fail_on for the head of the page
 };
 
-/// The report as one HTML page that works from disk: pictures are inside, so are the explanations of the
-/// rules that occur; no script, no font, nothing from a network.
-///   files   one for each of report.files, without pictures where there are none to show
+/// The report as an HTML page, with pictures and the explanations of the rules that have findings. The page
+/// is one file without scripts, fonts or links to the network, so that it opens from disk.
+///   files   one for each of report.files; a file that has no pictures to show has an empty entry
 std::string validation_page(const ValidationReport& report, std::span<const ValidationPageFile> files,
                             const ValidationPageOptions& options);
 

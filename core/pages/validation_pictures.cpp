@@ -11,7 +11,7 @@
 namespace etak {
 namespace {
 
-// First and last (exclusive) texel that pixel `at` of `count` covers; never none, because count <= size.
+// The texels [begin, end) that pixel `at` of `count` covers along a side of `size` texels: at least one.
 struct Span {
   int begin, end;
 };
@@ -72,7 +72,7 @@ Image8 heat_map(const Image8& marks, int width, int height) {
           ++count[std::min<std::uint8_t>(marks.at(column, row)[0], 2)];
       const double all = count[0] + count[1] + count[2];
       const auto texel = out.at(x, y);
-      // From 35 %: a single texel of a large picture must still be seen.
+      // The opacity begins at 35 %, so that a single texel of a large picture can still be seen.
       const auto opacity = [&](int part) {
         return to_code(static_cast<float>(0.35 + 0.6 * std::sqrt(part / all)));
       };
@@ -90,7 +90,7 @@ std::array<std::size_t, 256> f0_histogram(const Image8& specular, const Image8& 
   std::array<std::size_t, 256> out{};
   std::array<double, 256> light;
   for (std::size_t code = 0; code < 256; ++code) light[code] = decoded(static_cast<double>(code), transfer);
-  // Code k stands for the luminances from edge[k] to edge[k + 1].
+  // A luminance from edge[k] to edge[k + 1] is counted at code k.
   std::array<double, 256> edge;
   for (std::size_t code = 0; code < 256; ++code)
     edge[code] = decoded(static_cast<double>(code) - 0.5, transfer);

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""growth.py ETAK [CASE...]: the processor time of every verb over four doublings of what it is given.
+"""growth.py ETAK [CASE...]: checks the processor time of every verb over four doublings of its input.
 
-As tests/growth.h does for the readers: 16 times as many things may take 64 times as long, where work that compares
-each with each takes 256 times. What takes less than `shortest` counts as that. Counted is the time of the command and of
-the threads that it starts, less that of the same command on hardly anything; a case that seems to grow too fast is
-measured again, since a busy machine only ever adds to a time.
+The limits are those of tests/growth.h: 16 times as many things may take 64 times as long; work that compares
+each thing with each takes 256 times. Times below `shortest` count as `shortest`. The time of the same command
+on a single thing is subtracted. A case that seems to grow too fast is measured again, because a busy machine
+can only add to a time.
 """
 import base64
 import json
@@ -42,8 +42,8 @@ def flat(i):
     return {"name": f"m{i}", "diffuse": [0.5, 0.5, 0.5], "specular": [0.04, 0.04, 0.04], "gloss": (i % 97) / 97}
 
 
-# By name: the fewest things, the exit statuses that are right, and make(count), which makes so many things in the working
-# folder and returns the arguments of etak.
+# By name: the smallest number of things, the allowed exit statuses, and make(count), which makes so many
+# things in the working folder and returns the arguments of etak.
 cases = {}
 
 
@@ -197,7 +197,7 @@ def validate_pictures(n):
 
 @case(20)
 def validate_tiles(n):
-    # Tiles of one UDIM set, which share a report entry.
+    # The tiles belong to one UDIM set, which has one entry in the report.
     os.mkdir("pictures")
     for i in range(n):
         for role in ("BaseColor", "Roughness"):
@@ -223,7 +223,7 @@ def validate_scene(n):
 
 @case(30)
 def validate_masks(n):
-    # Bad ones of one name: every mask's file needs a name of its own.
+    # The materials have findings and the same name, so that every mask needs another name for its file.
     scene(n, lambda i: {"name": "m", "pbrMetallicRoughness": {"baseColorFactor": [0.3 + i / 1e6, 0.3, 0.3, 1]}}, {})
     return ["validate", "--no-config", "s.gltf", "--mask", "masks", "--exit-zero"]
 
@@ -243,7 +243,7 @@ def choose_scene(n):
 
 
 def seconds(name, count):
-    """Processor time of a case with so many things."""
+    """The processor time in seconds of a case with `count` things."""
     _, statuses, make = cases[name]
     with tempfile.TemporaryDirectory(prefix="etak-growth.") as folder:
         home = os.getcwd()

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# awk -f match_lines.awk EXPECTED FOUND: fails with a message unless the lines fit (see run_case.sh).
+# awk -f match_lines.awk EXPECTED FOUND: fails with a message unless the lines of FOUND match those of
+# EXPECTED, whose patterns run_case.sh describes.
 BEGIN {
   wanted_file = ARGV[1]
   found_file = ARGV[2]

@@ -3,11 +3,11 @@
 # run_case.sh ETAK CASE: runs one test of the command line.
 #   ETAK   the etak program; its folder is put first in PATH
 #   CASE   folder with
-#     cmd               shell commands, run by sh -eu in a copy of the folder; exit 77: not here, and why; ETAK_SOURCE
-#                       is the source tree
-#     expected.stdout   what they print; none: nothing. A line is literal, or an extended regular expression after
-#     expected.stderr   "~ "; a line "..." stands for any lines
-#     expected.exit     exit status; none: 0
+#     cmd               shell commands, run by sh -eu in a copy of the folder. ETAK_SOURCE is the source tree.
+#                       With exit status 77 the test is skipped, and the output tells why
+#     expected.stdout   the output; where there is no such file, the output must be empty. A line is literal;
+#     expected.stderr   after "~ " it is an extended regular expression; "..." stands for any number of lines
+#     expected.exit     the exit status; where there is no such file, it must be 0
 set -eu
 etak_folder=$(cd "$(dirname "$1")" && pwd)
 case=$(cd "$2" && pwd)
@@ -26,7 +26,7 @@ trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
 cp -R "$case" "$scratch/case"
 chmod -R u+w "$scratch/case"
 cd "$scratch/case"
-XDG_CONFIG_HOME=$scratch/config  # not the user's own
+XDG_CONFIG_HOME=$scratch/config  # keeps the user's own configuration out of the test
 export XDG_CONFIG_HOME
 
 status=0

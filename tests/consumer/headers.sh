@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# headers.sh INCLUDE COMPILER: the headers installed below the folder INCLUDE are those that headers.txt lists, and each of
-# them compiles alone, with no other folder to search. Those that a source of their own name includes first are compiled alone
-# wherever that source is: by the presets debug and tsan, the latter in .ci/run.
+# headers.sh INCLUDE COMPILER: fails unless the headers installed below the folder INCLUDE are those that
+# headers.txt lists and each of them compiles alone, with no other folder to search. A header that the source
+# of its own name includes first is not compiled here: it is compiled alone with that source, by the presets
+# debug and tsan (.ci/run builds the latter).
 set -eu
 include=$1 compiler=$2
 list=${0%/*}/headers.txt

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# found_4_14_hardening.sh FILE...: each program and module is built with the hardening flags of a distribution.
+# found_4_14_hardening.sh FILE...: checks that each program and module is built with the hardening flags of a
+# distribution.
 set -eu
 command -v readelf >/dev/null && command -v objdump >/dev/null || { echo "no readelf or objdump here"; exit 77; }
 failed=0
@@ -17,7 +18,7 @@ for program; do
     *.so) begin=etak_pictures_module ;;
     *)
       expect "$program" "a position-independent program" 'FLAGS_1.*PIE' "$scratch/elf"
-      # The module calls nothing that has a checked form.
+      # The module is not asked, because it calls no function that has a checked form.
       expect "$program" "_FORTIFY_SOURCE" '__[a-z]*_chk@' "$scratch/symbols"
       ;;
   esac

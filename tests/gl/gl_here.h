@@ -7,7 +7,8 @@
 
 namespace etak::test {
 
-/// The GL of this machine, one for the whole run; null, after saying why, where there is none.
+/// The OpenGL runner of this machine, the same for all tests of a run. Where there is no OpenGL, prints the
+/// reason and returns null.
 inline GlRunner* gl_here() {
   static std::string why;
   static std::optional<GlRunner> runner = GlRunner::open(why);

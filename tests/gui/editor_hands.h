@@ -13,14 +13,15 @@
 
 namespace etak::editor {
 
-/// Acts on the next dialog of a kind that stops everything else, as soon as it is there.
+/// Calls `act` for the next modal dialog of a class, as soon as it is shown.
 template <class Dialog>
 void when_asked(const std::function<void(Dialog&)>& act) {
   auto* watch = new QTimer(qApp);
   QObject::connect(watch, &QTimer::timeout, watch, [watch, act] {
     auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
     if (dialog == nullptr) return;
-    // A file dialog that still reads its folder takes nothing yet: again at the next tick.
+    // A file dialog that still reads its folder does not accept a file yet: `act` is called again at the next
+    // tick.
     const QPointer<Dialog> still(dialog);
     act(*dialog);
     if (still && still->isVisible()) return;
@@ -32,7 +33,8 @@ void when_asked(const std::function<void(Dialog&)>& act) {
 
 inline void answer(QMessageBox::StandardButton button) {
   when_asked<QMessageBox>([button](QMessageBox& box) {
-    if (auto* const chosen = box.button(button)) chosen->click();  // another question is left alone
+    if (auto* const chosen = box.button(button))
+      chosen->click();  // a question without this button stays open
   });
 }
 
@@ -49,14 +51,14 @@ inline QAction* action_named(const QObject& where, const QString& name) {
   return nullptr;
 }
 
-/// Shows the window as the one in use, so that its widgets have the focus that they are given.
+/// Shows the window and makes it the active one, so that its widgets can get the focus.
 inline void show_active(TestWindow& window) {
   window->show();
   QApplication::setActiveWindow(window.window.get());
   QVERIFY(QTest::qWaitForWindowActive(window.window.get()));
 }
 
-/// The widget of a class and an accessible name.
+/// The widget of a class that has an accessible name; null where there is none.
 template <class Widget>
 Widget* named(const QWidget& where, const QString& name) {
   for (Widget* each : where.findChildren<Widget*>())
@@ -64,12 +66,12 @@ Widget* named(const QWidget& where, const QString& name) {
   return nullptr;
 }
 
-/// What the window says below.
+/// The message in the status bar of the window.
 inline QString told(TestWindow& window) {
   return window->statusBar()->currentMessage();
 }
 
-/// A drop as the window system brings it; whether it was accepted when it came over the widget.
+/// Drops files on a widget as the window system does. Returns whether the widget accepted the drag.
 inline bool drop(QWidget& widget, const QStringList& files) {
   QMimeData data;
   QList<QUrl> urls;

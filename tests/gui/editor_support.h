@@ -11,7 +11,7 @@
 
 namespace etak::editor {
 
-/// A window that knows nothing of the user's settings and leaves nothing behind.
+/// A window that reads no settings of the user and leaves no files behind.
 struct TestWindow {
   QTemporaryDir folder;
   std::unique_ptr<Window> window;
@@ -29,20 +29,20 @@ struct TestWindow {
   Window& operator*() { return *window; }
   QString file(const QString& name) const { return folder.filePath(name); }
 
-  /// Waits until files are read or written and everything is checked.
+  /// Waits until all files are read and written and all materials are checked.
   bool settle(int most_ms = 60000) {
     return QTest::qWaitFor([this] { return !window->is_busy() && window->validator().is_idle(); }, most_ms);
   }
 };
 
-/// A file of these bytes.
+/// Writes a file.
 inline void write(const QString& path, const QByteArray& bytes) {
   QFile file(path);
   QVERIFY(file.open(QIODevice::WriteOnly));
   file.write(bytes);
 }
 
-/// A turn of the wheel over a widget's middle.
+/// Turns the wheel over the middle of a widget.
 inline void turn_wheel(QWidget& widget, int notches, Qt::KeyboardModifiers keys = Qt::NoModifier) {
   const QPointF middle = QRectF(widget.rect()).center();
   QWheelEvent event(middle, widget.mapToGlobal(middle), {}, {0, 120 * notches}, Qt::NoButton, keys,
@@ -50,7 +50,7 @@ inline void turn_wheel(QWidget& widget, int notches, Qt::KeyboardModifiers keys 
   QCoreApplication::sendEvent(&widget, &event);
 }
 
-/// A drag with the left button, in steps as a hand makes them.
+/// Drags with the left button, in several steps as a user does.
 inline void drag(QWidget& widget, const QPoint& from, const QPoint& to,
                  Qt::KeyboardModifiers keys = Qt::NoModifier) {
   constexpr int steps = 8;

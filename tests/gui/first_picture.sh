@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# first_picture.sh ETAK-EDITOR: starts the editor three times as somebody does who never had it, and prints how long it
-# took to the first picture. 1500 ms are allowed, by the clock or by the work of all processors, whichever is less: a
-# busy machine stretches the clock.
+# first_picture.sh ETAK-EDITOR: starts the editor three times with an empty home folder and prints the time
+# until its first picture. The best run may take 1500 ms, by the clock or by the work of all processors,
+# whichever is less, because on a busy machine the clock runs on while the editor waits.
 set -eu
 home=$(mktemp -d)
 trap 'rm -rf "$home"' EXIT

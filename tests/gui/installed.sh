@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# installed.sh PREFIX: the editor as `cmake --install` leaves it: found by the desktop, described by its man page,
-# able to draw, and clear about what it does not take.
+# installed.sh PREFIX: checks the editor that `cmake --install` has installed: the files for the desktop, the
+# man page, the messages for wrong options, and that it draws.
 prefix=$1
 editor=$prefix/bin/etak-editor
 work=$(mktemp -d)
@@ -11,7 +11,7 @@ fail() {
   exit 1
 }
 
-# The desktop's files.
+# The files for the desktop.
 desktop=$prefix/share/applications/etak-editor.desktop
 icon=$prefix/share/icons/hicolor/scalable/apps/etak-editor.svg
 page=$prefix/share/man/man1/etak-editor.1
@@ -24,7 +24,7 @@ if command -v desktop-file-validate >/dev/null; then
 fi
 if command -v xmllint >/dev/null; then xmllint --noout "$icon" || fail "the icon is no XML"; fi
 
-# Every option that the help lists stands in the man page.
+# The man page must describe every option that the help lists.
 "$editor" --help >"$work/help" || fail "--help ends with $?"
 if command -v man >/dev/null; then
   MANWIDTH=110 man --warnings -l "$page" >"$work/page" 2>"$work/warnings" || fail "man cannot show the page"
@@ -40,13 +40,13 @@ done
 "$editor" --version | grep -qE '^etak-editor [0-9]+\.[0-9]+' || fail "--version tells no version"
 
 export HOME="$work" XDG_RUNTIME_DIR="$work"
-# What is wrong is said in one line, on stderr, with status 2 and without a display.
+# A mistake must be reported in one line on stderr, with exit status 2, and without a display.
 refused() {
   expected=$1
   shift
   env -u DISPLAY QT_QPA_PLATFORM=offscreen "$editor" "$@" >"$work/out" 2>"$work/error"
   status=$?
-  # Qt's own remark on its platform.
+  # Removes a remark of Qt on its platform.
   sed -i '/^This plugin does not support/d' "$work/error"
   [ $status -eq 2 ] || fail "$*: status $status"
   [ -s "$work/out" ] && fail "$*: $(cat "$work/out")"
@@ -67,7 +67,7 @@ refused 'missing/a.png' --screenshot "$work/missing/a.png" gold
 refused 'one file or material' --screenshot "$work/a.png" gold silver
 [ -e "$work/a.png" ] && fail "a refused screenshot left a picture"
 
-# It draws, by OpenGL where there is a server for it.
+# The editor must draw without a display, and with OpenGL where there is an X server.
 QT_QPA_PLATFORM=offscreen "$editor" --screenshot "$work/b.png" gold --model ggx-f82 --size 1100x760 ||
   fail "no picture without a display"
 if command -v xvfb-run >/dev/null && command -v xauth >/dev/null; then
@@ -78,5 +78,5 @@ fi
 for picture in "$work/b.png" "$work/c.png"; do
   [ "$(head -c 8 "$picture" | od -An -tx1 | tr -d ' ')" = 89504e470d0a1a0a ] || fail "$picture is no PNG"
 done
-# 16 bytes in: width and height.
+# Width and height of a PNG stand at byte 16.
 [ "$(od -An -j16 -N8 -tx1 "$work/b.png" | tr -d ' ')" = 0000044c000002f8 ] || fail "--size was not heeded"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// In place of the C library's, under the leak sanitizer alone: a driver that was unloaded before the report
-// has no name there, so nobody could say whose a leak is.
+// Replaces dlclose() of the C library in builds with sanitizers: the report of leaks cannot name a driver
+// that was unloaded before it, so that nobody could tell whose leak it is.
 extern "C" int dlclose(void*) {
   return 0;
 }

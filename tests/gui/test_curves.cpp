@@ -58,7 +58,7 @@ void show_material(CurvesPanel& panel, const char* id, F0Options options = {}) {
                      initial_values(model()));
 }
 
-// Waits until what was asked for is drawn.
+// Waits until the last request is drawn.
 bool wait(CurvesPanel& panel) {
   QSignalSpy spy(&panel, &CurvesPanel::drawn);
   return !panel.busy() || spy.wait(20000);
@@ -71,14 +71,14 @@ QImage picture_of(QWidget& widget, double ratio) {
   return out;
 }
 
-// Time this thread has worked: what else the machine does is not counted.
+// Processor time of this thread in milliseconds, which does not grow on a busy machine.
 double thread_ms() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
 }
 
-// Distinct colours other than the commonest: 0 for an empty picture.
+// The number of different colours in a picture.
 int colors_in(const QImage& picture) {
   QSet<QRgb> seen;
   for (int y = 0; y < picture.height(); y += 2)
@@ -111,7 +111,7 @@ class Curves : public QObject {
       for (int tab = 0; tab < tabs->count(); ++tab) {
         tabs->setCurrentIndex(tab);
         PlotWidget* const plot = panel.current_plot();
-        picture_of(panel, 1);  // once for the layout
+        picture_of(panel, 1);  // the first drawing makes the layout
         plot->set_cursor(places[tab]);
         QVERIFY(!plot->readout().isEmpty());
         for (const int ratio : {1, 2}) {
@@ -138,7 +138,7 @@ class Curves : public QObject {
         picture_of(panel, 1).save(QString("%1/small-%2-%3.png").arg(pictures_, id, names_[tab]));
       }
     }
-    // A glossy lobe over four decades.
+    // A glossy lobe on the logarithmic scale.
     tabs->setCurrentIndex(3);
     panel.findChildren<QComboBox*>()[1]->setCurrentIndex(1);
     picture_of(panel, 2).save(pictures_ + "/lobe-logarithmic.png");
@@ -198,7 +198,7 @@ class Curves : public QObject {
     QVERIFY(panel.current_plot()->accessibleName().startsWith("Water"));
   }
 
-  // Dragging a parameter: the thread of the windows never waits for curves.
+  // While a parameter is dragged, the user-interface thread never waits for curves.
   void the_ui_thread_is_never_held_for_50_ms() {
     CurvesPanel panel;
     panel.resize(640, 360);
@@ -287,7 +287,7 @@ class Curves : public QObject {
     for (QWidget* widget : panel.findChildren<QWidget*>()) {
       const bool control = qobject_cast<QToolButton*>(widget) || qobject_cast<QComboBox*>(widget) ||
                            qobject_cast<QDoubleSpinBox*>(widget);
-      // Buttons that scroll the tabs are the tab bar's own.
+      // The buttons that scroll the tabs belong to the tab bar.
       if (!control || qobject_cast<QTabBar*>(widget->parentWidget())) continue;
       QVERIFY2(!widget->accessibleName().isEmpty(), widget->metaObject()->className());
       QVERIFY(widget->focusPolicy() != Qt::NoFocus);

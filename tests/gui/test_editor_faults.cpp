@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goes wrong outside: broken files, folders that cannot be written, a run that is killed, thousands of
-// materials, pictures that are too large. Nothing is lost, and the UI thread never waits.
+// Faults from outside: broken files, folders that cannot be written, a run that is killed, thousands of
+// materials, pictures that are too large. No work is lost, and the user-interface thread never waits.
 #include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -49,7 +49,7 @@ Project many(int count) {
   return out;
 }
 
-// A PNG of one bit per texel, all black, or only the head of one.
+// A black PNG of one bit per texel, or only the header of one.
 QByteArray grey_png(int side, bool whole) {
   const auto number = [](quint32 value) {
     QByteArray out;
@@ -69,13 +69,13 @@ QByteArray grey_png(int side, bool whole) {
   QByteArray out = QByteArray("\x89PNG\r\n\x1a\n", 8) +
                    chunk("IHDR", number(wide) + number(wide) + QByteArray("\1\0\0\0\0", 5));
   if (!whole) return out;
-  // qCompress puts four bytes of length before what PNG wants.
+  // qCompress puts four bytes with the length before the zlib stream that PNG needs.
   const QByteArray rows((side / 8 + 1) * side, '\0');
   return out + chunk("IDAT", qCompress(rows, 1).mid(4)) + chunk("IEND", {});
 }
 
-// What the child of the test of killed runs sets in its n-th edit; before the first there is what many()
-// made.
+// The gloss that the child process of the test of killed runs sets in its n-th edit; before the first edit it
+// is that of many().
 double gloss_of_round(int round) {
   return round < 1 ? 0 : 0.001 * (1 + round % 900);
 }
@@ -126,7 +126,7 @@ class EditorFaults : public QObject {
       QCOMPARE(label->textFormat(), Qt::PlainText);
       ++labels;
     }
-    QVERIFY(labels >= 2);  // that of the message and the tooltip
+    QVERIFY(labels >= 2);  // the labels of the message and of the tooltip
     QToolTip::hideText();
     close_messages();
   }
@@ -135,7 +135,7 @@ class EditorFaults : public QObject {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
     QSignalSpy saved(window.window.get(), &Window::saved);
-    // Root may write anywhere, but not into a file as if it were a folder, nor where the kernel says no.
+    // Even root cannot write to these places: below a file as if it were a folder, and in /proc.
     write(window.file(QStringLiteral("file")), "x");
     int tried = 0;
     for (const QString& place :
@@ -158,7 +158,7 @@ class EditorFaults : public QObject {
     QVERIFY(QFile::exists(window->autosave().file()));
   }
 
-  // A child process edits, saves again and again, and is killed; what it had is offered.
+  // A child process edits and saves again and again until it is killed; the next run offers its last state.
   void a_run_killed_while_saving_is_recovered() {
     QTemporaryDir folder;
     const QString project = folder.filePath(QStringLiteral("project.json"));
@@ -177,7 +177,7 @@ class EditorFaults : public QObject {
       ::kill(static_cast<pid_t>(child.processId()), SIGKILL);
       QVERIFY(child.waitForFinished());
       QFile::remove(folder.filePath(QStringLiteral("saving")));
-      // The file is a whole project, whichever.
+      // The file holds a complete project, of whichever edit.
       const Project on_disk = parse_project(read_file(project.toStdString()), project.toStdString());
       QCOMPARE(on_disk.materials.size(), std::size_t{300});
 
@@ -193,14 +193,14 @@ class EditorFaults : public QObject {
       });
       QVERIFY(asked <= 1);
       QVERIFY(QTest::qWaitFor([&] { return !window.is_busy(); }, 60000));
-      // The last state is what is offered, or, where it had just been saved, the file.
+      // The last state is the one that is offered, or that of the file where it had just been saved.
       const Project& last = asked == 1 ? window.document().project() : on_disk;
       QCOMPARE(last.materials.size(), std::size_t{300});
       if (asked == 1) {
         QVERIFY(!window.document().is_saved());
         QCOMPARE(window.document().path(), project);
       }
-      // The edit before may be the last that anybody heard of: a kill can come in the middle of one.
+      // The state may be that of the edit before, because the kill can come in the middle of an edit.
       const int round = std::stoi(read_file(folder.filePath(QStringLiteral("round")).toStdString()));
       QVERIFY2(last.materials[0].gloss == gloss_of_round(round) ||
                    last.materials[0].gloss == gloss_of_round(round - 1),
@@ -273,7 +273,7 @@ class EditorFaults : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return !window->texture_view().is_busy(); }, 60000));
     watchdog.stop();
     QVERIFY2(watchdog.work_ms() <= most_work_ms(), qPrintable(QString::number(watchdog.work_ms())));
-    // The pictures are not shown, and why is told where they would be.
+    // The pictures are not shown, and the text in their place tells why.
     QVERIFY(window->texture_view().textures() == nullptr);
     const QString summary = window->texture_view().summary();
     QVERIFY2(summary.contains(expected), qPrintable(summary));
@@ -314,7 +314,7 @@ class EditorFaults : public QObject {
   }
 };
 
-// The other half of the test of killed runs: edits and saves until it is killed.
+// The child process of the test of killed runs: it edits and saves until it is killed.
 int save_forever(int argc, char** argv) {
   QApplication application(argc, argv);
   const QString folder = qEnvironmentVariable("ETAK_TEST_SAVE_FOREVER");

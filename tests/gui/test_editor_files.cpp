@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What leaves the window and what comes into it: the question before changes are lost, exports, values
-// copied, files dropped, recent files, what is remembered from run to run.
+// Files and values that the window reads and writes: the question before changes are lost, exports, copied
+// values, dropped files, recent files, and the settings that are kept from run to run.
 #include <sys/stat.h>
 #include <unistd.h>
 #include <QAbstractButton>
@@ -36,7 +36,7 @@ QByteArray read(const QString& path) {
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-// What the window's message says, which is closed.
+// The text of the window's message box, which is closed.
 QString message(TestWindow& window) {
   QString out;
   const auto box = [&] {
@@ -90,7 +90,7 @@ class EditorFiles : public QObject {
     QVERIFY(!window->close());
     QVERIFY(window->isVisible() && window->document().material() != nullptr);
 
-    // Save, but no name is chosen: nothing is closed.
+    // With Save but no name chosen, the window stays open.
     answer(QMessageBox::Save);
     when_asked<QFileDialog>([](QFileDialog& dialog) { dialog.reject(); });
     QVERIFY(!window->close());
@@ -103,7 +103,7 @@ class EditorFiles : public QObject {
     QVERIFY2(opened.error.isEmpty(), qPrintable(opened.error));
     QCOMPARE(opened.project.materials.size(), std::size_t{1});
 
-    // A saved project asks nothing; a changed one that is discarded leaves the file as it was.
+    // For a saved project there is no question. Discarding changes leaves the file as it was.
     window->show();
     QVERIFY(window->close());
     window->show();
@@ -132,7 +132,7 @@ class EditorFiles : public QObject {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
     window->show();
-    // No user may write there, root neither.
+    // No user can write there, not even root.
     window->document().mark_saved(QStringLiteral("/proc/project.json"));
     window->document().remove(0);
     answer(QMessageBox::Save);
@@ -151,7 +151,7 @@ class EditorFiles : public QObject {
       return read(window.file(file));
     };
     const QByteArray mtlx = exported(QStringLiteral("MaterialX"), QStringLiteral("gold.mtlx"));
-    // Gold's red is above 1, which the format does not take: said.
+    // Gold's red is above 1, which the format cannot hold: a message tells that it was clamped.
     QVERIFY(message(window).contains(QLatin1String("clamp")));
     QXmlStreamReader xml(mtlx);
     bool surface = false;
@@ -224,7 +224,7 @@ class EditorFiles : public QObject {
     QCOMPARE(both.project.spectra[0].id, std::string("gold_2"));
     QCOMPARE(both.project.spectra[1].id, std::string("gold_3"));
     QVERIFY(both.project.materials[0].specular != both.project.materials[1].specular);
-    // The same file again is the same record.
+    // The same file imported again gives the same record.
     write(window.file(QStringLiteral("glass.yml")), page);
     const Opened first = import_files({window.file(QStringLiteral("glass.yml"))}, library);
     const Opened again =
@@ -286,20 +286,20 @@ class EditorFiles : public QObject {
     write(window.file(QStringLiteral("letter.docx")), "x");
     write(window.file(QStringLiteral("page.yml")), page);
     const QString wood = picture(window, QStringLiteral("wood.png"));
-    // A texture without a material to put it on.
+    // A texture is dropped where the project has no material.
     QVERIFY(drop(window->viewport(), {wood}));
     QVERIFY(message(window).contains(QLatin1String("needs a material")));
     QVERIFY(window->use_library_material(QStringLiteral("pmma")));
     const Project before = window->document().project();
     for (QWidget* target :
          {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {
-      // Nothing that can be taken: it is not accepted, and below stands why.
+      // A drag without a file that can be taken is not accepted, and the status bar tells why.
       QVERIFY(!drop(*target, {window.file(QStringLiteral("letter.docx"))}));
       QVERIFY2(
           told(window).contains(QLatin1String("letter.docx")) && told(window).contains(QLatin1String(".csv")),
           qPrintable(told(window)));
       QVERIFY(window->document().project() == before);
-      // Beside something that can, it is named.
+      // Beside a file that can be taken, the refused one is named in a message.
       QVERIFY(drop(*target, {window.file(QStringLiteral("letter.docx")), wood}));
       const QString refused = message(window);
       QVERIFY2(refused.contains(QLatin1String("letter.docx")) && refused.contains(QLatin1String(".csv")),
@@ -313,7 +313,7 @@ class EditorFiles : public QObject {
     QVERIFY(message(window).contains(QLatin1String("no picture")));
     window->document().undo_stack().undo();
     QVERIFY(window->document().project() == before);
-    // A page that is none, by its right ending.
+    // A file with the ending of a page that holds no page.
     QSignalSpy opened(window.window.get(), &Window::opened);
     write(window.file(QStringLiteral("page.yml")), "no: page");
     QVERIFY(drop(window->viewport(), {window.file(QStringLiteral("page.yml"))}));
@@ -353,7 +353,7 @@ class EditorFiles : public QObject {
   }
 
   void a_project_or_material_is_opened_from_a_pipe_and_is_not_saved_yet() {
-    // As the shell's <(...) gives it.
+    // A pipe as the <(...) of a shell makes it.
     const auto pipe_of = [](const QByteArray& bytes) {
       int ends[2] = {-1, -1};
       if (::pipe(ends) != 0) return QString();
@@ -385,7 +385,7 @@ class EditorFiles : public QObject {
     QVERIFY(window->document().path().isEmpty());
     QCOMPARE(window->document().material()->name, std::string("Copper"));
 
-    // What is no project says what it is, and nothing is lost.
+    // For a file that is no project, the message tells its kind, and the present project stays.
     QVERIFY(!open(pipe_of(R"({"asset": {"version": "2.0"}, "meshes": []})")));
     QVERIFY(message(window).contains(QLatin1String("holds a glTF scene; expected a project or a material")));
     QVERIFY(!open(pipe_of("nm,n,k\n400,1,0\n700,1,0\n")));
@@ -444,7 +444,7 @@ class EditorFiles : public QObject {
     recent->actions().front()->trigger();
     QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
     QCOMPARE(window->document().path(), file);
-    // A file that is gone is told, and leaves the list.
+    // A message reports a file that no longer exists, and it is removed from the list.
     QFile::remove(file);
     emit recent->aboutToShow();
     recent->actions().front()->trigger();

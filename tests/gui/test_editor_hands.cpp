@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing is changed by accident: keys, wheel and clicks as a hand makes them, and what they must not do.
+// Keys, wheel and clicks of a user must not change anything by accident.
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListView>
@@ -30,7 +30,7 @@ void click_slider(FieldSlider& slider, double share) {
                     QPoint(static_cast<int>(share * slider.width()), slider.height() / 2));
 }
 
-// All that can be edited on the page that is seen.
+// All widgets on the visible page that can be edited.
 QWidgetList fields_of(QWidget& page) {
   QWidgetList out;
   for (QWidget* each : page.findChildren<QWidget*>())
@@ -84,7 +84,7 @@ class EditorHands : public QObject {
     QVERIFY2(fields > 40, qPrintable(QString::number(fields)));
     QVERIFY(window->document().project() == before);
     QCOMPARE(steps_of(window), steps);
-    // With the focus it edits; turns that follow each other closely are one step.
+    // With the focus the wheel edits; turns that follow each other closely are one step of undo.
     window->inspector_tabs().setCurrentIndex(0);
     for (QWidget* each : {static_cast<QWidget*>(&window->inspector().gloss().box()),
                           static_cast<QWidget*>(&window->inspector().gloss().slider())}) {
@@ -117,7 +117,7 @@ class EditorHands : public QObject {
     QTest::keyClick(f0, Qt::Key_Return);
     QTest::keyClick(f0, Qt::Key_Down);
     QCOMPARE(window->document().material()->specular.b, 0.0);
-    // A colour out of gamut is shown as it is, and does not grow by being shown.
+    // A colour out of gamut is shown as it is, and showing it does not change it.
     ProjectMaterial m = *window->document().material();
     m.specular = {0.5, 0.4, -0.1};
     window->document().edit(0, m, QStringLiteral("colour"), next_press_id());
@@ -138,7 +138,7 @@ class EditorHands : public QObject {
     QVERIFY2(std::abs(window->document().material()->gloss - 0.25) < 0.08,
              qPrintable(QString::number(window->document().material()->gloss)));
     QCOMPARE(steps_of(window), steps + 1);
-    // Click and drag are one step, and end where the hand ends.
+    // A click and the drag that follows it are one step of undo, and the slider ends at the cursor.
     drag(slider, QPoint(slider.width() * 3 / 4, slider.height() / 2),
          QPoint(slider.width() / 2, slider.height() / 2));
     QVERIFY(std::abs(window->document().material()->gloss - 0.5) < 0.08);
@@ -189,7 +189,7 @@ class EditorHands : public QObject {
       QTest::keyClick(at, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
       QVERIFY2(window->document().material()->gloss == 0.4, qPrintable(where));
     }
-    // Text that is being typed is taken back first, and is no step of the document.
+    // Undo first takes back a text that is being typed, which is no step of the document.
     gloss.setFocus();
     gloss.selectAll();
     QTest::keyClicks(&gloss, QStringLiteral("0.9"));
@@ -206,7 +206,7 @@ class EditorHands : public QObject {
     for (const char* id : {"gold", "brick", "water"}) {
       QVERIFY(window->use_library_material(QLatin1String(id)));
       ProjectMaterial m = *window->document().material();
-      // More digits than a field shows.
+      // The numbers have more digits than a field shows.
       m.gloss = 0.123456789;
       m.alpha = 0.987654321;
       m.alpha_mode = AlphaMode::mask;
@@ -244,7 +244,7 @@ class EditorHands : public QObject {
       QTest::keyClick(red, Qt::Key_Return);
       QVERIFY(!window->document().material()->measured);
       QVERIFY2(told(window).contains(QLatin1String("measured no longer")), qPrintable(told(window)));
-      // A new name does not lose it.
+      // After a rename, the measurement can still be restored.
       ProjectMaterial renamed = *window->document().material();
       renamed.name += " by hand";
       window->document().edit(window->document().current(), renamed, QStringLiteral("rename"),
@@ -256,7 +256,7 @@ class EditorHands : public QObject {
       ProjectMaterial expected = measured;
       expected.name = renamed.name;
       QVERIFY(*window->document().material() == expected);
-      // Nothing more to go back to.
+      // A second reset changes nothing.
       const int steps = steps_of(window);
       QTest::mouseClick(reset, Qt::LeftButton);
       QCOMPARE(steps_of(window), steps);
@@ -271,7 +271,7 @@ class EditorHands : public QObject {
     const Project before = window->document().project();
     const auto* bar = window->findChild<PreviewBar*>();
     QVERIFY(bar != nullptr && !bar->isVisible());
-    // The focus that comes by Tab shows nothing, nor does a search.
+    // Neither the focus that comes by Tab nor a search starts a preview.
     library.list().setFocus(Qt::TabFocusReason);
     QVERIFY(!window->look().preview);
     library.search().setFocus();
@@ -284,7 +284,7 @@ class EditorHands : public QObject {
     QVERIFY(bar->isVisible());
     const auto* text = named<QLabel>(*bar, QStringLiteral("What is looked at"));
     QVERIFY(text->text().contains(QLatin1String("Gold: preview, not in the project")));
-    // Its numbers and its citation stand in the inspector, and cannot be edited.
+    // The inspector shows the numbers and the citation of the previewed material, which cannot be edited.
     QCOMPARE(named<QLineEdit>(window->inspector(), QStringLiteral("Name of the material"))->text(),
              QStringLiteral("Gold"));
     QVERIFY(window->inspector().specular().color().r > 1);
@@ -300,14 +300,14 @@ class EditorHands : public QObject {
     QCOMPARE(named<QLineEdit>(window->inspector(), QStringLiteral("Name of the material"))->text(),
              QString::fromStdString(window->document().material()->name));
 
-    // The same row again, and a click on the row in hand of the project.
+    // A click on the same row starts the preview again; a click on the current row of the project ends it.
     click_row(library.list(), library_row(library, QStringLiteral("gold")));
     QVERIFY(window->look().preview);
     QListView& project = window->project_panel().list();
     click_row(project, project.model()->index(0, 0));
     QVERIFY(!window->look().preview);
 
-    // Add puts it into the project.
+    // Add puts the previewed material into the project.
     click_row(library.list(), library_row(library, QStringLiteral("gold")));
     QTest::mouseClick(
         named<QToolButton>(*bar, QStringLiteral("Add the material that is looked at to the project")),
@@ -452,7 +452,7 @@ class EditorHands : public QObject {
     QVERIFY(window->document().material()->alpha_mode == AlphaMode::opaque);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));
     QVERIFY(window->document().material()->alpha_mode == AlphaMode::opaque);
-    // Its alpha is not looked at, in the viewport and by exports.
+    // Viewport and exports ignore the alpha of an opaque material.
     ProjectMaterial m = *window->document().material();
     m.alpha = 0.5;
     window->document().edit(1, m, QStringLiteral("alpha"), next_press_id());
@@ -467,7 +467,7 @@ class EditorHands : public QObject {
     QCOMPARE(export_surface(m, *window->document().library()).opacity, 0.5);
     window->document().undo_stack().undo();
     window->document().undo_stack().undo();
-    // A clear body lets the background through.
+    // A clear body shows the background.
     QVERIFY(window->use_library_material(QStringLiteral("water")));
     QVERIFY(window->document().material()->alpha_mode == AlphaMode::blend);
     const Project& project = window->document().project();

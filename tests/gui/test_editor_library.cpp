@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library's panel and what the inspector tells of its materials, without OpenGL.
+// The panel of the library, and the inspector's texts about its materials, without OpenGL.
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QLabel>
@@ -50,7 +50,7 @@ class EditorLibrary : public QObject {
     const auto total = [](const ProjectMaterial& m) { return m.diffuse.r + m.specular.r; };
     const ExportSurface surface = export_surface(brick, *window->document().library());
     QVERIFY(std::abs(total(brick) - surface.total->r) < 1e-12);
-    // A typed surface takes its share of the same total.
+    // A typed F0 of the surface takes another share of the same total reflectance.
     ProjectMaterial shinier = brick;
     shinier.specular = {0.05, 0.05, 0.05};
     window->document().edit(window->document().current(),
@@ -92,7 +92,7 @@ class EditorLibrary : public QObject {
     QVERIFY(told("").endsWith(QLatin1String(" materials")));
   }
 
-  // What is known against a material's data stands in the library's list and beside its numbers.
+  // The library's list and the inspector tell where the data of a material are doubtful.
   void found_1_04_the_quality_of_data_is_told() {
     TestWindow window(true);
     const QAbstractItemModel* model = window->library_panel().list().model();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packing in the window ends with the validator's findings: those of etak pack of the same project.
+// Packing in the window ends with the findings of the validator, which equal those of etak pack for the same
+// project.
 #include <QProcess>
 
 #include "app/editor/panels/pack_dialog.h"
@@ -12,7 +13,8 @@ using namespace etak::editor;
 
 namespace {
 
-// A picture of F0 and gloss: dielectric to the left, and half a metal to the right.
+// A picture of F0 and gloss: a dielectric in the left half, and an F0 between dielectrics and metals in the
+// right.
 std::string specular_png() {
   Image8 image(64, 64, 4);
   for (int y = 0; y < image.height; ++y)
@@ -42,7 +44,7 @@ Project project_in(const TestWindow& window) {
   return out;
 }
 
-// The findings and the verdict of a report.
+// The lines of a report that hold findings and the verdict.
 QStringList findings_in(const QString& text) {
   QStringList out;
   for (const QString& line : text.split(QLatin1Char('\n')))
@@ -93,7 +95,7 @@ class EditorPack : public QObject {
     QVERIFY2(shown.last().startsWith(QStringLiteral("FAILED: 2 errors")), qPrintable(shown.last()));
     QCOMPARE(shown, packed_by_etak(window));
 
-    // The configuration beside the atlas holds in both.
+    // Both use the configuration beside the atlas.
     write(window.file(QStringLiteral("etak.toml")), "[[allow]]\nrule = \"ETK1\"\nreason = \"made up\"\n");
     const QStringList allowed = packed_in_window(window);
     QVERIFY(allowed.filter(QStringLiteral("ETK101")).isEmpty());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing is lost: copies of unsaved work, files that change hands while
-// they are written or read, exports that cannot hold everything, drops.
+// No work is lost: copies of unsaved work, edits while files are written or read, exports that cannot hold
+// everything, drops.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -41,7 +41,7 @@ QPushButton* button_of(QMessageBox& box, const QString& text) {
   return nullptr;
 }
 
-// A message that does not stop the rest.
+// The message box that is shown, which does not stop the event loop.
 QMessageBox* open_message(TestWindow& window, int most_ms = 10000) {
   QMessageBox* out = nullptr;
   (void)QTest::qWaitFor(
@@ -54,7 +54,7 @@ QMessageBox* open_message(TestWindow& window, int most_ms = 10000) {
   return out;
 }
 
-// A file on a share that does not answer: nobody writes to this pipe until answer().
+// A file as on a network share that does not answer: a pipe that nobody writes to until answer() is called.
 class SilentFile {
  public:
   explicit SilentFile(const QString& path) : path_(path.toStdString()) {
@@ -65,7 +65,7 @@ class SilentFile {
   void answer(const QByteArray& bytes) {
     if (answered_) return;
     answered_ = true;
-    int end = -1;  // there is none before the reader has come
+    int end = -1;  // the pipe cannot be opened for writing before a reader has opened it
     (void)QTest::qWaitFor(
         [&] {
           end = ::open(path_.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
@@ -128,7 +128,7 @@ class EditorSafety : public QObject {
     gloss.setFocus();
     QTest::keyClick(&gloss, Qt::Key_Up);
     QVERIFY2(is_kept(), "after Open");
-    // And what is taken back is not kept.
+    // After an undo of all changes, the copy is removed.
     QTest::keyClick(&gloss, Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(is_gone());
   }
@@ -140,7 +140,7 @@ class EditorSafety : public QObject {
     const QString copy = folder + QStringLiteral("/dead.json");
     write(copy, project_bytes("gold"));
     write(copy + QStringLiteral(".path"), "/somewhere/crate.json");
-    // What a run that died without changes left: a lock of a process that is no more.
+    // The files of a run that was killed without changes: the lock of a process that no longer exists.
     const QString lock = folder + QStringLiteral("/gone.json.lock");
     write(lock, "4194301\neditor\n" + QSysInfo::machineHostName().toUtf8() + "\n");
     write(folder + QStringLiteral("/gone.json.path"), "/somewhere/other.json");
@@ -202,7 +202,7 @@ class EditorSafety : public QObject {
     answer(QMessageBox::Cancel);
     QVERIFY(!window->close());
     QCOMPARE(double{window->document().material()->gloss}, 0.35);
-    // A window that goes while a name is edited goes in peace.
+    // A window can be destroyed while a name is edited.
     QListView& list = window->project_panel().list();
     list.setFocus();
     QTest::keyClick(&list, Qt::Key_F2);
@@ -224,11 +224,11 @@ class EditorSafety : public QObject {
     QCOMPARE(window->document().path(), file);
     QVERIFY(!window->document().is_saved());
     QVERIFY(window->windowTitle().contains(QLatin1String("p.json")));
-    // The key of Save asks for no name now.
+    // The key of Save does not ask for a name, because the project has one.
     QTest::keyClick(&gloss, Qt::Key_S, Qt::ControlModifier);
     QVERIFY(QTest::qWaitFor([&] { return saved.count() == 2; }, 20000));
     QVERIFY(window->document().is_saved());
-    // Another project that came meanwhile does not get the path.
+    // Another project that was opened meanwhile does not get the path.
     window->save_to(window.file(QStringLiteral("old.json")));
     window->document().replace({}, {}, true);
     QVERIFY(QTest::qWaitFor([&] { return saved.count() == 3; }, 20000));
@@ -241,7 +241,7 @@ class EditorSafety : public QObject {
     SilentFile slow(window.file(QStringLiteral("slow.json")));
     QSignalSpy opened(window.window.get(), &Window::opened);
     window->open(window.file(QStringLiteral("slow.json")));
-    // The window goes on meanwhile.
+    // The window can be used while the file is read.
     QTest::keyClick(window.window.get(), Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(window->document().material() != nullptr);
     const Project edited = window->document().project();
@@ -266,13 +266,14 @@ class EditorSafety : public QObject {
     gloss.setFocus();
     QTest::keyClick(&gloss, Qt::Key_Up);
     SilentFile share(window.file(QStringLiteral("slow.json")));
-    window->open(window.file(QStringLiteral("slow.json")));  // what is written waits for what is read
+    window->open(window.file(QStringLiteral("slow.json")));  // files are written after this one is read
     answer(QMessageBox::Save);
     when_asked<QProgressDialog>([](QProgressDialog& dialog) { dialog.findChild<QPushButton*>()->click(); });
     QVERIFY(!window->close());
     QVERIFY(window->isVisible());
     QVERIFY2(told(window).contains(QLatin1String("still being saved")), qPrintable(told(window)));
-    // The save ends when the share answers; what is no project is told and opens nothing.
+    // The save ends when the share answers. The file that was read is no project, which is reported, and none
+    // is opened.
     QSignalSpy saved(window.window.get(), &Window::saved);
     share.answer("{");
     QVERIFY(QTest::qWaitFor([&] { return saved.count() == 1; }, 20000));
@@ -356,7 +357,7 @@ class EditorSafety : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
     QCOMPARE(window->document().project().materials.size(), std::size_t{2});
     QVERIFY(window->document().path().isEmpty());
-    // To open it asks what becomes of the changes.
+    // Opening it first asks what to do with the changes.
     answer(QMessageBox::Discard);
     QVERIFY(answered(*window, QStringLiteral("Open")));
     QVERIFY(QTest::qWaitFor([&] { return opened.count() == 2; }, 20000));
@@ -372,7 +373,7 @@ class EditorSafety : public QObject {
     data.setUrls({QUrl::fromLocalFile(window.file(QStringLiteral("p.json")))});
     for (QLineEdit* each : window->findChildren<QLineEdit*>())
       if (!each->isReadOnly()) QVERIFY2(!each->acceptDrops(), qPrintable(each->accessibleName()));
-    // Nor does the window take addresses of elsewhere.
+    // The window does not take addresses of other machines either.
     data.setUrls({QUrl(QStringLiteral("https://example.org/a.json"))});
     for (QWidget* each :
          {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {

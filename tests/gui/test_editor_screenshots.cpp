@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of the editor's states, to be looked at. The test says what a program can say of them: their size is
-// right, and no text of a control is cut. Scale (QT_SCALE_FACTOR) and OpenGL are matters of the process. Among
-// the tests every state is drawn once, in one theme or the other, and few of them at 2x and without OpenGL;
-// ./dev screenshots sets ETAK_SCREENSHOTS=all, which draws all of them in both themes and two sizes.
+// Pictures of the editor's states, for people to look at. The test checks what a program can check: the sizes
+// are right, and no text of a control is cut. The environment of the process sets scale (QT_SCALE_FACTOR) and
+// OpenGL. As a test, every state is drawn once, in one theme or the other, and few of them at 2x and without
+// OpenGL. ./dev screenshots sets ETAK_SCREENSHOTS=all, which draws all states in both themes and two sizes.
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDir>
@@ -20,7 +20,7 @@ using namespace etak::editor;
 
 namespace {
 
-// Whether a text needs more room than it has.
+// A message about a text that needs more room than it has; empty where it fits.
 QString cut(const QWidget& widget, const QString& text, int room) {
   const int needs = widget.fontMetrics().horizontalAdvance(text);
   return needs <= room ? QString()
@@ -30,7 +30,7 @@ QString cut(const QWidget& widget, const QString& text, int room) {
                              .arg(room);
 }
 
-// Every text of a visible control that is cut off.
+// Messages about all texts of visible controls that are cut off.
 QStringList cut_texts(const QWidget& window) {
   QStringList out;
   const auto seen = [](const QWidget* w) { return w->isVisible() && !w->visibleRegion().isEmpty(); };
@@ -53,7 +53,7 @@ QStringList cut_texts(const QWidget& window) {
     out << cut(*box, box->currentText(), field.width());
   }
   for (const QLineEdit* line : window.findChildren<QLineEdit*>())
-    // A path longer than its line shows its end, and the whole in the tool tip.
+    // A line for a path may cut it, because its tool tip shows the whole path.
     if (seen(line) && (line->text().isEmpty() || line->toolTip() != line->text())) {
       const int room = line->width() - line->textMargins().left() - line->textMargins().right() - 4;
       out << cut(*line, line->text().isEmpty() ? line->placeholderText() : line->text(), room);
@@ -80,7 +80,7 @@ class EditorScreenshots : public QObject {
     QTest::addColumn<QSize>("size");
     const bool all = qEnvironmentVariable("ETAK_SCREENSHOTS") == QLatin1String("all");
     const bool no_gl = qEnvironmentVariable("QT_XCB_GL_INTEGRATION") == QLatin1String("none");
-    // Without OpenGL and at 2x: what is different there, and one of the states that draw much.
+    // Without OpenGL and at 2x, only states that differ there are drawn, and one that draws much.
     const QStringList few{QStringLiteral("default"), QStringLiteral("shader"), QStringLiteral("compare")};
     const QStringList states = !all && (no_gl || scale() > 1) ? few : screenshot_states();
     for (const QString& state : states)
@@ -103,7 +103,7 @@ class EditorScreenshots : public QObject {
     WindowOptions options;
     options.remember = false;
     options.data_folder = data.path();
-    options.cache_folder = cache_.path();  // thumbnails are the same in all of them
+    options.cache_folder = cache_.path();  // shared, because the thumbnails are the same in all states
     Window window(options);
     window.resize(size);
     window.show();

@@ -34,7 +34,7 @@ class EditorSession : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(window.window.get()));
     QVERIFY(QTest::qWaitFor([&] { return first_frame.count() > 0; }, 20000));
 
-    // Search and pick.
+    // Search the library and add a material.
     LibraryPanel& library = window->library_panel();
     library.search().setFocus();
     QTest::keyClicks(&library.search(), QStringLiteral("gold"));
@@ -53,7 +53,7 @@ class EditorSession : public QObject {
     QCOMPARE(window->document().material()->name, std::string("Gold"));
     QVERIFY(window->document().material()->specular.r > 1);
 
-    // Turn it.
+    // Orbit the camera.
     QTest::qWait(100);
     Viewport& viewport = window->viewport();
     const View before = window->look().camera;
@@ -62,7 +62,7 @@ class EditorSession : public QObject {
     QVERIFY(!(window->look().camera == before));
     QCOMPARE(window->document().undo_stack().count(), 1);  // the camera is no change of the project
 
-    // Gloss by wheel: several turns are one step of undo.
+    // Edit the gloss by the wheel: several turns are one step of undo.
     FineSpinBox& gloss = window->inspector().gloss().box();
     const double gloss_before = window->document().material()->gloss;
     QApplication::setActiveWindow(window.window.get());
@@ -76,13 +76,13 @@ class EditorSession : public QObject {
     QCOMPARE(gloss.value(), gloss_before);
     window->document().undo_stack().redo();
 
-    // A light by dragging with Shift: one step.
+    // Move a light by a drag with Shift, which is one step of undo.
     const int steps = window->document().undo_stack().count();
     drag(viewport, middle, middle + QPoint(-40, 25), Qt::ShiftModifier);
     QCOMPARE(window->document().undo_stack().count(), steps + 1);
     QVERIFY(!(window->document().project().view.lights == default_lights()));
 
-    // A/B.
+    // Compare A and B.
     emit window->view_panel().pin_asked();
     QVERIFY(window->document().project().view.compare.on);
     QVERIFY(window->document().project().view.compare.pinned.has_value());
@@ -106,7 +106,7 @@ class EditorSession : public QObject {
     QCOMPARE(window->document().project().spectra.size(), std::size_t{1});
     QVERIFY(window->document().material()->measured.has_value());
 
-    // Colour by hex: typed over, so no longer measured.
+    // Type a colour in hexadecimal: the material is then no longer measured.
     auto* hexadecimal = window->inspector().specular().findChild<QLineEdit*>({}, Qt::FindDirectChildrenOnly);
     QVERIFY(hexadecimal != nullptr);
     hexadecimal->setFocus();
@@ -116,7 +116,7 @@ class EditorSession : public QObject {
     QCOMPARE(hex(srgb_u8(window->document().material()->specular)), std::string("#404040"));
     QVERIFY(!window->document().material()->measured.has_value());
 
-    // Validate: a typed F0 in the zone is told.
+    // Validate: a typed F0 in the forbidden zone gives a finding.
     hexadecimal->selectAll();
     QTest::keyClicks(hexadecimal, QStringLiteral("#909090"));
     QTest::keyClick(hexadecimal, Qt::Key_Return);
@@ -128,7 +128,7 @@ class EditorSession : public QObject {
                         [](const Finding& f) { return f.rule == "ETK101"; }));
     QVERIFY(window->findings().model().rowCount() > 0);
 
-    // Save, open again.
+    // Save the project and open it again.
     const Project saved_project = window->document().project();
     const QString file = window.file(QStringLiteral("session.json"));
     QSignalSpy saved(window.window.get(), &Window::saved);

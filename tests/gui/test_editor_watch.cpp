@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The thread of windows never works for more than 50 ms at once, whatever is going on.
+// The user-interface thread never works for more than 50 ms without answering, whatever the user does.
 #include <QListView>
 #include <QPlainTextEdit>
 #include <QTabWidget>
@@ -47,7 +47,7 @@ class EditorWatch : public QObject {
     w().document().edit(w().document().current(), m, QStringLiteral("edit"), next_press_id());
   }
 
-  // Does it while the event loop is watched.
+  // Calls `act` and waits for its end, while the event loop is watched.
   void watch(const char* what, const std::function<void()>& act) {
     Watchdog watchdog;
     act();
@@ -85,7 +85,7 @@ class EditorWatch : public QObject {
     });
   }
 
-  // None was compiled before.
+  // The shaders of these models have not been compiled before.
   void every_model() {
     watch("models", [this] {
       for (const Model& model : models()) {

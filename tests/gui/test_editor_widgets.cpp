@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Widgets one by one, without OpenGL: what is typed is what is kept, and every control has a name.
+// Tests of single widgets, without OpenGL: a typed value is kept as it is, and every control has an
+// accessible name.
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
@@ -48,7 +49,7 @@ class EditorWidgets : public QObject {
           qobject_cast<const QSlider*>(each) || qobject_cast<const QAbstractItemView*>(each) ||
           qobject_cast<const QTabWidget*>(each) || qobject_cast<const QDockWidget*>(each) ||
           qobject_cast<const Viewport*>(each);
-      // Parts that Qt makes inside of a named one: the line of a spin box, the list of a combo box, scroll
+      // Qt makes parts inside of named widgets: the line of a spin box, the list of a combo box, scroll
       // arrows.
       bool inside = each->objectName().startsWith(QLatin1String("qt_"));
       for (const QWidget* parent = each->parentWidget(); parent != nullptr; parent = parent->parentWidget())
@@ -84,8 +85,7 @@ class EditorWidgets : public QObject {
     QStringList missed;
     int reached = 0;
     for (QWidget* each : window->findChildren<QWidget*>()) {
-      // The line of a spin box or an editable combo box has its focus by proxy, and cells of a table that of
-      // their view.
+      // The line of a spin box or of an editable combo box gets the focus through its parent.
       if (!each->isVisible() || !each->isEnabled() || !(each->focusPolicy() & Qt::TabFocus) ||
           each->focusProxy() != nullptr || qobject_cast<QAbstractSpinBox*>(each->parentWidget()) != nullptr ||
           qobject_cast<QComboBox*>(each->parentWidget()) != nullptr ||
@@ -131,7 +131,7 @@ class EditorWidgets : public QObject {
     QVERIFY(std::abs(kept.b / kept.r - measured.b / measured.r) < 1e-12);
     document.undo_stack().undo();
     QVERIFY(*document.material() == gold);
-    // A channel below 0: mixed with grey until it is 0.
+    // A colour with a channel below 0 is mixed with grey until that channel is 0.
     emit field.edited({0.5, 0.4, -0.1}, next_press_id());
     QCOMPARE(document.material()->specular.b, -0.1);
     button(QStringLiteral("Keep hue"))->click();
@@ -145,7 +145,7 @@ class EditorWidgets : public QObject {
     window->show();
     Document& document = window->document();
     ProjectMaterial m = *document.material();
-    m.alpha_mode = AlphaMode::mask;  // the cutoff counts
+    m.alpha_mode = AlphaMode::mask;  // the only mode with a cutoff
     m.specular_model = "abc-schlick";
     m.diffuse_model = "oren-nayar";
     document.edit(0, m, QStringLiteral("model"), next_press_id());
@@ -176,7 +176,7 @@ class EditorWidgets : public QObject {
       check(*window->inspector_tabs().currentWidget());
     }
     QVERIFY2(checked >= 7, qPrintable(QString::number(checked)));
-    // Colours, too.
+    // Colours are reset too.
     window->inspector_tabs().setCurrentIndex(0);
     emit window->inspector().diffuse().edited({0.1, 0.2, 0.3}, next_press_id());
     for (auto* button : window->inspector().diffuse().findChildren<QToolButton*>())
@@ -197,7 +197,7 @@ class EditorWidgets : public QObject {
       if (each->accessibleName().endsWith(QLatin1String("eyedropper"))) pick = each;
     QVERIFY(pick != nullptr);
     QSignalSpy edits(&field, &ColorField::edited);
-    // Escape: none.
+    // Escape picks no colour.
     pick->click();
     QTest::keyClick(&field, Qt::Key_Escape);
     QCOMPARE(edits.count(), 0);
@@ -223,7 +223,8 @@ class EditorWidgets : public QObject {
     emit hexadecimal->editingFinished();
     QCOMPARE(field.color(), srgb_decode(Srgb8{128, 128, 128}));
     QCOMPARE(boxes[2]->value(), std::round(srgb_decode(128 / 255.0) * 1e6) / 1e6);
-    // A turn of the wheel is one edit of a code, ten with Ctrl; several closely are one press.
+    // A notch of the wheel changes a code by one, with Ctrl by ten. Notches that follow each other closely
+    // have the same press id.
     field.show();
     QApplication::setActiveWindow(&field);
     boxes[1]->setFocus();
@@ -234,7 +235,7 @@ class EditorWidgets : public QObject {
     QCOMPARE(edits[edits.count() - 1][1], edits[edits.count() - 3][1]);
     turn_wheel(*boxes[1], -1, Qt::ControlModifier);
     QCOMPARE(hexadecimal->text(), QStringLiteral("#808080"));
-    // What is no colour changes nothing.
+    // A text that is no colour changes nothing.
     hexadecimal->setText(QStringLiteral("gold"));
     emit hexadecimal->editingFinished();
     QCOMPARE(hexadecimal->text(), QStringLiteral("#808080"));
@@ -255,7 +256,7 @@ class EditorWidgets : public QObject {
     QCOMPARE(box.value(), 11.1);
     turn_wheel(box, -1, Qt::ShiftModifier);
     QCOMPARE(box.value(), 11.09);
-    // One press after the other, closely: one id.
+    // Steps that follow each other closely have the same press id.
     QCOMPARE(edits.count(), 3);
     QCOMPARE(edits[0][1], edits[2][1]);
   }

@@ -33,7 +33,8 @@ class ViewportCpu : public QObject {
     QVERIFY(picture.pixelColor(100, 100) != picture.pixelColor(2, 2));
   }
 
-  // Run where drivers are gone, too (ETAK_TEST_NO_GL): drawn all the same, and people are told.
+  // Also run where OpenGL drivers are missing (ETAK_TEST_NO_GL): the picture is drawn, and a message tells
+  // why the CPU draws it.
   void without_a_driver_people_are_told() {
     Viewport viewport;
     viewport.resize(200, 200);

@@ -43,7 +43,7 @@ class ViewportFrames : public QObject {
       QVERIFY(state.lights.lights.size() == 3);
       std::vector<double> times, work;
       for (int i = 0; i < 25; ++i) {
-        state.a.surface.gloss = 0.3 + 0.02 * i;  // as a slider is dragged
+        state.a.surface.gloss = 0.3 + 0.02 * i;  // as if a slider were dragged
         drawn.clear();
         const double before = process_seconds();
         viewport.set_state(state);
@@ -58,7 +58,7 @@ class ViewportFrames : public QObject {
       qInfo("%-30s %6.2f ms least, %6.2f median; %.2f ms of processors; compiled in %.1f ms", id.c_str(),
             least, median, work[12], viewport.compile_ms());
     }
-    // No limit here: a busy machine would break it. 33 ms is what is asked for on two free cores.
+    // There is no limit here, because a busy machine would exceed it. On two free cores 33 ms are wanted.
     qInfo("slowest: %.1f ms by the clock or by half the processor time, whichever is less", worst);
   }
 };

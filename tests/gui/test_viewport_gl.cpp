@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenGL viewport shows core's picture: grabbed framebuffers against core's CPU renderer.
+// The OpenGL viewport shows the picture of core: frame buffers are compared with core's CPU renderer.
 #include <QtTest>
 
 #include "app/viewport/display.h"
@@ -19,7 +19,7 @@ class ViewportGl : public QObject {
     return QTest::qWaitFor([this] { return !viewport->is_drawing(); }, patience_ms);
   }
 
-  // What the window shows, by Qt's own grab of the framebuffer.
+  // The picture that the window shows, grabbed from the frame buffer by Qt.
   QImage on_screen() { return drawn() ? viewport->findChild<GlView*>()->grabFramebuffer() : QImage(); }
 
   std::shared_ptr<const Environment> environment =
@@ -175,7 +175,7 @@ class ViewportGl : public QObject {
     check(state, "OpenColorIO sRGB", all);
   }
 
-  // Into the build folder, for eyes.
+  // Writes pictures for people to look at into the build folder.
   void pictures_to_look_at() {
     const QDir folder(QStringLiteral(ETAK_BUILD_FOLDER "/screenshots"));
     QVERIFY(folder.mkpath("."));
@@ -237,7 +237,7 @@ class ViewportGl : public QObject {
     QCOMPARE(viewport->compile_ms(), before);
   }
 
-  // A model that was not shown before: until its shader is compiled the last picture stays.
+  // For a model that was not shown before, the last picture stays until its shader is compiled.
   void the_last_picture_stays_until_the_next_is_there() {
     auto fresh = std::make_unique<Viewport>();
     fresh->resize(360, 300);
@@ -259,12 +259,12 @@ class ViewportGl : public QObject {
       QVERIFY(QTest::qWaitFor([&] { return !fresh->is_drawing(); }, patience_ms));
       QCOMPARE(view->grabFramebuffer(), before);
     }
-    // Closed in the middle of it.
+    // The viewport is deleted while a shader is compiled.
     fresh->set_state(state_with(*find_model("schueler-full")));
     fresh.reset();
   }
 
-  // As where contexts cannot share: the same pictures.
+  // Drawing in the user-interface thread, as where contexts cannot share, gives the same pictures.
   void without_a_thread_of_its_own() {
     Viewport plain(nullptr, Viewport::Backend::gl_one_thread);
     plain.resize(360, 300);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hands do to the viewport, whichever device draws it.
+// Mouse and keys of the viewport, whichever device draws it.
 #include <QMimeData>
 #include <QtTest>
 #include <ctime>
@@ -13,7 +13,7 @@ using namespace etak::test;
 
 namespace {
 
-// Takes keys that the viewport leaves alone.
+// Records the keys that the viewport does not handle.
 class Window : public QWidget {
  public:
   QList<int> keys;
@@ -22,7 +22,7 @@ class Window : public QWidget {
   void keyPressEvent(QKeyEvent* event) override { keys << event->key(); }
 };
 
-// Seconds that this thread has worked, however busy the machine is.
+// Processor time of this thread in seconds, which does not grow on a busy machine.
 double thread_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -77,7 +77,7 @@ class ViewportHands : public QObject {
   void left_drag_orbits_as_one_edit() {
     QSignalSpy edits(viewport, &Viewport::state_edited);
     drag(Qt::LeftButton, Qt::NoModifier, {200, 160}, {240, 140});
-    QVERIFY(viewport->state().camera.turn_deg < 0);  // the object follows the hand
+    QVERIFY(viewport->state().camera.turn_deg < 0);  // the object follows the cursor
     QVERIFY(viewport->state().camera.rise_deg < 0);
     QVERIFY(edits.size() >= 2);
     const int press = edits.first().at(1).toInt();
@@ -259,7 +259,7 @@ class ViewportHands : public QObject {
   }
 
   void thread_of_windows_is_never_held_up() {
-    // Of its own work, by the thread's clock: other programs do not count.
+    // The work is measured by the processor time of the thread, to which other programs do not add.
     window->resize(1400, 1000);
     viewport->setGeometry(window->rect());
     ViewState state = gold_state();

@@ -8,23 +8,25 @@
 
 namespace etak::test {
 
-/// Gold under the default lights, b the same with another gloss; both under the default models.
+/// Gold under the default lights with the default models; side b has another gloss.
 ViewState gold_state();
 
-/// The same surface under `model` on side a, with a body where the model or its partner shows one.
+/// The same state with `model` on side a. Side a has a diffuse colour, which diffuse and combined models
+/// show.
 ViewState state_with(const Model& model);
 
-/// How far two pictures are apart inside the object and over all of it.
+/// The difference between two pictures inside the object.
 struct Apart {
   int codes = 0;       // largest difference of a channel
   double delta_e = 0;  // mean CIEDE2000
-  int x = 0, y = 0;    // where the largest is
-  int pixels = 0;      // compared
+  int x = 0, y = 0;    // pixel of the largest difference
+  int pixels = 0;      // number of pixels compared
 };
-/// `coverage`: linear picture with coverage in its fourth channel; only pixels fully covered count.
+///   coverage   a picture with the coverage of the object in its fourth channel; only pixels that the object
+///              covers fully are compared
 Apart apart(const QImage& a, const QImage& b, const Image& coverage);
 
-/// The seconds a test waits for anything.
+/// The longest time in milliseconds that a test waits for anything.
 inline constexpr int patience_ms = 20000;
 
 }  // namespace etak::test

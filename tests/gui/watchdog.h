@@ -16,12 +16,14 @@
 
 namespace etak {
 
-/// Milliseconds that the thread of windows may work at once; more where sanitizers check every step.
+/// Milliseconds that the user-interface thread may work without answering; more where sanitizers slow it
+/// down.
 inline double most_work_ms() {
   return qEnvironmentVariableIsSet("ETAK_TEST_SANITIZED") ? 250 : 50;
 }
 
-/// Watches the event loop of the thread that makes it from another thread: asks it to answer again and again.
+/// Watches the event loop of the thread that makes this object. Another thread posts a call to it again and
+/// again and measures the time until it is made.
 class Watchdog {
  public:
   Watchdog() : schedstat_(QStringLiteral("/proc/self/task/%1/schedstat").arg(::syscall(SYS_gettid))) {
@@ -34,12 +36,12 @@ class Watchdog {
     if (thread_.joinable()) thread_.join();
   }
 
-  /// After stop(): the most work before one answer, by the thread's own processor time, which a busy machine
-  /// does not stretch.
+  /// After stop(): the longest work before one answer. It is measured as processor time of the thread, which
+  /// does not grow on a busy machine.
   double work_ms() const { return work_ms_; }
 
-  /// The longest wait for an answer, without the time that the thread stood in line for a processor: work,
-  /// and waiting for disks, locks and other threads.
+  /// After stop(): the longest wait for an answer without the time that the thread waited for a processor.
+  /// What remains is work and waiting for disks, locks and other threads.
   double held_ms() const { return held_ms_; }
 
  private:
@@ -49,7 +51,7 @@ class Watchdog {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
   }
 
-  // Milliseconds in line; 0 where the kernel does not tell.
+  // Milliseconds that the thread has waited for a processor; 0 where the kernel does not tell.
   double in_line_ms() const {
     QFile file(schedstat_);
     if (!file.open(QIODevice::ReadOnly)) return 0;

@@ -23,7 +23,7 @@ struct Found {
   bool refused = false, failed = false;
 };
 
-// What came of one input: a surface, or why there is none.
+// The result for one input: a surface, or the reason why there is none.
 struct Answer {
   std::optional<ExportSurface> surface;
   std::string dataset, remark, complaint;
@@ -42,7 +42,8 @@ Answer answer(const MaterialInput& input, const ExportArguments& arguments, cons
     const F0Result result = solve(solver, material, dataset);
     if (result.refused()) {
       out.complaint = material.id + "/" + dataset.id + ": refused: " + result.refusal;
-      // Of the whole library some have no F0, and nobody asked for those.
+      // In a folder or the whole library, a refused material does not change the exit status, because nobody
+      // asked for it by name.
       out.refused = !input.from_folder;
       return out;
     }
@@ -62,7 +63,7 @@ Answer answer(const MaterialInput& input, const ExportArguments& arguments, cons
   return out;
 }
 
-// The surfaces of the inputs; one that cannot be had is told, and the others are still answered.
+// The surfaces of the inputs. An input that fails is reported, and the others are still exported.
 Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
   const TableOptions tables = table_options(arguments.tables);
   const unsigned threads = thread_count(arguments.threads);
@@ -105,7 +106,7 @@ std::string values(const ExportArguments& arguments, Found& found, Fit fit, cons
                             : export_table(all);
 }
 
-// The form that --to is written in, from --format and, for glTF, the ending of -o.
+// Settles the form of the output: --format, or the usual form of --to. Throws Error where they do not match.
 void choose_format(ExportArguments& arguments) {
   std::string& format = arguments.output.format;
   const bool values = arguments.to == "values";
@@ -120,7 +121,8 @@ void choose_format(ExportArguments& arguments) {
     refuse_form(arguments.output, "etak export", "with --to " + arguments.to, fitting);
 }
 
-// A file has no room beside it for what was assumed and changed: it goes to standard error.
+// Writes to standard error what was assumed and changed for each surface, because the formats have no place
+// for it.
 void tell_notes_and_changes(const ExportArguments& arguments, const std::vector<ExportSurface>& surfaces,
                             const std::vector<Changes>& changes) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -130,7 +132,7 @@ void tell_notes_and_changes(const ExportArguments& arguments, const std::vector<
   }
 }
 
-// --to TARGET is short for --to values --target TARGET.
+// Expands --to TARGET, which is short for --to values --target TARGET.
 void take_target(ExportArguments& arguments) {
   const std::string& to = arguments.to;
   if (to == "mtlx" || to == "gltf" || to == "values") return;

@@ -11,7 +11,7 @@
 
 namespace etak::cli {
 
-/// `etak export` as typed.
+/// The options of `etak export`.
 struct ExportArguments {
   InputNames inputs;
   ComputeArguments compute;
@@ -26,7 +26,7 @@ struct ExportArguments {
   unsigned threads = 0;
 };
 
-/// The work of the verb.
+/// Does the work of the verb. Returns the exit status; throws Error.
 int export_materials(ExportArguments& arguments);
 
 }  // namespace etak::cli

@@ -28,7 +28,7 @@
 namespace etak::cli {
 namespace {
 
-// What happened to the inputs, for the exit status and the closing remark.
+// How many inputs had which result, for the exit status and the closing remark.
 struct Tally {
   std::size_t rows = 0, answered = 0, refused = 0, refused_by_name = 0, failed = 0, nonlinear = 0, other = 0,
               prose = 0;
@@ -57,8 +57,9 @@ void count(const F0Outcome& outcome, const MaterialInput& input, Tally& tally) {
   tally.refused_by_name += !input.from_folder;
 }
 
-// The output of neighbouring inputs, written by one worker. Forms made of lines are text at once, so that a
-// run over thousands of files never holds their results; the others keep rows.
+// The output of neighbouring inputs, made by one worker. Results in forms made of lines (CSV, JSON Lines)
+// become text at once, so that a run over thousands of files does not hold their results; other forms keep
+// rows.
 struct Chunk {
   std::string text;
   std::vector<F0Row> rows;
@@ -90,7 +91,7 @@ void answer_one(const MaterialInput& input, const F0Job& job, const std::string&
     ++out.tally.failed;
     out.errors.emplace_back(error.what());
     if (!input.from_folder) return;
-    // A folder's rows are its files: one that is broken must not go missing from the table.
+    // The output of a folder has a row for every file, a broken file too.
     F0Row row;
     row.path = input.label();
     row.result.refusal = std::string("error: ") + error.what();
@@ -98,11 +99,11 @@ void answer_one(const MaterialInput& input, const F0Job& job, const std::string&
   }
 }
 
-// What the HTML form shows of one input; a material without datasets where there is nothing to show.
+// The material of one input for the HTML form; a material without datasets where there is nothing to show.
 MaterialReport html_report(const MaterialInput& input, const F0Job& job, F0Worker& worker, Tally& tally) {
   F0Outcome outcome;
   if (input.from_folder) {
-    // Folders hold files that are no pages, and pages without n make no material.
+    // Files of a folder that are no pages, and pages without n, have nothing to show.
     outcome = worker.answer(input, job);
     if (outcome.kind != F0Outcome::Kind::answered || outcome.without_optics) {
       count(outcome, input, tally);
@@ -125,7 +126,8 @@ std::string html(const std::vector<MaterialInput>& inputs, const F0Job& job, std
   std::vector<Tally> tallies(workers.size());
   const auto threads = static_cast<unsigned>(workers.size());
   parallel_chunks(inputs.size(), threads, 1, [&](std::size_t i, std::size_t, unsigned worker) {
-    // A page shows a material with all its datasets, so that "gold/*" is one of it and not one for each.
+    // Each material is shown once, with all its datasets, so that "gold/*" gives one entry and not one for
+    // each dataset.
     if (i > 0 && inputs[i].material && inputs[i].material == inputs[i - 1].material) return;
     try {
       reports[i] = html_report(inputs[i], job, workers[worker], tallies[worker]);
@@ -160,7 +162,7 @@ void print_remarks(const F0Arguments& arguments, std::size_t inputs, const Tally
   remark(arguments.output, text);
 }
 
-// For who reads a table on a terminal; in files and pipes nothing stands beside the rows.
+// Tells readers of a table on a terminal about -v. Tables in files and pipes get no such remark.
 void hint_at_policy(const F0Arguments& arguments, const F0Options& options) {
   const OutputArguments& output = arguments.output;
   if (output.format != "table" || arguments.verbose || !is_standard_output(output)) return;
@@ -179,9 +181,9 @@ void print_stats(const F0StageTimes& times, double find, double wall, std::size_
            ms(times.f0.fresnel) + ", sum " + ms(times.f0.sum) + ", print " + ms(times.print));
 }
 
-// Each worker's buffers grow and shrink with the pages it meets. What is freed is kept for the next page:
-// given back to the system it would come again as fresh memory, and on two threads wait for the other's page
-// faults.
+// Makes the allocator keep freed memory for the next page. The buffers of a worker grow and shrink with the
+// pages that it reads; memory that is given back to the system comes again with page faults, for which
+// threads wait.
 void keep_worker_memory() {
 #ifdef __GLIBC__
   constexpr int kept_bytes = 64 << 20;
@@ -196,8 +198,8 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// A run takes the names of the line at once and those of a list in batches, so that what a list of a million
-// names leaves in memory is what is printed at the end: the lines or the rows of its answers.
+// A run of the verb. It takes the names of the line at once and the names of a list in batches, so that for a
+// list of a million names only the output is kept in memory: the text or the rows of the results.
 class F0Run {
  public:
   F0Run(F0Arguments& arguments, const F0Job& job, unsigned threads)
@@ -212,7 +214,7 @@ class F0Run {
     InputNames batch = arguments_.inputs;
     {
       Progress progress(arguments_.output, 0, "f0");
-      // The page of all materials is made of all inputs together.
+      // The HTML page of all materials needs all inputs at once.
       const std::size_t most = is_html() ? static_cast<std::size_t>(-1) : batch_names;
       std::size_t names_left = list ? list->count() : 0;
       for (bool first = true;; first = false) {
@@ -247,7 +249,8 @@ class F0Run {
   bool is_html() const { return arguments_.output.format == "html"; }
   unsigned threads() const { return static_cast<unsigned>(workers_.size()); }
 
-  //   names_left   of the list behind this batch
+  // Computes the results of a batch of names.
+  //   names_left   number of names in the list after this batch, for the progress
   void answer(const InputNames& batch, std::size_t names_left, Progress& progress) {
     const auto begin = Clock::now();
     std::vector<std::string> remarks;
@@ -289,7 +292,7 @@ class F0Run {
       text_ = f0_table(rows_, options, use_color(output), columns);
       if (arguments_.verbose && !output.quiet) text_ += f0_legend(rows_, options, columns);
     }
-    // Where nothing could be read there is nothing to say, and no file to replace an older, better one.
+    // Where no input could be read, no empty output is written: it might replace an earlier, better file.
     if (tally_.rows > 0 || inputs_ == 0) write_output(output, text_);
     times_.print += seconds_since(begin);
   }
@@ -300,10 +303,10 @@ class F0Run {
   Tally tally_;
   F0StageTimes times_;
   double find_seconds_ = 0;
-  std::size_t inputs_ = 0;      // found so far
-  std::set<std::string> told_;  // remarks on names, each once
-  std::string text_;            // of forms made of lines
-  std::vector<F0Row> rows_;     // of the others
+  std::size_t inputs_ = 0;      // number of inputs found so far
+  std::set<std::string> told_;  // remarks on names that were made, so that each is made once
+  std::string text_;            // output in forms made of lines
+  std::vector<F0Row> rows_;     // output in other forms
 };
 
 }  // namespace
@@ -316,7 +319,7 @@ int answer_f0(F0Arguments& arguments) {
   if (output.format == "html" && (arguments.axis_average || !arguments.inputs.dataset.empty()))
     throw Error::at("--format html", "shows every dataset of a material",
                     "no --dataset and no --axis-average");
-  // A bad --library is the call's mistake even where no name is looked up.
+  // A bad --library is an error even where no name is looked up.
   if (!arguments.library.folders.empty()) (void)arguments.library.get();
   const F0Solver solver(f0_options(arguments.compute, arguments.library));
   const bool with_source = output.format != "csv";

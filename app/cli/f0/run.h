@@ -9,7 +9,7 @@
 
 namespace etak::cli {
 
-/// `etak f0` as typed.
+/// The options of `etak f0`.
 struct F0Arguments {
   InputNames inputs;
   std::string files_from;
@@ -21,10 +21,10 @@ struct F0Arguments {
   bool axis_average = false;
   bool stats = false;
   bool verbose = false;
-  bool allow_empty = false;  // of --files-from
+  bool allow_empty = false;  // the list of --files-from may be empty
 };
 
-/// The work of the verb.
+/// Does the work of the verb. Returns the exit status; throws Error.
 int answer_f0(F0Arguments& arguments);
 
 }  // namespace etak::cli

@@ -36,7 +36,7 @@ std::vector<MaterialInput> find_tables(const InputNames& names, Library& library
     try {
       return is_prose(input, read_head(input.path, content_head));
     } catch (const Error&) {
-      return false;  // whoever reads it says why it cannot be read
+      return false;  // the verb that reads the file reports the reason
     }
   };
   if (const auto count = std::erase_if(inputs, prose); count > 0)

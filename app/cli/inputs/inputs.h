@@ -12,26 +12,26 @@
 
 namespace etak::cli {
 
-/// Adds INPUT... and --stdin-format; --dataset and --all belong to `etak f0`.
+/// Adds INPUT... and --stdin-format. Verbs that have --dataset and --all add these themselves.
 void add_input_options(Command verb, InputNames& names);
 void add_all_datasets_option(Command verb, InputNames& names);
 
-/// find_inputs() without texts that are no tables; remarks say what was left out.
+/// find_inputs() without the text files of folders that hold no table; remarks tell how many were left out.
 std::vector<MaterialInput> find_tables(const InputNames& names, Library& library, unsigned threads,
                                        const OutputArguments& output);
 
-/// The names in a list file, "-" for standard input: between NUL bytes when there is one, else between line
-/// ends. Handed out in their order, so that a run over a million of them holds the text of the list and the
-/// names at hand, and nothing else.
+/// The names in a list file ("-": standard input), separated by NUL bytes where the file has one, else by
+/// line ends. take() hands them out in parts, so that a run over a million names holds only the text of the
+/// list and the names that it works on.
 class ListedNames {
  public:
   /// Throws Error where the list cannot be read.
   explicit ListedNames(const std::string& path);
 
-  /// The next names, at most so many; none at the end of the list.
+  /// The next names, at most `most`; none at the end of the list.
   std::vector<std::string> take(std::size_t most = static_cast<std::size_t>(-1));
 
-  /// Names and empty lines of the whole list.
+  /// The number of entries in the whole list, empty ones among them.
   std::size_t count() const;
 
  private:

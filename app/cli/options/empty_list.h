@@ -8,10 +8,11 @@
 
 namespace etak::cli {
 
-/// Adds --allow-empty, which goes with --files-from: a pipeline whose list may be empty says so.
+/// Adds --allow-empty, for scripts whose list of --files-from may be empty.
 void add_allow_empty_option(Command verb, bool& allow_empty);
 
-/// For a --files-from that names nothing: most often the program that made the list has failed.
+/// The error for a list of --files-from that names nothing. Without --allow-empty that is an error, because
+/// most often the program that made the list has failed.
 Error empty_list(const std::string& list);
 
 }  // namespace etak::cli

@@ -5,7 +5,7 @@
 
 namespace etak::cli {
 
-/// Adds --follow-links to a verb that reads what scenes, manifests and folders name
+/// Adds --follow-links to a verb that reads files named by scenes, manifests and folders
 /// (core/base/files/links.h).
 void add_follow_links(Command verb);
 

@@ -15,7 +15,7 @@
 namespace etak::cli {
 namespace {
 
-// The parts of `text` between separators, empty ones left out.
+// The parts of `text` between separators, without empty ones.
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> out;
   while (!text.empty()) {
@@ -26,7 +26,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return out;
 }
 
-// The value `parse` finds for the text of an option; `standard` where the option was not given.
+// The value that `parse` makes of the text of an option; `standard` where the option was not given.
 template <class Value, class Parse>
 Value chosen(const char* option, const std::string& text, Value standard, Parse parse, const char* expected) {
   if (text.empty()) return standard;
@@ -124,8 +124,8 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library) {
   out.allow_extrapolation = arguments.allow_extrapolation;
   if (!arguments.ocio.empty() && arguments.space.empty())
     throw Error::at("--ocio", "no colour space of it is named", "--space NAME beside it");
-  // A config that is named on the line wins over the built-in spaces of the same name, and one of $OCIO over
-  // all of their names but etak's own.
+  // A config that is named on the line wins over a built-in space of the same name. A config of $OCIO wins
+  // over the aliases of the built-in spaces, but not over the names that etak itself writes.
   auto built_in = arguments.ocio.empty() ? rgb_space_named(arguments.space) : std::nullopt;
   const char* const config = std::getenv("OCIO");
   if (built_in && config != nullptr && *config != '\0' && arguments.space != name(*built_in))
@@ -134,7 +134,7 @@ F0Options f0_options(const ComputeArguments& arguments, Library& library) {
     out.space = *built_in;
   else if (!arguments.space.empty())
     out.custom_space = pictures("--space").open_space(arguments.ocio, arguments.space);
-  // Most runs name no medium, and need no library for it.
+  // The library is opened only where the line names a medium, which few runs do.
   if (!arguments.outside.empty())
     out.outside = outside_medium(library.get(), arguments.outside, "--outside",
                                  NameWords{.place = {}, .found = "no material has this name", .instead = {}});

@@ -14,8 +14,8 @@
 
 namespace etak::cli {
 
-/// The materials a run knows: built in, then the folders of ETAK_LIBRARY, then those of --library. Opened
-/// when first used, because most runs over files never ask for a name.
+/// The materials that a run knows: the built-in library, then the folders of ETAK_LIBRARY, then those of
+/// --library. It is opened when first used, because most runs over files look up no name.
 class Library {
  public:
   std::vector<std::string> folders;  // of --library
@@ -30,7 +30,7 @@ class Library {
 };
 void add_library_options(Command verb, Library& library);
 
-/// --class, which may be given more than once.
+/// Adds --class, which may be given more than once.
 void add_class_option(Command verb, std::vector<std::string>& classes, const std::string& help);
 
 /// Throws Error for a class that no material can have.
@@ -43,7 +43,7 @@ struct ComputeArguments {
 };
 void add_compute_options(Command verb, ComputeArguments& arguments);
 
-/// The typed choices as values. Throws Error that names the option and what it takes.
+/// The options of the line as values. Throws Error that names the option and what it takes.
 F0Options f0_options(const ComputeArguments& arguments, Library& library);
 
 /// How tables are read, as typed.
@@ -53,8 +53,9 @@ struct TableArguments {
 void add_table_options(Command verb, TableArguments& arguments);
 TableOptions table_options(const TableArguments& arguments);
 
-/// -j N; 0 means all cores.
+/// Adds -j N. `threads` stays 0 where the option is not given.
 void add_thread_option(Command verb, unsigned& threads);
+/// The number of threads to use, at most 256; 0 stands for all cores.
 unsigned thread_count(unsigned asked);
 
 }  // namespace etak::cli

@@ -8,16 +8,17 @@
 
 namespace etak::cli {
 
-/// How rough a surface is, as typed: --gloss or --roughness.
+/// The roughness of a surface as given on the line: --gloss or --roughness.
 struct RoughnessArguments {
   std::optional<double> gloss, roughness;
 };
 
-///   whose   "of the surface": what the options say it of
+/// Adds --gloss and --roughness.
+///   whose   the object of the help's texts: "of the surface"
 void add_roughness_options(Command verb, RoughnessArguments& arguments, const char* whose);
 
-/// What was typed; none: neither, and the default of the material's class is meant. Throws Error for both and
-/// for values outside [0, 1].
+/// The gloss of the option that was given. None where neither was: the default of the material's class is
+/// then meant. Throws Error where both are given and for values outside [0, 1].
 std::optional<Gloss> given_gloss(const RoughnessArguments& arguments);
 
 }  // namespace etak::cli

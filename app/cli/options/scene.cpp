@@ -18,7 +18,7 @@ namespace {
 
 using Overrides = std::vector<std::pair<std::string, double>>;
 
-// "0.9" or "0.9,0.5,0.1".
+// The colour "0.9" (grey) or "0.9,0.5,0.1".
 Vec3 color_of(const std::string& place, std::string_view text) {
   std::vector<double> out;
   for (;;) {
@@ -35,7 +35,7 @@ Vec3 color_of(const std::string& place, std::string_view text) {
   return {out[0], out[1], out[2]};
 }
 
-// A surface of numbers: f0, f82, n, k, diffuse, gloss, roughness, opacity.
+// A surface given in numbers: f0, f82, n, k, diffuse, gloss, roughness, opacity.
 SurfaceValues made_up(const std::vector<std::string>& subject, SurfaceValues surface) {
   bool has_f0 = false, has_f82 = false, has_index = false;
   RoughnessArguments rough;
@@ -132,8 +132,8 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
   const bool clear = body.clear && blank.diffuse == Vec3{0, 0, 0};
   if (!given) {
     const DefaultGloss standard = default_gloss(material, clear);
-    // A convention gives way to what a picture needs: in a perfect mirror the lights are points that no pixel
-    // hits.
+    // Where the default is a perfect mirror, the picture takes the highest gloss instead: in a mirror the
+    // lights are points that no pixel hits.
     blank.gloss = Gloss(double{standard.gloss});
     notes.remarks.push_back(default_gloss_remark(standard) +
                             (standard.gloss.held() ? "; drawn with " + roughness_text(blank.gloss) +
@@ -199,7 +199,7 @@ void choose_models(Scene& scene, const std::string& specular, const std::string&
   if (scene.specular != nullptr && scene.specular->kind == ModelKind::diffuse)
     throw Error::at("--model", std::string(scene.specular->id) + " is a diffuse model",
                     "--diffuse-model for it");
-  // A model of both kinds has its own diffuse part.
+  // A combined model has a diffuse part of its own.
   if (scene.specular != nullptr && scene.specular->kind == ModelKind::combined) {
     if (!diffuse.empty() && diffuse != "none")
       throw Error::at("--diffuse-model",

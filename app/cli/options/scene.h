@@ -11,9 +11,9 @@
 
 namespace etak::cli {
 
-/// What a picture shows, as typed.
+/// The options that say what a picture shows.
 struct SceneArguments {
-  std::vector<std::string> subject;  // a material, or NAME=NUMBER[,NUMBER,NUMBER] of a surface made up
+  std::vector<std::string> subject;  // a material, or a surface in numbers: NAME=NUMBER[,NUMBER,NUMBER]
   std::string dataset;
   std::string model, diffuse_model;
   std::vector<std::string> set;
@@ -26,22 +26,25 @@ struct SceneArguments {
 };
 void add_scene_options(Command verb, SceneArguments& arguments);
 
-/// Changes `arguments` do not say: what a surface is called, and values that had to be brought into a model's
-/// range.
+/// The name of the surface, and remarks for the user, such as values that were clamped to the range of a
+/// model.
 struct SceneNotes {
   std::string subject;
   std::vector<std::string> remarks;
 };
 
-/// Adds a remark where a roughness was given that Schueler's gloss does not hold, and what of the scene takes
-/// that.
+/// Adds a remark where the user gave a roughness that Schueler's gloss cannot hold. It names the models and
+/// lights of the scene that use the gloss.
 void tell_held_gloss(const Scene& scene, SceneNotes& notes);
 
-/// The scene asked for. Throws Error that names the option or file.
+/// The scene that the options describe. Throws Error that names the option or file.
 Scene scene_of(SceneArguments& arguments, SceneNotes& notes);
 
-/// A scene's models and their values: `specular` and `diffuse` by id ("" the default, "none" no such part),
-/// then the values of --set. Hemispheres and environment then see the colours and gloss that were set.
+/// Chooses the models of a scene and their values. `set` may change the colours and the gloss of the surface
+/// too; the light of hemispheres and environment then uses the changed values. Throws Error.
+///   specular, diffuse   ids of models; empty: the default; "none": no such part
+///   set                 names and values of --set
+///   remarks             gets a line for every value that was clamped to the range of its parameter
 void choose_models(Scene& scene, const std::string& specular, const std::string& diffuse,
                    const std::vector<std::pair<std::string, double>>& set, std::vector<std::string>& remarks);
 

@@ -14,10 +14,10 @@ namespace {
 
 struct Ending {
   std::string_view ending, form;
-  std::string_view verb = {};  // the only one that it goes with
+  std::string_view verb = {};  // the only verb that has this ending; empty: all
 };
 
-// A form may have several endings, and .txt several forms: the first that the verb has is taken.
+// A form may have several endings, and an ending several forms: the first form that the verb has is taken.
 constexpr std::array endings{
     Ending{".txt", "table"},
     Ending{".txt", "text"},
@@ -40,7 +40,7 @@ constexpr std::array endings{
     Ending{".mtlx", "mtlx"},
 };
 
-// The name without folders, in lower case; empty where it has no ending: "x", "x.", ".x".
+// The name of a file without its folders, in lower case; empty for names without an ending: "x", "x.", ".x".
 std::string name_with_ending(const std::string& file) {
   const std::string name = file.substr(file.rfind('/') + 1);
   const std::size_t dot = name.rfind('.');
@@ -53,7 +53,7 @@ bool fits(const Ending& ending, const std::vector<std::string>& formats, std::st
          std::find(formats.begin(), formats.end(), ending.form) != formats.end();
 }
 
-// The endings that say one of these forms, each once.
+// The endings that stand for one of these forms, each once.
 std::vector<std::string> endings_of(const std::vector<std::string>& forms, std::string_view verb) {
   std::vector<std::string> out;
   for (const Ending& each : endings)
@@ -77,7 +77,7 @@ void settle_form(OutputArguments& arguments, const std::vector<std::string>& for
   const std::string name = name_with_ending(arguments.file);
   if (name.empty() || formats.size() < 2) return;
   std::string_view form;
-  bool same = false;  // what --format asks for goes with the ending as well
+  bool same = false;  // the form of --format has this ending too
   for (const Ending& each : endings) {
     if (!fits(each, formats, verb) || !name.ends_with(each.ending)) continue;
     if (form.empty()) form = each.form;

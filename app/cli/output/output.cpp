@@ -19,7 +19,8 @@ void write_standard_output(std::string_view bytes) {
   if (!write_all(STDOUT_FILENO, bytes)) throw Error::at("<stdout>", "cannot be written: " + reason_of(errno));
 }
 
-// Written while the others are made ready: whoever reads the pipe may take his time.
+// Standard output is written in prepare(), before other outputs are put in place, because the program that
+// reads a pipe may take long or fail.
 class StandardOutput : public Output {
  public:
   explicit StandardOutput(std::string bytes) : bytes_(std::move(bytes)) {}
@@ -64,7 +65,7 @@ bool use_color(const OutputArguments& arguments) {
     const char* value = std::getenv(name);
     return value == nullptr ? "" : value;
   };
-  // In the order of no-color.org and bixense.com/clicolors.
+  // The order of precedence is that of no-color.org and bixense.com/clicolors.
   if (!is_standard_output(arguments) || !variable("NO_COLOR").empty()) return false;
   if (const auto forced = variable("CLICOLOR_FORCE"); !forced.empty() && forced != "0") return true;
   return ::isatty(STDOUT_FILENO) != 0 && variable("CLICOLOR") != "0" && variable("TERM") != "dumb";
@@ -81,7 +82,7 @@ void write_output(const OutputArguments& arguments, std::string_view bytes) {
 }
 
 void complain(std::string_view message) {
-  // A lost message on standard error has nowhere left to be reported.
+  // Where standard error cannot be written, there is no other place for the message.
   (void)write_all(STDERR_FILENO, "etak: " + line_text(message) + "\n");
 }
 

@@ -17,40 +17,41 @@ namespace etak::cli {
 /// Exit status of every verb.
 enum Exit : int { exit_ok = 0, exit_findings = 1, exit_failure = 2 };
 
-/// Where the data of a run go, and in which form.
+/// The options that say where the data of a run go, and in which form.
 struct OutputArguments {
   std::string format;
-  std::string form_asked_by = "--format";  // or "-o FILE", where its ending tells the form
+  std::string form_asked_by = "--format";  // or "-o FILE", where the ending of the file decides
   std::string file;                        // empty or "-": standard output
   bool force = false;
   bool quiet = false;
   std::string color = "auto";
-  std::string progress = "auto";  // of verbs with long work: see progress.h
+  std::string progress = "auto";  // --progress of verbs with long work: see progress.h
 };
 
-/// Adds --format (one of `formats`; by default that of the ending of -o, else the first), -o, --force, -q and
-/// --color.
+/// Adds --format (one of `formats`; by default the form of the ending of -o, else the first), -o, --force, -q
+/// and --color.
 void add_output_options(Command verb, OutputArguments& arguments, const std::vector<std::string>& formats);
 
 /// Whether the data go to standard output.
 bool is_standard_output(const OutputArguments& arguments);
 
-/// Whether 24-bit colour may go into the output: --color; else NO_COLOR and CLICOLOR_FORCE; else a terminal,
-/// unless CLICOLOR=0 or TERM=dumb.
+/// Whether the output may have 24-bit colours. --color decides where it is "always" or "never", then NO_COLOR
+/// and CLICOLOR_FORCE. Else a terminal gets colours, unless CLICOLOR=0 or TERM=dumb.
 bool use_color(const OutputArguments& arguments);
 
-/// The data of the run, for the file of -o or standard output. Throws Error. Among several outputs it comes
-/// last: what a pipe has taken cannot be taken back, so the others are ready by then, and where it takes
-/// nothing they are not put in place.
+/// The data of the run as an output to the file of -o or to standard output. Throws Error. Among several
+/// outputs it must be the last: data that a pipe has taken cannot be taken back, so the others must be ready
+/// by then; where standard output cannot be written, they are not put in place.
 std::unique_ptr<Output> output(const OutputArguments& arguments, std::string bytes);
 
-/// The same, written at once.
+/// Writes the data of the run at once to the file of -o or to standard output. Throws Error.
 void write_output(const OutputArguments& arguments, std::string_view bytes);
 
-/// One line on standard error, "etak: " before it: line_text(), for messages name files, options and keys.
+/// Writes "etak: " and the message as one line to standard error. line_text() keeps it to one line, because
+/// messages hold names of files, options and keys.
 void complain(std::string_view message);
 
-/// The same for remarks that -q silences.
+/// Writes a remark in the same way as complain(), unless -q is given.
 void remark(const OutputArguments& arguments, std::string_view message);
 
 }  // namespace etak::cli

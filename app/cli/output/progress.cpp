@@ -17,7 +17,7 @@ namespace {
 constexpr std::chrono::milliseconds first_line{2000}, between_lines{100}, between_objects{500};
 constexpr std::size_t bar_width = 30;
 
-// The front of `text` that fits.
+// The front of `text` that fits into so many columns.
 std::string cut(std::string_view text, std::size_t columns) {
   std::string out = line_text(text);
   out.resize(front_of(out, columns).size());
@@ -52,7 +52,7 @@ Progress::~Progress() {
 }
 
 void Progress::take_away() {
-  // A lost line on standard error has nowhere left to be reported.
+  // Where standard error cannot be written, there is no other place for a message.
   if (mode_ == Mode::line && shown_) (void)write_all(STDERR_FILENO, "\r\x1b[K");
 }
 
@@ -76,7 +76,8 @@ double Progress::seconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-// A new stage is told at once, where anything is told yet.
+// Shows the progress where it is time to. Once the first line has been shown, `at_once` (a new stage) does
+// not wait for the time.
 void Progress::show(bool at_once) {
   if (mode_ == Mode::none) return;
   const auto now = Clock::now();
@@ -100,7 +101,7 @@ void Progress::draw_line() const {
   }
   append(line, task_, stage_.empty() ? "" : " ", stage_, ", ", fixed(seconds(), 0), " s");
   const std::size_t columns = columns_of(STDERR_FILENO);
-  // A line that fills its last column would begin a second one.
+  // The last column stays free: a character there would make some terminals begin a new line.
   (void)write_all(STDERR_FILENO, "\r\x1b[K" + cut(line, columns == 0 ? 79 : columns - 1));
 }
 

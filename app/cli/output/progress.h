@@ -15,34 +15,35 @@ namespace etak::cli {
 /// Adds --progress: auto, json or none.
 void add_progress_option(Command verb, std::string& progress);
 
-/// What long work tells of itself on standard error, the one way for all verbs. With -q nothing.
+/// The progress of long work on standard error, the same for all verbs. With -q nothing is written.
 ///   auto   on a terminal, after two seconds of work, one line that is rewritten: a bar, how much is done,
 ///          the stage, the seconds; elsewhere nothing
-///   json   for programs around etak: an object a line (resources/schema/progress.schema.json), the first
-///          with the first news, then at most two a second, the last when the work ends
+///   json   for programs that call etak: one JSON object per line (resources/schema/progress.schema.json),
+///          the first at the first call, then at most two a second, the last when the work ends
 class Progress {
  public:
-  ///   total   what `done` ends at; 0: not known yet
-  ///   task    the verb
+  ///   total   number of items; 0: not known yet
+  ///   task    name of the verb
   Progress(const OutputArguments& arguments, std::size_t total, std::string_view task);
-  /// Takes the line away, or writes the last object.
+  /// Erases the line, or writes the last object.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Adds `count` finished items. Any thread may call; only worker 0 draws.
+  /// Adds `count` finished items. Any thread may call it; only worker 0 writes.
   void advance(std::size_t count, unsigned worker);
 
-  /// So much is done, of so much. One thread at a time, not beside advance().
+  /// Sets the number of finished items and of all items. Only one thread at a time may call it, and none may
+  /// call advance() at the same time.
   void set(std::size_t done, std::size_t total);
 
-  /// What is being done now ("fresnel", a material's name). One thread at a time.
+  /// Names the work that is done now ("fresnel", a material's name). Only one thread at a time may call it.
   void stage(std::string_view text);
 
-  /// Takes the line away, so that messages can be written where it stood. The next news bring it back.
+  /// Erases the line, so that messages can be written in its place. The next update draws it again.
   void take_away();
 
-  /// Whether a line is or will be drawn: remarks of the same content are then left out.
+  /// Whether a line is or will be drawn. Remarks with the same content are then not needed.
   bool draws_line() const { return mode_ == Mode::line; }
 
  private:

@@ -20,7 +20,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-// A relative XDG_CONFIG_HOME does not count (XDG Base Directory Specification).
+// A relative path in XDG_CONFIG_HOME is ignored, as the XDG Base Directory Specification demands.
 std::string user_config_file() {
   if (const std::string home = variable("XDG_CONFIG_HOME"); home.starts_with('/'))
     return home + "/etak/config.toml";

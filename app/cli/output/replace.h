@@ -5,12 +5,13 @@
 
 namespace etak::cli {
 
-/// Whether an output may replace what stands in its place: --force, ETAK_FORCE=1 in the environment, or force
-/// = true in the user's own configuration (core/validate/user_config.h). Throws Error where one of the two
-/// cannot be understood.
+/// Whether outputs may replace existing files. --force allows it; else ETAK_FORCE=1 or 0 in the environment
+/// decides, else `force` in the user's own configuration (core/validate/user_config.h). Throws Error where
+/// ETAK_FORCE or the configuration cannot be understood.
 bool may_replace(bool force);
 
-/// Throws, before long work, the Error that write_output() would end with. Standard output is always fine.
+/// Checks before long work whether the file of -o can be written: throws the Error that write_output() would
+/// throw after it. Standard output always passes.
 void check_output(const OutputArguments& arguments);
 
 }  // namespace etak::cli

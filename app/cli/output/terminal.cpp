@@ -12,7 +12,7 @@
 namespace etak::cli {
 namespace {
 
-// What is narrower is no width that somebody reads at; what is wider is none at all.
+// Widths are clamped to this range: nobody reads narrower text, and no terminal is wider.
 constexpr double least_columns = 20, most_columns = 10000;
 
 }  // namespace

@@ -5,8 +5,9 @@
 
 namespace etak::cli {
 
-/// Columns that text on `descriptor` (STDOUT_FILENO, STDERR_FILENO) has: COLUMNS of the environment where it
-/// is a number, else the terminal's own; 0 where neither says one, so that files and pipes get whole lines.
+/// The number of columns for text on `descriptor` (STDOUT_FILENO, STDERR_FILENO): COLUMNS of the environment
+/// where it is a number above 0, else the width of the terminal. 0 where neither is known: lines are then not
+/// broken, as in files and pipes.
 std::size_t columns_of(int descriptor);
 
 }  // namespace etak::cli

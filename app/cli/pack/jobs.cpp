@@ -22,7 +22,8 @@ constexpr auto watch_pause = std::chrono::milliseconds(300);
 
 using Stamps = std::map<std::string, std::pair<fs::file_time_type, std::uintmax_t>>;
 
-// Time and size of every file that may matter: the input, and what lies in its folder.
+// Time and size of every file below the input, where it is a folder, else below its folder; files in the
+// folder of the atlas are left out.
 Stamps stamps(const std::string& input, const std::string& out) {
   Stamps found;
   std::error_code failure;
@@ -65,7 +66,7 @@ int pack_batch(PackArguments& line) {
   shown.progress = line.progress;
   Progress progress(shown, jobs.size(), "pack");
   int status = exit_ok;
-  line.progress = "none";  // one line at a time: that of all jobs
+  line.progress = "none";  // the line of all jobs is the only one
   for (const PackSettings& job : jobs) {
     line.settings = job;
     progress.stage(job.out);
@@ -85,7 +86,7 @@ int pack_watch(PackArguments& arguments) {
   if (is_pipe_input(arguments.settings.input))
     throw Error::at("--watch", arguments.settings.input + " is a pipe, which never changes",
                     "a file or a folder");
-  // -u: a file that was touched but not changed costs a hash and no new atlas.
+  // With -u, a file whose time changed but not its bytes costs a hash, and no atlas is packed.
   arguments.update = true;
   for (Stamps last;;) {
     const Stamps now = stamps(arguments.settings.input, arguments.settings.out);
@@ -94,7 +95,7 @@ int pack_watch(PackArguments& arguments) {
       try {
         pack_once(arguments);
       } catch (const Error& error) {
-        complain(error.what());  // the next save may mend it
+        complain(error.what());  // the user may correct the input, so the watch goes on
       }
     }
     std::this_thread::sleep_for(watch_pause);

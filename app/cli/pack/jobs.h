@@ -5,14 +5,16 @@
 
 namespace etak::cli {
 
-/// One atlas, with its report. Returns the exit status: 1 for findings that fail the run.
+/// Packs one atlas and writes its report. Returns the exit status: 1 for findings that fail the run, 2 where
+/// not everything could be checked. Throws Error.
 int pack_once(PackArguments& arguments);
 
-/// Every job of --batch (parse_pack_jobs) in the file's order, in this process; a job that fails is told and
-/// stops no other. Returns the exit status: the worst of all.
+/// Packs every job of the file of --batch (parse_pack_jobs), in the order of the file, in this process. A job
+/// that fails is reported, and the next job begins. Returns the highest exit status of all jobs. Throws Error
+/// for a file of jobs that is not valid.
 int pack_batch(PackArguments& arguments);
 
-/// Packs, and again whenever an input changes, until the process is interrupted.
+/// Packs the atlas, and packs it again whenever an input changes, until the process is interrupted.
 int pack_watch(PackArguments& arguments);
 
 }  // namespace etak::cli

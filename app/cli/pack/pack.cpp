@@ -43,7 +43,7 @@ std::size_t memory(const std::string& text) {
   return static_cast<std::size_t>(value * static_cast<double>(std::size_t{1} << shift));
 }
 
-// What `etak validate` of the result would go by. Throws Error.
+// The configuration that `etak validate` would use for the result. Throws Error.
 PackCheckOptions check_options(PackArguments& a) {
   ValidateArguments as_validate;
   as_validate.paths = {a.settings.out + "/layout.json"};
@@ -58,7 +58,8 @@ PackCheckOptions check_options(PackArguments& a) {
   return out;
 }
 
-//   check   null: the atlas was not looked at
+// Writes the report and the findings.
+//   check   null: the atlas was not checked
 void say(const PackArguments& a, const PackResult& report, const PackCheck* check) {
   const ValidationReport* findings = check == nullptr ? nullptr : check->report();
   OutputArguments remarks;
@@ -70,14 +71,15 @@ void say(const PackArguments& a, const PackResult& report, const PackCheck* chec
                          (findings == nullptr ? "" : validation_text(*findings, {use_color({})})));
   if (a.report != "json")
     for (const std::string& each : report.remarks) remark(remarks, each);
-  // Why the exit status is not 0 is told even where nothing else is.
+  // The reason of an exit status other than 0 is always told, even where the report is not.
   const bool verdict_shown = a.report == "json" || (a.report == "text" && !a.quiet);
   if (findings != nullptr && (check->failed() || check->incomplete()) && !verdict_shown)
     complain(a.settings.out + ": " + verdict_of(*findings));
 }
 
-// Pictures of regions come and go by the megabyte. The allocator would give each back to the kernel and get
-// the next as fresh small pages, whose first touches cost more than the work on them.
+// Makes the allocator keep freed memory. The pictures of regions take megabytes and are freed soon; given
+// back to the kernel, their memory would come again with page faults that cost more than the work on the
+// texels.
 void keep_memory_of_regions() {
 #ifdef __GLIBC__
   (void)::mallopt(M_MMAP_THRESHOLD, 32 << 20);
@@ -86,7 +88,8 @@ void keep_memory_of_regions() {
 #endif
 }
 
-// The config that spaces are looked up in, for its bytes to count as an input.
+// The path of the OpenColorIO config in use, because a change of its bytes is a change of the input; empty
+// where it is etak's own.
 std::string config_file(const std::string& asked) {
   if (!asked.empty()) return asked;
   const char* environment = std::getenv("OCIO");
@@ -95,7 +98,7 @@ std::string config_file(const std::string& asked) {
   return std::filesystem::is_regular_file(path, failure) ? path : "";
 }
 
-// The typed choices as values. Throws Error that names the option.
+// The options of the line as values. Throws Error that names the option.
 PackOptions options_of(const PackArguments& a) {
   PackOptions out = pack_options(a.settings);
   out.input.space_config = config_file(a.settings.ocio);
@@ -104,7 +107,7 @@ PackOptions options_of(const PackArguments& a) {
     return pictures(printable(name)).open_source(config, name);
   };
   if (writes_floats(out.output.write))
-    (void)pictures("--format");  // told before the work where it is missing
+    (void)pictures("--format");  // throws before the work where the module is missing
   out.output.overwrite = may_replace(a.force);
   out.output.update = a.update;
   out.output.dry_run = a.dry_run;

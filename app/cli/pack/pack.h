@@ -11,7 +11,7 @@
 
 namespace etak::cli {
 
-/// `etak pack` as typed.
+/// The options of `etak pack`.
 struct PackArguments {
   PackSettings settings;  // of the atlas; every job of --batch has its own
   std::string batch, memory, report = "text", fail_on, config, page_report, progress = "auto";
@@ -23,7 +23,7 @@ struct PackArguments {
   PackRectsArguments rects;
 };
 
-/// The work of the verb.
+/// Does the work of the verb. Returns the exit status; throws Error.
 int pack_atlas(PackArguments& arguments);
 
 }  // namespace etak::cli

@@ -14,14 +14,14 @@ namespace etak::cli {
 namespace {
 
 constexpr int most_shown = 640;
-// Squares of the pattern behind what alpha hides.
+// Squares of the checker pattern across a page; the pattern shows where alpha hides the colour.
 constexpr int shown_squares = 40;
 
 std::string png_of(const Image8& image) {
   return png_bytes(thumbnail(image, most_shown), {});
 }
 
-// RGB of a texture, each texel by `color(texel, x, y)`.
+// A PNG of a texture in which each texel has the RGB that `color(texel, x, y)` gives.
 template <class Color>
 std::string picture_of(const PixelsView8& view, Color color) {
   Image8 out(view.width, view.height, 3);
@@ -59,8 +59,8 @@ AtlasPagePictures pictures_of(const AtlasPage& page, const PagePixels& pixels) {
 }
 
 // Whether a page may link to `target`: a relative reference, http or https. Other schemes run scripts
-// (javascript:, data:) or reach into the reader's machine (file:), and so does a host without a scheme on a
-// page that is opened as a file.
+// (javascript:, data:) or open files of the reader's machine (file:). A host without a scheme (//host/x)
+// opens files as well, where the page itself is opened as a file.
 bool is_page_target(const std::string& target) {
   const std::string front = lower_case(target.substr(0, 8));
   if (front.starts_with("http://") || front.starts_with("https://")) return true;
@@ -86,10 +86,10 @@ PackPage::PackPage(const PackArguments& arguments) : arguments_(arguments) {
 
 void PackPage::attach(PackOptions& options) {
   if (arguments_.page_report.empty()) return;
-  // Where the page is missing, -u has something to do.
+  // Where the HTML page is missing, -u must not skip the work.
   std::error_code failure;
   if (!std::filesystem::exists(arguments_.page_report, failure)) options.output.update = false;
-  options.check.written_page = {};  // the pictures want pages whole
+  options.check.written_page = {};  // without it, pages are whole in memory when `page` is called
   options.check.page = [this, check = std::move(options.check.page)](const AtlasLayout& layout, int page,
                                                                      const PagePixels& pixels) {
     if (page == 0) data_.pictures.clear();

@@ -11,21 +11,22 @@
 
 namespace etak::cli {
 
-/// Whether --page-report goes into the folder of the atlas itself, which packing makes.
+/// Whether the file of --page-report lies in the folder of the atlas, which pack() makes.
 bool is_in_atlas_folder(const PackArguments& arguments);
 
-/// --page-report: an HTML page of the atlas, with small pictures of its pages taken while they are in memory.
+/// The HTML page of --page-report. It takes small pictures of the atlas's pages while they are in memory.
 class PackPage {
  public:
-  /// Throws Error for a --page-link that is none.
+  /// Throws Error for a --page-link that is not TEXT=TARGET with an allowed target.
   explicit PackPage(const PackArguments& arguments);
 
-  /// Looks at every page, after whatever checks it.
+  /// Makes pack() hand every page to this object, after the check that `options` has.
   void attach(PackOptions& options);
 
-  /// The page, to be put in place together with the atlas; null where none was asked for, and where it went
-  /// into the folder of the atlas.
-  ///   folder   of the atlas, not in place yet; null in a dry run
+  /// The HTML page, to be put in place together with the atlas. Null where none was asked for, and where the
+  /// page was written into the folder of the atlas.
+  ///   findings   null: the atlas was not checked
+  ///   folder     the folder of the atlas, which is not in place yet; null in a dry run
   std::unique_ptr<Output> output(const PackResult& result, const ValidationReport* findings,
                                  OutputFolder* folder);
 

@@ -23,7 +23,8 @@ namespace {
 constexpr int exit_not_offered = 3;
 constexpr int largest_side = largest_rect_side;
 
-// The form and side that --mode names; none for a mode that is not offered.
+// The form and side that --mode names; none for a mode that is not offered. Throws Error for a bad side.
+//   pad   texels between rectangles
 std::optional<RectOptions> options_of(const std::string& mode, int pad) {
   RectOptions out;
   out.largest_side = largest_side + pad;
@@ -47,7 +48,8 @@ std::optional<RectOptions> options_of(const std::string& mode, int pad) {
   const std::optional<int> side = whole_number(std::string_view(mode).substr(colon + 1));
   if (!side || *side < 1 || *side > largest_side)
     throw Error::at("--mode", "'" + printable(mode) + "'", "a side of 1 to " + std::to_string(largest_side));
-  // The padding lies between rectangles, not along the page's far sides; sides of mixed stay powers of two.
+  // Every rectangle has its padding on two sides; the page is larger by one padding, so that its far sides
+  // have none. The sides of mixed pages must stay powers of two.
   out.side = *side + (out.form == PageForm::mixed ? 0 : pad);
   return out;
 }
@@ -83,7 +85,7 @@ void add_pack_rects_options(Command verb, PackRectsArguments& a) {
   listen("--jobs", hear_threads);
   if (!listen("--threads", hear_threads))
     verb.option("--threads", a.threads, "threads; 0: all cores").group(group);
-  // A verb whose --rotate is a flag takes the 0 or 1 behind it for its input.
+  // Where --rotate of the verb is a flag, the parser takes the 0 or 1 behind it for the verb's input.
   if (!listen("--rotate", [&a](const std::string& text) { a.rotate = text; }))
     verb.option("--rotate", a.rotate, "0 or 1").group(group);
   listen("input", [&a](const std::string& text) { a.input = text; });
@@ -91,7 +93,7 @@ void add_pack_rects_options(Command verb, PackRectsArguments& a) {
 
 namespace {
 
-// Packs the rectangles of the file and writes the text of where they lie.
+// Packs the rectangles of the file and writes their places.
 void place_rects(const PackRectsArguments& a, const RectOptions& options, std::vector<RectSize>& sizes) {
   sizes = parse_rects(read_file(a.in), a.in);
   for (RectSize& size : sizes) size = {size.width + a.pad, size.height + a.pad};

@@ -34,8 +34,8 @@ CostTable cost_table(const ChooseArguments& arguments) {
   return arguments.costs.empty() ? shipped_costs() : parse_costs(read_file(arguments.costs), arguments.costs);
 }
 
-// The choices for the materials of a scene, which know nothing of each other, on all threads. Of several that
-// fail the first in the scene's order is told.
+// The choices for the materials of a scene, which do not depend on each other, made on all threads. Where
+// several fail, the error of the first in the scene's order is thrown.
 std::vector<Choice> scene_choices(const std::string& scene, ChooseArguments& arguments,
                                   const ChooseOptions& options, const CostTable& costs, Progress& progress) {
   PackOptions pack;
@@ -60,7 +60,7 @@ std::vector<Choice> scene_choices(const std::string& scene, ChooseArguments& arg
   return out;
 }
 
-// What came of the subjects; remarks are told behind the progress.
+// The choices for all subjects. The remarks are written when the line of the progress is gone.
 struct Chosen {
   std::vector<Choice> choices;
   std::vector<std::string> remarks;
@@ -75,7 +75,7 @@ struct Chosen {
   }
 };
 
-// The sphere of a library material, as rough as was asked or as its class is by convention.
+// A sphere of a library material with the given gloss, else with the default gloss of its class.
 ChooseSubject subject_of(const Material& material, const Dataset& dataset, const std::optional<Gloss>& given,
                          std::vector<std::string>& remarks) {
   if (given) {

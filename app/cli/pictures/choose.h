@@ -10,10 +10,10 @@
 
 namespace etak::cli {
 
-/// `etak choose` as typed.
+/// The options of `etak choose`.
 struct ChooseArguments {
   std::vector<std::string> materials;
-  std::string costs;  // file of a cost table
+  std::string costs;  // path of a cost table; empty: the table that etak holds
   double budget = 1;
   RoughnessArguments rough;
   bool codes = false, all = false, measure = false, write_costs = false;
@@ -22,7 +22,7 @@ struct ChooseArguments {
   OutputArguments output;
 };
 
-/// The work of the verb, in the module of pictures.h.
+/// Does the work of the verb, in the module of pictures.h. Returns the exit status; throws Error.
 int choose_materials(ChooseArguments& arguments);
 
 }  // namespace etak::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door of libetak-pictures.so; see pictures.h.
+// The functions that libetak-pictures.so offers; see pictures.h.
 #include "app/cli/pictures/choose.h"
 #include "app/cli/pictures/pictures.h"
 #include "app/cli/pictures/render.h"

@@ -18,8 +18,9 @@ namespace {
 
 constexpr const char* module_file = "libetak-pictures.so";
 
-// Folder of the running program, from the root and with '/' at its end; empty where the system does not tell. Never the
-// working folder in its place, nor the loader's search: what lies there under the module's name may be anybody's.
+// The absolute path of the running program's folder with '/' at its end; empty where the system does not tell
+// it. The module is looked for in no other place, such as the working folder or the search path of the
+// loader: a file of its name there may be anybody's.
 std::string program_folder() {
   std::array<char, PATH_MAX> path{};
   const ssize_t length = ::readlink("/proc/self/exe", path.data(), path.size());
@@ -28,8 +29,9 @@ std::string program_folder() {
   return whole.substr(0, whole.rfind('/') + 1);
 }
 
-// What the libraries of the module take while the loader initialises them. Liblog4cplus, which Debian's OpenImageIO
-// links, starts its threads there and ends or halts the process where it cannot, so that room is asked for before.
+// Address space and threads that the libraries of the module take while the loader initialises them.
+// Liblog4cplus, which Debian's OpenImageIO links, starts its threads then, and ends or halts the process
+// where it cannot. Therefore has_room() asks before.
 constexpr std::size_t library_bytes = std::size_t{448} << 20;
 constexpr std::size_t library_threads = 4;
 
@@ -69,7 +71,8 @@ struct OpenModule {
   std::string found;  // why there is none
 };
 
-// Beside etak in a build tree, in lib/etak where installed. Never closed.
+// Opens the module, which lies beside etak in a build tree and in lib/etak where etak is installed. It is
+// never closed.
 OpenModule open_module() {
   const std::string here = program_folder();
   if (here.empty())

@@ -16,15 +16,15 @@ struct ChooseArguments;
 struct RenderArguments;
 struct ReportArguments;
 
-/// What needs OpenImageIO, OpenColorIO, OpenGL or the timing library, in a module of its own (libetak-pictures.so), for
-/// loading these libraries takes longer and more memory than most runs of etak. The module holds none of core's code:
-/// it finds that in the program. All functions throw Error.
+/// The functions that need OpenImageIO, OpenColorIO, OpenGL or the timing library. They are in a module of
+/// their own (libetak-pictures.so), because loading these libraries takes more time and memory than most runs
+/// of etak. The module holds no code of core, but uses that of the program. All functions throw Error.
 struct PicturesModule {
-  const char* version;  // of the etak that it was built with; another's is refused
+  const char* version;  // of etak when the module was built; a module of another version is refused
 
   PictureDoor (*picture_door)();
 
-  // Spaces of an OpenColorIO config; `config` empty: $OCIO, else etak's own.
+  // Colour spaces of an OpenColorIO config. An empty `config` stands for $OCIO, else for etak's own.
   SpaceCurve (*open_source)(const std::string& config, const std::string& name);
   CustomSpace (*open_space)(const std::string& config, const std::string& name);
 
@@ -35,14 +35,16 @@ struct PicturesModule {
   int (*choose_materials)(ChooseArguments& arguments);
 };
 
-/// Opens the module when first called, from any thread.
-///   place   what needs it, for the message where it is missing: an option, a file or a verb
+/// The module, which the first call opens. Any thread may call it. Throws Error where the module cannot be
+/// opened.
+///   place   the option, file or verb that needs the module, for the message of the error
 const PicturesModule& pictures(const std::string& place);
 
-/// The same for pictures that are no plain PNG and for files of floats, opened with the first of them.
+/// The reader and writer of pictures that are no plain PNG, and of files of floats. The module is opened with
+/// the first of them.
 PictureDoor picture_door();
 
-/// The spaces that need no config, for messages.
+/// The colour spaces that need no config, for messages.
 inline constexpr const char* built_in_spaces =
     "srgb (also Rec.709, linear), acescg, rec2020, display-p3 or xyz";
 

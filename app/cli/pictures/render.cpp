@@ -27,11 +27,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What is said about a picture.
+// Facts about a picture and its drawing, for remarks and JSON.
 struct Stats {
   std::string subject, device;
   std::vector<double> frame_ms;
-  std::vector<double> gpu_ms;  // by the GL's own clock, where it has one
+  std::vector<double> gpu_ms;  // measured by OpenGL's timer; empty where there is none
   bool software_gl = false;
   std::optional<double> standard_error, worst_error;
   std::optional<AmbientError> ambient;
@@ -95,7 +95,7 @@ Image draw_reference(const RenderArguments& arguments, const Scene& scene, const
   if (sampled) {
     stats.standard_error = reference.standard_error;
     stats.worst_error = reference.worst_error;
-    // A quarter of the size tells the same and costs a sixteenth.
+    // A picture of a quarter of the size gives nearly the same error at a sixteenth of the cost.
     Scene small = scene;
     small.width = std::max(16, scene.width / 4);
     small.height = std::max(16, scene.height / 4);

@@ -8,10 +8,10 @@
 
 namespace etak::cli {
 
-/// `etak render` as typed.
+/// The options of `etak render`.
 struct RenderArguments {
   SceneArguments scene;
-  OutputArguments stats;  // where --format json goes: standard output
+  OutputArguments stats;  // of --format json, which goes to standard output
   std::string picture;    // -o
   std::string device = "auto";
   std::string ocio, display, view;
@@ -20,7 +20,7 @@ struct RenderArguments {
   unsigned threads = 0;
 };
 
-/// The work of the verb, in the module of pictures.h.
+/// Does the work of the verb, in the module of pictures.h. Returns the exit status; throws Error.
 int draw(RenderArguments& arguments);
 
 }  // namespace etak::cli

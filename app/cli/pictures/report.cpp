@@ -36,7 +36,8 @@ std::vector<FamilyEntry> chosen_families(const std::vector<std::string>& names) 
   return out;
 }
 
-// The plots' names are known once the families are measured; those of an earlier report say enough.
+// Checks before the work whether the report may replace the files of its folder. The names of the plots are
+// known only after the measuring, so every file that has the name of a plot of these families counts as one.
 void check_report_folder(const ReportArguments& arguments, const std::vector<FamilyEntry>& entries) {
   std::vector<std::string> names{"report.html", "report.json", "report.csv"};
   std::error_code failure;
@@ -79,7 +80,7 @@ int measure(ReportArguments& arguments) {
         gl->info().renderer + ", OpenGL " + gl->info().version + (gl->info().software ? " (software)" : "");
     evaluate = [&gl](std::string_view expression) { return double{gl->evaluate(expression)}; };
   }
-  // The clock: what timing nothing gives.
+  // The time of an empty case, which is the error of the clock.
   const TimedCase nothing[] = {{"nothing", 1, [] {}}};
   time_cases(nothing, options.timing, &header.empty_loop_ns);
 
@@ -89,7 +90,7 @@ int measure(ReportArguments& arguments) {
   std::vector<ErrorTimeFamily> families;
   {
     Progress progress(output, entries.size(), "report");
-    // The seconds go on while a family is timed.
+    // Redraws the line while a family is timed, so that its seconds go on.
     options.timing.progress = [&](std::size_t, std::size_t) {
       progress.set(families.size(), entries.size());
     };

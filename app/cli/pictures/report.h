@@ -9,7 +9,7 @@
 
 namespace etak::cli {
 
-/// `etak report` as typed.
+/// The options of `etak report`.
 struct ReportArguments {
   std::vector<std::string> families;  // empty: all
   std::string folder;
@@ -18,16 +18,18 @@ struct ReportArguments {
   unsigned threads = 0;
 };
 
-/// `etak stability` as typed.
+/// The options of `etak stability`.
 struct StabilityArguments {
   OutputArguments output;
   std::string device = "cpu";
 };
 
-/// The work of `etak report`, in the module of pictures.h.
+/// Does the work of `etak report`, in the module of pictures.h. Returns the exit status; throws Error.
 int measure(ReportArguments& arguments);
 
-/// The cases of `etak stability` with what OpenGL gives, in the module too.
+/// The cases of `etak stability`, evaluated by OpenGL as well, in the same module. Throws Error where there
+/// is no OpenGL.
+///   device   value of --device, for the message of the error
 std::vector<StabilityCase> stability_on_gl(const std::string& device);
 
 }  // namespace etak::cli

@@ -15,7 +15,7 @@ struct Column {
   const char* label;
   const char* material;
   Vec3 diffuse;
-  double opacity;  // clear bodies show the background
+  double opacity;  // 0 for clear bodies, which show the background
 };
 constexpr Column columns[] = {{"gold", "gold", {0, 0, 0}, 1},
                               {"copper", "copper", {0, 0, 0}, 1},
@@ -45,7 +45,8 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
   typed.subject = {"f0=0.04"};
   SceneNotes notes;
   scene = scene_of(typed, notes);
-  // One roughness for all, so that the columns compare: what was given, else the gloss of metals.
+  // All columns have the same roughness, so that they can be compared: the given one, else the gloss of
+  // metals.
   const Gloss gloss = given_gloss(typed.rough).value_or(Gloss(0.75));
   const Environment studio(studio_environment(), 1, "studio", threads);
 

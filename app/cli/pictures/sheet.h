@@ -6,10 +6,12 @@
 
 namespace etak::cli {
 
-/// Eight materials (columns) under every model of the registry (rows), then with the default models under the
-/// hemispheres alone, under etak's environment, and at three glosses. Of the arguments gloss, size (of one
-/// sphere; 128 where none is given), exposure and transfer count.
-///   scene   gets exposure and transfer, for writing the sheet
+/// The contact sheet: eight materials (columns) with every model of the registry (rows). Five more rows use
+/// the default models, with the light of the hemispheres alone, with that of etak's environment alone, and at
+/// three values of gloss. Throws Error where a subject is given.
+///   arguments   gloss or roughness, size (of one sphere; 128 in place of the default), lights, camera,
+///               background, exposure and transfer are used
+///   scene       gets exposure and transfer, for writing the sheet
 Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene);
 
 }  // namespace etak::cli

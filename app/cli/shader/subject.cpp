@@ -51,7 +51,7 @@ std::vector<std::string> subject_of(const LayoutShader& shader) {
   if (shader.diffuse) out.push_back(color_text("diffuse", *shader.diffuse, 9));
   if (shader.gloss) out.push_back("gloss=" + number(*shader.gloss, 9));
   if (shader.opacity) out.push_back("opacity=" + number(*shader.opacity, 9));
-  if (out.empty()) out.push_back("f0=0.04");  // fetched: never read
+  if (out.empty()) out.push_back("f0=0.04");  // everything is fetched from textures: the value is not used
   return out;
 }
 

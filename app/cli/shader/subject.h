@@ -9,16 +9,18 @@
 
 namespace etak::cli {
 
-// A material of a file in place of the one that `etak shader` is given on the line.
+// Materials that `etak shader` takes from a file instead of from the line.
 
-/// The material of the layout that --layout and --material name; `name` may be empty where there is one
-/// alone. Throws Error.
+/// The material of --material in the layout of --layout. `name` may be empty where the layout has only one
+/// material. Throws Error.
 LayoutShader shader_of_layout(const std::string& layout_file, const std::string& name);
 
-/// The material of what `etak choose` found that --choice and --material name, likewise.
+/// The material of --material in the result of `etak choose` that --choice names. `name` may be empty where
+/// the result has only one material. Throws Error.
 MaterialVariant variant_of_choice(const std::string& choice_file, const std::string& name);
 
-/// The same all over the material, as `etak shader` takes it: "f0=0.04", "gloss=0.5", ...
+/// The values that are the same in all texels of a material, in the form that the line has: "f0=0.04",
+/// "gloss=0.5", ...
 std::vector<std::string> subject_of(const LayoutShader& shader);
 std::vector<std::string> subject_of(const MaterialVariant& variant);
 

@@ -46,7 +46,7 @@ ValidateConfig validate_config(const ValidateArguments& arguments,
   given("--transfer", arguments.transfer, texture_transfer_named, settings.transfer,
         "srgb, gamma22 or linear");
   settings.transfer_stated = settings.transfer_stated || !arguments.transfer.empty();
-  // "never" leaves the limit alone: the caller ends with 0 whatever it says.
+  // "never" does not change the limit: the caller then ignores findings.
   given("--fail-on", arguments.fail_on == never_fails ? "" : arguments.fail_on, told_severity,
         settings.fail_on, "error, warning, info or never");
   const auto alpha = [](const std::string& text) -> std::optional<bool> {
@@ -82,7 +82,7 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   if (!arguments.cache_key.empty()) out.cache_key = read_cache_key(arguments.cache_key);
   out.version = ETAK_VERSION;
   out.must_check = !arguments.allow_empty;
-  // Only this form tells them.
+  // JSON is the only form that holds hashes of the files.
   out.hashes = arguments.output.format == "json";
   out.threads = thread_count(arguments.threads);
   return out;

@@ -54,7 +54,7 @@ std::string count_text(std::size_t count, const char* one, const char* more) {
   return grouped(count) + ' ' + (count == 1 ? one : more);
 }
 
-// An empty run is most often a mistake in a path or names that nobody knows.
+// Tells that nothing was checked, and why: most often a path is wrong or the names of pictures tell no role.
 void tell_nothing_checked(const ValidationReport& report) {
   const std::size_t unknown = report.unknown.size();
   std::string out =
@@ -101,7 +101,7 @@ void tell_stats(const ValidationReport& report, double seconds) {
            number(sum.region_seconds, 3) + " s");
 }
 
-// Makes the folders above that of --mask where they are missing.
+// Checks the folder of --mask before the work, and makes the folders above it where they are missing.
 void check_mask_folder(const std::string& folder) {
   namespace fs = std::filesystem;
   std::error_code failure;
@@ -112,7 +112,8 @@ void check_mask_folder(const std::string& folder) {
   check_folder_target(folder, {}, Replace::files);
 }
 
-// What is written at the end, looked at before the work. A baseline is renewed by every run that writes it.
+// Checks before the work whether the outputs can be written. A baseline is always replaced, because every run
+// with --write-baseline writes it anew.
 void check_targets(const ValidateArguments& arguments) {
   check_output(arguments.output);
   if (!arguments.write_baseline.empty()) check_file_target(arguments.write_baseline, true);

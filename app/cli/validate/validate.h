@@ -12,10 +12,10 @@
 
 namespace etak::cli {
 
-/// --fail-on never: findings are told and do not change the exit status.
+/// The value of --fail-on with which findings are reported but do not change the exit status.
 inline constexpr const char* never_fails = "never";
 
-/// `etak validate` as typed.
+/// The options of `etak validate`.
 struct ValidateArguments {
   std::vector<std::string> paths;
   std::string files_from, role, material, surface_class, alpha;
@@ -23,8 +23,8 @@ struct ValidateArguments {
   bool no_config = false;
   RuleChoice choice;
   std::optional<std::size_t> max_warnings;
-  std::string min_severity;  // of the text form
-  bool allow_empty = false;  // nothing to check is no failure
+  std::string min_severity;  // the text form leaves out findings below it
+  bool allow_empty = false;  // a run with nothing to check is no failure
   bool exit_zero = false, list_rules = false, list_files = false, stats = false;
   std::string baseline, write_baseline, mask_folder, cache_folder, cache_key;
   unsigned threads = 0;
@@ -32,7 +32,7 @@ struct ValidateArguments {
   OutputArguments output;
 };
 
-/// The work of the verb where files are checked.
+/// Checks files, or lists them with --list-files. Returns the exit status; throws Error.
 int check_files(ValidateArguments& arguments);
 
 }  // namespace etak::cli

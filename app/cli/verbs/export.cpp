@@ -8,7 +8,8 @@
 namespace etak::cli {
 namespace {
 
-// What --to takes: glTF's own values are asked for in full.
+// The words that --to takes. "gltf" is the file format; its values are asked for by --to values --target
+// gltf.
 std::vector<std::string> forms_and_targets() {
   std::vector<std::string> out{"mtlx", "gltf", "values"};
   for (const EngineTarget& each : engine_targets())

@@ -21,7 +21,7 @@ struct ImportArguments {
   TableArguments tables;
   OutputArguments output;
   unsigned threads = 0;
-  Library library;  // find_inputs needs one; no name of it can be imported
+  Library library;  // find_tables() needs one; materials of the library cannot be imported
 };
 
 struct Reading {
@@ -47,7 +47,8 @@ int import_inputs(ImportArguments& arguments) {
   const unsigned threads = thread_count(arguments.threads);
   const std::vector<MaterialInput> inputs =
       find_tables(arguments.inputs, arguments.library, threads, arguments.output);
-  // Read side by side and taken in their order, so that of several faults the first is told.
+  // Inputs are read on all threads and then taken in their order, so that the first of several errors is
+  // thrown.
   std::vector<Reading> readings(inputs.size());
   parallel_chunks(inputs.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) readings[i] = reading(inputs[i], tables, arguments.id);
@@ -63,7 +64,7 @@ int import_inputs(ImportArguments& arguments) {
   if (!arguments.material_class.empty()) material.material_class = arguments.material_class;
   if (material.datasets.size() > 1) material.preferred_reason = "the first of the imported datasets";
   const std::string text = format_material(material);
-  // What etak writes it must read: this finds an --id or --class that the schema does not allow.
+  // Reading the file again finds an --id or --class that the schema does not allow.
   (void)parse_material(text, "the imported material");
   write_output(arguments.output, text);
   return exit_ok;

@@ -27,7 +27,7 @@ struct NearestArguments {
 constexpr const char* color_forms =
     "a hex colour (#ffe29b), 8-bit codes (255,226,155), or linear values with --linear (1.0,0.76,0.33)";
 
-// The three numbers of "r,g,b"; throws where there are more, fewer or none.
+// The three numbers of "r,g,b". Throws Error where there are more or fewer.
 std::array<double, 3> three_numbers(const std::string& text) {
   std::array<double, 3> out{};
   std::string_view rest = text;
@@ -55,7 +55,7 @@ Srgb8 eight_bit(const std::string& text) {
   return {codes[0], codes[1], codes[2]};
 }
 
-// A surface's colour is diffuse: near as it may be, it is no F0.
+// Remarks on materials of class surface, whose colour is diffuse and no F0.
 void tell_surfaces(const std::vector<NearMaterial>& found, const OutputArguments& output) {
   std::vector<std::string> ids;
   for (const NearMaterial& match : found)

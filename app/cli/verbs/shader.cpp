@@ -23,7 +23,7 @@ struct ShaderArguments {
   OutputArguments output;
 };
 
-// --lights N; none when it names a file.
+// The number of lights of --lights N; none where --lights names a file or is not given. Throws Error.
 std::optional<int> light_count(const std::string& text) {
   double count = 0;
   if (text.empty() || !parse_number(text, count)) return std::nullopt;
@@ -32,7 +32,7 @@ std::optional<int> light_count(const std::string& text) {
   return static_cast<int>(count);
 }
 
-// A material as `etak choose` found it, in place of a subject and a model: its mean texel.
+// Takes subject and model from the result of `etak choose`: the material's mean texel and its chosen model.
 MaterialVariant take_choice(ShaderArguments& arguments) {
   if (!arguments.scene.subject.empty() || !arguments.scene.model.empty())
     throw Error::at("--choice", "given beside a material or --model", "--material NAME of the choice");
@@ -66,7 +66,8 @@ Scene shader_scene(ShaderArguments& arguments) {
   return scene;
 }
 
-// What is fetched from an atlas, when one is named; its constants then stand in for the material.
+// The values that the shader fetches from textures; none where no texture is used. With --layout, the
+// constants of the atlas's material become the subject.
 std::optional<TextureUse> textures_of(ShaderArguments& arguments) {
   if (arguments.layout.empty()) {
     if (!arguments.material.empty() && arguments.choice.empty())

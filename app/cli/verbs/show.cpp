@@ -21,7 +21,8 @@ struct ShowArguments {
   Library library;
 };
 
-// The datasets that the inputs name; empty: all, where one input is a whole material.
+// The ids of the datasets that the inputs name; empty, which stands for all, where an input is a whole
+// material.
 std::vector<std::string> named_datasets(const std::vector<MaterialInput>& inputs) {
   std::vector<std::string> out;
   for (const MaterialInput& input : inputs) {
@@ -31,7 +32,7 @@ std::vector<std::string> named_datasets(const std::vector<MaterialInput>& inputs
   return out;
 }
 
-// -q leaves out the policy, which is no data.
+// The record of the material, followed by the policy unless -q is given.
 std::string text_form(const MaterialReport& report, const std::vector<MaterialInput>& inputs,
                       const F0Options& options, const OutputArguments& output) {
   const std::string out = record_text(report, named_datasets(inputs), use_color(output));
@@ -46,7 +47,7 @@ int run(ShowArguments& arguments) {
   const TableOptions tables = table_options(arguments.tables);
   const std::vector<MaterialInput> inputs = find_inputs(arguments.inputs, arguments.library.when_asked(), 1);
   for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
-  // "gold/*" is one material and several of its datasets.
+  // "gold/*" gives several inputs, which are datasets of one material.
   const bool one =
       inputs.size() == 1 ||
       (!inputs.empty() && std::all_of(inputs.begin(), inputs.end(), [&](const MaterialInput& input) {

@@ -83,7 +83,7 @@ QWidget* CurvesPanel::with_controls(PlotWidget* plot, const std::vector<QWidget*
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(plot);
-  // Beside the tabs, where they cost the plot no height.
+  // The controls stand beside the tabs, where they take no height from the plot.
   auto* own = new QWidget;
   auto* row = new QHBoxLayout(own);
   row->setContentsMargins(0, 0, 4, 0);
@@ -195,7 +195,8 @@ void CurvesPanel::take(const Request& request, Result result) {
     show_angles();
   }
   show_lobe();
-  // What came meanwhile is answered before anyone is told: drawn() means the last wish.
+  // A request that has come meanwhile is computed before drawn() is emitted, which speaks of the last
+  // request.
   if (waiting_)
     start();
   else

@@ -25,9 +25,9 @@ class LinePlotWidget;
 class PlotWidget;
 class PolarPlotWidget;
 
-/// The curves of the material in hand, a tab each: n and k, R with the matching functions, F over angle, the
-/// lobe. Everything is computed on a thread of its own; what is asked for while that works is answered last,
-/// and only the latest of it.
+/// The curves of the current material, each in a tab: n and k, R with the matching functions, F over angle,
+/// the lobe. They are computed on a thread of their own. Of the requests that come while the thread works,
+/// only the latest is computed.
 class CurvesPanel : public QWidget {
   Q_OBJECT
 
@@ -36,32 +36,32 @@ class CurvesPanel : public QWidget {
   ~CurvesPanel() override;
 
   /// Shows a dataset of a material under `options`, and the lobe of a model.
-  ///   gloss    for the title of the lobe
-  ///   model    null: no lobe; lives as long as the program
-  ///   values   the model's parameters, value_count() numbers
+  ///   gloss    is named in the title of the lobe
+  ///   model    null: no lobe; must live as long as the program
+  ///   values   values of the model's parameters, value_count() numbers
   void set_material(const Material& material, const Dataset& dataset, const F0Options& options, double gloss,
                     const Model* model, const std::vector<double>& values);
-  /// A surface without data: the tabs say so, the lobe stays.
+  /// Shows a surface without measured data: the tabs say that there are none; the lobe of the model is shown.
   void set_surface(const QString& name, double gloss, const Model* model, const std::vector<double>& values);
 
-  /// The plot of the tab in front, for those who copy it by a menu of theirs.
+  /// The plot of the tab in front, for menus that copy it.
   PlotWidget* current_plot() const;
   bool busy() const { return running_; }
 
  signals:
-  /// What was asked for last has been computed and is on the screen at the next painting.
+  /// The last request has been computed; the next painting shows it.
   void drawn();
-  /// The values under the cursor of the plot in front; empty without a cursor.
+  /// The text of the values under the cursor of the plot in front; empty without a cursor.
   void readout_changed(const QString& text);
 
  private:
-  // What is to be drawn; data that have not changed since are not computed again.
+  // Everything that the plots are made from. Curves of data that have not changed are not computed again.
   struct Request {
     std::string name;
     std::optional<Optics> optics;
     F0Options options;
     std::string what;
-    bool same_optics = false;  // as the last one that was computed
+    bool same_optics = false;  // the data are those of the last request that was computed
     bool time_them = false;
     const Model* model = nullptr;
     std::vector<double> values;
@@ -71,7 +71,7 @@ class CurvesPanel : public QWidget {
     std::optional<OpticsCurves> optics;
     std::optional<AngleCurves> angles;
     std::optional<LobeCurve> lobe;
-    std::string refusal;  // not empty: why there are no curves
+    std::string refusal;  // why there are no curves; empty where there are
   };
   static Result compute(const Request& request);
 
@@ -92,7 +92,7 @@ class CurvesPanel : public QWidget {
 
   Request wanted_, shown_;
   Result result_;
-  std::vector<std::pair<std::string, double>> form_ns_;  // measured once: no material changes them
+  std::vector<std::pair<std::string, double>> form_ns_;  // measured once, because materials do not change it
   double exact_ns_ = 0;
   bool waiting_ = false, running_ = false, has_shown_ = false;
   QThreadPool pool_;

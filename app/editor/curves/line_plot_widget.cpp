@@ -67,7 +67,7 @@ void LinePlotWidget::draw_axes(QPainter& painter, const QRectF& area) {
     painter.drawLine(QPointF(x, frame_.top()), QPointF(x, frame_.bottom()));
   }
   painter.setPen(ink_soft());
-  // Numbers that would stand on one another are left out.
+  // Numbers that would overlap the one before are left out.
   const double room = metrics.height() * 0.9;
   double free_below = frame_.bottom() + 2 * room;
   for (const double at : plot_.left.ticks) {

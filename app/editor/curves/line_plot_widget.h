@@ -5,14 +5,14 @@
 
 namespace etak::editor {
 
-/// Lines over an axis; see LinePlot.
+/// A widget that shows a LinePlot: curves over an axis.
 class LinePlotWidget : public PlotOf<LinePlot> {
   Q_OBJECT
 
  public:
   using PlotOf::PlotOf;
 
-  /// `unit` stands behind the cursor's place in the readout: "nm".
+  ///   unit   stands behind the place of the cursor in the readout: " nm", "°"
   void set_plot(LinePlot plot, QString unit);
 
  protected:
@@ -29,7 +29,7 @@ class LinePlotWidget : public PlotOf<LinePlot> {
   void draw_axes(QPainter& painter, const QRectF& area);
 
   QString unit_;
-  QRectF frame_;  // of the last painting
+  QRectF frame_;  // area of the curves in the last painting
 };
 
 }  // namespace etak::editor

@@ -67,7 +67,7 @@ QPen PlotWidget::pen_of(std::string_view css_class) const {
   QPen pen(color_of(colors().series[style.color]), style.dots ? 4.5 : style.bold ? 2.2 : 1.5);
   pen.setCapStyle(Qt::RoundCap);
   pen.setJoinStyle(Qt::RoundJoin);
-  // In units of the pen's width.
+  // Dash patterns are in units of the pen's width.
   if (style.dash == PlotStyle::Dash::dashed) pen.setDashPattern({4, 3});
   if (style.dash == PlotStyle::Dash::dotted) pen.setDashPattern({0.5, 2.5});
   if (style.dash == PlotStyle::Dash::dashdot) pen.setDashPattern({5, 2.5, 0.5, 2.5});
@@ -206,7 +206,7 @@ void PlotWidget::draw_cursor(QPainter& painter) const {
   const double x = std::max(at.x1(), at.x2());
   box.moveTopLeft({x + 10 + wide <= width() ? x + 10 : std::min(at.x1(), at.x2()) - 10 - wide,
                    std::min(at.y1(), at.y2()) + 6});
-  // Where fewer of the values are.
+  // The box stands above or below, where fewer of the values are.
   const double low = std::max(at.y1(), at.y2()) - box.height() - 6;
   const auto above = std::count_if(
       all.begin(), all.end(), [&](const Reading& each) { return each.place.y() < (at.y1() + at.y2()) / 2; });
@@ -239,7 +239,7 @@ void PlotWidget::paintEvent(QPaintEvent* /*event*/) {
     painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
                      qt_text(description()));
   } else {
-    // The plot keeps two thirds: what is left out of the legend stands in the tool tip.
+    // A legend that would take more than a third of the height is shortened; the tool tip holds all of it.
     const double top = legend(&painter, legend(nullptr, false) > height() / 3.0);
     draw(painter, QRectF(0, top, width(), height() - top));
     if (cursor_) draw_cursor(painter);

@@ -12,9 +12,9 @@ class QPainter;
 
 namespace etak::editor {
 
-/// What every plot has: colours of the palette, a legend, a cursor moved by the pointer or the arrow keys, a
-/// readout of the values under it, and copies as CSV (Ctrl+C) and SVG (Ctrl+Shift+C), also in the context
-/// menu.
+/// The base of all plots: colours of the palette, a legend, a cursor that the pointer or the arrow keys move,
+/// a readout of the values under the cursor, and copies as CSV (Ctrl+C) and SVG (Ctrl+Shift+C), also in the
+/// context menu.
 class PlotWidget : public QWidget {
   Q_OBJECT
 
@@ -28,7 +28,8 @@ class PlotWidget : public QWidget {
 
   /// "45: exact 0.912, Schlick 0.898"; empty without a cursor.
   QString readout() const;
-  /// Puts the cursor at a place of the axis along which it moves, as the pointer would; none takes it away.
+  /// Puts the cursor at a place of the axis along which it moves, as the pointer would; none hides the
+  /// cursor.
   void set_cursor(std::optional<double> at);
 
   QSize sizeHint() const override { return {520, 300}; }
@@ -38,29 +39,29 @@ class PlotWidget : public QWidget {
   void readout_changed(const QString& text);
 
  protected:
-  // What a kind of plot says of itself.
+  // The functions that a kind of plot must define.
   virtual std::string csv_of() const = 0;
   virtual std::string svg_of(bool dark) const = 0;
   virtual const std::vector<PlotKey>& keys() const = 0;
   virtual std::string title() const = 0;
   virtual std::string description() const = 0;
   virtual const std::vector<PlotCurve>& curves() const = 0;
-  /// Where a value of a curve lies in the widget.
+  /// The place in the widget of a value of a curve.
   virtual QPointF place_of(const PlotCurve& curve, double x, double y) const = 0;
-  /// Axes and curves inside `area`, below the legend.
+  /// Draws axes and curves inside `area`, which lies below the legend.
   virtual void draw(QPainter& painter, const QRectF& area) = 0;
-  /// The cursor's place of a point in the widget; none outside of the plot.
+  /// The place of the cursor for a point in the widget; none outside of the plot.
   virtual std::optional<double> place_at(QPointF point) const = 0;
-  /// "450 nm".
+  /// The place of the cursor as text: "450 nm".
   virtual QString place_text(double at) const = 0;
-  /// Both ends of the cursor's line at a place.
+  /// The line that shows the cursor at a place, in the widget.
   virtual QLineF cursor_line(double at) const = 0;
-  /// Where the cursor can be: least and most.
+  /// The smallest and the largest place of the cursor.
   virtual std::pair<double, double> range() const = 0;
 
-  /// To be called when the plot is another.
+  /// Must be called when the plot has changed.
   void plot_changed();
-  /// Broken where a curve has no value; dots stand alone.
+  /// Draws all curves. Lines are interrupted where a curve has no value; dots are not joined.
   void draw_curves(QPainter& painter) const;
   bool empty() const { return curves().empty(); }
 
@@ -88,14 +89,15 @@ class PlotWidget : public QWidget {
   };
   bool dark() const;
   std::vector<Reading> readings(double at) const;
-  /// Draws the legend, or with no painter only finds its height.
+  /// Draws the legend, unless `painter` is null, and returns its height.
+  ///   brief   with the short texts of the keys
   double legend(QPainter* painter, bool brief) const;
   void draw_cursor(QPainter& painter) const;
 
   std::optional<double> cursor_;
 };
 
-/// What a plot of core says of itself.
+/// A plot of core in a widget.
 template <class Plot>
 class PlotOf : public PlotWidget {
  public:

@@ -41,7 +41,8 @@ void PolarPlotWidget::draw_grid(QPainter& painter) const {
   };
   for (const double tick : plot_.radial.ticks) {
     const double r = rim_ * polar_radius(plot_, tick);
-    // Sixteenths of a degree from three o'clock: the upper half.
+    // Qt wants angles in sixteenths of a degree, counted from the right: this is the upper half of the
+    // circle.
     if (r > 0) painter.drawArc(QRectF(centre_ - QPointF(r, r), QSizeF(2 * r, 2 * r)), 0, 180 * 16);
   }
   for (int angle = -60; angle <= 60; angle += 30) painter.drawLine(centre_, on_rim(angle, 1));
@@ -57,7 +58,7 @@ void PolarPlotWidget::draw_grid(QPainter& painter) const {
                                   angle % 90 == 0 && angle != 0 ? 4 : 0),
                      text);
   }
-  // Numbers that would stand on one another are left out.
+  // Numbers that would overlap the one before are left out.
   double free_from = centre_.x();
   const double y = centre_.y() + metrics.ascent() + 4;
   for (const double tick : plot_.radial.ticks) {
@@ -69,7 +70,7 @@ void PolarPlotWidget::draw_grid(QPainter& painter) const {
   }
   painter.setPen(ink());
   centred({centre_.x(), y + metrics.height() + 2}, qt_text(plot_.radial.label));
-  // The light: an arrow towards the centre.
+  // An arrow towards the centre shows the light.
   painter.setPen(QPen(ink(), 2));
   const QPointF from = on_rim(plot_.light_deg, 1), to = on_rim(plot_.light_deg, 0.82);
   painter.drawLine(from, to);

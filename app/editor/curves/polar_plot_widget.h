@@ -6,7 +6,7 @@
 
 namespace etak::editor {
 
-/// A lobe over a surface; see PolarPlot. The cursor moves over the angle.
+/// A widget that shows a PolarPlot: a lobe over a surface. The cursor moves over the angle.
 class PolarPlotWidget : public PlotOf<PolarPlot> {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class PolarPlotWidget : public PlotOf<PolarPlot> {
   QPointF on_rim(double angle_deg, double share) const;
   void draw_grid(QPainter& painter) const;
 
-  QPointF centre_;  // of the last painting
+  QPointF centre_;  // centre of the circle in the last painting
   double rim_ = 1;
 };
 

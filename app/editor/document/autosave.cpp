@@ -19,13 +19,14 @@ namespace {
 
 constexpr int delay_ms = 1000;
 
-// A copy is two files: the project with absolute names, and beside it the path that it belongs to.
+// Writes a copy, which is two files: the project with absolute paths, and beside it the path of the project's
+// file.
 void write_copy(const Project& project, const QString& path, const QString& file) {
   try {
     write_file((file + QStringLiteral(".path")).toStdString(), path.toStdString(), true);
     write_file(file.toStdString(), format_project(project, ""), true);
   } catch (const Error&) {
-    // A folder that cannot be written must not stop anybody from working.
+    // A folder that cannot be written must not keep the user from working.
   }
 }
 
@@ -43,8 +44,8 @@ Autosave::Autosave(Document& document, const QString& folder, QObject* parent)
   timer_.setSingleShot(true);
   timer_.setInterval(delay_ms);
   connect(&timer_, &QTimer::timeout, this, &Autosave::begin);
-  // The change is told before the stack counts it: whether there is something to keep is asked when the time
-  // is over.
+  // These signals come before the undo stack counts the change. Whether there is something to keep is
+  // therefore asked in begin(), when the time is over.
   const auto changed = [this] { timer_.start(); };
   connect(&document, &Document::material_changed, this, changed);
   connect(&document, &Document::materials_added, this, changed);
@@ -70,7 +71,7 @@ void Autosave::remove_stale() const {
       if (copy == file_ || QFile::exists(copy)) continue;
       QLockFile lock(copy + QStringLiteral(".lock"));
       lock.setStaleLockTime(0);
-      if (!lock.tryLock(0)) continue;  // its run lives, and has nothing to keep now
+      if (!lock.tryLock(0)) continue;  // the run of this lock is still alive and has nothing to keep now
       QFile::remove(copy + QStringLiteral(".path"));
     }
 }
@@ -84,7 +85,7 @@ std::vector<Recovery> Autosave::left_behind() {
     if (one.file == file_) continue;
     QLockFile lock(one.file + QStringLiteral(".lock"));
     lock.setStaleLockTime(0);
-    if (!lock.tryLock(0)) continue;  // its run lives
+    if (!lock.tryLock(0)) continue;  // the run of this copy is still alive
     QFile path(one.file + QStringLiteral(".path"));
     if (path.open(QIODevice::ReadOnly)) one.path = QString::fromUtf8(path.readAll());
     one.when = QFileInfo(one.file).lastModified();
@@ -121,7 +122,7 @@ void Autosave::wait() {
 
 void Autosave::remove() {
   timer_.stop();
-  // In the queue behind a copy that is being written.
+  // The removal goes into the queue of the pool, behind a copy that is being written.
   run_in(pool_, [file = file_] {
     for (const char* ending : {"", ".path"}) QFile::remove(file + QLatin1String(ending));
   });

@@ -13,17 +13,18 @@
 
 namespace etak::editor {
 
-/// A state that a run left behind when it was killed.
+/// A copy of unsaved changes that a run left behind when it was killed.
 struct Recovery {
-  QString file;  // the saved state
-  QString path;  // of the project it belongs to; empty: never saved
+  QString file;  // path of the copy
+  QString path;  // file of the project; empty: the project was never saved
   QDateTime when;
   int materials = 0;
 };
 enum class RecoveryChoice { recover, keep, discard };
 
-/// Keeps a copy of unsaved changes in a folder of its own, a moment after each, and takes it away once they
-/// are saved or given up. A lock beside each copy tells runs that live from those that died.
+/// Keeps a copy of unsaved changes in a folder of its own. The copy is written a moment after each change and
+/// removed once the changes are saved or given up. A lock beside each copy tells runs that are alive from
+/// runs that were killed.
 class Autosave : public QObject {
   Q_OBJECT
 
@@ -31,15 +32,16 @@ class Autosave : public QObject {
   Autosave(Document& document, const QString& folder, QObject* parent = nullptr);
   ~Autosave() override;
 
-  /// What dead runs left; locks and names that they left without a copy are removed. Call once, before this
-  /// run has anything of its own.
+  /// The copies of runs that were killed. Locks and paths that such runs left without a copy are removed.
+  /// Call it once, before this run has written a copy.
   std::vector<Recovery> left_behind();
-  /// Removes a copy that was taken up or declined.
+  /// Removes a copy that the user has recovered or does not want.
   static void discard(const Recovery& recovery);
 
-  /// Begins to write the copy now: before a save, so that the last state survives whatever happens in it.
+  /// Begins to write the copy now. Called before a save, so that the last state is kept if the save fails.
   void write_now();
-  /// Until what was begun is on the disk: for the thread that saves, not for that of windows.
+  /// Waits until everything that was begun is on the disk. The thread that saves may call it, but not the
+  /// user-interface thread.
   void wait();
   void set_delay(int milliseconds) { timer_.setInterval(milliseconds); }
   QString file() const { return file_; }

@@ -7,7 +7,7 @@
 
 namespace etak::editor {
 
-/// One material before and after. Edits of the same press and text melt into one.
+/// A change of one material. Edits of the same press id and text are merged into one.
 class EditMaterial : public QUndoCommand {
  public:
   EditMaterial(Document& document, int index, ProjectMaterial to, const QString& what, int press_id);
@@ -23,7 +23,7 @@ class EditMaterial : public QUndoCommand {
   int press_id_;
 };
 
-/// Light, exposure, display: how everything is looked at.
+/// A change of light, exposure, display or comparison, which apply to all materials.
 class EditView : public QUndoCommand {
  public:
   EditView(Document& document, ProjectView to, const QString& what, int press_id);

@@ -18,7 +18,8 @@ Document::Document(std::shared_ptr<const MaterialLibrary> library, QObject* pare
 }
 
 Document::~Document() {
-  // The stack clears itself while it dies, and would tell all who listen of a document that is half gone.
+  // The stack clears itself in its destructor; its signals must not reach objects that ask this document,
+  // which is partly destroyed by then.
   undo_.disconnect();
 }
 
@@ -80,11 +81,11 @@ void Document::edit_wedge(const Wedge& to, const QString& what, int press_id) {
 void Document::add(std::vector<ProjectMaterial> materials, const std::vector<Material>& spectra,
                    const QString& what) {
   if (materials.empty()) return;
-  // Names are made unique against those added with them, too.
+  // Each name must differ from those of the document and from those that are added with it.
   FreeNames names = names_of(project_);
   for (ProjectMaterial& each : materials) {
     each.name = free_name(names, each.name);
-    let_go_.erase(each.name);  // of one that is gone
+    let_go_.erase(each.name);  // belongs to a removed material of this name
   }
   std::vector<Material> all = project_.spectra;
   for (const Material& each : spectra) {

@@ -12,8 +12,8 @@
 
 namespace etak::editor {
 
-/// The project under work and which of its materials is in hand. Every change goes through here, is one step
-/// of undo, and is told by a signal; changes with one press id and one text become one step.
+/// The project in work and its current material. Every change goes through this class, is one step of undo
+/// and emits a signal. Changes with the same press id and the same text become one step.
 class Document : public QObject {
   Q_OBJECT
 
@@ -26,12 +26,12 @@ class Document : public QObject {
   const std::shared_ptr<const MaterialLibrary>& library() const { return all_; }
   QUndoStack& undo_stack() { return undo_; }
 
-  int current() const { return current_; }  // -1: there is none
+  int current() const { return current_; }  // index of the current material; -1: there is none
   const ProjectMaterial* material() const;
   void set_current(int index);
 
-  /// Numbers for rendering; as they were before where the measured record cannot be found (the reason is
-  /// told).
+  /// The surface of a material for rendering. Where its measured record cannot be found, the colours that the
+  /// material holds are used, and `problem` gets the reason.
   SurfaceValues surface_of(const ProjectMaterial& material, QString* problem = nullptr) const;
 
   // Changes.
@@ -39,27 +39,29 @@ class Document : public QObject {
   void edit_view(const ProjectView& to, const QString& what, int press_id);
   void edit_compare(const Comparison& to, const QString& what);
   void edit_wedge(const Wedge& to, const QString& what, int press_id);
-  /// Adds materials (their names made unique) behind the others and takes the first of them in hand.
+  /// Adds materials behind the others, with unique names, and makes the first of them the current material.
+  ///   spectra   measured records for the project's own library
   void add(std::vector<ProjectMaterial> materials, const std::vector<Material>& spectra, const QString& what);
   void remove(int index);
 
-  /// Another project: empties the undo stack.
+  /// Opens another project and empties the undo stack.
+  ///   saved   false: the project was recovered and differs from its file
   void replace(Project project, const QString& path, bool saved);
 
-  /// The measurement that a material had before its colour was typed over, in this run.
+  /// The measurement that a material had in this run before its colour was replaced by a typed one.
   std::optional<MeasuredF0> let_go(const std::string& name) const;
 
   const QString& path() const { return path_; }
-  QString folder() const;  // of the project; empty: it was never saved
+  QString folder() const;  // folder of the project's file; empty: the project was never saved
   QString title() const;
   bool is_saved() const { return undo_.isClean() && !recovered_; }
   void mark_saved(const QString& path);
-  /// For a project that was written, and changed while it was: it has a file now, and changes that are not in
-  /// it.
+  /// Sets the file of a project that was changed while it was written: the file does not hold these changes,
+  /// so the project is not marked as saved.
   void set_path(const QString& path);
-  /// Counts every change, undone ones too: tells a worker's answer from an older state.
+  /// Counts every change, undo among them. By it the result of a worker is known to be of an older state.
   int revision() const { return revision_; }
-  /// Counts the projects that were here, one after the other.
+  /// Counts the projects that this document has held.
   int generation() const { return generation_; }
 
  signals:
@@ -89,15 +91,15 @@ class Document : public QObject {
   QString path_;
   int current_ = -1, revision_ = 0, generation_ = 0;
   bool recovered_ = false;
-  std::map<std::string, MeasuredF0> let_go_;  // by the material's name
-  // The last solved surface: sliders ask for it again and again with the same F0.
+  std::map<std::string, MeasuredF0> let_go_;  // by the name of the material; see let_go()
+  // The surface that was solved last, because a drag of a slider asks many times for the same F0.
   mutable std::optional<MeasuredF0> solved_measured_;
   mutable LinearRgb solved_specular_{-1, -1, -1};
   mutable SurfaceValues solved_;
   mutable const MaterialLibrary* solved_by_ = nullptr;
 };
 
-/// The measured colours of a material whose `measured` has just been set. Throws Error.
+/// A material with the colours of its measured record, where `measured` names one. Throws Error.
 ProjectMaterial with_measured(ProjectMaterial material, const MaterialLibrary& library);
 
 }  // namespace etak::editor

@@ -37,9 +37,9 @@ MaterialFileKind kind_of_spectra(const QString& path) {
   return material_file_kind(path.toStdString());
 }
 
-// The ids that a page or table gets are made up, so that two files may come by the same one. Every record
-// keeps one of its own: no other material is measured by the newcomer's numbers. A file that is imported
-// again unchanged keeps its id.
+// Gives unique ids to records of pages and tables, whose ids are derived from their files, so that two files
+// may have the same one. A record whose id belongs to another record gets a new id, because the materials of
+// that record must keep its data. A file that is imported again unchanged keeps its id.
 class MadeIds {
  public:
   explicit MadeIds(const MaterialLibrary& library) : library_(library) {
@@ -57,7 +57,7 @@ class MadeIds {
   FreeNames ids_;
 };
 
-// What is no project and no material, by its first bytes; null for what may be one.
+// What a text holds that is no project and no material, told by its first bytes; null where it may be one.
 const char* told_by_content(std::string_view text) {
   switch (content_kind(text)) {
     case ContentKind::gltf:
@@ -115,11 +115,11 @@ ProjectMaterial material_of(const Material& record) {
   ProjectMaterial out;
   out.name = record.name;
   out.measured = MeasuredF0{record.id, {}, {}, {}};
-  // Opaque but for a clear body. Files that say no mode mean blend, so this one is written.
+  // Materials are opaque, except for clear bodies. The mode is written, because files without one mean blend.
   out.alpha_mode = AlphaMode::opaque;
   const bool clear = clarity(record, record.preferred_dataset()).clear;
   if (optical_kind(record.material_class) == "dielectric" && !clear) out.diffuse = {0.25, 0.25, 0.25};
-  // Alpha is of the body, and a clear one lets the background through.
+  // Alpha is the opacity of the body; a clear body shows the background.
   if (clear) {
     out.alpha = 0;
     out.alpha_mode = AlphaMode::blend;
@@ -143,7 +143,7 @@ bool holds_project(const QString& path) {
   try {
     return is_project(read_file(path.toStdString()));
   } catch (const Error&) {
-    return false;  // whoever reads it tells why
+    return false;  // the function that opens the file reports the reason
   } catch (const std::bad_alloc&) {
     return false;
   }
@@ -155,7 +155,7 @@ Opened open_project(const QString& path, const MaterialLibrary& library) {
     const std::string file = path.toStdString();
     const std::string text = read_file(file);
     if (!is_project(text)) {
-      // A material file of the library's kind: its record comes along.
+      // A material file as the library has them: the project gets its record.
       const Material record = material_in(text, file);
       out.project.spectra.push_back(record);
       out.project.materials.push_back(material_of(record));

@@ -11,57 +11,61 @@
 
 namespace etak::editor {
 
-// What is read from and written to disk. No function here touches the UI: all run on workers' threads.
+// Reading and writing of files. No function here uses objects of the user interface, so all may run on
+// threads of workers.
 
-/// What a file is by its name.
+/// The kind of a file by its name.
 ///   spectra      pages, tables, materials, projects
 ///   environment  .hdr; an .exr may be one too, and counts as a picture
 enum class FileKind { spectra, picture, environment, other };
 FileKind kind_of_file(const QString& path);
-/// "*.yml *.yaml ..." and "*.png *.tif ..." for dialogs.
+/// Patterns of spectra and of pictures for file dialogs: "*.yml *.yaml ...", "*.png *.tif ...".
 QString spectrum_patterns();
 QString picture_patterns();
-/// Why files were refused.
+/// The files that are accepted, for messages about refused files.
 QString expected_files();
 
-/// What came of reading.
+/// The result of reading files.
 struct Opened {
   Project project;
   QStringList problems;  // materials that lost their measured record, files that could not be read
-  QString error;         // not empty: nothing was read
+  QString error;         // why nothing was read; empty where something was
 };
 
-/// Takes the file of the command line, which may be a pipe or standard input ("-", /dev/stdin, /dev/fd/63, a
-/// named pipe) as for `etak`: accept_input() of core/base/files/input.h. A pipe is read to its end, so that
-/// no window waits for it. Returns the path to open it by. Throws Error for a pipe that cannot be read.
+/// Accepts the file that the command line names, which may be a pipe or standard input ("-", /dev/stdin,
+/// /dev/fd/63, a named pipe) as for `etak`; see accept_input() of core/base/files/input.h. A pipe is read to
+/// its end, so that no window waits for it. Returns the path to open the file by. Throws Error for a pipe
+/// that cannot be read.
 QString accept_named(const QString& typed);
 
-/// Whether `path` is of accept_named() and lies in no folder: what it holds cannot be saved to it.
+/// Whether `path` is a pipe that accept_named() has accepted. A project of a pipe cannot be saved to it.
 bool is_pipe(const QString& path);
 
-/// Whether the file can be read and is a project: not a material, a page or a table.
+/// Whether the file can be read and holds a project, not a material, a page or a table.
 bool holds_project(const QString& path);
 
-/// A project or a single material of one (.json).
+/// Reads a project, or a material file as a project of one material (.json). Errors are in the result.
 Opened open_project(const QString& path, const MaterialLibrary& library);
 
-/// Anything that holds spectra: pages (.yml) and tables (.csv, .txt) of n, k or reflectance, material files
-/// (.json); projects (.json) give their materials. Each becomes a material with measured F0. A table that
-/// contradicts itself is refused; a page or table whose id would be that of another record gets a free one.
+/// Reads files with spectra: pages (.yml) and tables (.csv, .txt) of n, k or reflectance, material files
+/// (.json), and projects (.json), which give their materials. Each spectrum becomes a material with measured
+/// F0. A table that contradicts itself is refused. A page or table whose id belongs to another record gets a
+/// free one.
 Opened import_files(const QStringList& paths, const MaterialLibrary& library);
 
-/// Writes the project; the message of what went wrong, empty for none. The file is replaced at once or not at
-/// all.
+/// Writes the project. Returns the message of an error, empty where there was none. The file is replaced as a
+/// whole or not at all.
 QString save_project(const Project& project, const QString& path);
 
-/// The same of a picture, as PNG.
+/// Writes a picture as PNG. Returns the message of an error, empty where there was none.
 QString save_png(const QImage& picture, const QString& path);
 
-/// A material of the library as one of a project.
+/// A material for a project, measured by a record of the library.
 ProjectMaterial material_of(const Material& record);
 
-/// A folder of the user's for data or caches, made where it is missing.
+/// The folder of the user's data, which is made where it is missing.
 QString data_folder();
+/// The folder of the user's caches, which may be missing.
 QString cache_folder();
 
 }  // namespace etak::editor

@@ -10,7 +10,7 @@ ViewSide side_of(const Document& document, const ProjectMaterial& m, const std::
   out.specular = find_model(model.empty() ? m.specular_model : model);
   out.diffuse = find_model(m.diffuse_model);
   if (out.specular != nullptr && out.specular->kind == ModelKind::combined) out.diffuse = nullptr;
-  // Another model has other parameters.
+  // The material's values for parameters belong to its own model, not to the one that it is compared with.
   if (model.empty() || model == m.specular_model) out.overrides = m.parameters;
   out.label = m.name;
   if (out.specular != nullptr) out.label += ", " + std::string(out.specular->id);
@@ -29,7 +29,8 @@ ViewState view_state_of(const Document& document, const Look& look,
   const ProjectMaterial& m = look.preview                     ? *look.preview
                              : document.material() != nullptr ? *document.material()
                                                               : nothing;
-  // Solving keeps the last surface: the material in hand comes last, as it is the one that is edited.
+  // The document keeps the surface that was solved last. The current material is solved last, because it is
+  // the one that is edited.
   const ProjectMaterial& other = view.compare.pinned ? *view.compare.pinned : m;
   out.b = side_of(document, other, view.compare.model);
   out.a = side_of(document, m, {});

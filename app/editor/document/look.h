@@ -9,17 +9,17 @@
 
 namespace etak::editor {
 
-/// What of the picture belongs to the window and not to the project: camera, separator, overlays.
+/// Settings of the picture that belong to the window and not to the project: camera, separator, overlays.
 struct Look {
   double separator = 0.5;
   bool zone_overlay = false, energy_overlay = false, textured = true;
   View camera;
-  std::optional<ProjectMaterial> preview;  // of the library, shown in place of the material in hand
+  std::optional<ProjectMaterial> preview;  // a material of the library, shown in place of the current one
 };
 
-/// The state of the viewport for the material in hand.
-///   environment   of the project's view, when it has been loaded
-///   textures      of the material in hand, when they have been loaded
+/// The state of the viewport for the current material.
+///   environment   the environment of the project's view; null until it has been loaded
+///   textures      the textures of the current material; null until they have been loaded
 ViewState view_state_of(const Document& document, const Look& look,
                         std::shared_ptr<const Environment> environment,
                         std::shared_ptr<const SurfaceTextures> textures);

@@ -13,7 +13,7 @@
 namespace etak::editor {
 namespace {
 
-// Part of the files' names: pictures of another make are not taken for these.
+// Part of the names of the files. It changes when the pictures change, so that older files are not used.
 constexpr const char* make = "etak-thumbnail-1";
 constexpr int most_pictures = 4000;
 
@@ -49,7 +49,7 @@ QImage thumbnail(const Thumbnails::Subject& subject, Shape shape, int side, cons
       if (QImage kept(file); !kept.isNull() && kept.width() == side) return kept;
     }
     const QImage out = drawn(subject.surface(), shape, side);
-    // A cache that cannot be written is no reason to complain.
+    // A cache that cannot be written is not reported, because it only saves time.
     if (!file.isEmpty() && QDir().mkpath(folder)) (void)save_png(out, file);
     return out;
   } catch (const Error&) {
@@ -89,7 +89,7 @@ QPixmap Thumbnails::get(const QString& key, Shape shape, int side, double ratio,
         return thumbnail(subject, shape, pixels, folder);
       },
       [this, whole, key, ratio](const QImage& image) {
-        // forget() may have come between; the picture is then of an older material.
+        // After a call of forget(), the picture is of an older state of the material and is not used.
         if (!waiting_.remove(whole)) return;
         auto* pixmap = new QPixmap(QPixmap::fromImage(image));
         pixmap->setDevicePixelRatio(ratio);

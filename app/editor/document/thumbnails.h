@@ -13,24 +13,26 @@
 
 namespace etak::editor {
 
-/// Small pictures of materials, rendered by core on threads of their own and kept in memory and on disk.
+/// Small pictures of materials, which core renders on threads of their own. They are kept in memory and on
+/// disk.
 class Thumbnails : public QObject {
   Q_OBJECT
 
  public:
-  /// What is to be drawn, made on a worker's thread: its text tells one picture from another on disk, its
-  /// surface is asked for only where the disk has none. Both may throw etak::Error.
+  /// The material of a picture. Both functions are called on a worker's thread and may throw Error: `text`
+  /// identifies the picture on disk; `surface` is called only where the disk has no picture.
   struct Subject {
     std::function<std::string()> text;
     std::function<SurfaceValues()> surface;
   };
 
-  /// `folder` for the files; empty: none are kept.
+  ///   folder   folder of the files; empty: none are kept
   Thumbnails(const QString& folder, QObject* parent = nullptr);
   ~Thumbnails() override;
 
-  /// The picture if there is one; otherwise nothing, the work is begun and ready() tells of it.
-  ///   key   who asks, without shape and size
+  /// The picture, if it is there. Otherwise an empty one: the work is then begun, and ready() is emitted at
+  /// its end.
+  ///   key   identifies the material, without shape and size
   QPixmap get(const QString& key, Shape shape, int side, double ratio,
               const std::function<Subject()>& subject);
   void forget(const QString& key);

@@ -11,7 +11,7 @@ namespace etak::editor {
 namespace {
 
 constexpr int check_delay_ms = 200;
-constexpr std::size_t most_at_once = 64;  // materials between two looks at the list
+constexpr std::size_t most_at_once = 64;  // materials in a batch; the list is looked at again after each
 constexpr std::size_t most_texels = std::size_t{64} << 20;
 
 }  // namespace
@@ -57,7 +57,7 @@ void Validator::drop_gone() {
 }
 
 void Validator::begin() {
-  if (running_) return;  // what was marked meanwhile comes next
+  if (running_) return;  // materials that were marked meanwhile are in the next batch
   drop_gone();
   std::vector<ProjectMaterial> batch;
   for (const ProjectMaterial& each : document_.project().materials) {

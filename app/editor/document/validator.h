@@ -12,8 +12,8 @@
 
 namespace etak::editor {
 
-/// Runs the validator's rules over materials that have changed, on a thread of its own, a moment after the
-/// change.
+/// Runs the rules of the validator over materials that have changed, a moment after the change, on a thread
+/// of its own.
 class Validator : public QObject {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class Validator : public QObject {
   explicit Validator(Document& document, QObject* parent = nullptr);
   ~Validator() override;
 
-  /// Findings by the name of the material, in the project's order of names.
+  /// Findings by the name of the material; materials without findings are left out.
   const std::map<std::string, std::vector<Finding>>& findings() const { return findings_; }
   bool is_idle() const { return dirty_.empty() && !running_ && !timer_.isActive(); }
   void check_all();

@@ -69,7 +69,7 @@ ColorField::ColorField(const QString& name, const LinearRgb& standard, QWidget* 
     linear_[c]->setRange(0, 1000);
     linear_[c]->setToolTip(
         tr("%1, linear; in the field the wheel edits, Ctrl coarse, Shift fine").arg(channel_words()[c]));
-    // The other channels keep what 8 bits would take from them.
+    // An edit of a code sets one channel; the others keep their values, which 8 bits would round.
     codes_[c] = add_number(grid, 1, c, tr("sRGB 8 bit"), [](double code) { return srgb_decode(code / 255); });
     codes_[c]->setToolTip(tr("%1 as a code of 8-bit sRGB").arg(channel_words()[c]));
     codes_[c]->setDecimals(0);
@@ -125,11 +125,11 @@ void ColorField::connect_parts() {
     if (showing_) return;
     try {
       const Srgb8 typed = parse_hex(hex_->text().trimmed().toStdString());
-      // The codes that stand there already are not read back: the colour is finer than they are.
+      // Codes that equal the shown ones are not read back, because the colour is more precise than they are.
       if (typed != srgb_u8(color_)) return take(srgb_decode(typed), next_press_id());
     } catch (const Error&) {
     }
-    show_all();  // what was typed is no colour, or the one there is
+    show_all();  // the text is no colour, or the present one
   });
   connect(reset_, &QToolButton::clicked, this, [this] {
     if (own_reset_) return take(standard_, next_press_id());
@@ -202,14 +202,14 @@ void ColorField::show_all() {
   const Srgb8 codes = srgb_u8(color_);
   const std::array<int, 3> numbers{codes.r, codes.g, codes.b};
   for (std::size_t c = 0; c < 3; ++c) {
-    // A channel below 0 is out of gamut: shown as it is, never reached by steps from above.
+    // A channel below 0 (out of gamut) is shown as it is, but steps from above do not go below 0.
     const QSignalBlocker quiet(linear_[c]);
     linear_[c]->setMinimum(std::min(0.0, part(color_, c)));
     linear_[c]->show_value(part(color_, c));
     codes_[c]->show_value(numbers[c]);
   }
   hex_->setText(QString::fromStdString(hex(codes)));
-  // A field that is only read shows the colour, too: the style would grey it.
+  // The icon of a disabled field is set as well, because the style would make it grey.
   const QPixmap swatch = swatch_of(codes, swatch_->iconSize(), devicePixelRatioF());
   QIcon icon(swatch);
   icon.addPixmap(swatch, QIcon::Disabled);
@@ -217,7 +217,7 @@ void ColorField::show_all() {
   const std::string outside = gamut_text(color_);
   outside_->setVisible(!outside.empty());
   if (!outside.empty()) {
-    // A channel and its number stay together where the line breaks.
+    // Blanks that do not break keep a channel and its number on the same line.
     QStringList channels = QString::fromStdString(outside).split(QStringLiteral(", "));
     channels.replaceInStrings(QStringLiteral(" "), QString(QChar(QChar::Nbsp)));
     badge_->setText(tr("outside sRGB: %1").arg(channels.join(QStringLiteral(", "))));

@@ -15,9 +15,9 @@ namespace etak::editor {
 
 class FineSpinBox;
 
-/// A colour as linear numbers (which may leave 0..1), as 8-bit sRGB and as hexadecimal text, all in step,
-/// with a swatch, an eyedropper and, where 8 bits cannot hold it, a badge that tells by how much and offers
-/// both ways in: each channel clipped, or the hue kept.
+/// A field for a colour, shown as linear numbers (which may leave 0..1), as 8-bit sRGB and as hexadecimal
+/// text, with a swatch and an eyedropper. Where 8 bits cannot hold the colour, a badge tells by how much, and
+/// offers to clip each channel or to bring the colour into range with its hue kept.
 class ColorField : public QWidget {
   Q_OBJECT
 
@@ -27,8 +27,8 @@ class ColorField : public QWidget {
   const LinearRgb& color() const { return color_; }
   void show_color(const LinearRgb& color);
   const LinearRgb& standard() const { return standard_; }
-  /// Whoever answers reset_asked() shows the colour to go back to; without this it is the standard of the
-  /// constructor.
+  /// After this call the reset button only emits reset_asked(), and the owner sets the colour. Otherwise the
+  /// button sets the standard colour of the constructor.
   void leave_reset_to_owner() { own_reset_ = false; }
 
  signals:

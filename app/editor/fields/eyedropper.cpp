@@ -14,7 +14,7 @@ namespace etak::editor {
 
 std::optional<QColor> screen_color(const QPoint& global) {
   if (QWidget* widget = QApplication::widgetAt(global)) {
-    // By the window itself: grabbing the screen is forbidden on some desktops.
+    // The pixel is taken from the window itself, because some desktops do not allow to grab the screen.
     const QPoint place = widget->mapFromGlobal(global);
     const QPixmap one = widget->grab(QRect(place, QSize(1, 1)));
     if (!one.isNull()) return one.toImage().pixelColor(0, 0);
@@ -47,7 +47,7 @@ bool Eyedropper::eventFilter(QObject*, QEvent* event) {
     return true;
   }
   if (event->type() == QEvent::ShortcutOverride) {
-    event->accept();  // Escape is this one's, whatever it is a shortcut of
+    event->accept();  // Escape goes to the eyedropper, even where it is a shortcut
     return true;
   }
   if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {

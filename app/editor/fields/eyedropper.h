@@ -10,13 +10,13 @@ class QWidget;
 
 namespace etak::editor {
 
-/// Waits for one click anywhere and tells the colour under it. Escape and a right click call it off. Deletes
-/// itself.
+/// Waits for one click anywhere on the screen and reports the colour under it. Escape and a right click
+/// cancel it. The object deletes itself at the end.
 class Eyedropper : public QObject {
   Q_OBJECT
 
  public:
-  /// `picked` gets nothing when it was called off.
+  ///   picked   called with the colour; with none where the user has cancelled
   Eyedropper(QWidget* owner, std::function<void(std::optional<QColor>)> picked);
   ~Eyedropper() override;
 
@@ -29,7 +29,7 @@ class Eyedropper : public QObject {
   std::function<void(std::optional<QColor>)> picked_;
 };
 
-/// The colour of the screen's pixel, of the application's own windows where one lies there.
+/// The colour of a pixel of the screen. Where a window of the application lies there, its own pixel is taken.
 std::optional<QColor> screen_color(const QPoint& global);
 
 }  // namespace etak::editor

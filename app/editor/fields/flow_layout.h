@@ -6,7 +6,7 @@
 
 namespace etak::editor {
 
-/// Puts widgets side by side and begins a new line where the width ends.
+/// A layout that puts widgets side by side and begins a new line where the width ends.
 class FlowLayout : public QLayout {
  public:
   explicit FlowLayout(int gap, QWidget* parent = nullptr);

@@ -31,7 +31,7 @@ FineSpinBox::FineSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
   connect(this, &QDoubleSpinBox::valueChanged, this, [this] {
     if (!showing_) tell(step_press_ != 0 ? step_press_ : next_press_id());
   });
-  // What is taken over is undone by the document, no longer by the line.
+  // Once the value is taken, the document undoes it. Setting the text clears the undo history of the line.
   connect(this, &QDoubleSpinBox::editingFinished, this, [this] {
     if (lineEdit()->isUndoAvailable()) lineEdit()->setText(lineEdit()->text());
   });
@@ -42,7 +42,7 @@ QString FineSpinBox::textFromValue(double value) const {
 }
 
 double FineSpinBox::valueFromText(const QString& text) const {
-  // The text of an untouched box is rounded; the value is not.
+  // The text is rounded and the value is not: a text that was not edited does not change the value.
   return text == textFromValue(value()) ? value() : QDoubleSpinBox::valueFromText(text);
 }
 
@@ -76,14 +76,14 @@ void FineSpinBox::stepBy(int steps) {
 
 void FineSpinBox::wheelEvent(QWheelEvent* event) {
   if (!hasFocus()) return event->ignore();
-  // Some desktops turn Shift + wheel sideways.
+  // Some desktops report Shift + wheel as horizontal.
   const QPoint turn = event->angleDelta();
   const double notches = (turn.y() != 0 ? turn.y() : turn.x()) / 120.0;
   if (notches == 0) return event->ignore();
   const auto keys = event->modifiers();
   const double factor = keys & Qt::ControlModifier ? 10 : keys & Qt::ShiftModifier ? 0.1 : 1;
   double change = notches * factor * singleStep();
-  // Whole numbers have no tenth of a step.
+  // Whole numbers change by at least 1.
   if (decimals() == 0 && std::abs(change) < 1) change = change < 0 ? -1 : 1;
   step_press_ = steps_.id();
   setValue(value() + change);
@@ -119,7 +119,7 @@ void FieldSlider::mousePressEvent(QMouseEvent* event) {
   const int x = event->position().toPoint().x();
   if (event->button() == Qt::LeftButton && (x < handle.left() || x > handle.right())) {
     const QRect groove = style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderGroove, this);
-    // The handle goes under the cursor, where a drag may hold it: jump and drag are one press.
+    // The handle jumps to the cursor, where a drag may follow: jump and drag have the same press id.
     press_ = next_press_id();
     setValue(QStyle::sliderValueFromPosition(minimum(), maximum(), x - groove.x() - handle.width() / 2,
                                              groove.width() - handle.width(), option.upsideDown));
@@ -200,7 +200,7 @@ double NumberField::of_slider(int position) const {
   const double share = static_cast<double>(position) / slider_steps;
   const double value =
       by_ratio_ ? least_ * std::pow(most_ / least_, share) : least_ + share * (most_ - least_);
-  // Three digits are what a hand can mean.
+  // The slider gives three decimals, because the hand is no more precise.
   const double rounded = std::round(value * 1000) / 1000;
   return by_ratio_ ? value : std::clamp(rounded, least_, most_);
 }

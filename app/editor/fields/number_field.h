@@ -13,9 +13,9 @@ class QToolButton;
 
 namespace etak::editor {
 
-/// A spin box whose wheel is coarse with Ctrl (10 steps) and fine with Shift (a tenth), and that shows the
-/// shortest number that is near enough. The wheel edits only while the box has the focus; the rounded text is
-/// never read back as a value; steps that follow each other closely share a press id.
+/// A spin box that shows five significant digits. The wheel edits only while the box has the focus: one step,
+/// with Ctrl ten steps, with Shift a tenth of a step. The rounded text is never read back as a value. Steps
+/// that follow each other closely have the same press id.
 class FineSpinBox : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -26,9 +26,9 @@ class FineSpinBox : public QDoubleSpinBox {
   QSize minimumSizeHint() const override;
   QSize sizeHint() const override { return minimumSizeHint(); }
 
-  /// Shows a value without saying that it was edited.
+  /// Shows a value without emitting edited().
   void show_value(double value);
-  /// Whether there is text that was typed and is not the value yet.
+  /// Whether the box holds a typed text that is not taken as the value yet.
   bool is_typed_in() const;
 
  signals:
@@ -56,8 +56,9 @@ class QuietSpinBox : public QSpinBox {
   void wheelEvent(QWheelEvent* event) override;
 };
 
-/// A slider that goes where its groove is clicked, and leaves the wheel to the page around it unless it has
-/// the focus. A drag is one press, and so are steps of wheel or keys that follow each other closely.
+/// A slider that jumps to where its groove is clicked. Without the focus it leaves the wheel to the page
+/// around it. All edits of a drag have the same press id; so have steps of wheel or keys that follow each
+/// other closely.
 class FieldSlider : public QSlider {
   Q_OBJECT
 
@@ -77,18 +78,19 @@ class FieldSlider : public QSlider {
   int press_ = 0;
 };
 
-/// A name, a slider, a number and a way back: one parameter.
+/// A field for one parameter: a slider, a number and a button to reset it.
 class NumberField : public QWidget {
   Q_OBJECT
 
  public:
-  /// The slider runs from `least` to `most`, by ratios where both are above 0 and a thousandfold apart.
+  /// The slider runs from `least` to `most`: in equal ratios where `least` is above 0 and `most` is at least
+  /// a thousand times as large, else in equal steps.
   NumberField(const QString& name, double least, double most, double standard, QWidget* parent = nullptr);
 
   double value() const;
   void show_value(double value);
-  /// Whoever answers reset_asked() shows the value to go back to; without this it is the standard of the
-  /// constructor.
+  /// After this call the reset button only emits reset_asked(), and the owner sets the value. Otherwise the
+  /// button sets the standard value of the constructor.
   void leave_reset_to_owner() { own_reset_ = false; }
   FineSpinBox& box() { return *box_; }
   FieldSlider& slider() { return *slider_; }

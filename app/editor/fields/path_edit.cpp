@@ -10,7 +10,7 @@ namespace etak::editor {
 QRect PathEdit::text_place() const {
   QStyleOptionFrame option;
   initStyleOption(&option);
-  constexpr int beside = 2;  // as QLineEdit has it
+  constexpr int beside = 2;  // the margin that QLineEdit has
   return style()->subElementRect(QStyle::SE_LineEditContents, &option, this).adjusted(beside, 0, -beside, 0);
 }
 
@@ -32,7 +32,7 @@ void PathEdit::paintEvent(QPaintEvent* event) {
 QString short_path(const QString& path) {
   constexpr int most = 60;
   if (path.size() <= most) return path;
-  // Most of what is kept is the end.
+  // The end of the path gets more characters than its start.
   constexpr int start = 20;
   return path.left(start) + QChar(0x2026) + path.right(most - start - 1);
 }

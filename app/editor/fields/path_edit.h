@@ -5,14 +5,14 @@
 
 namespace etak::editor {
 
-/// A line for a path. While nobody types in it, a path that is too long for it is cut in its middle by an
-/// ellipsis, so that its end, the file's name, is seen.
+/// A line for a path. While the line has no focus, an ellipsis replaces the middle of a path that is too
+/// long, so that its end, the name of the file, is visible.
 class PathEdit : public QLineEdit {
   Q_OBJECT
 
  public:
   using QLineEdit::QLineEdit;
-  /// What is seen while the line has no focus.
+  /// The text that is visible while the line has no focus.
   QString shown_text() const;
 
  protected:
@@ -22,7 +22,7 @@ class PathEdit : public QLineEdit {
   QRect text_place() const;
 };
 
-/// A path for messages and menus, cut in its middle by an ellipsis where it is over 60 characters long.
+/// A path for messages and menus. Where it has more than 60 characters, an ellipsis replaces its middle.
 QString short_path(const QString& path);
 
 }  // namespace etak::editor

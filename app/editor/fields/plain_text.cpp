@@ -8,7 +8,8 @@
 namespace etak::editor {
 namespace {
 
-// Message boxes and tooltips are made of labels too. Every label is polished before it is shown for the first time.
+// Sets the format of every label to plain text when it is polished, which Qt does before a label is shown
+// first. Message boxes and tooltips are made of labels too.
 class PlainLabels : public QObject {
  public:
   using QObject::QObject;

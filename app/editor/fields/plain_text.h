@@ -3,8 +3,9 @@
 
 namespace etak::editor {
 
-/// From here on all labels, message boxes and tooltips of the program show their text as it is. Qt would take a text
-/// that looks like HTML for it, and names from files may: such a name could show a picture or hide what it is.
+/// Makes all labels, message boxes and tooltips of the program show their texts as plain text. Qt would
+/// interpret a text that looks like HTML, and a name from a file may look so: it could then show a picture or
+/// hide itself.
 void show_texts_plain();
 
 }  // namespace etak::editor

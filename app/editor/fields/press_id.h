@@ -5,14 +5,14 @@
 
 namespace etak::editor {
 
-/// A number for every press of a button, grip or key: edits that share one are one step of undo.
+/// A new number for a press of a button, handle or key. Edits with the same number are one step of undo.
 inline int next_press_id() {
-  static int last = 1 << 20;  // viewports count from 1
+  static int last = 1 << 20;  // viewports count their own presses from 1
   return ++last;
 }
 
-/// Turns of a wheel and repeated steps of a key that follow each other closely are one press. The pause is
-/// longer than the time that passes before a held key repeats.
+/// The press id of turns of a wheel and of repeated steps of a key: steps that follow each other closely have
+/// the same one. The pause that ends a press is longer than the time before a held key repeats.
 class RepeatedPress {
  public:
   int id() {

@@ -18,7 +18,7 @@ QString counted(std::size_t count, const QString& one, const QString& more) {
   return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : more);
 }
 
-// Rows as high as the whole message needs.
+// Makes each row as high as its whole message needs.
 class WholeMessage : public QStyledItemDelegate {
  public:
   explicit WholeMessage(QTreeView& view) : QStyledItemDelegate(&view), view_(view) {}
@@ -120,7 +120,8 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
   table_->setAccessibleName(tr("List of findings"));
   table_->header()->setAccessibleName(tr("Columns of the findings"));
   const QFontMetrics metrics = fontMetrics();
-  // The header's arrow stands beside its word; the message gets the rest.
+  // Titles need room for the arrow of the sorting beside the word. The message column gets the remaining
+  // width.
   table_->setColumnWidth(FindingsModel::severity_column,
                          metrics.horizontalAdvance(QStringLiteral("Severity")) + 28);
   table_->setColumnWidth(FindingsModel::rule_column,

@@ -12,7 +12,7 @@ class QTreeView;
 
 namespace etak::editor {
 
-/// The validator's findings as rows.
+/// The findings of the validator as rows, the worst first.
 class FindingsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -32,7 +32,8 @@ class FindingsModel : public QAbstractTableModel {
   std::vector<Finding> rows_;
 };
 
-/// The list; a double click or Return goes to the field that the finding is about.
+/// The list of findings. A double click or Return on a row emits go_to(), which shows the field of the
+/// finding.
 class FindingsPanel : public QWidget {
   Q_OBJECT
 

@@ -20,7 +20,7 @@
 namespace etak::editor {
 namespace {
 
-// A record of class "surface" measures the body's colour, every other one F0.
+// Whether the record measures the diffuse colour. Records of class "surface" do, all others measure F0.
 bool measures_diffuse(const std::optional<MeasuredF0>& measured, const MaterialLibrary& library) {
   if (!measured) return false;
   const auto found = library.find(measured->material);
@@ -132,10 +132,10 @@ void Inspector::edit(const QString& what, int press, const std::function<void(Pr
 void Inspector::connect_colors() {
   connect(specular_, &ColorField::edited, this, [this](const LinearRgb& color, int press) {
     edit(tr("specular colour"), press, [&](ProjectMaterial& m) {
-      // A typed colour is no longer the measured one.
+      // A typed colour replaces the measurement, unless that measures the diffuse colour.
       if (!measures_diffuse(m.measured, *document_.library())) m.measured.reset();
       m.specular = color;
-      // Of a total reflectance the surface takes its share, and the body keeps the rest.
+      // The record measures the total reflectance: the surface reflects its part, and the body the rest.
       if (m.measured) m = with_measured(std::move(m), *document_.library());
     });
   });
@@ -153,7 +153,7 @@ void Inspector::connect_colors() {
           [this] { reset_color(*diffuse_, &ProjectMaterial::diffuse, tr("diffuse colour")); });
 }
 
-// A colour that is or was measured goes back to the measurement, any other to the field's standard.
+// Sets a colour that is or was measured to the measurement, and any other to the standard of the field.
 void Inspector::reset_color(ColorField& field, LinearRgb ProjectMaterial::*member, const QString& what) {
   const ProjectMaterial* m = document_.material();
   if (m == nullptr) return;
@@ -206,7 +206,7 @@ void Inspector::show_material() {
        {static_cast<QWidget*>(name_), static_cast<QWidget*>(source_), static_cast<QWidget*>(numbers_),
         static_cast<QWidget*>(model_), static_cast<QWidget*>(textures_)})
     each->setVisible(m != nullptr);
-  // What is only looked at is read, not edited.
+  // The fields of a preview cannot be edited.
   for (QWidget* each : {static_cast<QWidget*>(name_), static_cast<QWidget*>(numbers_),
                         static_cast<QWidget*>(model_), static_cast<QWidget*>(textures_)})
     each->setEnabled(!preview_);
@@ -240,7 +240,7 @@ void Inspector::go_to(Channel channel) {
                    : channel == Channel::gloss    ? static_cast<QWidget*>(gloss_)
                                                   : static_cast<QWidget*>(alpha_);
   ensureWidgetVisible(field);
-  // The first number of the field.
+  // The focus goes to the first number of the field.
   field->findChild<FineSpinBox*>()->setFocus(Qt::OtherFocusReason);
 }
 

@@ -19,7 +19,7 @@ class Section;
 class SourceSection;
 class TextureSection;
 
-/// All there is to set of the material in hand.
+/// The fields of the current material.
 class Inspector : public PanelScroll {
   Q_OBJECT
 
@@ -34,9 +34,9 @@ class Inspector : public PanelScroll {
   SourceSection& source() { return *source_; }
   ModelSection& model() { return *model_; }
   TextureSection& textures() { return *textures_; }
-  /// Brings the field of a channel into sight and gives it the focus.
+  /// Scrolls to the field of a channel and gives it the focus.
   void go_to(Channel channel);
-  /// Shows a material that is only looked at, with fields that cannot be edited; none: the one in hand again.
+  /// Shows a material of the library in fields that cannot be edited; none: shows the current material again.
   void show_preview(const std::optional<ProjectMaterial>& material);
 
  signals:

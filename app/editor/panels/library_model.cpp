@@ -23,7 +23,7 @@ QString search_key(const QString& text) {
 
 namespace {
 
-// The tooltip says what the dot means.
+// The picture with a dot, which marks doubtful data; the tooltip of the row explains it.
 QPixmap with_dot(QPixmap picture) {
   const double side = picture.width() / picture.devicePixelRatio();
   QPainter painter(&picture);
@@ -131,7 +131,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       };
       const QPixmap picture = thumbnails_.get(row.id, shape_, side_, ratio_, subject);
       if (!picture.isNull()) {
-        // The style would lay the selection's colour over the picture.
+        // Without a picture for the selected state, the style would lay the colour of the selection over it.
         const QPixmap shown = row.marked ? with_dot(picture) : picture;
         QIcon icon(shown);
         icon.addPixmap(shown, QIcon::Selected);
@@ -169,7 +169,7 @@ LibraryFilter::LibraryFilter(QObject* parent) : QSortFilterProxyModel(parent) {
 
 void LibraryFilter::set_search(const QString& text) {
   words_ = search_key(text).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-  invalidate();  // the order, too
+  invalidate();  // the order of the rows depends on the search as well
 }
 
 int LibraryFilter::rank(const QModelIndex& row) const {

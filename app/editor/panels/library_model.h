@@ -11,7 +11,7 @@
 
 namespace etak::editor {
 
-/// The materials of the library, those of the project's own spectra included.
+/// The materials of the library, with those of the project's own spectra.
 class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class LibraryModel : public QAbstractListModel {
   void set_library(std::shared_ptr<const MaterialLibrary> library);
   void set_shape(Shape shape);
   void set_side(int side, double ratio);
-  /// Classes that occur, in the library's order of classes.
+  /// The classes of these materials, in the order of material_classes.
   QStringList classes() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -37,7 +37,7 @@ class LibraryModel : public QAbstractListModel {
     QString id, name, material_class, keys;
     QStringList names;    // search keys of id, name and aliases
     QString quality;      // quality_text() of the preferred dataset
-    bool marked = false;  // its data are computed, sparse or doubtful: the picture gets a dot
+    bool marked = false;  // the data are computed, sparse or doubtful: the picture gets a dot
   };
   std::shared_ptr<const MaterialLibrary> library_;
   std::vector<Row> rows_;
@@ -47,8 +47,9 @@ class LibraryModel : public QAbstractListModel {
   double ratio_ = 1;
 };
 
-/// The rows that a search and a class leave: every word of the search is found in id, name, aliases, group
-/// or class. What is called exactly so comes first, then what begins so, then what has a word that begins so.
+/// The rows that match a search and a class. Every word of the search must occur in id, name, aliases, group
+/// or class. Materials whose id, name or alias equals the search come first, then those where it begins so,
+/// then those where a later word begins so.
 class LibraryFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -62,13 +63,13 @@ class LibraryFilter : public QSortFilterProxyModel {
   bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
  private:
-  int rank(const QModelIndex& row) const;  // least is best
+  int rank(const QModelIndex& row) const;  // 0 is the best match
 
   QStringList words_;
   QString class_;
 };
 
-/// Text in which a search looks: lower case, without marks.
+/// The form of a text that a search compares: lower case, without diacritical marks, blanks for '_' and '-'.
 QString search_key(const QString& text);
 
 }  // namespace etak::editor

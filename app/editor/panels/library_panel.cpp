@@ -18,7 +18,8 @@ constexpr int sphere_side = 72;
 
 }  // namespace
 
-// A list that gets the focus takes its first row in hand: that nobody has asked to look at.
+// A list that tells whether it is getting the focus: QListView then makes its first row the current one,
+// which is no choice of the user.
 class LibraryList : public QListView {
  public:
   using QListView::QListView;
@@ -108,7 +109,7 @@ void LibraryPanel::connect_list() {
           [this](const QString& text) { narrow([&] { filter_.set_search(text); }); });
   connect(search_, &QLineEdit::returnPressed, this, [this] {
     if (filter_.rowCount() == 0) return;
-    // What fits best, whatever was in hand before.
+    // Return selects the best match, whichever row was selected before.
     list_->setFocus();
     list_->setCurrentIndex(filter_.index(0, 0));
     emit looked_at(selected());
@@ -116,7 +117,7 @@ void LibraryPanel::connect_list() {
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     if (!narrowing_ && !list_->is_entered() && !selected().isEmpty()) emit looked_at(selected());
   });
-  // A row that is in hand already, too.
+  // A click on the current row does not change it, but must start the preview as well.
   connect(list_, &QListView::clicked, this, [this] {
     if (!selected().isEmpty()) emit looked_at(selected());
   });
@@ -131,7 +132,8 @@ void LibraryPanel::set_library(std::shared_ptr<const MaterialLibrary> library) {
   make_chips();
 }
 
-// What is in hand stays so where it is still among the rows; no neighbour takes its place.
+// Makes a change of the rows. The selected material stays selected where it is still among them; otherwise
+// nothing is selected, not a neighbour.
 void LibraryPanel::narrow(const std::function<void()>& change) {
   narrowing_ = true;
   const QString before = selected();
@@ -182,7 +184,7 @@ void LibraryPanel::make_chips() {
 
 void LibraryPanel::tell_count() {
   const int shown = filter_.rowCount(), all = model_.rowCount();
-  // What is asked for and not there: why, or what comes near.
+  // Where nothing matches the search, the library tells why it has no such material, or names similar ones.
   if (shown == 0 && library_ && !search_->text().trimmed().isEmpty()) {
     const auto missing = library_->missing(search_->text().trimmed().toStdString());
     const std::string answer =

@@ -16,7 +16,8 @@ namespace etak::editor {
 class FlowLayout;
 class LibraryList;
 
-/// The library: search, classes, pictures. A double click, Return or a drag puts a material to use.
+/// The library with a search, classes and pictures. A double click or Return on a material emits wanted(); a
+/// material can also be dragged to the viewport or the window.
 class LibraryPanel : public QWidget {
   Q_OBJECT
 
@@ -26,13 +27,13 @@ class LibraryPanel : public QWidget {
   void set_library(std::shared_ptr<const MaterialLibrary> library);
   QLineEdit& search() { return *search_; }
   QListView& list();
-  QString selected() const;  // id; empty: none
-  /// Puts the selection on the row after or before; wraps around.
+  QString selected() const;  // id of the selected material; empty: none
+  /// Moves the selection by so many rows; after the last row comes the first.
   void step(int rows);
 
  signals:
-  void looked_at(const QString& id);  // selected by hand
-  void wanted(const QString& id);     // to be added to the project
+  void looked_at(const QString& id);  // the user has selected the material: it is to be previewed
+  void wanted(const QString& id);     // the material is to be added to the project
 
  private:
   void connect_list();

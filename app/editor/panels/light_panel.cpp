@@ -274,7 +274,7 @@ void LightPanel::edit_lights(const QString& what, int press_id,
   try {
     validate(view.lights, "lights");
   } catch (const Error&) {
-    return show_view();  // no setup at all: back to the one there is
+    return show_view();  // the change makes no valid setup: the fields show the present one again
   }
   document_.edit_view(view, what, press_id);
 }

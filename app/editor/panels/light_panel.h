@@ -13,7 +13,7 @@ class ColorField;
 class FineSpinBox;
 class NumberField;
 
-/// Lights, hemispheres, environment, as numbers; dragging in the viewport moves the same ones.
+/// Fields for lights, hemispheres and environment. Drags in the viewport change the same values.
 class LightPanel : public PanelScroll {
   Q_OBJECT
 

@@ -11,12 +11,13 @@
 namespace etak::editor {
 namespace {
 
-// What has fields of its own in the inspector.
+// Whether the inspector has another field for a parameter of this role.
 bool has_own_field(Role role) {
   return role == Role::diffuse || role == Role::f0 || role == Role::gloss;
 }
 
-// Typed values may go as far as the model takes them; a slider is of use over the range that is met.
+// The end of a parameter's slider, which covers the usual range. Typed values may use the whole range of the
+// model.
 double most_of(const Parameter& p) {
   return p.role == Role::n ? 5 : p.role == Role::k ? 10 : p.role == Role::exponent ? 4096 : p.max;
 }
@@ -56,7 +57,7 @@ ModelSection::ModelSection(Document& document, QWidget* parent)
       if (document_.material() == nullptr) return;
       ProjectMaterial next = *document_.material();
       next.*member = box->currentData().toString().toStdString();
-      // Values set for another model mean nothing to this one.
+      // Values that were set for the parameters of another model are dropped.
       next.parameters.clear();
       document_.edit(document_.current(), next, tr("shading model"), next_press_id());
     });
@@ -79,7 +80,7 @@ void ModelSection::rebuild() {
         field->leave_reset_to_owner();
         field->box().setRange(p.min, p.max);
         const std::string parameter(p.name);
-        // "alpha" alone is taken for opacity.
+        // "alpha" alone would be understood as opacity.
         auto* label = new QLabel(
             p.role == Role::alpha ? tr("%1 (roughness)").arg(qt_text(p.name)) : qt_text(p.name), sliders_);
         label->setToolTip(field->toolTip());

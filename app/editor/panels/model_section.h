@@ -8,8 +8,8 @@ namespace etak::editor {
 
 class NumberField;
 
-/// Which models draw the material, and their own parameters as sliders; those that the surface fills are
-/// shown too and can be set against it.
+/// The models that draw the material, and sliders for their parameters. Parameters that get their value from
+/// the surface (n, k, f82, ...) are among them: an edit overrides the value of the surface.
 class ModelSection : public Section {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class ModelSection : public Section {
 
   struct Row {
     std::string name;
-    std::size_t at = 0;  // of the first number in the model's values
+    std::size_t at = 0;  // index of the parameter's first number in the values of the model
     bool diffuse = false;
     NumberField* field = nullptr;
   };

@@ -26,7 +26,8 @@ struct Done {
   QString text;
 };
 
-// How etak pack judges an atlas in `folder` that was asked for in the folder around it.
+// The configuration with which `etak pack -o folder` checks an atlas when it is called in the folder around
+// it.
 PackCheckOptions check_options(const std::string& folder, unsigned threads) {
   PackCheckOptions out;
   const std::string layout = folder + "/layout.json";
@@ -60,7 +61,7 @@ PackDialog::PackDialog(const Project& project, std::shared_ptr<const MaterialLib
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text_->setAccessibleName(tr("What packing is at"));
   text_->setMinimumWidth(420);
-  // A table, in columns.
+  // The report is a table, so its font has a fixed width.
   report_->setReadOnly(true);
   report_->setTabChangesFocus(true);
   report_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
@@ -96,7 +97,8 @@ void PackDialog::start() {
   options.run.version = ETAK_VERSION;
   options.output.overwrite = false;
   options.run.cancelled = [flag = cancelled_] { return flag->load(); };
-  // Told at most every hundredth, so that thousands of regions do not flood the UI.
+  // The bar is updated at every hundredth, so that thousands of regions do not flood the user interface with
+  // calls.
   const QPointer<PackDialog> self(this);
   auto last_share = std::make_shared<std::size_t>(0);
   options.run.progress = [self, last_share](std::size_t done, std::size_t all) {

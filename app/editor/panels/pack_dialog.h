@@ -15,8 +15,9 @@ class QPushButton;
 
 namespace etak::editor {
 
-/// Packs a project's atlas on a worker's thread, with progress, and can be cancelled: the folder is then as
-/// it was. The report ends with what the validator finds in the atlas, as that of etak pack does.
+/// Packs the atlas of a project on a worker's thread and shows the progress. The user can cancel the work,
+/// which leaves the folder as it was. The report ends with the findings of the validator, as that of etak
+/// pack does.
 class PackDialog : public QDialog {
   Q_OBJECT
 
@@ -26,7 +27,7 @@ class PackDialog : public QDialog {
   ~PackDialog() override;
 
   void start();
-  void reject() override;  // cancels while packing
+  void reject() override;  // while it packs, cancels the work
   bool is_running() const { return running_; }
   QString result_text() const;
 

@@ -44,7 +44,7 @@ bool PreviewBar::eventFilter(QObject* object, QEvent* event) {
 
 void PreviewBar::place() {
   adjustSize();
-  // Below the name that the picture shows at its top.
+  // The bar lies below the name that the picture shows at its top.
   const int top = 2 * fontMetrics().height();
   move(std::max(0, (parentWidget()->width() - width()) / 2), top);
 }

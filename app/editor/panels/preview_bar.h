@@ -7,13 +7,13 @@ class QLabel;
 
 namespace etak::editor {
 
-/// Lies over a picture that shows a material of the library: says that it is not of the project, and offers
-/// to add it.
+/// A bar over a picture that previews a material of the library. It tells that the material is not in the
+/// project, and offers to add it.
 class PreviewBar : public QFrame {
   Q_OBJECT
 
  public:
-  /// `picture`: the widget that it lies upon, in the middle of its upper part.
+  ///   picture   the widget that the bar lies on, in the middle of its upper part
   explicit PreviewBar(QWidget* picture);
   void show_name(const QString& name);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int row_side = 32;
 
-// Names one look of a material; the picture on disk is known by it.
+// A text that is equal for materials that look the same. It identifies the picture on disk.
 std::string look_text(const ProjectMaterial& m) {
   Project one;
   one.materials = {m};
@@ -57,7 +57,7 @@ int ProjectModel::rowCount(const QModelIndex& parent) const {
 
 QPixmap ProjectModel::picture(int row) const {
   const ProjectMaterial& m = document_.project().materials[static_cast<std::size_t>(row)];
-  // Equal looks share a picture; the hash keeps the key short.
+  // Materials that look the same share a picture. A hash keeps the key short.
   std::size_t seed = 0;
   const auto mix = [&](std::size_t value) {
     seed ^= value + 0x9e3779b97f4a7c15u + (seed << 6) + (seed >> 2);
@@ -90,7 +90,7 @@ QVariant ProjectModel::data(const QModelIndex& index, int role) const {
     case Qt::DecorationRole: {
       const QPixmap pixmap = picture(index.row());
       if (!pixmap.isNull()) {
-        // The style would lay the selection's colour over the picture.
+        // Without a picture for the selected state, the style would lay the colour of the selection over it.
         QIcon icon(pixmap);
         icon.addPixmap(pixmap, QIcon::Selected);
         return icon;
@@ -129,7 +129,7 @@ ProjectPanel::ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* 
   list_->setIconSize({row_side, row_side});
   list_->setUniformItemSizes(true);
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-  // Several may be marked, to be exported together.
+  // Several materials can be selected, to export them together.
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list_->setAccessibleName(tr("Materials of the project"));
   column->addWidget(list_, 1);
@@ -165,7 +165,7 @@ std::vector<int> ProjectPanel::selected() const {
 }
 
 void ProjectPanel::show_current() {
-  // Where the row is in hand already, what is marked beside it stays marked.
+  // Where the row is the current one already, the other selected rows stay selected.
   if (list_->currentIndex().row() == document_.current()) return;
   showing_ = true;
   list_->setCurrentIndex(model_.index(document_.current(), 0));

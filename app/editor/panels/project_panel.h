@@ -11,7 +11,7 @@ class QListView;
 
 namespace etak::editor {
 
-/// The project's materials.
+/// The materials of the project as rows.
 class ProjectModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -28,20 +28,20 @@ class ProjectModel : public QAbstractListModel {
   Thumbnails& thumbnails_;
 };
 
-/// The materials under work: pick one, rename it (F2), add a new one, take one out.
+/// The list of the project's materials: the user selects one, renames it (F2), adds, copies or removes one.
 class ProjectPanel : public QWidget {
   Q_OBJECT
 
  public:
   ProjectPanel(Document& document, Thumbnails& thumbnails, QWidget* parent = nullptr);
   QListView& list() { return *list_; }
-  std::vector<int> selected() const;  // rows, in their order
+  std::vector<int> selected() const;  // the selected rows in ascending order
 
  signals:
   void new_asked();
   void copy_asked();
   void remove_asked();
-  void picked();  // a row was clicked, if only the one in hand
+  void picked();  // a row was clicked, which may be the current one already
 
  private:
   void show_current();

@@ -66,11 +66,11 @@ QSize PanelScroll::minimumSizeHint() const {
 }
 
 bool PanelScroll::eventFilter(QObject* object, QEvent* event) {
-  // QScrollArea watches its page for the same event to resize it.
+  // QScrollArea filters the events of its page; by this one it learns that the page needs another size.
   if (object == widget() && event->type() == QEvent::LayoutRequest) {
     updateGeometry();
-    // The height is asked for before the parts inside have told that theirs is another: once more when they
-    // have.
+    // QScrollArea asks for the height of the page before all parts of the page have announced their new
+    // heights. It is therefore asked once more, when they have.
     QTimer::singleShot(0, this, [this] {
       QWidget* page = widget();
       if (page == nullptr || page->layout() == nullptr) return;

@@ -10,7 +10,7 @@
 
 namespace etak::editor {
 
-/// A combo box that lets the wheel scroll the page around it, unless it has the focus.
+/// A combo box that leaves the wheel to the page around it, unless it has the focus.
 class QuietComboBox : public QComboBox {
   Q_OBJECT
 
@@ -21,16 +21,16 @@ class QuietComboBox : public QComboBox {
   void wheelEvent(QWheelEvent* event) override;
 };
 
-/// A titled part of a panel, with rows of a name and a field.
+/// A part of a panel with a title, and rows that have a name and a field.
 class Section : public QGroupBox {
   Q_OBJECT
 
  public:
   explicit Section(const QString& title, QWidget* parent = nullptr);
-  /// The name becomes the field's accessible name where it has none.
+  /// Adds a row. The name becomes the accessible name of the field where that has none.
   void add(const QString& name, QWidget* field);
   void add(QWidget* wide);
-  /// The field below its name: for wide ones.
+  /// Adds a wide field below its name.
   void add_below(const QString& name, QWidget* field);
   QFormLayout& rows() { return *rows_; }
 
@@ -38,7 +38,7 @@ class Section : public QGroupBox {
   QFormLayout* rows_;
 };
 
-/// A page of sections that scrolls up and down, and is never narrower than what is in it.
+/// A page of sections that scrolls up and down, and is never narrower than its content.
 class PanelScroll : public QScrollArea {
   Q_OBJECT
 
@@ -50,7 +50,8 @@ class PanelScroll : public QScrollArea {
   bool eventFilter(QObject* object, QEvent* event) override;
 };
 
-/// Small grey text of several lines.
+/// A label for grey text that is wrapped and can be selected.
+///   name   accessible name of the label
 QLabel* quiet_label(const QString& name, QWidget* parent);
 
 }  // namespace etak::editor

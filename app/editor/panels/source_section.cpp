@@ -16,8 +16,8 @@
 namespace etak::editor {
 namespace {
 
-// What is told of a measured F0; made on a worker, because every dataset of the material is solved for the
-// spread.
+// The texts about a measured F0. A worker makes them, because F0 of every dataset of the material is computed
+// for the spread.
 struct SourceText {
   QString result, body, spread, citation;
 };
@@ -170,7 +170,7 @@ void SourceSection::tell(const ProjectMaterial& material) {
   in_background(
       pool_, this, [material, library = document_.library()] { return source_text(material, *library); },
       [this, measured = material.measured](const SourceText& what) {
-        if (shown_ != measured) return;  // of an older one
+        if (shown_ != measured) return;  // the texts are about an older measurement
         result_->setText(what.result);
         body_->setText(what.body);
         body_->setVisible(!what.body.isEmpty());
@@ -198,10 +198,11 @@ void SourceSection::take() {
         illuminant_named(illuminant_->currentText().toStdString()).value_or(Illuminant::d65);
     measured.viewing.observer =
         observer_named(observer_->currentText().toStdString()).value_or(Observer::cie1931_2deg);
-    // A field that was left as it is changes nothing, not even the colours.
+    // A field that the user leaves unchanged must change nothing, not even the colours.
     if (now->measured == measured) return;
     next.measured = measured;
-    // The surface over a measured total is the assumed one, not that of what was measured before.
+    // A record of total reflectance needs an assumed F0 of the surface: the default, not that of the record
+    // before.
     if (!now->measured || now->measured->material != wanted) next.specular = ProjectMaterial{}.specular;
     try {
       next = with_measured(std::move(next), *document_.library());

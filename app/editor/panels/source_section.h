@@ -8,10 +8,10 @@
 
 namespace etak::editor {
 
-/// That `m`, which has a measurement, lets go of it, for people.
+/// The message that `m`, which has a measurement, is no longer measured.
 QString let_go_text(const ProjectMaterial& m);
 
-/// "Use measured F0 of ...": material, dataset with the spread of all of them, outside medium, illuminant,
+/// The section "Measured F0": record, dataset with the spread of all datasets, outside medium, illuminant,
 /// observer.
 class SourceSection : public Section {
   Q_OBJECT
@@ -20,7 +20,8 @@ class SourceSection : public Section {
   explicit SourceSection(Document& document, QWidget* parent = nullptr);
   ~SourceSection() override;
 
-  /// Of the material in hand, or of one that is only looked at, which cannot be edited; null: none.
+  ///   material   the current material or a previewed one; null: none
+  ///   editable   false: the fields cannot be edited, as for a preview
   void show_material(const ProjectMaterial* material, bool editable);
   void set_library();
 

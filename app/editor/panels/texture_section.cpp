@@ -64,7 +64,7 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
     row.path = new PathEdit(box);
     row.path->setPlaceholderText(tr("drop a picture here"));
     row.path->setAccessibleName(tr("%1 texture, file").arg(title));
-    row.path->setAcceptDrops(false);  // the row takes drops: a line would paste the address
+    row.path->setAcceptDrops(false);  // the row takes dropped files; a line would paste their address
     line->addWidget(row.path, 1);
     const auto button = [&](const QString& label, const QString& tip) {
       auto* tool_button = new QToolButton(box);
@@ -157,7 +157,6 @@ void TextureSection::show_material(const ProjectMaterial* m) {
     Row& row = rows_[static_cast<std::size_t>(channel)];
     const bool has = m != nullptr && m->texture(channel).has_value();
     const QString path = has ? qt_text(m->texture(channel)->path) : QString();
-    // A long path shows its end, where the file's name is.
     if (row.path->text() != path) row.path->setText(path);
     row.path->setToolTip(path);
     row.clear->setEnabled(has);

@@ -10,15 +10,16 @@ namespace etak::editor {
 
 class PathEdit;
 
-/// A picture file for each of the four channels: by dialog, by dropping a file on the row, by a typed name.
+/// A picture file for each of the four channels. The user chooses it in a dialog, drops it on the row, or
+/// types its path.
 class TextureSection : public Section {
   Q_OBJECT
 
  public:
   explicit TextureSection(Document& document, QWidget* parent = nullptr);
   void show_material(const ProjectMaterial* material);  // null: none
-  /// Puts pictures to the channels that their names tell ("crate_gloss.png"); those that tell none go to
-  /// `other`.
+  /// Assigns pictures to the channels that their names tell ("crate_gloss.png"); pictures whose names tell
+  /// none get the channel `other`.
   void take_files(const QStringList& paths, Channel other);
 
  signals:
@@ -39,7 +40,7 @@ class TextureSection : public Section {
   std::array<Row, all_channels.size()> rows_;
 };
 
-/// The channel that a file's name tells, if any.
+/// The channel that the name of a file tells, if any.
 std::optional<Channel> channel_of_name(const QString& path);
 
 }  // namespace etak::editor

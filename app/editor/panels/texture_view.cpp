@@ -18,7 +18,7 @@
 namespace etak::editor {
 namespace {
 
-constexpr int most_side = 1024;  // of what is looked at
+constexpr int most_side = 1024;  // larger pictures are reduced to this side
 constexpr std::size_t most_texels = std::size_t{128} << 20;
 
 struct Loaded {
@@ -148,7 +148,7 @@ void TextureView::load() {
     if (had) emit textures_changed();
     return;
   }
-  // Names, models and the like change no texel.
+  // The texels do not depend on the name, the models and their parameters.
   ProjectMaterial key = *m;
   key.name.clear();
   key.specular_model.clear();

@@ -13,7 +13,8 @@ namespace etak::editor {
 
 class QuietComboBox;
 
-/// A channel of the material's textures, flat. The wheel zooms, a drag moves, a double click fits.
+/// A flat picture of one channel of the material's textures. The wheel zooms, a drag moves the picture, a
+/// double click fits it into the widget.
 class TextureView : public QWidget {
   Q_OBJECT
 
@@ -21,10 +22,11 @@ class TextureView : public QWidget {
   explicit TextureView(Document& document, QWidget* parent = nullptr);
   ~TextureView() override;
   void show_channel(Channel channel);
-  /// Told when the pair was read, for the viewport.
+  /// The textures for the viewport; null where there are none. textures_changed() is emitted when they are
+  /// read.
   const std::shared_ptr<const SurfaceTextures>& textures() const { return textures_; }
   bool is_busy() const { return reading_; }
-  /// What is told of the pictures: their size, or why there are none.
+  /// The text about the pictures: their size, or why there are none.
   QString summary() const;
 
  signals:

@@ -130,7 +130,8 @@ void ViewPanel::fill_displays() {
   const ProjectView& view = document_.project().view;
   if (view.config == filled_config_) return;
   filled_config_ = view.config;
-  // etak's own config is at hand; a file may lie on a share that is slow to answer.
+  // etak's own config is part of the program. A file may lie on a network share that is slow to answer, so a
+  // worker reads it.
   if (view.config.empty()) return show_displays(read_displays(""));
   ReadDisplays until_read;
   if (!view.display.empty()) until_read.displays = {{view.display, {view.view}}};

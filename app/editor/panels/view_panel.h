@@ -16,16 +16,16 @@ namespace etak::editor {
 class NumberField;
 class QuietSpinBox;
 
-/// Exposure, display, shape, comparison, overlays.
+/// Fields for exposure, display, shape, comparison and overlays.
 class ViewPanel : public PanelScroll {
   Q_OBJECT
 
  public:
-  /// `look` is the window's: it is changed here, and look_changed() told.
+  ///   look   belongs to the window; the panel changes it and emits look_changed()
   ViewPanel(Document& document, Look& look, QWidget* parent = nullptr);
   ~ViewPanel() override;
   void show_look();
-  /// What the viewport says of the patch under the cursor.
+  /// Shows the viewport's text about the patch under the cursor.
   void show_patch(const QString& text);
 
  signals:

@@ -13,7 +13,7 @@
 namespace etak {
 namespace {
 
-// Dots show how densely a table was sampled; more than this and they merge into a line.
+// Dots show how densely a table was sampled; more dots than this would merge into a line.
 constexpr std::size_t most_dots = 60;
 
 // ---- plots
@@ -31,11 +31,11 @@ PlotAxis wavelength_axis() {
   return {"wavelength, nm", grid_first_nm, grid_last_nm, {400, 500, 600, 700, 800}};
 }
 
-// One entry per dataset; the preferred one last, so that it is drawn on top.
+// The curves of one dataset.
 struct Drawn {
   OpticsCurves curves;
   std::string title;
-  bool bold;
+  bool bold;  // the preferred dataset
 };
 
 void add_curve(LinePlot& plot, const Drawn& drawn, const std::vector<double>& nm,
@@ -47,8 +47,8 @@ void add_curve(LinePlot& plot, const Drawn& drawn, const std::vector<double>& nm
       {nm, y, std::move(css_class), std::string(what) + ", " + drawn.title, on_right, false});
 }
 
-// The preferred table's own samples on its curve; values are at 1 nm and at the ends, so a sample between is
-// interpolated.
+// Draws the rows of the preferred table as dots on its curve. The curve has a point every nanometre and at
+// the ends of the data; a row between two points gets the value that is interpolated there.
 void add_dots(LinePlot& plot, const Drawn& drawn, const std::vector<double>& nm, const std::vector<double>& y,
               std::string css_class) {
   if (!drawn.bold || drawn.curves.sample_nm.size() > most_dots || nm.empty()) return;
@@ -123,6 +123,7 @@ void append_plots(std::string& out, const MaterialReport& report, const F0Option
     const Dataset& dataset = material.datasets[i];
     all.push_back({curves_of(dataset.optics, options), dataset.id, i == material.preferred});
   }
+  // The preferred dataset comes last, so that it is drawn over the others.
   std::stable_partition(all.begin(), all.end(), [](const Drawn& drawn) { return !drawn.bold; });
   out += "<div class=\"plots\">";
   append_index_plot(out, material.name, all);
@@ -156,7 +157,7 @@ std::string three(const LinearRgb& c) {
   return fixed(c.r, 4) + " " + fixed(c.g, 4) + " " + fixed(c.b, 4);
 }
 
-// Tenths of a nanometre below 1000 nm: nobody chooses a dataset by more.
+// Tenths of a nanometre below 1000 nm, whole nanometres above: enough to choose a dataset by.
 std::string range_text(double first_nm, double last_nm) {
   const auto text = [](double nm) { return nm < 1000 ? number(std::round(10 * nm) / 10, 6) : fixed(nm, 0); };
   return text(first_nm) + "–" + text(last_nm);
@@ -263,7 +264,7 @@ void append_sources(std::string& out, const MaterialReport& report) {
   out += "</ul>\n";
 }
 
-// In words, each once, with the datasets it is about.
+// The meaning of each flag in words, with the datasets that have it.
 void append_flags_in_words(std::string& out, const MaterialReport& report) {
   Flags seen;
   for (const F0Result& result : report.results) seen |= result.flags;

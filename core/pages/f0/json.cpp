@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The JSON forms of an F0 report, as resources/schema/f0.schema.json describes them. Written directly:
-// std::to_chars gives the shortest text that reads back equal, and a colour stays on one line.
+// The JSON forms of an F0 report, as resources/schema/f0.schema.json describes them. No JSON library writes
+// them: std::to_chars gives the shortest text that reads back equal, and a colour stays on one line.
 #include <array>
 
 #include "core/base/json_text.h"
@@ -18,7 +18,7 @@ constexpr std::string_view schema_name = "etak-f0/1";
 
 // ---- values as text
 
-// The values of colour beside those of json_text.h.
+// Overloads for colours, beside those of json_text.h for numbers and text.
 using etak::json;
 
 std::string json(const LinearRgb& c) {
@@ -49,7 +49,7 @@ using Member = JsonMember;
 
 std::vector<Member> policy_members(const F0Options& o) {
   const Viewing d65{o.viewing.observer, Illuminant::d65};
-  // The white of the exact method depends on the data's knots by rounding only.
+  // The white of the exact method does not depend on the knots of the data, but for rounding.
   const auto white_of = [&](Viewing viewing) {
     if (o.method == Method::exact) return to_xyz(make_exact_quadrature(viewing, {}).white());
     return to_xyz(make_quadrature(samples_rgb(o.method) ? Method::nm1 : o.method, viewing).white());
@@ -88,7 +88,7 @@ std::vector<Member> policy_members(const F0Options& o) {
 // ---- results
 
 std::string json_coverage(const Coverage& c) {
-  if (c.last_nm <= 0) return "null";  // the data could not be read into a range
+  if (c.last_nm <= 0) return "null";  // the data were refused before their range was known
   return json_object({{"x", json(c.weight[0])},
                       {"y", json(c.weight[1])},
                       {"z", json(c.weight[2])},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands below a table of F0 for who asks: what its flags mean, and how its numbers were computed.
+// The text below a table of F0: what its flags mean, and how its numbers were computed.
 #include <algorithm>
 
 #include "core/base/text.h"
@@ -17,7 +17,7 @@ void append_meanings(std::string& out, std::span<const F0Row> rows, std::size_t 
   seen.for_each([&](Flag flag) { width = std::max(width, name(flag).size()); });
   out += '\n';
   seen.for_each([&](Flag flag) {
-    // The name takes the place of the first line's blanks.
+    // The name of the flag replaces the indentation of the first line.
     std::string lines = wrapped(meaning(flag), width + 2, line_width);
     lines.replace(0, name(flag).size(), name(flag));
     out += lines;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The F0 page as a whole: head, summary table, cards, explanations. Nothing in it depends on time or place,
-// so that two runs give the same bytes.
+// The F0 page: head, summary table, cards, explanations. Nothing in it depends on the time or the machine, so
+// that two runs give the same bytes.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -22,7 +22,7 @@ struct ClassTitle {
   std::string_view material_class, title;
 };
 
-// The order of the page.
+// The classes in the order of the page.
 constexpr std::array<ClassTitle, material_classes.size()> class_titles{{{"metal", "Metals"},
                                                                         {"alloy", "Alloys"},
                                                                         {"conductor", "Other conductors"},
@@ -58,8 +58,8 @@ std::vector<F0PageGroup> grouped(std::span<const MaterialReport> materials) {
   return groups;
 }
 
-// The visible spectrum as a gradient for the bars below wavelength axes: the chromaticity of each wavelength
-// with its largest channel scaled to one, fading towards the ends where the eye sees little.
+// The visible spectrum as a gradient for the bars below wavelength axes. Each wavelength has its chromaticity
+// with the largest channel scaled to one; the gradient fades towards the ends, where the eye sees little.
 void append_spectrum_gradient(std::string& out) {
   const auto observer = matching_functions(Observer::cie1931_2deg);
   const Xyz white = to_xyz(make_quadrature(Method::nm1, Viewing{}).white());
@@ -90,7 +90,7 @@ void append_head(std::string& out, std::span<const MaterialReport> materials,
     if (!gives_f0(report.material.material_class)) ++surfaces;
     if (result.refused())
       ++refused;
-    else if (result.zone == Zone::inside)  // never of a surface
+    else if (result.zone == Zone::inside)  // surfaces have no zone
       ++inside;
   }
   out += "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">";
@@ -118,7 +118,7 @@ void append_head(std::string& out, std::span<const MaterialReport> materials,
 }
 
 void append_flag_meanings(std::string& out, std::span<const MaterialReport> materials) {
-  // All that occur, and so all that are linked to.
+  // Every flag that occurs is explained, so that every link to a flag has its target.
   Flags seen;
   for (const MaterialReport& report : materials)
     for (const F0Result& result : report.results) seen |= result.flags;

@@ -11,19 +11,20 @@
 
 namespace etak {
 
-/// What the parts of the F0 page share.
+/// Values that all parts of the F0 page use. The options must outlive it.
 class F0PageContext {
  public:
   explicit F0PageContext(const F0Options& options);
 
   const F0Options& options() const { return options_; }
 
-  /// 8-bit sRGB of the result's F82; none for reflectance data and for spaces etak cannot turn into sRGB.
+  /// F82 of a result in 8-bit sRGB. None for reflectance data, which have no F82, and for custom spaces,
+  /// whose conversion to sRGB is not known.
   std::optional<Srgb8> edge_codes(const F0Result& result) const;
 
  private:
   const F0Options& options_;
-  std::optional<Mat3> to_srgb_;  // from the options' space
+  std::optional<Mat3> to_srgb_;  // from the linear space of the options
 };
 
 /// The materials of one class, sorted by name.
@@ -32,7 +33,8 @@ struct F0PageGroup {
   std::vector<const MaterialReport*> members;
 };
 
-/// `prefix` and `text` with everything but letters, digits, '-' and '_' made '-': the id of an element.
+/// The id of an HTML element: `prefix`, then `text` with '-' in place of each character that is no letter,
+/// digit or '_'.
 std::string anchor(std::string_view prefix, std::string_view text);
 
 /// The result of the preferred dataset.
@@ -41,15 +43,15 @@ const F0Result& preferred_result(const MaterialReport& report);
 /// "255 226 155"
 std::string codes_text(const Srgb8& codes);
 
-/// Largest CIEDE2000 difference between the preferred dataset and any other; 0 for one dataset or a refused
-/// one.
+/// Largest CIEDE2000 difference between F0 of the preferred dataset and of any other; 0 where there is no
+/// other or the preferred one was refused.
 double largest_difference(const MaterialReport& report);
 
-/// Short names of the flags of `result`, each linked to its explanation; the reason of a refusal behind them.
+/// Short names of the flags of `result`, each with a link to its explanation, then the reason of a refusal.
 void append_flags(std::string& out, const F0Result& result);
 
-/// Every F0's luminance as a dot on a line, in lanes of conductors, semiconductors and dielectrics; the
-/// forbidden zone shaded. Surfaces have no F0 and no dot.
+/// An SVG with a dot for every material at the luminance of its F0, in one lane each for conductors,
+/// semiconductors and dielectrics. The forbidden zone is shaded. Surfaces have no F0 and therefore no dot.
 void append_luminance_strip(std::string& out, std::span<const F0PageGroup> groups);
 
 /// One row per material, one <tbody> per class.

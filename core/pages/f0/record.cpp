@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The record of one material: what it is, how far its datasets agree, and each dataset with its F0, sample
-// and source.
+// The record of one material: its names and class, how far its datasets agree, and each dataset with its F0,
+// sample and source.
 #include <algorithm>
 #include <variant>
 
@@ -20,7 +20,7 @@ std::string three_numbers(const std::array<double, 3>& values, int digits) {
   return joined(values, " ", [digits](double value) { return number(value, digits); });
 }
 
-// "label     text", indented; nothing for an empty text.
+// Appends an indented line "label     text"; nothing for an empty text.
 void append_labelled(std::string& out, std::size_t indent, std::size_t width, std::string_view label,
                      std::string_view text) {
   if (!text.empty()) append(out, std::string(indent, ' '), padded(label, width), line_text(text), '\n');
@@ -50,7 +50,7 @@ std::string data_line(const Dataset& dataset, const Coverage& coverage) {
   return out;
 }
 
-// ", above the forbidden zone"; nothing of a surface.
+// ", above the forbidden zone"; empty for a surface.
 std::string zone_text(const F0Result& result) {
   if (!result.zone) return {};
   return ", " + std::string(name(*result.zone)) + " the forbidden zone" +
@@ -105,7 +105,7 @@ void append_spread(std::string& out, const Spread& range) {
                channel("b ", range.least8.b, range.most8.b));
 }
 
-// A JSON document made by another function, as a member of a larger one.
+// A JSON document, indented to stand as a member of a larger one.
 std::string nested(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
   std::string out;

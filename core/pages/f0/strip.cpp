@@ -10,12 +10,12 @@
 namespace etak {
 namespace {
 
-constexpr double strip_width = 1120, first_x = 130, last_x = 1090;
-constexpr double radius = 5, spacing = 10.6;
+constexpr double strip_width = 1120, first_x = 130, last_x = 1090;  // x of luminance 0 and 1
+constexpr double radius = 5, spacing = 10.6;  // of dots; least distance between their centres
 constexpr double lane_gap = 14, top = 34;
 
 struct Dot {
-  double x = 0, offset = 0;  // offset from the middle of the lane
+  double x = 0, offset = 0;  // the offset is vertical, from the middle of the lane
   const MaterialReport* report = nullptr;
 };
 
@@ -29,7 +29,7 @@ double x_of(double luminance) {
   return first_x + std::clamp(luminance, 0.0, 1.0) * (last_x - first_x);
 }
 
-// Each dot, from left to right, as near to the middle of its lane as those before it allow.
+// Moves each dot, from left to right, as near to the middle of its lane as the dots before it allow.
 void spread_out(Lane& lane) {
   std::stable_sort(lane.dots.begin(), lane.dots.end(), [](const Dot& a, const Dot& b) { return a.x < b.x; });
   for (std::size_t i = 0; i < lane.dots.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The text forms of an F0 report: CSV for programs, a table for people, and the spread between datasets.
+// The text forms of an F0 report, CSV for programs and a table for people, and the spread between datasets.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,10 +21,10 @@ constexpr std::array channel_letters{'r', 'g', 'b'};
 
 // ---- CSV
 
-// `value` with 9 significant digits, the same text as append_number(). A folder run prints twelve numbers a
-// page, so the common magnitudes are scaled to a whole number of nine digits. Its rounding is certain unless
-// the scaled value lies nearer to a tie than its own rounding error (below 1e-6); then, and for all other
-// magnitudes, the slow way.
+// Appends `value` with 9 significant digits: the same text as append_number() gives, in less time, because a
+// run over a folder prints eight such numbers a page. Values of common magnitudes are scaled and rounded to a
+// whole number of nine digits. Where the scaled value lies nearer to a tie than its own rounding error (below
+// 1e-6), the rounding is not certain: then, and for all other magnitudes, append_number() is called.
 void append_csv_number(std::string& out, double value) {
   constexpr std::array<double, 5> least{1, 0.1, 0.01, 0.001, 0.0001};
   constexpr std::array<double, 5> scale{1e8, 1e9, 1e10, 1e11, 1e12};
@@ -88,7 +88,7 @@ std::string integration_text(const IntegrationStep& step) {
   return step.within_bound ? out : out + ", above the bound";
 }
 
-// The columns that only some tables have.
+// Which of the columns that only some tables have are there.
 struct Extra {
   bool integration = false, kind = false;
 };
@@ -128,8 +128,9 @@ Cells cells_of(const F0Row& row, Extra extra) {
 constexpr std::size_t swatch_width = 6;  // with the blanks behind it
 constexpr std::size_t fold_indent = 4;
 
-// A row that is wider than `most` columns (0: any width) goes on in a line below, indented; all rows break at
-// the same columns but for the last one, which is as long as it is.
+// Appends a row, whose first `at` columns are taken by a swatch. A row that is wider than `most` columns (0:
+// any width) goes on in an indented line below. All rows break before the same cells, except for the last
+// cell, which is not padded and breaks only where its own text does not fit.
 void append_line(std::string& out, const Cells& cells, std::span<const Column> columns,
                  std::span<const std::size_t> width, std::size_t most, std::size_t at) {
   std::size_t owed = 0;  // blanks are written only before something, so that no line ends in them
@@ -228,7 +229,7 @@ std::string f0_table(std::span<const F0Row> rows, const F0Options& options, bool
   const bool is_xyz = !options.custom_space && options.space == RgbSpace::xyz;
   const std::array<std::string, 3> channel =
       is_xyz ? std::array<std::string, 3>{"X", "Y", "Z"} : std::array<std::string, 3>{"r", "g", "b"};
-  // Bare tables and pages do not tell of what kind they are.
+  // Bare tables and pages of the database do not say of which kind they are: the column may be missing.
   const Extra extra{
       options.method == Method::automatic,
       std::any_of(rows.begin(), rows.end(), [](const F0Row& row) { return !row.kind.empty(); })};

@@ -29,7 +29,7 @@ std::string page_source(std::string_view text, const std::string& path) {
   try {
     return one_line(material_from_rii_page(text, path, "page").preferred_dataset().citation);
   } catch (const Error&) {
-    return {};  // the row then says why the page cannot be used; its citation is not worth a second message
+    return {};  // the row says why the page cannot be used; a second message about its citation helps nobody
   }
 }
 
@@ -123,7 +123,8 @@ F0Outcome F0Worker::answer_page(const MaterialInput& input, const F0Job& job) {
 }
 
 F0Result F0Worker::solve(OpticalConstants& constants, Flags flags, const F0Job& job) {
-  // Lent to the variant and taken back, so that the next page finds the vectors' capacity.
+  // The solver takes a variant: the constants are moved into one and back, so that the next page can use the
+  // memory of their vectors.
   Optics optics = std::move(constants);
   F0Result result = job.solver.solve(optics, flags, job.timed ? &times.f0 : nullptr);
   constants = std::move(std::get<OpticalConstants>(optics));

@@ -12,7 +12,7 @@
 
 namespace etak {
 
-/// Seconds per stage of an F0 run, and the bytes read; added up over threads.
+/// Seconds that each stage of an F0 run took, added up over threads, and the bytes that were read.
 struct F0StageTimes {
   double read = 0, parse = 0, print = 0;
   F0Timing f0;
@@ -21,35 +21,35 @@ struct F0StageTimes {
   F0StageTimes& operator+=(const F0StageTimes& other);
 };
 
-/// What all workers of a run share.
+/// Values that all workers of a run share.
 struct F0Job {
   const F0Solver& solver;
   TableOptions tables;
   bool axis_average = false;
-  bool with_source = false;  // fill F0Row::source; pages are then read a second time for their citation
+  bool with_source = false;  // fill in F0Row::source: pages are then parsed a second time for their citation
   bool timed = false;
 };
 
-/// What came of one input.
+/// The result for one input.
 struct F0Outcome {
   enum class Kind {
     answered,   // `row` holds a result, possibly a refused one
     nonlinear,  // a database file of n2 data: no page
     other,      // a database file without optical constants: no page
-    prose       // a text of a folder that is no table
+    prose       // a text file of a folder that holds no table
   };
   Kind kind = Kind::answered;
-  bool without_optics = false;  // a page that is refused because it gives no n: nothing of it can be shown
+  bool without_optics = false;  // the page gives no n and is refused: it has no curves to show
   F0Row row;
 };
 
-/// Answers inputs one after the other, on one thread, with buffers it keeps.
+/// Computes F0 of inputs one after the other, on one thread; its buffers are used again for the next input.
 class alignas(64) F0Worker {
  public:
   /// Throws Error for input that cannot be read or understood.
   F0Outcome answer(const MaterialInput& input, const F0Job& job);
 
-  /// Adds the time since the last lap to `stage`; nothing when the job is not timed.
+  /// Adds the time since the last lap to `stage`; does nothing where the job is not timed.
   void lap(double& stage, const F0Job& job);
   void start_lap(const F0Job& job);
 

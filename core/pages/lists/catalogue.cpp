@@ -12,7 +12,7 @@ namespace {
 
 constexpr int list_digits = 9;
 
-// A swatch, or as many blanks where there is no colour, and a blank.
+// A swatch of two columns and a blank; only blanks where there is no colour.
 std::string swatch_cell(const F0Result& result) {
   return (result.refused() ? "  " : swatch(result.srgb8, 2)) + " ";
 }

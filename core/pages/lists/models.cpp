@@ -25,7 +25,7 @@ bool is_default(const Model& model) {
   return model.id == default_diffuse || model.id == default_specular;
 }
 
-// A row of the table and of the CSV: models, terms and light rows alike.
+// A row of the table and of the CSV: a model, a term or a kind of light.
 struct ModelRow {
   std::string_view id, kind, reciprocal, conserves, note, title, source;
   std::string parameters;

@@ -7,7 +7,7 @@
 namespace etak {
 namespace {
 
-// What the number behind the name is: "metal, F0", "surface, diffuse colour".
+// The class of the material, and what its colour is: "metal, F0", "surface, diffuse colour".
 std::string what_is(const Material& material) {
   const bool body = !gives_f0(material.material_class);
   return material.material_class + (body ? ", diffuse colour" : ", F0");
@@ -26,7 +26,7 @@ std::string remark_text(const NameAnswer& answer) {
   return out;
 }
 
-// '|' would end a cell, and '<' begin HTML.
+// Escapes '|', which would end a cell, and '<', which would begin HTML.
 std::string markdown_cell(const std::string& text) {
   std::string out;
   for (const char c : line_text(text)) append(out, c == '|' ? "\\|" : c == '<' ? "&lt;" : std::string(1, c));

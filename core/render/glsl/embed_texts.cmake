@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DROOT=... -DOUT=... -DNAMES="brdf/a.glsl;..." -P embed_texts.cmake: writes a C++ source that holds the named texts
-# (below core, or shaders/* below resources), in this order, as raw string literals.
+# cmake -DROOT=... -DOUT=... -DNAMES="brdf/a.glsl;..." -P embed_texts.cmake Writes a C++ source that holds the
+# named texts (below core; shaders/* below resources) as raw string literals, in this order.
 set(rows "")
 foreach(name IN LISTS NAMES)
   if(name MATCHES "^shaders/")

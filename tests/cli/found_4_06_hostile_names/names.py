@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sends hostile names through every verb and every form of output: names.py materials | files | options | pictures.
 
-Each name holds what a terminal, the log of a build, a spreadsheet or a browser would act on. The names come in as
-file names, material names, JSON keys, ids of datasets and values of options. Whatever etak writes must show them
-without acting; JSON must hold them as they are.
+Each name holds characters that a terminal, the log of a build, a spreadsheet or a browser would interpret.
+The names are used as file names, material names, JSON keys, ids of datasets and values of options. The output
+of etak must show them in a harmless form; JSON must hold them unchanged.
 """
 import csv
 import io
@@ -20,7 +20,7 @@ import zlib
 SCRIPT = "<script>alert(1)</script>"
 TAIL = ("\x1b]0;t\x07\x1b[31m\x9b1m\x85\u202e\u2066\u2028\x7f\n::error file=x::y\r\n  ##[error]z\t" + SCRIPT +
         "\"'`|%0A*/ --> \\")
-# What a cell or a line must not begin with, before the rest.
+# Each name begins with characters that a cell or a line must not begin with.
 NAMES = ["=1+1" + TAIL, "::error file=x::" + TAIL, "@a, b" + TAIL, "\t+c;d" + TAIL]
 FILES = [name.replace("/", "") for name in NAMES]
 ASKED = ["\x1b[31m\n::error file=x::y", "::error::\u202e", "##[error]\x9bx"]
@@ -35,7 +35,7 @@ def complain(what, args, found):
 
 
 def check_text(args, stream, text):
-    """No character that acts, no line and no word that a build service takes for a command."""
+    """Finds control characters, and lines or words that a build service takes for a command."""
     for found in ACTIVE.findall(text):
         complain(stream + " holds U+%04X" % ord(found), args, text)
         break
