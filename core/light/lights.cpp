@@ -50,8 +50,8 @@ struct Checker {
   }
 };
 
-// The unit vector at an elevation above the horizon and at an azimuth that counts from +z (the camera) towards
-// +x (the right).
+// The unit vector at an elevation above the horizon and at an azimuth that counts from +z (the camera)
+// towards +x (the right).
 Vec3 towards(double elevation_deg, double azimuth_deg) {
   const double degree = 3.14159265358979323846 / 180;
   const double up = elevation_deg * degree, right = azimuth_deg * degree;
