@@ -24,8 +24,8 @@ class Camera {
   const Mat3& axes() const { return axes_; }
   double centre_column() const { return centre_column_; }  // column of x = 0, from the left
   double centre_row() const { return centre_row_; }        // row of y = 0, from the top
-  /// The map from the picture to a turned quad, in homogeneous coordinates. It takes (x, y, 1) to (a, b, c): the
-  /// place on the quad is (a / c, b / c), and c is above 0 where the place is in front of the camera.
+  /// The map from the picture to a turned quad, in homogeneous coordinates. It takes (x, y, 1) to (a, b, c):
+  /// the place on the quad is (a / c, b / c), and c is above 0 where the place is in front of the camera.
   const Mat3& plane() const { return plane_; }
   /// The side of the quad that the camera sees: 1 for the front, -1 for the back.
   double facing() const { return axes_[2][2] < 0 ? -1 : 1; }
