@@ -130,8 +130,8 @@ class PngBands {
 std::string png_bytes(const PngRows& image, const PngOptions& options);
 
 /// What the chunks before the image data say about a PNG file of any form; nullopt for other files. The
-/// values are not checked, except that chunks lie inside of the file. An sRGB chunk wins over gAMA, as the
-/// standard demands.
+/// values are not checked, except that chunks lie inside of the file. A colour profile wins over gAMA, and an
+/// sRGB chunk over both.
 std::optional<PictureHeader> png_header(ByteSource& bytes);
 
 /// Throws Error when a PNG file of any form is cut short or damaged: verifies the checksums of all chunks up
