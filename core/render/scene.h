@@ -124,14 +124,16 @@ enum class Transfer { srgb, power_045, square_root, linear };
 ///                 expression for r = |x| and for r = |y|
 ///   frame         tangent t = normalize(cross(y, n)), the x axis where |cross|^2 < 1e-12; bitangent
 ///                 b = cross(n, t)
-///   light         sum of f_r E nl, times pi where `pi_scaled`; hemispheres take diffuse, f0 and gloss of
-///                 `surface`
+///   light         sum of f_r E nl, times pi where `pi_scaled`; hemispheres and environment use diffuse, f0
+///                 and gloss of `surface`
 ///   opacity < 1   specular + opacity * diffuse + (1 - opacity)(1 - F(nv)) * background, where F is
 ///                 Schueler's of the luminance of surface.f0; specular is never multiplied by opacity
-///   stripes       over the object, 6 pixels wide at 45 degrees, 0.6 of which is magenta (zone) or, slanted
-///                 the other way, yellow (energy), as if lit so that they show under the exposure. With
-///                 textures both are decided per pixel, and energy is diffuse colour plus F0 above 1
-///   output        transfer(clamp to >= 0 of exposure * mix(background, object, coverage)), alpha 1
+///   stripes       over the object, 6 pixels wide at 45 degrees: 0.6 of their colour is magenta (zone) or,
+///                 with the other slant, yellow (energy), bright enough to show under the exposure. With
+///                 textures both are decided for each pixel, and energy stripes show where diffuse colour
+///                 plus F0 is above 1
+///   output        transfer(max(exposure * mix(background, object, coverage), 0)); the fourth channel is the
+///                 coverage
 struct Scene {
   Shape shape = Shape::sphere;
   SurfaceValues surface;
@@ -145,7 +147,7 @@ struct Scene {
   std::vector<float> mark_energy;  // by quick_albedo(): stripes where it is above 1; empty: no stripes
   LightSetup lights;
   double environment_turn_deg = 0;  // around y
-  std::optional<View> view;         // none: from the front, whole
+  std::optional<View> view;         // none: the whole object from the front
   bool perspective = false;         // orthographic otherwise
   double field_of_view_deg = 30;    // perspective: vertical
   double exposure = 1;              // linear factor
