@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Microfacet models from any three terms, and the evaluation of models.
+// Makes microfacet models from any three terms, and evaluates models.
 #include "core/brdf/compose.h"
 
 #include <algorithm>
@@ -15,7 +15,8 @@ void add_files(std::span<const std::string_view> from, std::vector<std::string_v
     if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
 }
 
-// Where the numbers of parameter `name` stand among those of `list`; at the end: not there.
+// Index of the first number of parameter `name` among the numbers of `list`; the count of all numbers where
+// the list has no such parameter.
 std::size_t place_of(std::string_view name, std::span<const Parameter> list) {
   std::size_t at = 0;
   for (const Parameter& each : list) {
@@ -56,7 +57,7 @@ void evaluate_piece(const Model::Compiled::Piece& piece, const evaluators::One<R
   compiled.evaluate(d, own, rgb);
 }
 
-// As brdf_microfacet() of microfacet.glsl.
+// The same product as brdf_microfacet() of microfacet.glsl.
 template <class Real, class Choose>
 void evaluate_pieces(const Model::Compiled& compiled, Choose choose, const Directions& d,
                      const double* numbers, Real rgb[3]) {
@@ -67,7 +68,8 @@ void evaluate_pieces(const Model::Compiled& compiled, Choose choose, const Direc
   for (int i = 0; i < 3; ++i) rgb[i] = std::max(rgb[i], Real(0)) * (D[0] * V[0]);
 }
 
-// The numbers of the entry. A derived one may take a quadrature, so each thread keeps the last.
+// The numbers that the entry takes: `values`, then the derived numbers. To derive a number can take a
+// quadrature, so each thread keeps the numbers of its last call.
 const double* entry_numbers(const Model& model, const double* values) {
   if (model.derived.empty()) return values;
   struct Last {

@@ -9,14 +9,16 @@
 
 namespace etak {
 
-/// How a model is evaluated: compiled as one piece, or (microfacet models that nobody named) term by term.
+/// How a model is evaluated: by functions that are compiled for it as a whole; or term by term, for
+/// microfacet models without such functions.
 struct Model::Compiled {
   decltype(evaluators::One<double>::evaluate) f64 = nullptr;
   decltype(evaluators::One<float>::evaluate) f32 = nullptr;
   decltype(evaluators::Many::evaluate) many = nullptr;
   decltype(evaluators::Many::evaluate_far) far = nullptr;
 
-  // One term of a model made of terms: where in the model's numbers (values, then derived) its own stand.
+  // One term of a microfacet model. `at` holds, for each number that the term takes, its index among the
+  // model's numbers (the values, then the derived numbers).
   struct Piece {
     const evaluators::One<double>* f64 = nullptr;
     const evaluators::One<float>* f32 = nullptr;
@@ -25,7 +27,7 @@ struct Model::Compiled {
   Piece distribution, fresnel, visibility;
 };
 
-/// A model made of three terms with all it points to.
+/// A model made of three terms, with the strings and lists that the model points to.
 struct ComposedModel {
   Model model;
   Model::Compiled compiled;
@@ -34,12 +36,12 @@ struct ComposedModel {
   std::vector<std::string_view> files;
 };
 
-/// Fills `out` (which must not move afterwards) but for id, title and claims. The V's width is the D's where
-/// both have one of that name.
+/// Fills `out` except for id, title, source and claims. `out` must not move afterwards. Where the
+/// distribution and the visibility have a parameter of the same name (the width), they share it.
 void compose(const Term& distribution, const Term& fresnel, const Term& visibility, ComposedModel& out);
 
-/// What is compiled under `name` ("brdf_lambert", "ggx_schlick_smith_ggx_height"), with null members for what
-/// is not.
+/// The functions that are compiled under `name` ("brdf_lambert", "ggx_schlick_smith_ggx_height"); null for
+/// those that are not compiled.
 Model::Compiled find_compiled(std::string_view name);
 
 }  // namespace etak

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registry. A new model is a text and a row in models.inc; a new combination of terms is a row in `microfacet_rows`,
-// and one in models.inc to have it as one vectorised loop.
+// The registry. A new model needs a text and a row in models.inc. A new combination of terms needs a row in
+// `microfacet_rows`, and one in models.inc to be compiled as one vectorised loop.
 #include "core/brdf/models.h"
 
 #include <deque>
@@ -165,8 +165,8 @@ class Registry {
     if (first == terms.npos || second == terms.npos) return nullptr;
     const std::string_view d = terms.substr(0, first), f = terms.substr(first + 1, second - first - 1);
     std::string v(terms.substr(second + 1));
-    if (v == "smith-height" ||
-        v == "smith-uncorrelated")  // of the distribution; GGX's where it has none of its own
+    // Smith's term of the distribution; that of GGX for distributions without one of their own.
+    if (v == "smith-height" || v == "smith-uncorrelated")
       v = (d.starts_with("beckmann") ? "smith-beckmann" : "smith-ggx") + v.substr(5);
     const Term* D = find_term(TermKind::distribution, d);
     const Term* F = find_term(TermKind::fresnel, f);
@@ -186,8 +186,8 @@ class Registry {
     composed.model.id = composed.id;
     composed.model.title = composed.title;
     composed.model.source = composed.source;
-    // V-grooves and Smith's G are energy-conserving for any normalised D of theirs; of other mixtures nothing
-    // is claimed.
+    // V-grooves conserve energy with any normalised D, and Smith's G with the D that it was derived for. For
+    // other mixtures nothing is claimed.
     const bool fits = V->id == "cook-torrance" || (D->id == "ggx" && V->id.starts_with("smith-ggx")) ||
                       (D->id == "beckmann" && V->id.starts_with("smith-beckmann"));
     composed.model.claims = {true, fits && D->normalised, fits ? "" : "energy of this mixture not examined"};

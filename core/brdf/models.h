@@ -10,11 +10,12 @@
 
 namespace etak {
 
-/// What a parameter of a term or model is for: how a material, a slider or a random test fills it.
+/// What a parameter of a term or model stands for. Materials, sliders and random tests choose its value by
+/// this.
 enum class Role {
   diffuse,  // diffuse colour or albedo, per channel
   f0,       // specular reflectance at normal incidence, per channel
-  f82,      // reflectance at cos 1/7, per channel (absolute or as tint: see the name)
+  f82,      // reflectance at cos 1/7, per channel: absolute, or a tint where the name says so
   n,
   k,         // complex index, per channel
   gloss,     // Schueler's g
@@ -23,14 +24,14 @@ enum class Role {
   other
 };
 
-/// A parameter: `color` ones take three numbers (red, green, blue), the others one. The range is what a
-/// slider offers and what typed values are held to; measured colours beyond it (gold's red F0 of 1.022, -0.01
-/// out of gamut) are evaluated: F is then what its curve gives, above 1 at normal incidence and falling to 1
-/// at grazing, but nowhere below 0. Where an index is made of F0 (Gulbrandsen, exact from F0) and in
-/// Schueler's bounded Optimized the reflectance is kept at or below 1. Every model stays finite and at or
-/// above 0.
+/// A parameter. Where `color` is set it takes three numbers (red, green, blue), else one. The range is what a
+/// slider offers, and typed values must lie in it. Measured colours outside of it (gold's red F0 of 1.022, or
+/// -0.01 for a colour out of gamut) are evaluated all the same: F is then what its curve gives, above 1 at
+/// normal incidence and falling to 1 at grazing, but nowhere below 0. Where an index is computed from F0
+/// (Gulbrandsen, exact from F0), and in Schueler's bounded Optimized, the reflectance is kept at or below 1.
+/// Every model stays finite and at or above 0.
 struct Parameter {
-  std::string_view name;  // as in EVAL and in files: "K", "g", "alpha"
+  std::string_view name;  // as in formulas, options and files: "K", "g", "alpha"
   std::string_view meaning;
   std::string_view unit;  // "" for pure numbers
   double min, max, initial;
@@ -38,16 +39,18 @@ struct Parameter {
   bool color;
 };
 
-/// Two directions in the frame of the surface: normal +z, tangent +x; unit vectors, away from the surface.
+/// The directions to the light (l) and to the viewer (v): unit vectors that point away from the surface, in
+/// its frame with normal +z and tangent +x.
 struct Directions {
   double lx, ly, lz, vx, vy, vz;
 };
 
-/// Kinds of terms from which a microfacet model is put together: f = D F V with V = G / (4 nl nv).
+/// The kinds of terms that a microfacet model is made of: f = D F V with V = G / (4 nl nv).
 enum class TermKind { distribution, fresnel, visibility };
 std::string_view name(TermKind kind);  // "D", "F", "V"
 
-/// What a model claims; tests hold it to that, and look for a counter-example where it claims not.
+/// What a model claims. Tests check each claim, and must find a counter-example where a model does not make
+/// it.
 struct Claims {
   bool reciprocal = true;
   bool conserves_energy = true;
@@ -63,64 +66,68 @@ std::string_view name(ModelKind kind);  // "diffuse", "specular", "both"
 
 struct Term;
 
-/// A row of the registry: all that programs, editors, reports and tests know of a model. Made in models.cpp
-/// only; lives as long as the program.
+/// A row of the registry: everything that programs, editors, reports and tests know about a model. Rows are
+/// made in models.cpp only and live as long as the program.
 struct Model {
   std::string_view id;  // "schueler-optimized-bounded"
   std::string_view title;
-  std::string_view
-      source;  // article and equation; "as printed" where the print is kept against better knowledge
+  std::string_view source;  // article and equation; "as printed" where a known error of the article is kept
   ModelKind kind = ModelKind::specular;
   Claims claims;
   std::span<const Parameter> parameters;
-  std::span<const Parameter>
-      derived;  // numbers the entry takes behind its parameters, computed from them: derive()
+  std::span<const Parameter> derived;       // numbers that the entry takes after the parameters: see derive()
   std::span<const std::string_view> files;  // GLSL texts in order of use: "brdf/schueler.glsl"
   std::string_view entry;                   // vec3 entry(Angles a, parameters in order, derived in order)
-  std::string_view
-      text;  // GLSL of the entry when it is in no file: microfacet models made of terms; else empty
-  const Term *distribution = nullptr, *fresnel = nullptr,
-             *visibility = nullptr;  // of which it is made, or null
+  std::string_view text;  // GLSL of the entry, for models made of terms; empty where a file has it
+  // The terms that the model is made of; null for models with a text of their own.
+  const Term *distribution = nullptr, *fresnel = nullptr, *visibility = nullptr;
 
-  /// f_r in 1/sr, per channel. `values` holds the parameters one behind the other, three numbers for a color
-  /// one. Zero unless both directions are above the surface and l is not -v.
+  /// f_r in 1/sr, per channel, in double. It is 0 unless both directions are above the surface and l is not
+  /// -v.
+  ///   values   value_count() numbers: the parameters in order, three numbers for each colour
   void f64(const Directions& d, const double* values, double rgb[3]) const;
 
-  /// The same text in float, with the C library's functions.
+  /// The same formula in float, with the functions of the C library.
   void f32(const Directions& d, const double* values, float rgb[3]) const;
 
-  /// `count` directions at once, f32 in vector lanes; the arrays hold x, y, z of l, then of v, one array
-  /// each. Within 1e-6 of f32 for algebraic models, 2e-5 for powers and exponentials (polynomials in place of
-  /// the C library).
+  /// f_r in float for `count` pairs of directions at once, by vector instructions.
+  ///   directions   arrays of x, y and z of l, then of x, y and z of v
+  ///   rgb          arrays for the results, one for each channel
+  ///   error        relative to f32(): 1e-6 for algebraic models, 2e-5 where powers and exponentials are
+  ///                computed (by polynomials instead of the C library)
   void f32_batch(std::size_t count, const float* const directions[6], const double* values,
                  float* const rgb[3]) const;
 
-  /// The same for a light and a viewer far away, before whom only the surface turns: what they alone decide,
-  /// all of F, is computed once. `turned` holds arrays of nl, nv and of the half vector's tangent, bitangent
-  /// and normal parts; `lh` is its cosine with the light. Call only where has_far_loop() says so: every model
-  /// with a name of its own.
+  /// The same for a light and a viewer at infinity, whose directions are the same for all points while the
+  /// surface's frame differs. F depends on these two directions alone and is computed once. Call it only
+  /// where has_far_loop() is true, as it is for every model of models().
+  ///   lh       cosine between half vector and light
+  ///   turned   arrays of nl, nv, and the half vector's tangent, bitangent and normal components
   void f32_batch_far(std::size_t count, double lh, const float* const turned[5], const double* values,
                      float* const rgb[3]) const;
   bool has_far_loop() const;
 
-  std::size_t value_count() const;    // numbers in `values`
-  std::size_t derived_count() const;  // numbers derive() writes
+  std::size_t value_count() const;    // how many numbers `values` holds
+  std::size_t derived_count() const;  // how many numbers derive() writes
 
-  /// The numbers of `derived`: ABC's constant, for one, which no GPU should compute per pixel.
+  /// Computes the numbers of `derived` from the parameters: constants, such as that of ABC, that are too
+  /// expensive for a GPU to compute at each pixel.
   void derive(const double* values, double* out) const;
 
   struct Compiled;
   const Compiled* compiled = nullptr;
 };
 
-/// The models with names of their own, in the order of the documentation.
+/// The models that have an id of their own, in the order of the documentation.
 std::span<const Model> models();
 
-/// A model by its id, or "microfacet:D,F,V" for any three terms ("microfacet:ggx,schlick,smith-ggx-height"),
-/// made when first asked for; null when there is none. Any thread may call.
+/// The model with this id; null when there is none. An id "microfacet:D,F,V" gives the model of any three
+/// terms, such as "microfacet:ggx,schlick,smith-ggx-height"; it is made when it is first asked for. Any
+/// thread may call this.
 const Model* find_model(std::string_view id);
 
-/// What to take when nothing is said: Lambert, and Schueler's Optimized with its reflectance bounded.
+/// The models that are used when the user names none: Lambert, and Schueler's Optimized with bounded
+/// reflectance.
 inline constexpr std::string_view default_diffuse = "lambert",
                                   default_specular = "schueler-optimized-bounded";
 
@@ -131,20 +138,22 @@ struct Term {
   std::span<const Parameter> parameters;
   std::span<const Parameter> derived;
   std::span<const std::string_view> files;
-  std::string_view entry;  // distribution: (parameters, derived, nh, s2); fresnel: (parameters, lh);
-                           // visibility: (a, parameters)
-  std::string_view note;   // what it is known for: "integral 1", "as printed: integral pi / 4"
+  // GLSL function, which takes (parameters, derived, nh, s2) for a distribution, (parameters, lh) for a
+  // Fresnel term and (a, parameters) for a visibility.
+  std::string_view entry;
+  std::string_view note;   // a known property: "integral 1", "as printed: integral pi / 4"
   bool normalised = true;  // distribution: the integral of D nm is 1
 
-  void f64(const Directions& d, const double* values, double rgb[3]) const;  // D and V: the same in all three
+  /// The term's value in double. A distribution or visibility gives the same number for all three channels.
+  void f64(const Directions& d, const double* values, double rgb[3]) const;
 };
 std::span<const Term> terms();
 const Term* find_term(TermKind kind, std::string_view id);
 
-/// Numbers that `parameters` take together.
+/// How many numbers the parameters take together.
 std::size_t number_count(std::span<const Parameter> parameters);
 
-/// Instruction set of f32_batch on this processor: "x86-64-v4", "x86-64-v3" or "generic".
+/// The instruction set that f32_batch() uses on this processor: "x86-64-v4", "x86-64-v3" or "generic".
 std::string_view batch_instruction_set();
 
 }  // namespace etak

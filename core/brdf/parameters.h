@@ -9,7 +9,7 @@
 
 namespace etak {
 
-/// A short list inside of a row that is known at compile time.
+/// A list of at most nine items as a compile-time constant, for the rows of the registry.
 template <class T>
 class Few {
  public:

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: every formula text of core/fresnel and core/brdf, after core/math/real_f64.h or real_f32.h
-// in the same namespace. The order is the meaning: each text uses those above it.
+// All formula texts of core/fresnel and core/brdf. There is no include guard: include this behind
+// core/math/real_f64.h or real_f32.h in the same namespace, once for each namespace. The order matters,
+// because each text uses those above it.
 #include "core/fresnel/texts.h"
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"   // not every place needs every function
-#pragma GCC diagnostic ignored "-Wunused-parameter"  // entries of one kind have one signature
+#pragma GCC diagnostic ignored "-Wunused-function"   // no including source uses every function
+#pragma GCC diagnostic ignored "-Wunused-parameter"  // entries of one kind share a signature
 // clang-format off
 #include "core/brdf/geometry.glsl"
 #include "core/brdf/gloss.glsl"

@@ -22,7 +22,8 @@ bool is_grey(const std::uint8_t* rgba, std::size_t count) {
 }  // namespace
 
 void add_texels(ChannelRange& range, Texture texture, const std::uint8_t* rgba, std::size_t count) {
-  // Sixteen texels side by side: plain loops that the compiler puts into vector lanes.
+  // Sixteen texels are compared side by side, in plain loops that the compiler turns into vector
+  // instructions.
   constexpr std::size_t lanes = 64;
   std::uint8_t least[lanes], most[lanes];
   std::memset(least, 255, lanes);

@@ -11,7 +11,7 @@
 namespace etak {
 namespace {
 
-// Copies one texel over `count` places.
+// Writes one texel `count` times, side by side.
 template <class Value>
 void repeat(const Value* texel, Value* out, int count, int channels) {
   for (int i = 0; i < count; ++i)
@@ -22,7 +22,9 @@ void repeat(const Value* texel, Value* out, int count, int channels) {
 // Four lanes: linear R, G, B and a fourth value.
 using Float4 = float __attribute__((vector_size(16)));
 
-// The mean of what is visible in a block. Fourth lanes: of A 1 where anything is, else 0; of B 1/e.
+// The mean of the visible texels of a block, one vector for each texture. The fourth lane of `a` counts the
+// visible parts: after divide() it is 1 where any is visible and 0 where none is. The fourth lane of `b` is
+// 1/e.
 struct Block {
   Float4 a{}, b{};
 
@@ -50,8 +52,8 @@ BlockLevel level_above(int width, int height) {
   return out;
 }
 
-// The first level over texels.
-//   texel   gives a column's and row's Block, all zero where hidden
+// The first level of blocks, made from texels.
+//   texel   gives the Block of the texel at a column and row, all zero where its alpha is 0
 template <class Texel>
 BlockLevel pulled(int width, int height, const Texel& texel) {
   BlockLevel out = level_above(width, height);
@@ -76,11 +78,11 @@ BlockLevel pulled(BlockLevel& below) {
   return out;
 }
 
-// Blocks of `base` without anything visible get the value of the smallest block above them that has it.
+// Gives each block of `base` without visible texels the value of the smallest visible block above it.
 void push(BlockLevel& base) {
   std::vector<BlockLevel> levels;
   levels.push_back(std::move(base));
-  // Levels are needed up to the one where all blocks have something visible in them.
+  // Levels are needed up to the first one whose blocks are all visible.
   const auto has_hole = [](const BlockLevel& level) {
     return std::any_of(level.blocks.begin(), level.blocks.end(),
                        [](const Block& block) { return block.a[3] == 0; });
@@ -93,7 +95,7 @@ void push(BlockLevel& base) {
   base = std::move(levels[0]);
 }
 
-// Texels as the lanes of a Block, and back.
+// Turns texels into the lanes of a Block, and lanes back into values of a texel.
 template <class Value>
 struct Lanes;
 
@@ -164,7 +166,7 @@ std::size_t bleed_under_alpha(const PixelsViewOf<Value>& a, const PixelsViewOf<V
 
   for (int y = 0; y < a.height; ++y) {
     Value *row_a = a.row(y), *row_b = b.data == nullptr ? nullptr : b.row(y);
-    int filled_column = -1;  // of blocks; its values are in these two
+    int filled_column = -1;  // column of the block whose values are in value_a and value_b
     Value value_a[3]{}, value_b[4]{};
     for (int x = 0; x < a.width; ++x) {
       if (row_a[4 * x + 3] != 0) continue;

@@ -22,8 +22,8 @@ namespace etak {
 namespace {
 
 using std::numbers::pi;
-constexpr double color_power = 0.7, knee_in = 0.4, knee_out = 0.95;  // q_c, p_c, p_t
-constexpr double feature_width_deg = 0.082, feature_power = 0.5;     // w, q_f
+constexpr double color_power = 0.7, knee_in = 0.4, knee_out = 0.95;  // q_c, p_c and p_t of the paper
+constexpr double feature_width_deg = 0.082, feature_power = 0.5;     // w and q_f of the paper
 
 using Plane = std::vector<double>;
 
@@ -37,13 +37,14 @@ const Mat3& from_xyz_matrix() {
   return matrix;
 }
 
-// Weights for pixels -radius..radius.
+// Filter weights for the pixels -radius..radius.
 struct Taps {
   Plane weights;
   int radius() const { return static_cast<int>(weights.size() / 2); }
 };
 
-// Runs `taps` over the rows (`across`) or the columns of a plane; what lies outside is the nearest pixel.
+// Runs `taps` along the rows (where `across`) or along the columns of a plane. Places outside of the plane
+// have the value of the nearest pixel.
 Plane filtered(const Plane& plane, int width, int height, const Taps& taps, bool across) {
   const int radius = taps.radius();
   const auto w = static_cast<std::size_t>(width);
@@ -80,19 +81,20 @@ double sum_of(const Taps& taps) {
   return sum;
 }
 
-// All channels' filters end where the widest one does.
+// The filters of all channels have the radius of the widest one.
 int sensitivity_radius(double pixels_per_degree) {
   const double widest = std::max({flip_achromatic.b1, flip_red_green.b1, flip_blue_yellow.b1});
   return static_cast<int>(std::ceil(3 * std::sqrt(widest / (2 * pi * pi)) * pixels_per_degree));
 }
 
-// A Gaussian of two dimensions is the product of two of one; a sum of two has to be run one by one.
+// The plane filtered by a channel's contrast sensitivity. A two-dimensional Gaussian is separable, a sum of
+// two Gaussians is not, so each term is run on its own.
 Plane seen_through(const FlipSensitivity& s, const Plane& plane, int width, int height,
                    double pixels_per_degree) {
   const int radius = sensitivity_radius(pixels_per_degree);
   struct Part {
     Taps taps;
-    double scale;  // of the product of both directions
+    double scale;  // factor of the two-dimensional Gaussian
   };
   std::vector<Part> parts;
   double total = 0;
@@ -118,7 +120,7 @@ Plane seen_through(const FlipSensitivity& s, const Plane& plane, int width, int 
   return out;
 }
 
-// Positive weights sum to 1, negative ones to -1.
+// Scales the weights so that the positive ones sum to 1 and the negative ones to -1.
 Taps balanced(Taps taps) {
   double above = 0, below = 0;
   for (const double weight : taps.weights) (weight > 0 ? above : below) += weight;
@@ -142,8 +144,9 @@ FeatureTaps feature_taps(double pixels_per_degree) {
   return out;
 }
 
-// Length of the gradient that `derivative` gives along rows and along columns. `blurred_rows`: grey after the
-// blur along rows.
+// Length of the gradient whose two components are `grey` filtered by `derivative` along rows and along
+// columns.
+//   blurred_rows   `grey` after the blur along rows
 Plane strength(const Plane& grey, const Plane& blurred_rows, int width, int height, const Taps& blur,
                const Taps& derivative) {
   const Plane across = filtered(filtered(grey, width, height, derivative, true), width, height, blur, false);
@@ -163,7 +166,7 @@ double hyab(const Lab& p, const Lab& q) {
   return std::abs(p.l - q.l) + std::sqrt((p.a - q.a) * (p.a - q.a) + (p.b - q.b) * (p.b - q.b));
 }
 
-// Green against blue: the largest distance in sRGB.
+// The largest distance between two colours of sRGB, which is that between green and blue.
 double largest_difference() {
   static const double largest =
       std::pow(hyab(hunt_adjusted({0, 1, 0}), hunt_adjusted({0, 0, 1})), color_power);
@@ -186,7 +189,7 @@ FlipView view_of(int width, int height, double pixels_per_degree, std::array<Pla
   out.pixels_per_degree = pixels_per_degree;
   const std::size_t count = rgb[0].size();
 
-  // To YCxCz, in place.
+  // Converts the planes to YCxCz in place.
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 xyz = to_xyz_matrix() * Vec3{rgb[0][i], rgb[1][i], rgb[2][i]};
     const double x = xyz[0] / d65.x, y = xyz[1] / d65.y, z = xyz[2] / d65.z;
@@ -208,7 +211,8 @@ FlipView view_of(int width, int height, double pixels_per_degree, std::array<Pla
   for (std::size_t i = 0; i < count; ++i) {
     const double y = (out.l[i] + 16) / 116, x = y + out.a[i] / 500, z = y - out.b[i] / 200;
     Vec3 blurred = from_xyz_matrix() * Vec3{x * d65.x, y * d65.y, z * d65.z};
-    // The channels are blurred by different widths: what comes out need not be a colour of the display.
+    // The channels are blurred by different widths, so the blurred colour can lie outside of the display's
+    // gamut.
     for (double& channel : blurred) channel = std::clamp(channel, 0.0, 1.0);
     const Lab lab = hunt_adjusted(blurred);
     out.l[i] = lab.l;
@@ -267,7 +271,7 @@ FlipError flip(const FlipView& reference, const FlipView& test) {
                                              std::abs(reference.points[i] - test.points[i])) /
                                         std::numbers::sqrt2,
                                     feature_power);
-    // 0^0 would be 1: without a difference of colour there is none.
+    // pow(0, 0) would give 1, but where the colours do not differ, nothing differs.
     out.map[i] = color == 0 ? 0 : std::pow(color, std::max(0.0, 1 - feature));
     sum += out.map[i];
   }

@@ -7,35 +7,39 @@
 
 namespace etak {
 
-/// A display 0.7 m wide with 3840 pixels seen from 0.7 m: 67.02 pixels per degree of sight, what FLIP is
-/// published for.
+/// Pixels per degree of visual angle for which FLIP is published: 67.02, a display 0.7 m wide with 3840
+/// pixels seen from 0.7 m.
 inline constexpr double flip_pixels_per_degree = 3840 * 3.14159265358979323846 / 180;
 
-/// A picture as an eye sees it from a distance, for flip(). Planes of width x height, rows from the top.
+/// A picture as an eye sees it from a distance, prepared for flip(). Each plane has width x height values,
+/// rows from the top.
 struct FlipView {
   int width = 0, height = 0;
   double pixels_per_degree = flip_pixels_per_degree;
-  // L*, a*, b* of the blurred picture, a* and b* times L* / 100 (Hunt: dark colours look less colourful).
+  // L*, a* and b* of the blurred picture; a* and b* are multiplied by L* / 100 (the Hunt effect: dark colours
+  // look less colourful).
   std::vector<double> l, a, b;
-  // Strength of edges and of points, of the picture before it is blurred.
+  // Strength of edges and of points, found in the picture before it is blurred.
   std::vector<double> edges, points;
 };
 
-/// The first three channels of `picture` in linear light of sRGB's primaries, clamped to [0, 1] as a display
-/// does. Throws Error for pictures with fewer channels.
+/// Prepares a picture for flip(). Throws Error for pictures with fewer than three channels and for
+/// pixels_per_degree outside of 1 to 1000.
+///   picture   the first three channels are read, as linear light with sRGB's primaries, and clamped to
+///             [0, 1] as a display clamps them; NaN counts as 0
 FlipView flip_view(const Image& picture, double pixels_per_degree = flip_pixels_per_degree);
-/// The same of sRGB codes.
+/// The same for a picture of sRGB codes.
 FlipView flip_view(const Image8& codes, double pixels_per_degree = flip_pixels_per_degree);
 
-/// The difference that is seen when two pictures alternate in one place.
+/// The difference that a person sees when two pictures alternate in one place.
 struct FlipError {
   std::vector<double> map;  // [0, 1] per pixel, rows from the top
   double mean = 0;
 };
 
-/// FLIP for displayed pictures (not HDR): 0 where nothing differs; symmetric in its arguments. Where both
-/// pictures are plain, green against blue gives 1 (the largest distance FLIP knows) and black against white
-/// 0.967.
+/// FLIP for pictures on a display (not its HDR form): 0 where nothing differs, and symmetric in its
+/// arguments. For two pictures of one uniform colour each, green against blue gives 1 (the largest distance
+/// that FLIP knows) and black against white gives 0.967.
 ///   error   arithmetic in double; filters end at 3 standard deviations, as published
 ///   from    Andersson, Nilsson, Akenine-Moeller, Oskarsson, Astroem and Fairchild 2020, "FLIP: A Difference
 ///           Evaluator for Alternating Images", Proc. ACM Comput. Graph. Interact. Tech. 3(2), article 15:
@@ -46,8 +50,9 @@ struct FlipError {
 /// Throws Error for views of different size or distance.
 FlipError flip(const FlipView& reference, const FlipView& test);
 
-/// The contrast sensitivity of one channel of YCxCz as a filter: a1 sqrt(pi / b1) exp(-pi^2 d^2 / b1) and the
-/// same of a2, b2, at d degrees from the centre; made to sum to 1 over the pixels.
+/// The contrast sensitivity of one channel of YCxCz as a filter: a1 sqrt(pi / b1) exp(-pi^2 d^2 / b1), plus
+/// the same term with a2 and b2, at d degrees from the centre. The filter is normalised to sum to 1 over the
+/// pixels.
 struct FlipSensitivity {
   double a1, b1, a2, b2;
 };

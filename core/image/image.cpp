@@ -5,7 +5,7 @@ namespace etak {
 
 Image shrunk(const Image& image, int width, int height) {
   assert(width >= 1 && width <= image.width && height >= 1 && height <= image.height);
-  // Which old pixels a new one covers, and how much of each.
+  // The old columns or rows that a new one covers: index of the first, and the share of each in the mean.
   struct Part {
     int first;
     std::vector<double> share;

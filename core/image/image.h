@@ -13,9 +13,9 @@
 namespace etak {
 
 /// A picture as numbers: rows from the top, pixels from the left, the channels of a pixel side by side.
-///   channels   1 grey, 2 grey and opacity, 3 red green blue, 4 with opacity or another fourth quantity
-///              (gloss)
-/// Colour is never multiplied by the last channel: a fourth channel need not be an opacity.
+///   channels   1: grey; 2: grey and opacity; 3: red, green, blue; 4: these and opacity or another quantity,
+///              such as gloss
+/// Colour is never multiplied by the last channel, since a fourth channel need not be an opacity.
 template <class Value>
 struct Pixels {
   int width = 0, height = 0, channels = 0;
@@ -52,17 +52,19 @@ struct Pixels {
   }
 };
 
-/// Linear light (or plain quantities), any range.
+/// Values in linear light, or quantities without a curve, of any range.
 using Image = Pixels<float>;
-/// Codes 0..255 as they are in a file; what curve they stand for is the holder's business.
+/// Codes 0..255 as they are in a file. The picture does not say which transfer curve they are encoded with.
 using Image8 = Pixels<std::uint8_t>;
+/// Codes 0..65535, likewise.
 using Image16 = Pixels<std::uint16_t>;
 
-/// Largest side etak makes or reads: with four float channels such a picture takes 4 GiB.
+/// The largest side, in pixels, of pictures that etak makes or reads. A square picture of this side with four
+/// float channels takes 4 GiB.
 inline constexpr int max_image_side = 16384;
 
-/// Copies `part` into `whole` with its left upper corner at column x, row y; both of one channel count. What
-/// lies outside is left out.
+/// Copies `part` into `whole`, with the top left corner of `part` at column x and row y. Pixels that would
+/// lie outside of `whole` are left out. Both have the same number of channels.
 template <class Value>
 void paste(const Pixels<Value>& part, int x, int y, Pixels<Value>& whole) {
   assert(part.channels == whole.channels);
@@ -73,14 +75,15 @@ void paste(const Pixels<Value>& part, int x, int y, Pixels<Value>& whole) {
                 whole.at(x + first, y + row).data());
 }
 
-/// Mean over the area that each new pixel covers, in the values' own scale (so for linear light only). The
-/// new sides are at most the old ones.
+/// The picture in a smaller size: each new pixel is the mean over the area that it covers. Values are
+/// averaged as they are, so they must be linear light.
+///   width, height   1 up to the sides of `image`
 Image shrunk(const Image& image, int width, int height);
 
-/// floor(255 v + 1/2) of values clamped to [0, 1]; NaN becomes 0.
+/// The 8-bit code of a value v: floor(255 v + 1/2) after clamping v to [0, 1]. NaN gives 0.
 std::uint8_t to_code(float value);
 
-/// A 16-bit code as the nearest one of 8 bits.
+/// The 8-bit code nearest to a 16-bit code.
 constexpr std::uint8_t rounded_code(std::uint16_t code) {
   return static_cast<std::uint8_t>((code * 255u + 32767u) / 65535u);
 }

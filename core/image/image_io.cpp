@@ -19,8 +19,8 @@ namespace {
 constexpr const char* unassociated = "oiio:UnassociatedAlpha";
 constexpr float largest_half = 65504;
 
-// A file as OpenImageIO's readers ask for it. They are handed this and no path, so that what they read is
-// what etak has opened and looked at, and nothing is mapped into memory.
+// Gives OpenImageIO's readers access to a file that etak has opened. The readers get this in place of a path,
+// so that they read the very file that etak has checked, and do not map it into memory.
 class ProxyOfFile : public OIIO::Filesystem::IOProxy {
  public:
   explicit ProxyOfFile(const SteadyFile& file) : IOProxy(file.path(), Read), file_(file) {}
@@ -39,11 +39,12 @@ class ProxyOfFile : public OIIO::Filesystem::IOProxy {
   const SteadyFile& file_;
 };
 
-// OpenImageIO's reader, over bytes in memory or a file. The reader looks at them as long as it lives.
+// A reader of OpenImageIO and what it reads from: bytes in memory, or a file. The reader uses these as long
+// as it lives.
 struct Input {
-  std::unique_ptr<SteadyFile> file;   // where there is one
-  std::unique_ptr<std::string> kept;  // its bytes, where it was read whole
-  std::string_view bytes;             // those or the caller's; empty where the reader reads the file
+  std::unique_ptr<SteadyFile> file;   // null where the caller gave bytes
+  std::unique_ptr<std::string> kept;  // the file's bytes, where it was read whole
+  std::string_view bytes;             // `kept` or the caller's bytes; empty where the reader reads the file
   std::unique_ptr<OIIO::Filesystem::IOProxy> proxy;
   std::unique_ptr<OIIO::ImageInput> reader;
 };
@@ -67,8 +68,8 @@ void check_spec(const OIIO::ImageSpec& spec, const std::string& label) {
       throw Error::at(label, "holds CMYK colours", "grey or RGB");
 }
 
-// By the format's name, so that no other reader is tried on foreign bytes. Without bytes the file is read
-// piece by piece.
+// Opens the reader of `format`. The reader is chosen by name, so that OpenImageIO tries no other reader on
+// the bytes. Where input.bytes is empty, the file is read piece by piece.
 void open_reader(Input& input, const std::string& format, const std::string& label) {
   input.reader = OIIO::ImageInput::create(format);
   if (!input.reader) {
@@ -80,7 +81,7 @@ void open_reader(Input& input, const std::string& format, const std::string& lab
   if (input.bytes.empty()) {
     input.proxy = std::make_unique<ProxyOfFile>(*input.file);
   } else {
-    // Before the decoder, which fills up what it does not find.
+    // The check comes before the decoder, which fills up missing data without an error.
     check_whole(input.bytes, format, label);
     input.proxy = std::make_unique<OIIO::Filesystem::IOMemReader>(input.bytes.data(), input.bytes.size());
   }
@@ -88,7 +89,8 @@ void open_reader(Input& input, const std::string& format, const std::string& lab
   OIIO::ImageSpec config, spec;
   config[unassociated] = 1;
   if (!input.reader->open("etak." + format, spec, config)) {
-    // Its text tells of the decoder's insides; one that nobody takes is printed at the end of the program.
+    // The error text names internals of the decoder, so it is not shown; but OpenImageIO prints a text that
+    // nobody fetches when the program ends.
     (void)input.reader->geterror();
     fail_no_picture(label, "its " + format + " header is damaged or of a form that is not read");
   }
@@ -105,8 +107,9 @@ Input open_bytes(std::string_view bytes, const std::string& label) {
   return out;
 }
 
-// Formats that can be large, and whose decoders notice an early end, are read piece by piece; formats that
-// are not known by their first bytes are left to OpenImageIO, which goes by the ending and then tries all.
+// OpenEXR and TIFF, whose files can be large and whose decoders notice an early end, are read piece by piece;
+// other known formats are read whole. For formats that etak does not know by their first bytes, OpenImageIO
+// goes by the ending of the name and then tries all its readers.
 void open_file(Input& out, const std::string& path) {
   std::string head(std::min<std::size_t>(out.file->size(), 32), '\0');
   out.file->read(0, head.data(), head.size());
@@ -132,7 +135,7 @@ void open_file(Input& out, const std::string& path) {
   check_spec(out.reader->spec(), path);
 }
 
-// Calls use(input) and looks afterwards whether the file has stayed as it was.
+// Calls use(input), and throws Error if the file has changed meanwhile.
 template <class Use>
 auto with_file(const std::string& path, Use use) {
   Input input;
@@ -175,7 +178,7 @@ Pixels<Value> read_pixels(const Input& input, const std::string& label, OIIO::Ty
   return image;
 }
 
-// The whole file, made in memory.
+// The bytes of a whole file of `format`.
 template <class Value>
 std::string encoded(const std::string& label, const Pixels<Value>& image, const char* format,
                     OIIO::TypeDesc memory_type, OIIO::ImageSpec spec) {
@@ -186,7 +189,7 @@ std::string encoded(const std::string& label, const Pixels<Value>& image, const 
     if (!output || !output->supports("ioproxy"))
       throw Error::at(label, std::string("this OpenImageIO cannot write ") + format);
     spec[unassociated] = 1;
-    // Where no time is given OpenImageIO takes the clock's, and no two runs write the same bytes.
+    // Without a date OpenImageIO writes the current time, and no two runs would write the same bytes.
     spec["DateTime"] = "1970:01:01 00:00:00";
     output->set_ioproxy(&memory);
     if (!output->open(std::string("etak.") + format, spec) ||

@@ -10,7 +10,8 @@
 namespace etak {
 namespace {
 
-// The float next to `value` on the side that keeps "at least the step" (or "at most") true for floats.
+// The least float that is not below `value`, and the largest that is not above it: floats compare with them
+// as with the value itself.
 float not_below(double value) {
   const auto near = static_cast<float>(value);
   return double{near} < value ? std::nextafter(near, std::numeric_limits<float>::infinity()) : near;
@@ -32,8 +33,8 @@ LinearTables built() {
   }
   t.srgb_step[256] = infinity;
 
-  // A slot's guess is the code at its lower end; the one step that it may hold is then looked at. For gloss,
-  // codes fall as 1/e grows.
+  // The guess of a slot is the code at its lower end; a conversion then compares with the one step that the
+  // slot may hold. For gloss, codes fall as 1/e grows.
   for (std::size_t slot = 0, code = 0; slot < t.srgb_guess.size(); ++slot) {
     const auto lower = static_cast<float>(static_cast<double>(slot) / LinearTables::srgb_slots);
     while (lower >= t.srgb_step[code + 1]) ++code;

@@ -14,7 +14,8 @@
 namespace etak {
 namespace {
 
-// The function of `decode` for `source`, a path or bytes and their label.
+// Calls a function of the door for `source`: a path, or bytes and their label. Throws Error where the door
+// has no such function.
 template <class Decode, class... Source>
 Picture decoded(const Decode& decode, const std::string& label, const Source&... source) {
   if (!decode) throw Error::at(label, "is of a form that needs a decoder of pictures", "a plain PNG");
@@ -31,14 +32,15 @@ Picture whole(PngReader& png) {
   return {header, std::move(pixels)};
 }
 
-// `count` texels of `channels` values, four of each, by code().
+// Writes each texel of `from`, which has `channels` values, as four values (see four_channels()), each
+// converted by code().
 template <class Value, class Out, class Code>
 void spread(const std::vector<Value>& from, std::size_t channels, Out* to, Value full, Code code) {
   for (std::size_t i = 0; i < from.size(); i += channels, to += 4)
     std::ranges::transform(four_channels(from.data() + i, channels, full), to, code);
 }
 
-// Looks whether the file stays as it is while its rows are read.
+// The rows of a picture; where they come from a file, throws Error if the file changes while they are read.
 class FileRows : public RowSource {
  public:
   FileRows(std::unique_ptr<SteadyFile> file, ValueRows rows)
@@ -121,7 +123,7 @@ Picture load_picture(const std::string& path, const PictureDoor& door) {
 
 Picture load_picture(const PictureFile& file, const PictureDoor& door) {
   if (!file.bytes.empty()) return load_picture(file.bytes, file.label, door);
-  (void)open_file(file.path);  // an empty one is refused
+  (void)open_file(file.path);  // throws Error for an empty file
   return load_picture(file.path, door);
 }
 
@@ -171,7 +173,7 @@ Image8 codes_of(Picture picture, bool floats_linear) {
   const auto& floats = std::get<Image>(picture.pixels).values;
   for (std::size_t i = 0; i < floats.size(); ++i) {
     const bool plain = !floats_linear || i % static_cast<std::size_t>(header.channels) == 3;
-    const float v = floats[i] > 0 ? std::min(1.0f, floats[i]) : 0;  // NaN too
+    const float v = floats[i] > 0 ? std::min(1.0f, floats[i]) : 0;  // NaN gives 0 too
     out.values[i] = plain ? to_code(v) : srgb_u8(double{v});
   }
   return out;

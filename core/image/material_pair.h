@@ -6,7 +6,7 @@
 
 namespace etak {
 
-/// Both textures of a material in memory, of one size, RGBA.
+/// Both textures of a material in memory: RGBA, of one size.
 template <class Value>
 struct PairOf {
   Pixels<Value> diffuse_alpha, specular_gloss;
@@ -18,7 +18,7 @@ struct PairOf {
   }
 };
 using MaterialPair = PairOf<std::uint8_t>;
-/// As floats: colours in linear light, alpha and gloss as they are, nothing clamped.
+/// The same as floats: colours in linear light, alpha and gloss as they are; nothing is clamped.
 using FloatPair = PairOf<float>;
 
 }  // namespace etak

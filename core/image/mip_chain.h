@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The mip chain whatever its pictures hold; for mips.cpp and mips_coverage.cpp only.
+// Parts of the mip chain that codes and floats share; for mips*.cpp and mip_rows*.cpp only.
 
 #include <algorithm>
 #include <array>
@@ -18,17 +18,17 @@
 
 namespace etak::mip_detail {
 
-/// One texel on scales that may be averaged, four lanes wide:
-///   texture A   linear R, G, B, opacity (in whatever unit the source uses)
+/// One texel as four numbers on scales that may be averaged:
+///   texture A   linear R, G, B, opacity (in the unit of the source: codes or fractions)
 ///   texture B   linear R, G, B, 1/e
-///   normals     unit normal x, y, z, 0, or slopes p, q, p^2 + q^2, 0
+///   normals     unit normal x, y, z, 0; or slopes p, q, p^2 + q^2, 0
 using Float4 = float __attribute__((vector_size(16)));
 struct Texel {
   Float4 v;
 };
 
-/// Which old texels the new one at `index` covers, and their shares: one (side 1 stays), two (even sides), or
-/// three (2k + 1 to k: each new texel is 2 + 1/k wide).
+/// The old texels that a new texel covers along one axis, and the share of each: one texel (where the side is
+/// 1 and stays 1), two (even sides), or three (odd sides, 2k + 1 to k: each new texel is 2 + 1/k wide).
 struct Taps {
   int first = 0, count = 0;
   std::array<float, 3> share{};
@@ -44,17 +44,20 @@ inline Float4 fourth_everywhere(Float4 v) {
   return __builtin_shufflevector(v, v, 3, 3, 3, 3);
 }
 
-/// `plain` is the mean of texels, `weighted` the mean of texels times their fourth lane.
+/// The mean of texels of texture A, their colours weighted by opacity.
+///   plain      mean of the texels
+///   weighted   mean of the texels times their fourth lane
 inline Float4 mean_of_a(Float4 plain, Float4 weighted) {
   const float opacity = plain[3];
-  if (!(opacity > 0)) return plain;  // nothing to see: every texel counts alike
+  if (!(opacity > 0)) return plain;  // all are transparent: every texel has the same weight
   Float4 out = weighted * (1 / opacity);
   out[3] = opacity;
   return out;
 }
 
-/// 1/e is weighted by F0's luminance, which is linear in F0: the mean of Y(F0) / e is Y of the mean of F0 /
-/// e.
+/// The mean of texels of texture B, with 1/e weighted by the luminance Y of F0. Y is linear in F0, so the
+/// mean of Y(F0) / e is Y of the mean of F0 / e.
+///   plain, weighted   as in mean_of_a()
 inline Float4 mean_of_b(Float4 plain, Float4 weighted) {
   const auto y = [](Float4 c) { return luminance_of<float>(c[0], c[1], c[2]); };
   const float all = y(plain), part = y(weighted);
@@ -62,25 +65,30 @@ inline Float4 mean_of_b(Float4 plain, Float4 weighted) {
   return plain;
 }
 
-/// A row that was computed before. Sources have rows with the same three functions.
+/// A row of texels that is in memory. Rows of every Source have the same three functions, which give the
+/// texel in column x of texture A, of texture B and of the normals.
 struct StoredRow {
   const Texel *texels_a, *texels_b, *texels_n;
   Float4 a(int x) const { return texels_a[x].v; }
   Float4 b(int x) const { return texels_b[x].v; }
   Float4 n(int x) const { return texels_n[x].v; }
 };
+/// Where a new row is written.
 struct OutRow {
-  Texel *a, *b, *n;  // n null: no normals
+  Texel *a, *b, *n;  // n is null where there are no normals
 };
 
-/// The beginning of a new row whose texels cover 2 x 2, where a source has a faster way than average_rows();
-/// how many texels of a and b were made. A source that has one overloads this beside its Row.
+/// Makes the first texels of a new row whose texels cover 2 x 2 old ones, for sources that have a faster way
+/// than the plain loop of average_rows(); such a source overloads this function for its Row. Returns how many
+/// texels of textures A and B were made.
 template <class Row>
 int average_first(const std::array<Row, 3>&, int, bool, const OutRow&) {
   return 0;
 }
 
-/// The new row from those that it covers.
+/// Makes a new row from the old rows that it covers.
+///   rows     the old rows; the first across.count are used
+///   across   the shares of the old rows
 template <class Row>
 void average_rows(const std::array<Row, 3>& rows, const Taps& across, int old_width, int new_width,
                   bool weigh_by_opacity, const OutRow& out) {
@@ -88,7 +96,7 @@ void average_rows(const std::array<Row, 3>& rows, const Taps& across, int old_wi
     out.a[x].v = weigh_by_opacity ? mean_of_a(a, weighted_a) : a;
     out.b[x].v = mean_of_b(b, weighted_b);
   };
-  if (across.count == 2 && old_width == 2 * new_width) {  // nearly all texels of nearly all pictures
+  if (across.count == 2 && old_width == 2 * new_width) {  // both sides even: nearly all pictures
     for (int x = average_first(rows, new_width, weigh_by_opacity, out); x < new_width; ++x) {
       const Float4 a0 = rows[0].a(2 * x), a1 = rows[0].a(2 * x + 1);
       const Float4 a2 = rows[1].a(2 * x), a3 = rows[1].a(2 * x + 1);
@@ -130,11 +138,12 @@ void average_rows(const std::array<Row, 3>& rows, const Taps& across, int old_wi
   }
 }
 
+/// The side at a level, in texels, of a picture whose level 0 has `side`.
 inline int side_at(int side, int level) {
   return std::max(1, side >> level);
 }
 
-/// A picture of texels that stays: what the levels above the bands are made of.
+/// A whole level of texels in memory, from which the smaller levels are made.
 struct StoredPicture {
   int width = 0;
   std::vector<Texel> a, b, n;
@@ -155,26 +164,27 @@ struct StoredPicture {
   }
 };
 
-/// What is the same for the whole chain.
+/// The settings that hold for the whole chain.
 struct ChainShape {
-  int width = 0, height = 0, levels = 0;  // of level 0, and how many with it
+  int width = 0, height = 0, levels = 0;  // sides of level 0, and how many levels there are with it
   bool weigh_by_opacity = true, normals = false;
 };
 
-/// Rows of levels base + 1 .. top, each made when it is asked for from the at most three rows of the level
-/// above it, of which the last four stay: a few rows of memory for any number of levels, all in the cache.
+/// Makes the rows of levels base + 1 .. top. Each row is made when it is needed, from at most three rows of
+/// the next finer level, and each level keeps its last four rows, so that the whole cascade fits into the
+/// cache.
 template <class Source, class Sink>
 class Cascade {
  public:
-  /// sink(level, y, row) gets each row that lies in `owned` (below), once.
+  /// sink(level, y, row) is called once for each row that a call of make() hands out (see there).
   Cascade(const ChainShape& shape, int base, int top, const Source& source, const Sink& sink)
       : shape_(shape), base_(base), source_(source), sink_(sink) {
     for (int level = base + 1; level <= top; ++level)
       rings_.emplace_back().texels.resize(static_cast<std::size_t>(side_at(shape.width, level)) * 4 * 3);
   }
 
-  /// Makes rows [first, last) of level `top` and, above it, the rows that they and no earlier band needs
-  /// first.
+  /// Makes rows [first, last) of level `top`, and the rows of the finer levels that these are made from.
+  /// Hands all of them to the sink, except for rows of finer levels that the next band hands out.
   void make(int first, int last) {
     const auto top = base_ + static_cast<int>(rings_.size());
     int begin = first, end = last;
@@ -186,15 +196,16 @@ class Cascade {
       begin = taps_of(above, height, begin).first;
       end = end == height ? above : taps_of(above, height, end).first;
     }
-    for (Ring& ring : rings_) ring.held.fill(-1);  // a row held may be one that nobody has handed out
+    // A row in a ring can be one that was not handed out because it belonged to another band.
+    for (Ring& ring : rings_) ring.held.fill(-1);
     for (int y = first; y < last; ++y) row(top, y);
   }
 
  private:
   struct Ring {
-    std::vector<Texel> texels;  // four rows of A, of B and of normals
-    std::array<int, 4> held{};  // which row each slot holds
-    int begin = 0, end = 0;     // rows that are this band's to hand out
+    std::vector<Texel> texels;  // four rows each of texture A, of texture B and of normals
+    std::array<int, 4> held{};  // index of the row that each slot holds; -1: none
+    int begin = 0, end = 0;     // rows of the level that this band hands out
   };
 
   StoredRow row(int level, int y) {
@@ -229,9 +240,10 @@ class Cascade {
   std::vector<Ring> rings_;
 };
 
-/// All levels but 0. The first five go band by band through a Cascade, on `threads` threads; the little that
-/// is left is made from the fifth, kept whole. Each texel is computed in one way only, so neither bands nor
-/// threads show.
+/// Makes all levels but level 0. Levels 1 to 5 go through a Cascade in bands of rows, on `threads` threads;
+/// the smaller levels are made from level 5, which is kept whole. Every texel is computed by the same
+/// operations whatever the bands, so the result does not depend on the number of threads.
+///   sink(level, y, row)   is called once for each row; by several threads at once
 template <class Source, class Sink>
 void make_chain(const ChainShape& shape, unsigned threads, const Source& source, const Sink& sink) {
   const int last = shape.levels - 1;
@@ -261,17 +273,18 @@ void make_chain(const ChainShape& shape, unsigned threads, const Source& source,
   rest.make(0, side_at(shape.height, last));
 }
 
-/// What a normal's mean adds to 1/e; may be infinite.
-///   toksvig   (1 - |N|) / |N| of the mean of unit normals
-///   slopes    half the summed variance of the two slopes
+/// What the spread of the normals that a texel covers adds to 1/e; may be infinite.
+///   n         the mean of normal_lanes()
+///   toksvig   (1 - |N|) / |N|, N the mean of the unit normals
+///   slopes    half the sum of the variances of the two slopes
 inline float added_variance(Float4 n, NormalVariance kind) {
   if (kind == NormalVariance::slopes) return std::max(0.0f, (n[2] - n[0] * n[0] - n[1] * n[1]) / 2);
   const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
   return std::max(0.0f, (1 - length) / length);
 }
 
-/// A decoded normal as the chain averages it. Steeper ones than 89.1 degrees have no slope worth a mean: z is
-/// at least 1/64 there.
+/// A decoded normal as the numbers that the chain averages. The slopes of normals steeper than 89.1 degrees
+/// would outweigh all others, so z is taken as at least 1/64.
 inline Float4 normal_lanes(float x, float y, float z, NormalVariance kind) {
   const float length = std::sqrt(x * x + y * y + z * z);
   if (!(length > 0)) return kind == NormalVariance::slopes ? Float4{} : Float4{0, 0, 1, 0};
@@ -283,22 +296,24 @@ inline Float4 normal_lanes(float x, float y, float z, NormalVariance kind) {
   return Float4{p, q, p * p + q * q, 0};
 }
 
-/// Opacities of row y, as they would be stored, to `out`.
+/// Writes the opacities of row y to `out`, rounded as they would be stored.
 using OpacityRow = std::function<void(int y, float* out)>;
 
-/// Share of the surface that passes `opacity >= cutoff`: 4 x 4 samples of the bilinear patch between each
-/// four neighbouring texel centres.
+/// Share of the surface whose opacity is at least `cutoff`, [0, 1], from 4 x 4 samples of the bilinear patch
+/// between each four neighbouring texel centres.
 double coverage(int width, int height, float cutoff, unsigned threads, const OpacityRow& row);
 
-/// Factor of the opacities (not yet scaled, 0..largest) that brings coverage nearest to `share`.
-///   rounded   opacities are stored as whole numbers
-///   returns   2^(k/256); 1 where nothing is nearer
+/// The factor for the opacities of a level that brings its coverage nearest to `share`.
+///   opacities   not scaled yet, 0..largest, width x height of them
+///   rounded     true: opacities are stored as whole numbers
+///   returns     2^(k/256), k a whole number; 1 where no other factor comes nearer
 float coverage_factor(std::span<const float> opacities, int width, int height, float cutoff, double share,
                       float largest, bool rounded, unsigned threads);
 
+/// An opacity times the factor of its level, as it is stored.
 inline float scaled_opacity(float opacity, float factor, float largest, bool rounded) {
   const float scaled = std::min(largest, opacity * factor);
-  return rounded ? static_cast<float>(static_cast<int>(scaled + 0.5f)) : scaled;  // codes: never negative
+  return rounded ? static_cast<float>(static_cast<int>(scaled + 0.5f)) : scaled;  // never negative
 }
 
 }  // namespace etak::mip_detail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight texels at a time, a register for each channel; see CMakeLists.txt for the flag. Without fused
-// multiply-add, which would give other bits.
+// The loops of mip_rows.h with AVX2: eight texels at a time, one register for each channel. CMakeLists.txt
+// sets the compiler's flag. Fused multiply-add is not used, because it rounds differently from the plain
+// loops.
 #include <immintrin.h>
 
 #include "core/image/mip_chain.h"
@@ -28,7 +29,7 @@ Ints byte_of(Ints texels, int channel) {
   return _mm256_and_si256(_mm256_srli_epi32(texels, 8 * channel), _mm256_set1_epi32(255));
 }
 
-// Sixteen texels, those at even and those at odd columns.
+// Sixteen texels of a row, split into those of even and those of odd columns.
 struct Columns {
   Ints even, odd;
 };
@@ -42,7 +43,8 @@ Columns columns(const std::uint8_t* codes) {
   return {in_order(_mm256_shuffle_ps(low, high, 0x88)), in_order(_mm256_shuffle_ps(low, high, 0xDD))};
 }
 
-// The fourth channel is an opacity in codes, or 1/e.
+// Codes as numbers that may be averaged. The fourth channel becomes 1/e for gloss, and stays a code for
+// opacity.
 template <bool gloss>
 Channels decoded(Ints texels, const LinearTables& tables) {
   const auto linear = [&](int channel) {
@@ -53,7 +55,7 @@ Channels decoded(Ints texels, const LinearTables& tables) {
           gloss ? _mm256_i32gather_ps(tables.inverse.data(), last, 4) : _mm256_cvtepi32_ps(last)};
 }
 
-// 0.25 ((p0 + p1) + (p2 + p3)), as average_rows() adds.
+// 0.25 ((p0 + p1) + (p2 + p3)), the order in which average_rows() adds.
 template <class Get>
 Floats mean(const Channels (&p)[4], Get get) {
   return _mm256_mul_ps(
@@ -138,7 +140,7 @@ Ints srgb_codes(Floats linear, const LinearTables& tables) {
   const Ints guess =
       byte_of(_mm256_i32gather_epi32(reinterpret_cast<const int*>(tables.srgb_guess.data()), slot, 1), 0);
   const Floats step = _mm256_i32gather_ps(tables.srgb_step.data() + 1, guess, 4);
-  // A comparison that holds is -1.
+  // A lane whose comparison is true is -1, so subtracting it adds 1.
   return _mm256_sub_epi32(guess, _mm256_castps_si256(_mm256_cmp_ps(clamped, step, _CMP_GE_OQ)));
 }
 

@@ -14,17 +14,17 @@ namespace {
 
 using namespace mip_detail;
 
-// What a picture holds as the numbers that are averaged, and those as what it holds.
+// Converts the values of a picture to the numbers that are averaged, and back.
 template <class Value>
 struct Scale;
 
-// Opacity stays in codes: their means are exact.
+// Opacities are averaged as codes, whose sums are exact in float.
 template <>
 struct Scale<std::uint8_t> {
   static constexpr bool rounded = true;
-  static constexpr float largest = 255;  // opacity
+  static constexpr float largest = 255;  // opacity of an opaque texel
   const LinearTables& tables = linear_tables();
-  float widest = 1 / tables.gloss_step[1];  // up to half a code wider than gloss 0 still rounds to it
+  float widest = 1 / tables.gloss_step[1];  // half a code wider than gloss 0, which still rounds to it
 
   float linear(std::uint8_t code) const { return tables.srgb[code]; }
   float variance(std::uint8_t code) const { return tables.inverse[code]; }
@@ -46,7 +46,7 @@ struct Scale<float> {
   float gloss(float v) const { return gloss_of_variance(v); }
 };
 
-// Rows of values, turned into texels as they are read.
+// A row of level 0, whose values become texels when they are read.
 template <class Value>
 struct LevelRow {
   const Scale<Value>* scale;
@@ -77,7 +77,7 @@ template <class Value>
 struct LevelSource {
   const Scale<Value>& scale;
   PixelsViewOf<const Value> a, b;
-  ConstPixelsView8 normals;  // data null: none
+  ConstPixelsView8 normals;  // its data is null where there are no normals
   NormalVariance variance;
   LevelRow<Value> row(int y) const {
     return {&scale,           a.row(y), b.row(y), normals.data == nullptr ? nullptr : normals.row(y),
@@ -85,7 +85,7 @@ struct LevelSource {
   }
 };
 
-// The beginning of a new row; returns how many texels.
+// The overload of mip_chain.h for rows of codes, by the loops of mip_rows.h.
 int average_first(const std::array<LevelRow<std::uint8_t>, 3>& rows, int count, bool weigh_by_opacity,
                   const OutRow& out) {
   const MipRows* const fast = mip_rows();
@@ -100,10 +100,10 @@ ChainShape shape_of(int width, int height, const MipOptions& options) {
           options.alpha_weights_diffuse, options.normals != nullptr};
 }
 
-// The opacities of levels 1 and on, unscaled; none of a level without a mask.
+// The unscaled opacities of each level from 1 on; empty vectors where there is no alpha cutoff.
 using LevelOpacities = std::vector<std::vector<float>>;
 
-// Encodes one row of a level; returns how many of its texels have a lobe wider than gloss 0.
+// Encodes one row of a level; returns how many of its texels have a lobe wider than that of gloss 0.
 template <class Value>
 std::size_t write_row(const StoredRow& row, int width, const Scale<Value>& scale, NormalVariance variance,
                       Value* out_a, Value* out_b) {
@@ -131,7 +131,8 @@ std::size_t write_row(const StoredRow& row, int width, const Scale<Value>& scale
 template <class Value>
 void keep_coverage(const PixelsViewOf<const Value>& a, const LevelOpacities& opacities, double alpha_cutoff,
                    const Scale<Value>& scale, unsigned threads, std::span<const PixelsViewOf<Value>> to_a) {
-  // A code passes when code / 255 >= cutoff; the samples between texels are no whole codes.
+  // A code passes when code / 255 >= cutoff. The cutoff is not rounded to a code, because samples between
+  // texels are fractions of codes.
   const auto cutoff = static_cast<float>(alpha_cutoff * double{scale.largest});
   const double share = coverage(a.width, a.height, cutoff, threads, [&](int y, float* out) {
     const Value* from = a.row(y);
@@ -151,7 +152,7 @@ void keep_coverage(const PixelsViewOf<const Value>& a, const LevelOpacities& opa
   }
 }
 
-// Levels 1 and on into to_a[l], to_b[l] ([0] is not touched).
+// Writes the levels from 1 on into to_a[l] and to_b[l]; entry 0 is not written.
 template <class Value>
 std::size_t write_levels(PixelsViewOf<const Value> a, PixelsViewOf<const Value> b, const MipOptions& options,
                          unsigned threads, std::span<const PixelsViewOf<Value>> to_a,
@@ -165,7 +166,7 @@ std::size_t write_levels(PixelsViewOf<const Value> a, PixelsViewOf<const Value> 
   const LevelSource<Value> source{scale, a, b,
                                   options.normals != nullptr ? view(*options.normals) : ConstPixelsView8{},
                                   options.normal_variance};
-  // A mask's opacities are scaled when a level is whole.
+  // The opacities of a mask are kept unscaled, because the factor of a level is known when all of it is made.
   LevelOpacities opacities(static_cast<std::size_t>(shape.levels));
   if (options.alpha_cutoff)
     for (int level = 1; level < shape.levels; ++level)

@@ -7,7 +7,7 @@
 namespace etak::mip_detail {
 namespace {
 
-// Samples that pass in the patch between four texel centres.
+// How many of the 16 samples of the patch between four texel centres have at least the opacity `cutoff`.
 int passing(float a, float b, float c, float d, float cutoff) {
   if (std::min(std::min(a, b), std::min(c, d)) >= cutoff) return 16;
   if (std::max(std::max(a, b), std::max(c, d)) < cutoff) return 0;
@@ -23,7 +23,7 @@ int passing(float a, float b, float c, float d, float cutoff) {
 }  // namespace
 
 double coverage(int width, int height, float cutoff, unsigned threads, const OpacityRow& row) {
-  // One texel wide or high: the patch has no extent that way.
+  // In a picture one texel wide or high, the patches have no extent along that axis.
   const int columns = std::max(1, width - 1), rows = std::max(1, height - 1);
   std::atomic<std::size_t> passed{0};
   parallel_chunks(
@@ -60,11 +60,11 @@ float coverage_factor(std::span<const float> opacities, int width, int height, f
                     }) -
            share;
   };
-  // Coverage never falls as the factor grows: the least k that gives enough, or the one before it. 2^8 takes
-  // the least code, 1, above the highest.
+  // Coverage never falls as the factor grows, so the best k is the least one that gives enough coverage, or
+  // the one before it. k needs to reach 2048 only: the factor 2^8 takes even code 1 above code 255.
   const double unscaled = off_by(0);
   if (unscaled == 0) return 1;
-  // Most factors are near 1: the bracket grows from there.
+  // Most factors are near 1, so the bracket starts there and grows.
   constexpr int last = 2048;
   int low = unscaled < 0 ? 0 : -64, high = unscaled < 0 ? 64 : 0;
   while (unscaled < 0 && high < last && off_by(high) < 0) low = std::exchange(high, 4 * high);

@@ -16,52 +16,56 @@
 
 namespace etak {
 
-/// The largest picture file that is read.
+/// Size of the largest picture file that is read, in bytes.
 inline constexpr std::size_t largest_picture_bytes = std::size_t{1} << 32;
 
-/// What a picture file says of itself.
+/// What the header of a picture file says about the picture.
 struct PictureHeader {
   int width = 0, height = 0;
-  int channels = 0;       // as they come out; of a palette's codes those of its colours
-  int bits = 8;           // of a value in the file: 8, 16 (codes or half), 32; 8 for fewer
-  bool floating = false;  // values come as floats: half, float and integers of more than 16 bits
-  bool palette = false;   // codes of a palette
-  bool strips = false;    // a PNG whose rows PngReader reads one by one
-  bool lossy = false;     // compressing changed the values: JPEG, lossy WebP, DWA, block formats
-  std::string format{};   // "png", "jpeg", "openexr", ...: OpenImageIO's names
-  // The declared curve: "srgb", "linear", "gamma22", "gamma 0.6", "a curve of its own", or "icc: NAME" for a
-  // colour profile that icc_colors() cannot read; empty: not said.
+  int channels = 0;       // of the decoded picture; for a palette, the channels of its colours
+  int bits = 8;           // of a value in the file: 8 (also for fewer), 16 (codes or half floats) or 32
+  bool floating = false;  // decoded as floats: half, float, and integers of more than 16 bits
+  bool palette = false;   // the file holds codes of a palette
+  bool strips = false;    // a PNG of a form whose rows PngReader reads one by one; tRNS is not looked at
+  bool lossy = false;     // the compression changed the values: JPEG, lossy WebP, DWA, block formats
+  std::string format{};   // OpenImageIO's name of the format: "png", "jpeg", "openexr", ...
+  // The transfer curve that the file declares: "srgb", "linear", "gamma22", "gamma 0.6", "a curve of its
+  // own", or "icc: NAME" for a colour profile that icc_colors() cannot read; empty where the file declares
+  // none.
   std::string colour_space{};
-  std::string primaries{};  // of a colour profile, as icc_colors() names them; empty: no profile
+  std::string primaries{};  // of the colour profile, as icc_colors() names them; empty without one
   friend bool operator==(const PictureHeader&, const PictureHeader&) = default;
 };
 
-/// That of values in memory.
+/// The header of a picture in memory.
 template <class Value>
 PictureHeader header_of(const Pixels<Value>& pixels) {
   return {pixels.width, pixels.height, pixels.channels, static_cast<int>(8 * sizeof(Value)),
           sizeof(Value) > 2};
 }
 
-/// A picture in the kind of values its file has: 8-bit codes, 16-bit codes, or float for the rest. No curve
-/// is undone, colour is not multiplied by the last channel, NaN and infinity stay.
+/// A picture in the kind of values that its file has: 8-bit codes, 16-bit codes, or floats for all others. No
+/// transfer curve is undone, colour is not multiplied by the last channel, and NaN and infinity are kept.
 struct Picture {
   PictureHeader header;
   std::variant<Image8, Image16, Image> pixels;
 };
 
-/// The bytes of a picture file: in a file, or in memory.
+/// A picture file, on disk or in memory.
 struct PictureFile {
-  std::string path;   // empty: `bytes` holds the file
-  std::string bytes;  // PNG, JPEG, ...
-  std::string label;  // for messages: the path, or what the bytes are a part of
+  std::string path;   // of a file on disk; empty where `bytes` holds the file
+  std::string bytes;  // the whole file: PNG, JPEG, ...
+  std::string label;  // for messages: the path, or the name of the thing that contains the bytes
 };
 
-/// How pictures that are no plain PNG are read, and files of floats written. The program says it: by
-/// OpenImageIO (picture_door() of image_io.h), or by what loads that library (120 MB, a quarter of a second)
-/// when it is first needed. All throw Error that names the file. Empty functions: such pictures are refused.
-///   label    of the bytes, for messages
-///   encode   a file of 32-bit floats, "tiff" or "exr"; `fourth` names the fourth channel
+/// The functions by which pictures that PngReader does not read are decoded, and by which files of floats are
+/// made. The program chooses them: picture_door() of image_io.h, which uses OpenImageIO, or functions that
+/// load that library (120 MB, a quarter of a second) when it is first needed. All throw Error that names the
+/// file. Where the functions are empty, such pictures are refused.
+///   header, file   read the header, or the whole picture, of the file at `path`
+///   bytes          reads a file in memory; `label` names it in messages
+///   encode         makes a file of 32-bit floats of format "tiff" or "exr"; `fourth` names the fourth
+///                  channel
 struct PictureDoor {
   std::function<PictureHeader(const std::string& path)> header;
   std::function<Picture(const std::string& path)> file;
@@ -69,16 +73,17 @@ struct PictureDoor {
   std::function<std::string(const Image& image, std::string_view format, std::string_view fourth)> encode;
 };
 
-/// Rows of one picture from the top, as RGBA codes: grey is spread over three channels, a missing fourth is
-/// 255, 16 bits are rounded to 8. Of float pictures the values as they are.
+/// The rows of a picture from the top, as RGBA: grey is copied to three channels, and a missing fourth
+/// channel is 255 (1 for floats). Codes of 16 bits are rounded to 8; floats come as they are.
 class RowSource {
  public:
   explicit RowSource(PictureHeader header) : header_(std::move(header)) {}
   virtual ~RowSource() = default;
   const PictureHeader& header() const { return header_; }
-  /// The next `count` rows; 4 bytes a texel, rows `stride` bytes apart. Throws Error for broken data.
+  /// Writes the next `count` rows: 4 bytes a texel, rows `stride` bytes apart. Throws Error for broken data.
   virtual void read_rows(std::uint8_t* rgba, std::size_t stride, int count) = 0;
-  /// Only where header().floating: 4 floats a texel, rows `stride` floats apart; RGB linear.
+  /// Writes the next `count` rows of a picture of floats (header().floating): 4 floats a texel, rows `stride`
+  /// floats apart, RGB in linear light. Throws Error for broken data.
   virtual void read_float_rows(float* rgba, std::size_t stride, int count);
 
  protected:
@@ -91,7 +96,8 @@ std::unique_ptr<RowSource> rows_of(const Image8& image);
 /// Rows of pixels that the caller keeps in memory, under the header of the file to be written.
 std::unique_ptr<RowSource> rows_of(const ConstPixelsView8& pixels, PictureHeader header);
 
-/// A texel as red, green, blue and a fourth: grey is spread over three, a missing fourth is `full`.
+/// A texel of 1 to 4 channels as red, green, blue and a fourth value: grey is copied to three channels, and a
+/// missing fourth is `full`.
 template <class Value>
 std::array<Value, 4> four_channels(const Value* texel, std::size_t channels, Value full) {
   switch (channels) {

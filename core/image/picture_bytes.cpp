@@ -53,8 +53,9 @@ bool ends_in(std::string_view name, std::string_view ending) {
   throw Error::at(label, "is cut short", "a whole picture file");
 }
 
-// ITU-T T.81, B.1.1: segments with a length each up to the first scan, then coded data; EOI ends the picture.
-// A thumbnail's EOI lies within a segment and is passed over.
+// A JPEG file (ITU-T T.81, B.1.1) is a row of segments, each with its length, up to the first scan; then
+// coded data follow, and the marker EOI ends the picture. The EOI of a thumbnail lies inside a segment and is
+// skipped with it.
 void check_jpeg(std::string_view bytes, std::string_view label) {
   std::size_t at = 2;
   for (;;) {
@@ -74,8 +75,8 @@ void check_webp(std::string_view bytes, std::string_view label) {
   if (bytes.size() < 20 || number(bytes, 4, 4, false) > bytes.size() - 8) fail_cut(label);
 }
 
-// The first of the chunks with picture data: "VP8 " is the lossy kind, "VP8L" the other. The extended form
-// has others before it and, for animations, within "ANMF".
+// Looks for the first chunk with picture data: "VP8 " is lossy, "VP8L" lossless. In the extended file format
+// other chunks come before it, and in animations it lies inside of "ANMF".
 bool webp_is_lossy(std::string_view bytes) {
   for (std::size_t at = 12; at + 8 <= bytes.size();) {
     const std::string_view type = bytes.substr(at, 4);
@@ -109,7 +110,8 @@ std::string picture_format(std::string_view bytes, std::string_view name) {
 bool is_lossy(std::string_view bytes, std::string_view format, std::string_view compression) {
   if (format == "jpeg" || format == "jpeg2000" || format == "heif") return true;
   if (format == "webp") return webp_is_lossy(bytes);
-  // OpenEXR's that drop bits (pxr24 those of floats), JPEG in TIFF, and the block formats of DDS.
+  // The compressions of OpenEXR that drop bits (pxr24 drops those of floats), JPEG in TIFF, and the block
+  // formats of DDS.
   for (const std::string_view lossy : {"dwa", "b44", "pxr24", "jpeg", "DXT", "BC"})
     if (compression.starts_with(lossy)) return true;
   return false;

@@ -7,21 +7,22 @@
 
 namespace etak {
 
-// What can be said of a picture file by looking at its bytes, before a decoder sees them.
+// What the bytes of a picture file tell before a decoder sees them.
 
-/// OpenImageIO's name of the format ("png", "jpeg", "webp", "openexr", "hdr", "tiff", ...) by the first
-/// bytes, for Targa, which begins with nothing of its own, by the ending of `name`; "" when neither says.
+/// OpenImageIO's name of a file's format ("png", "jpeg", "webp", "openexr", "hdr", "tiff", ...). It is told
+/// by the first bytes; Targa files, which have no signature, are told by the ending of `name`. Empty for
+/// unknown formats.
 std::string picture_format(std::string_view bytes, std::string_view name);
 
-/// Whether compressing changed the values.
-///   bytes         of the whole file (looked at for WebP, which knows both)
-///   format        as above
+/// Whether the compression of the file changed the values.
+///   bytes         the whole file; read for WebP only, which can be lossy or lossless
+///   format        as picture_format() names it
 ///   compression   as OpenImageIO names it: "dwaa", "jpeg", "DXT1", "zip", ...
 bool is_lossy(std::string_view bytes, std::string_view format, std::string_view compression);
 
-/// Throws Error that names `label` for a file that ends too early or, where the format has checksums, is
-/// damaged: decoders of these formats fill up what they do not find. Says nothing of formats it does not
-/// know.
+/// Throws Error that names `label` for a PNG, JPEG or WebP file that ends too early or, where the format has
+/// checksums (PNG), is damaged: the decoders of these formats fill up missing data without an error. Other
+/// formats are not checked.
 void check_whole(std::string_view bytes, std::string_view format, std::string_view label);
 
 }  // namespace etak

@@ -9,13 +9,14 @@
 
 namespace etak {
 
-/// Columns x .. x + width - 1 of rows y .. y + height - 1.
+/// A rectangle of pixels: columns x .. x + width - 1 of rows y .. y + height - 1.
 struct PixelBox {
   int x = 0, y = 0, width = 0, height = 0;
   friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
 
-/// Values that somebody else holds: a whole picture or a box of a page, rows `stride` values apart.
+/// A view of pixels whose memory belongs to somebody else: a whole picture, or a box of one. Rows are
+/// `stride` values apart.
 template <class Value>
 struct PixelsViewOf {
   Value* data = nullptr;
@@ -30,7 +31,7 @@ struct PixelsViewOf {
     assert(x >= 0 && x < width);
     return row(y) + static_cast<std::size_t>(x) * static_cast<std::size_t>(channels);
   }
-  /// The box must lie inside.
+  /// A view of the pixels in `box`, which must lie inside this view.
   PixelsViewOf part(const PixelBox& box) const {
     assert(box.x >= 0 && box.y >= 0 && box.width >= 1 && box.height >= 1);
     assert(box.x + box.width <= width && box.y + box.height <= height);

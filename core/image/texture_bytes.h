@@ -7,10 +7,11 @@
 
 namespace etak {
 
-/// The bytes that a texture takes on a GPU without block compression: grey is one value a texel, grey with
-/// alpha two, and three channels take the room of four, since GPUs have no format of three 8-bit channels.
-///   mips      with all levels down to 1 x 1; else level 0 alone
-///   returns   bytes; values of 16 and 32 bits take two and four times those of 8
+/// The memory that a texture takes on a GPU without block compression. Grey takes one value a texel, grey
+/// with alpha two, and three channels take as much as four, since GPUs have no format of three 8-bit
+/// channels.
+///   mips      true: all levels down to 1 x 1; false: level 0 alone
+///   returns   bytes; a value takes header.bits / 8 of them
 std::uint64_t texture_bytes(const PictureHeader& header, bool mips);
 
 }  // namespace etak

@@ -3,10 +3,10 @@
 
 namespace etak {
 
-/// What lies beyond the edges of a picture, along one axis.
+/// What a sampler reads beyond the edges of a picture, along one axis.
 enum class Wrap { repeat, mirrored, clamp };
 
-/// The column or row of a picture of `size` that a sampler reads at `at`.
+/// The column (or row) that a sampler reads for column `at` of a picture of `size` columns.
 inline int wrapped_texel(int at, int size, Wrap wrap) {
   if (at >= 0 && at < size) return at;
   if (wrap == Wrap::clamp) return at < 0 ? 0 : size - 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: the formula texts in double, for functions*.cpp inside an unnamed namespace. Needs
-// <cmath>.
+// The formula texts compiled in double, for functions*.cpp. There is no include guard: each of these sources
+// includes this inside an unnamed namespace, after <cmath>.
 namespace formulas {
 #include "core/math/real_f64.h"
 

@@ -3,7 +3,8 @@
 
 #include "core/light/functions.h"
 
-// The tables of functions by subject, and the inputs they share; for functions*.cpp only.
+// The tables of functions, one for each subject, and the inputs that several functions have; for
+// functions*.cpp only.
 namespace etak::function_rows {
 
 std::span<const Function> fresnel();
@@ -11,11 +12,13 @@ std::span<const Function> distributions();
 std::span<const Function> reflectance();
 std::span<const Function> lighting();
 
-/// n and k of a medium that light can enter. Throws Error for n = k = 0: that one lets no wave through, and
-/// in a table it is a number that is missing. n = 0 with k > 0 is a metal without loss.
+/// The complex index n + ik of a medium, relative to the outside.
 struct Medium {
   double n, k;
 };
+
+/// The medium of this index. Throws Error for n = k = 0, which lets no wave through; in a table it stands for
+/// a missing number. n = 0 with k > 0 is allowed: a metal without loss.
 Medium medium(double index, double extinction);
 
 inline constexpr double largest = 1e300;

@@ -29,15 +29,16 @@ double read(const FunctionInput& input, const std::string& text, const std::stri
   }
   double value = 0;
   if (!parse_number(text, value)) throw Error::at(place, printable(text), "a finite number");
-  // A cosine from a float or from a normalised vector may pass 1 by rounding.
+  // A cosine that comes from a float or from a normalised vector may exceed 1 by rounding.
   if (input.max == 1 && value > 1 && value <= 1 + 1e-6) value = 1;
   if (!(value >= input.min && value <= input.max) || (input.above_min && value == input.min))
     throw Error::at(place, number(value, 9), range_of(input));
   return value;
 }
 
-// Perceptual roughness in place of the gloss of a function that has one: "g" and its text. What no gloss in
-// [0, 1] has is refused, because a formula's inputs are never changed.
+// Converts an input "roughness" to the input "g", for functions that have a gloss but no roughness; nullopt
+// for all other inputs. Throws Error for a roughness that no gloss in [0, 1] has, because inputs of formulas
+// are never clamped.
 std::optional<NamedText> as_gloss(const Function& function, const NamedText& input, const std::string& at) {
   const auto named = [&](std::string_view name) {
     return std::any_of(function.inputs.begin(), function.inputs.end(), [&](const FunctionInput& each) {

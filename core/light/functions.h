@@ -16,35 +16,36 @@ struct FunctionInput {
   std::string_view meaning;
   std::string_view unit;  // "" for pure numbers
   double min, max;
-  bool above_min = false;                        // min itself is refused
-  std::span<const std::string_view> words = {};  // instead of a number; the value is the word's index
-  std::optional<double> otherwise = {};          // taken when the input is not given; without it, it must be
+  bool above_min = false;                        // whether min itself is refused
+  std::span<const std::string_view> words = {};  // the words, in place of a number; the value is the index
+  std::optional<double> otherwise = {};          // default value; none: the input must be given
 };
 
-/// A function of `etak eval`, named as the sources name it. Double precision throughout.
+/// A function of `etak eval`, under the name that its source gives it. It is computed in double.
 struct Function {
   std::string_view id;
   std::string_view returns;
   std::string_view source;
   std::span<const FunctionInput> inputs;
-  bool directions;  // has theta_l, theta_v, phi_v; also takes l=-v, and is then 0
+  bool directions;  // has the inputs theta_l, theta_v and phi_v; with l=-v instead of them its value is 0
 
-  /// Takes the inputs' values in order, all inside their ranges. Throws Error where a combination has no
-  /// value.
+  /// Computes the value from those of all inputs, in order and inside their ranges. Throws Error where the
+  /// function has no value for this combination.
   double (*value)(const double* inputs);
 };
 std::span<const Function> functions();
 const Function* find_function(std::string_view id);
 
-/// A text as typed, "theta_l" with "30".
+/// An input as it is typed: its name and its text, "theta_l" and "30".
 using NamedText = std::pair<std::string, std::string>;
 
-/// Checks and evaluates. Where an input is Schueler's gloss g, perceptual "roughness" may stand for it.
-/// Throws Error (`place` in front) for unknown, missing, repeated or unreadable inputs and for values outside
-/// the function's domain.
+/// Checks the inputs and evaluates the function. Where an input is Schueler's gloss g, a perceptual
+/// "roughness" may be given instead. Throws Error for unknown, missing, repeated or unreadable inputs and for
+/// values outside of the domain.
+///   place   file and line, in front of messages; empty: none
 double evaluate(const Function& function, std::span<const NamedText> inputs, std::string_view place);
 
-/// Splits "name=value". Throws Error.
+/// Splits "name=value". Throws Error, with `place` in front, for other texts.
 NamedText split_input(std::string_view text, std::string_view place);
 
 }  // namespace etak

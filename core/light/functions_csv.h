@@ -10,19 +10,19 @@
 
 namespace etak {
 
-/// The function of that name, blanks around it left out. Throws Error.
-///   place   file and line, for messages; empty: the command line
+/// The function with this id, around which blanks are ignored. Throws Error for unknown ids.
+///   place   file and line, for messages; empty for the command line
 const Function& function_named(std::string_view id, std::string_view place);
 
-/// What `etak eval --csv` answers.
+/// The answers of `etak eval --csv`.
 struct CsvAnswers {
-  std::string text;                   // rows id,value in the order of the questions, with a header
-  std::size_t rows = 0, refused = 0;  // a refused row's value is "error"
+  std::string text;                   // a header, and rows id,value in the order of the questions
+  std::size_t rows = 0, refused = 0;  // how many questions there are, and how many have the value "error"
 };
 
-/// Answers a CSV of questions (RFC 4180; columns id, function and inputs as name=value;name=value).
-///   refuse   called with the reason for each row that has no answer
-/// Throws Error naming `file` and line where the text is no such table.
+/// Answers a CSV table of questions (RFC 4180) with the columns id, function and inputs; inputs are written
+/// as name=value;name=value. Throws Error that names `file` and line where the text is no such table.
+///   refuse   is called with the reason for each row that has no answer
 CsvAnswers answer_csv(std::string_view text, const std::string& file,
                       const std::function<void(std::string_view)>& refuse);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of `etak eval`: distributions of facets, their integrals, shadowing and masking.
+// Functions of `etak eval`: distributions of microfacets, their integrals, shadowing and masking.
 #include <cmath>
 
 #include "core/brdf/integrals/albedo.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of `etak eval`: reflectance of interfaces and its approximations.
+// Functions of `etak eval`: the reflectance of interfaces, and its approximations.
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +15,8 @@ namespace {
 
 using In = const double*;
 
-// n = 1, k = 0 is no interface, but a legitimate one: reflects nothing. n = 0 is a metal without loss; n = k
-// = 0 is refused by medium().
+// n = 1 with k = 0 is allowed: it reflects nothing. n = 0 with k > 0 is a metal without loss; medium()
+// refuses n and k that are both 0.
 constexpr FunctionInput n_k[] = {n, k};
 constexpr FunctionInput n_k_cos[] = {n, k, cosine};
 constexpr FunctionInput pair[] = {{"n1", "index on the light's side", "", 0, 1e4, true},
@@ -60,7 +60,7 @@ double approximation(int model, double f0_value, double f82_value, double c) {
                       : formulas::f_f82(f0_value, f82_value, c);
 }
 
-// |approximation - exact| over 0, step, 2 step, ... 90 degrees, as a sum over pieces or as its maximum.
+// Calls visit(cosine, |approximation - exact|) at 0, step, 2 step, ... and 90 degrees.
 template <class Visit>
 void visit_errors(In x, Visit visit) {
   const int model = static_cast<int>(x[0]);
@@ -82,7 +82,7 @@ double max_abs_error(In x) {
   return worst;
 }
 
-// Integral of error d(cos^2) by trapezia: the weight 2 cos d(cos).
+// The mean error with the weight 2 cos d(cos): the integral of the error over cos^2, by the trapezoidal rule.
 double mean_abs_error(In x) {
   double sum = 0, last_c2 = 0, last_error = 0;
   bool first = true;

@@ -49,7 +49,8 @@ double hemisphere(In x) {
   return specular(vec3(x[0]), x[1], std::max(x[2], 0.0), x[3], vec3(x[4]), vec3(x[5])).x;
 }
 
-// Simplified integrated over the light with l . z > 0, for a viewer at cosine nv in the xz plane.
+// The integral of Schueler's Simplified model over the light l with dot(l, z) > 0 (all light where there is
+// no z), for a viewer in the xz plane at cosine nv.
 double hemisphere_reference(double K_value, double g_value, double nv_value, std::optional<Vec3> z) {
   if (!(nv_value > 0)) return 0;
   const Model& model = *find_model("schueler-simplified");
@@ -66,7 +67,8 @@ double hemisphere_reference(double K_value, double g_value, double nv_value, std
       std::acos(std::min(nv_value, 1.0)) * (180 / 3.14159265358979323846), options);
 }
 
-// Codes that decoding and encoding again do not give back; `codes` of them, 256 for 8 bits.
+// How many codes change when they are decoded and encoded again. The input is how many codes there are: 256
+// for 8 bits.
 double roundtrip_mismatches(In x) {
   if (x[0] != std::floor(x[0])) throw Error("codes: a whole number is expected");
   const double most = x[0] - 1;

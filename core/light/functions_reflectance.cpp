@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of `etak eval`: reflectance models at two directions, and their directional albedo in a white
-// furnace.
+// Functions of `etak eval`: reflectance models for a pair of directions, and their directional albedo under
+// light of radiance 1 from all directions (the white furnace).
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -47,14 +47,15 @@ Directions directions(In x) {
   return {l[0], l[1], l[2], v[0], v[1], v[2]};
 }
 
-// A model's first channel at directions x[0..2]. `values` of a colour stand three times.
+// The first channel of a model's f_r for the directions in x[0..2].
+//   values   the model's parameters; the number of a colour is given three times
 double reflectance_at(const char* id, In x, const std::vector<double>& values) {
   double rgb[3];
   find_model(id)->f64(directions(x), values.data(), rgb);
   return rgb[0];
 }
 
-// The printed value per unit of pi-scaled irradiance.
+// pi f_r nl: the value that Schueler's article prints, per unit of its pi-scaled irradiance.
 double printed(const char* id, In x, const std::vector<double>& values) {
   const Directions d = directions(x);
   return d.lz > 0 ? pi * d.lz * reflectance_at(id, x, values) : 0;
@@ -68,7 +69,9 @@ std::vector<double> index_and_slope(In x) {
   return {n, n, n, k, k, k, x[5]};
 }
 
-// Directional albedo for x = {param, theta_v}, with F = 1.
+// The directional albedo for inputs x = {param, theta_v}.
+//   values   the model's parameters, with F = 1
+//   width    of the lobe, as in AlbedoOptions
 double furnace(const char* id, In x, std::vector<double> values, double width) {
   const Model& model = *find_model(id);
   AlbedoOptions options;

@@ -10,7 +10,7 @@
 namespace etak {
 namespace {
 
-// Checks of one setup; `what` is its file or option, places inside it are JSON pointers.
+// Checks one light setup. `what` is the file or option it comes from; places inside of it are JSON pointers.
 struct Checker {
   std::string_view what;
 
@@ -50,7 +50,8 @@ struct Checker {
   }
 };
 
-// A unit vector from its angles: above the horizon, and to the right of the camera's view.
+// The unit vector at an elevation above the horizon and at an azimuth that counts from +z (the camera)
+// towards +x (the right).
 Vec3 towards(double elevation_deg, double azimuth_deg) {
   const double degree = 3.14159265358979323846 / 180;
   const double up = elevation_deg * degree, right = azimuth_deg * degree;

@@ -10,11 +10,13 @@
 
 namespace etak {
 
-/// A discrete light. Space of the scene: object at the origin with radius 1, +z towards the camera, +y up.
-///   point         color * intensity is radiant intensity, W/sr; arrives as intensity / r^2, with r at least
-///                 point_light_min_r
-///   directional   color * intensity is irradiance on a plane facing the light, W/m^2, the same everywhere
-///   spot          a point light with a cone: full inside inner_deg, nothing outside outer_deg (half-angles)
+/// The kind of a discrete light. In the space of the scene, the object has radius 1 and lies at the origin,
+/// +z points towards the camera and +y up.
+///   point         color * intensity is radiant intensity in W/sr; at distance r the irradiance is
+///                 intensity / r^2, with r at least point_light_min_r
+///   directional   color * intensity is the irradiance on a plane that faces the light, in W/m^2, the same
+///                 everywhere
+///   spot          a point light with a cone: full inside the half-angle inner_deg, nothing outside outer_deg
 enum class LightKind { point, directional, spot };
 inline constexpr double point_light_min_r = 1e-3;
 std::string_view name(LightKind kind);
@@ -23,18 +25,21 @@ std::optional<LightKind> light_kind_named(std::string_view text);
 struct Light {
   LightKind kind = LightKind::directional;
   Vec3 position{0, 0, 0};                 // point, spot
-  Vec3 direction{0, 0, -1};               // directional, spot: the way the light travels; unit length
+  Vec3 direction{0, 0, -1};               // directional, spot: where the light goes; unit length
   Vec3 color{1, 1, 1};                    // linear RGB, >= 0
   double intensity = 1;                   // >= 0
   double inner_deg = 20, outer_deg = 30;  // spot: 0 <= inner <= outer <= 90
   friend bool operator==(const Light&, const Light&) = default;
 };
 
-/// Schueler's second light model: constant radiance from the half space around `axis` and from its opposite.
+/// The formula of the specular light of two hemispheres (core/light/hemispheres.glsl): Schueler's, corrected;
+/// the same with a wider transition between the hemispheres; or as printed.
 enum class HemisphereForm { corrected, wide, printed };
 std::string_view name(HemisphereForm form);
 std::optional<HemisphereForm> hemisphere_form_named(std::string_view text);
 
+/// Schueler's second light model: one constant radiance from the half space around `axis`, another from the
+/// opposite one.
 struct Hemispheres {
   Vec3 upper{0.6, 0.7, 0.8}, lower{0.25, 0.22, 0.2};  // radiance, linear RGB, >= 0
   Vec3 axis{0, 1, 0};                                 // unit length
@@ -42,36 +47,37 @@ struct Hemispheres {
   friend bool operator==(const Hemispheres&, const Hemispheres&) = default;
 };
 
-/// All light on a scene. Intensities are radiometric; with `pi_scaled` the irradiances are Schueler's E / pi,
-/// so that a white Lambert surface lit head-on with 1 shows 1.
+/// All light on a scene. Intensities are radiometric. With `pi_scaled` the irradiances are Schueler's E / pi,
+/// so that a white Lambert surface under 1 at normal incidence has radiance 1.
 struct LightSetup {
   std::vector<Light> lights;
   std::optional<Hemispheres> hemispheres;
-  std::string environment;  // file of a lat-long HDR image; empty: none
+  std::string environment;  // file of a latitude-longitude HDR picture; empty: none
   double environment_scale = 1;
   bool pi_scaled = false;
   friend bool operator==(const LightSetup&, const LightSetup&) = default;
 };
 
-/// `v` with length 1; straight away from the viewer where it has none.
+/// `v` scaled to length 1; (0, 0, -1), away from the viewer, where its length is 0 or not finite.
 Vec3 normalised_direction(const Vec3& v);
 
-/// Throws Error (naming `what`) for negative, NaN or infinite numbers, zero-length directions, inner > outer
-/// cone.
+/// Throws Error that names `what` for negative, NaN or infinite numbers, for directions of length zero, and
+/// for an inner cone wider than the outer one.
 void validate(const LightSetup& setup, std::string_view what);
 
-/// Reads a light setup (resources/schema/lights.schema.json). Throws Error with file and JSON pointer.
+/// Reads a light setup (resources/schema/lights.schema.json). Throws Error that names the file and the JSON
+/// pointer.
 LightSetup parse_lights(std::string_view text, std::string_view file);
 
-/// A light setup as parse_lights() reads it, without line break at its end; numbers read back equal.
-///   indent   blanks before the closing brace
+/// A light setup as JSON that parse_lights() reads back with equal numbers; without a line break at its end.
+///   indent   how many blanks there are before the closing brace
 std::string format_lights(const LightSetup& setup, int indent = 0);
 
-/// Three directional lights (key, fill, rim) and two hemispheres: what pictures are made with when nothing is
-/// said.
+/// The light of pictures for which the user names none: three directional lights (key, fill, rim) and two
+/// hemispheres.
 LightSetup default_lights();
 
-/// `count` directional lights of white, spread over the half space before the object.
+/// `count` white directional lights, spread over the half space in front of the object.
 std::vector<Light> spread_lights(int count);
 
 }  // namespace etak

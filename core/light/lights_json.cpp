@@ -25,7 +25,7 @@ Vec3 unit_vector(const Node& node) {
   const Vec3 v = three(node);
   const double length = std::hypot(v[0], v[1], v[2]);
   if (!(length > 1e-12) || !std::isfinite(length)) node.fail("a direction of length zero");
-  // What was written with length 1 reads back to the bit.
+  // A vector of length 1 is not scaled, so that it reads back as it was written, bit by bit.
   if (std::abs(length - 1) < 1e-14) return v;
   return {v[0] / length, v[1] / length, v[2] / length};
 }

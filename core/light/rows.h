@@ -6,22 +6,22 @@
 
 namespace etak {
 
-/// What a row is about that is not a reflectance model.
+/// The subject of a registry row that is not about a reflectance model.
 enum class LightRowKind { light, hemispheres, environment, transfer, transparency };
 std::string_view name(LightRowKind kind);
 
-/// A choice of light, transfer or transparency as the sources name it: the rest of the registry, for lists
-/// and editors.
+/// A kind of light, transfer curve or transparency, named as in its source. These rows are the part of the
+/// registry besides the reflectance models; lists and editors show them.
 struct LightRow {
   std::string_view id;  // "hemispheres-specular-wide"
   std::string_view title;
   std::string_view source;
   LightRowKind kind;
-  std::string_view parameters;  // with units, for reading: "intensity (W/sr), position"
-  std::string_view file;        // GLSL text, "light/hemispheres.glsl"; empty: none of its own
-  std::string_view entry;       // its function there
-  std::string_view note;        // what it claims, "rms error of the share 0.013 at g = 1"
-  bool is_default = false;      // of the rows of its kind that exclude each other
+  std::string_view parameters;  // with units, as a text: "intensity (W/sr), position"
+  std::string_view file;        // the GLSL text, "light/hemispheres.glsl"; empty: it has none
+  std::string_view entry;       // the function in that text
+  std::string_view note;        // its properties: "rms error of the share 0.025 at g = 1"
+  bool is_default = false;      // the default among rows of its kind that exclude each other
 };
 std::span<const LightRow> light_rows();
 

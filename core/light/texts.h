@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: every formula text of core/light, after core/fresnel/texts.h in the same namespace, in
-// order of use.
+// All formula texts of core/light; each uses those above it. There is no include guard: include this behind
+// core/fresnel/texts.h in the same namespace.
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"  // not every place needs every function
+#pragma GCC diagnostic ignored "-Wunused-function"  // no including source uses every function
 // clang-format off
 #include "core/light/lights.glsl"
 #include "core/light/hemispheres.glsl"

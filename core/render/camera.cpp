@@ -32,13 +32,13 @@ Camera::Camera(const Scene& scene)
   turned_ = scene.view->turn_deg != 0 || scene.view->rise_deg != 0;
   axes_ = camera_axes(*scene.view);
   const auto& [right, up, back] = axes_;
-  // From a place in the picture along the ray to z = 0, as a map of homogeneous coordinates.
+  // The map from a place in the picture along its ray to the plane z = 0, in homogeneous coordinates.
   if (!perspective_) {
     for (std::size_t i = 0; i < 2; ++i)
       plane_[i] = {right[i] * back[2] - right[2] * back[i], up[i] * back[2] - up[2] * back[i], 0};
     plane_[2] = {0, 0, back[2]};
   } else {
-    // Origin distance * back, direction (x spread) right + (y spread) up - back.
+    // The ray starts at distance * back and has the direction (x spread) right + (y spread) up - back.
     for (std::size_t i = 0; i < 2; ++i)
       plane_[i] = {distance_ * spread_ * (back[2] * right[i] - back[i] * right[2]),
                    distance_ * spread_ * (back[2] * up[i] - back[i] * up[2]), 0};
@@ -62,7 +62,7 @@ Vec3 Camera::on_plane(double x, double y) const {
 
 Camera::Span Camera::covered(int row) const {
   if (shape_ == Shape::quad && turned_) {
-    // A turned square reaches no farther than its corners; a near camera may see it anywhere.
+    // A turned square reaches no farther than its corners. In perspective it may be anywhere in the picture.
     const double reach = std::sqrt(2.0) + pixel_;
     if (perspective_) return {0, width_};
     if (std::abs(y(row + 0.5)) >= reach) return {0, 0};
@@ -70,7 +70,7 @@ Camera::Span Camera::covered(int row) const {
             static_cast<int>(std::clamp(std::ceil(centre_column_ + reach / pixel_), 0.0, double(width_)))};
   }
   const double at = std::abs(y(row + 0.5));
-  // Coverage ends half a pixel outside the edge.
+  // Pixels are covered in part up to half a pixel outside of the edge.
   const double reach = shape_ == Shape::sphere ? 1 + pixel_ / 2 : side_ + pixel_ / 2;
   if (at >= reach) return {0, 0};
   const double half = shape_ == Shape::sphere ? std::sqrt(reach * reach - at * at) : reach;
@@ -101,7 +101,7 @@ double Camera::coverage(double x, double y) const {
   if (std::abs(axes_[2][2]) < least_facing || at[2] <= 1e-6) return 0;
   double share = 1;
   for (std::size_t i = 0; i < 2; ++i) {
-    // How far the edge is, by the slope of the place on the square over the picture.
+    // The distance to the edge in the picture, from the gradient of the place on the square over the picture.
     const double place = at[i] / at[2];
     const double slope = std::hypot(plane_[i][0] - place * plane_[2][0], plane_[i][1] - place * plane_[2][1]);
     share *= inside((1 - std::abs(place)) * at[2] / std::max(slope, 1e-6));
@@ -126,7 +126,8 @@ Camera::Sight Camera::sight(double x, double y) const {
     const double depth = std::sqrt((1 - std::sqrt(r2)) * (1 + std::sqrt(r2)));
     Vec3 place{x, y, depth}, viewer{0, 0, 1};
     if (perspective_) {
-      // Along (x spread, y spread, -1) from the camera; the root of the discriminant is `depth`.
+      // The ray from the camera has the direction (x spread, y spread, -1); the root of the discriminant is
+      // `depth`.
       const double t = (distance_ - depth) / (1 + r2 * spread_ * spread_);
       const double length = std::sqrt(1 + r2 * spread_ * spread_);
       place = {x * spread_ * t, y * spread_ * t, distance_ - t};

@@ -5,10 +5,11 @@
 
 namespace etak {
 
-/// Axes of a camera in the scene's space, as rows: right, up, towards the camera from the object.
+/// The axes of a camera in the space of the scene, as rows: to the right, up, and from the object to the
+/// camera.
 Mat3 camera_axes(const View& view);
 
-/// Where a scene's object lies in its picture; the rules are those of struct Scene.
+/// Computes where the object of a scene lies in its picture, by the rules that struct Scene states.
 class Camera {
  public:
   explicit Camera(const Scene& scene);
@@ -19,45 +20,45 @@ class Camera {
   double distance() const { return distance_; }  // of the camera from the origin; perspective only
   double spread() const { return spread_; }      // tangent of the silhouette's half-angle; perspective only
   double side() const { return side_; }    // half a side of the quad, as the camera sees it from the front
-  bool turned() const { return turned_; }  // the camera is not at the front
+  bool turned() const { return turned_; }  // whether the camera is not at the front
   const Mat3& axes() const { return axes_; }
-  double centre_column() const { return centre_column_; }  // of x = 0, from the left
-  double centre_row() const { return centre_row_; }        // of y = 0, from the top
-  /// Of a turned quad: row 0 times (x, y, 1) over row 2 times (x, y, 1) is the place on it in x, row 1 that
-  /// in y; row 2 gives above 0 where it is in front of the camera.
+  double centre_column() const { return centre_column_; }  // column of x = 0, from the left
+  double centre_row() const { return centre_row_; }        // row of y = 0, from the top
+  /// The map from the picture to a turned quad, in homogeneous coordinates. It takes (x, y, 1) to (a, b, c):
+  /// the place on the quad is (a / c, b / c), and c is above 0 where the place is in front of the camera.
   const Mat3& plane() const { return plane_; }
-  /// Side of the quad that is seen: 1 or -1.
+  /// The side of the quad that the camera sees: 1 for the front, -1 for the back.
   double facing() const { return axes_[2][2] < 0 ? -1 : 1; }
 
-  /// Place of a point of the picture: `column` and `row` count pixels from the left upper corner, a pixel's
-  /// centre at halves.
+  /// The x and y of a point of the picture. `column` and `row` count pixels from the top left corner; the
+  /// centre of a pixel is at halves.
   double x(double column) const { return (column - centre_column_) * pixel_; }
   double y(double row) const { return (centre_row_ - row) * pixel_; }
 
-  /// Columns [first, last) of `row` that the object covers in part or whole.
+  /// The columns [first, last) of `row` that the object covers, wholly or in part.
   struct Span {
     int first, last;
   };
   Span covered(int row) const;
 
-  /// Those of them that the object covers whole, and whose centre lies inside the silhouette's limit.
+  /// The columns of `row` that the object covers wholly and whose centres are inside silhouette_limit.
   Span whole(int row) const;
 
-  /// Share of a pixel centred at x, y that the object covers.
+  /// The share of the pixel with its centre at x, y that the object covers, [0, 1].
   double coverage(double x, double y) const;
 
-  /// Whether the ray through x, y meets the object (for supersampling).
+  /// Whether the ray through x, y meets the object; for supersampling.
   bool meets(double x, double y) const;
 
-  /// The surface point behind x, y, drawn in to the silhouette, its normal, and the unit vector from there to
-  /// the viewer, all in the scene's space.
+  /// What the camera sees at x, y: the point on the surface, its normal, and the unit vector from the point
+  /// to the viewer, all in the space of the scene. An x, y outside of the silhouette is moved in to its edge.
   struct Sight {
     Vec3 position, viewer, normal;
   };
   Sight sight(double x, double y) const;
 
  private:
-  Vec3 out_of(const Vec3& seen) const;  // from the camera's axes to the scene's
+  Vec3 out_of(const Vec3& seen) const;  // converts from the camera's axes to those of the scene
   Vec3 on_plane(double x, double y) const;
 
   Shape shape_;
@@ -68,11 +69,11 @@ class Camera {
   Mat3 axes_ = identity3, plane_ = identity3;
 };
 
-/// Pixels at the edge are shaded where the silhouette is this far from the centre, so that the normal stays
-/// in front.
+/// Pixels at the edge of the sphere are shaded at most this far from the centre, in radii, so that their
+/// normals still face the camera.
 inline constexpr double silhouette_limit = 0.9999;
 
-/// A quad seen at less than this cosine shows nothing.
+/// A quad is not drawn where the cosine between its normal and the camera is smaller than this.
 inline constexpr double least_facing = 1e-3;
 
 }  // namespace etak

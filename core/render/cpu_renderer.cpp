@@ -13,7 +13,8 @@
 #include "core/render/display.h"
 #include "core/render/surface_textures.h"
 
-// The loops over a chunk exist once per instruction set, the processor's best is taken at start-up.
+// The loops over a chunk are compiled for several instruction sets; the best one for the processor is chosen
+// when the program starts.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define ETAK_RENDER_CLONES \
@@ -27,7 +28,7 @@ namespace {
 
 constexpr std::size_t tile_rows = 8, chunk_size = 256;
 
-// Where a row's pixels go: into a picture of floats.
+// Writes the pixels of rows into a picture of floats.
 struct PicturePixels {
   Image& picture;
   std::array<float, 4> empty;
@@ -47,7 +48,7 @@ struct PicturePixels {
   }
 };
 
-// Into a picture of codes, by way of a buffer that stays in the first-level cache.
+// Writes the pixels of rows into a picture of codes, by way of a buffer that stays in the first-level cache.
 struct PictureCodes {
   Image8& picture;
   double exposure;
@@ -120,7 +121,7 @@ void respond(const Model& model, const double* values, const Range& range, Chunk
   }
 }
 
-// The reference takes both directions of every point.
+// The reference evaluates both directions at every point and has no loop for light at infinity.
 constexpr bool has_far_respond = false;
 void respond_far(const Model&, const double*, double, const Range&, Chunk&) {}
 

@@ -21,7 +21,7 @@ namespace f64 {
 #include "core/math/real_f64.h"
 
 #include "core/light/transfer.glsl"
-// What a display shows of a linear value.
+// The encoded value of a linear one.
 real encode(Transfer transfer, real x) {
   switch (transfer) {
     case Transfer::srgb:
@@ -35,8 +35,8 @@ real encode(Transfer transfer, real x) {
   }
   return x;
 }
-// The way back, of the curves' printed partners; where the inverse of a code boundary is looked for it is
-// only a start.
+// The linear value of an encoded one, by the decoding curve that the sources print beside each encoding. It
+// need not be the exact inverse: CodeTable only starts its search there.
 real decode(Transfer transfer, real y) {
   switch (transfer) {
     case Transfer::srgb:
@@ -52,14 +52,15 @@ real decode(Transfer transfer, real y) {
 }
 }  // namespace f64
 
-// The code of a value by one look-up, because a power per channel costs more than the shading. Values between
-// 2^-21 and 1 fall into buckets by their leading 16 bits (a bucket is 1/256 to 1/128 of its values wide), and
-// no curve has two codes begin in one bucket. An entry holds the bucket's first code in its upper half; the
-// rest is such that adding the value's lower 16 bits carries into that half where the next code begins.
+// Finds the code of a value by one look-up, because computing a power for each channel would cost more than
+// the shading. Values between 2^-21 and 1 fall into buckets by the leading 16 bits of the float; a bucket is
+// 1/256 to 1/128 of its values wide, and at most one code begins in it. The upper half of an entry is the
+// first code of the bucket. The lower half is chosen so that adding the lower 16 bits of the value carries
+// into the upper half where the next code begins.
 class CodeTable {
  public:
   explicit CodeTable(Transfer transfer) {
-    std::array<std::uint32_t, 257> first{};  // bits of the least value with a code
+    std::array<std::uint32_t, 257> first{};  // for each code, the bits of its least value
     for (int i = 1; i < 256; ++i) first[static_cast<std::size_t>(i)] = bits(least_value(transfer, i));
     first[256] = ~std::uint32_t{0};
     std::size_t code = 0;
@@ -72,7 +73,7 @@ class CodeTable {
   }
 
   std::uint8_t of(float value) const {
-    const float high = value > least ? value : least;  // NaN becomes the least too
+    const float high = value > least ? value : least;  // NaN becomes `least` too
     const std::uint32_t at = bits(high < 1 ? high : 1);
     return static_cast<std::uint8_t>((entries_[(at >> 16) - first_bucket] + (at & 0xffff)) >> 16);
   }
@@ -135,7 +136,8 @@ void to_codes(std::span<const float> pixels, double exposure, Transfer transfer,
   const CodeTable& table = table_of(transfer);
   const auto factor = static_cast<float>(exposure);
   for (std::size_t i = 0; i + 4 <= pixels.size(); i += 4, codes += 3) {
-    // All three before the first is written: a byte may alias what is read.
+    // All three are computed before the first is written, because for the compiler a byte may alias the
+    // pixels.
     const std::uint8_t red = table.of(pixels[i] * factor), green = table.of(pixels[i + 1] * factor),
                        blue = table.of(pixels[i + 2] * factor);
     codes[0] = red;

@@ -14,14 +14,16 @@ namespace etak {
 std::string_view name(Transfer transfer);  // "srgb", "power-0.45", "sqrt", "linear"
 std::optional<Transfer> transfer_named(std::string_view text);
 
-/// Codes of the first three channels of `picture`: transfer of exposure x value, clamped to [0, 1], rounded
-/// to nearest; the sRGB codes are those of srgb_u8 (core/color/srgb.h). NaN becomes 0.
+/// The 8-bit codes of the first three channels of `picture`: the transfer curve of exposure x value, clamped
+/// to [0, 1] and rounded to nearest. For sRGB they are the codes of srgb_u8() (core/color/srgb.h). NaN gives
+/// code 0.
 Image8 to_codes(const Image& picture, double exposure, Transfer transfer);
 
-/// The same for a row of pixels with four channels each; `codes` gets three for each.
+/// The same for a row of pixels with four channels each.
+///   codes   room for three codes for each pixel
 void to_codes(std::span<const float> pixels, double exposure, Transfer transfer, std::uint8_t* codes);
 
-/// `picture` with three channels, times exposure.
+/// The first three channels of `picture`, multiplied by the exposure.
 Image exposed(const Image& picture, double exposure);
 
 }  // namespace etak

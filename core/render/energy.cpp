@@ -11,7 +11,7 @@ namespace {
 constexpr int polar_steps = 96, around_steps = 64;
 using std::numbers::pi;
 
-// Directions of light and viewer as the models' loops take them.
+// Directions of light and viewer, in the arrays that Model::f32_batch() takes.
 struct Rows {
   std::vector<float> lx, ly, lz, vx, vy, vz, red, green, blue;
   std::vector<double> weight;  // nl times the solid angle
@@ -48,7 +48,8 @@ std::vector<float> quick_albedo(const Scene& scene, int steps) {
     const double nv = std::max(double(step) / (steps - 1), 0.01), sine = std::sqrt(1 - nv * nv);
     const Vec3 v{sine, 0, nv};
     rows.clear();
-    // Over half vectors, which the lobes are functions of; the cube brings points to where narrow ones are.
+    // The integral is taken over half vectors, because lobes are functions of these. The cube puts most
+    // points close to the normal, where narrow lobes are.
     for (int i = 0; i < polar_steps; ++i) {
       const double t = (i + 0.5) / polar_steps, theta = pi / 2 * t * t * t;
       const double d_theta = pi / 2 * 3 * t * t / polar_steps;

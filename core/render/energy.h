@@ -7,9 +7,12 @@
 
 namespace etak {
 
-/// Share of light from all around that the scene's surface sends to a viewer, in the channel where it is
-/// most, at `steps` cosines of the viewer from 0 (a hair above) to 1. What is above 1 is more than came.
-///   error   0.01 for the lobes of gloss 0 to 1; quick, for pictures
+/// The directional albedo of the scene's surface, quickly, for marking pictures: the share of light of
+/// radiance 1 from all directions that goes to the viewer, in the channel where it is largest. A value above
+/// 1 is more light than came in.
+///   steps     how many cosines between viewer and normal, evenly from 0 to 1 (0.01 is taken for 0); >= 2
+///   returns   one albedo for each cosine
+///   error     0.01 for lobes of gloss 0 to 1
 std::vector<float> quick_albedo(const Scene& scene, int steps);
 
 }  // namespace etak

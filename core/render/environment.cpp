@@ -16,8 +16,8 @@ namespace {
 
 using std::numbers::pi;
 constexpr int level_count = 9;
-// Prefiltering looks at no more columns than this: finer detail is below the narrowest lobe (e = 4096, some 5
-// degrees).
+// Prefiltering reads a map of at most this many columns: finer detail is smaller than the narrowest lobe
+// (e = 4096, about 5 degrees wide).
 constexpr int prefilter_width = 512;
 
 double luminance_at(const Image& map, int x, int y) {
@@ -34,12 +34,12 @@ struct MapPlace {
   double u, v;
 };
 MapPlace place_of(const Vec3& d) {
-  // atan2 for both angles: acos loses its digits towards the poles.
+  // Both angles are computed by atan2, because acos loses digits towards the poles.
   return {0.5 + std::atan2(d[0], -d[2]) / (2 * pi),
           std::atan2(std::sqrt(d[0] * d[0] + d[2] * d[2]), d[1]) / pi};
 }
 
-// Bilinear; columns go round, rows end at the poles.
+// The bilinear value at a place. Columns wrap around; rows end at the poles.
 Vec3 look_up(const Image& map, const MapPlace& place) {
   const double x = place.u * map.width - 0.5,
                y = std::clamp(place.v * map.height - 0.5, 0.0, map.height - 1.0);
@@ -56,7 +56,7 @@ Vec3 look_up(const Image& map, const MapPlace& place) {
   return out;
 }
 
-// Solid angle of a pixel in `row` of a map.
+// The solid angle of a pixel in `row` of a map, in sr.
 double solid_angle(const Image& map, int row) {
   const double top = std::cos(pi * row / map.height), bottom = std::cos(pi * (row + 1) / map.height);
   return 2 * pi / map.width * (top - bottom);
@@ -66,7 +66,7 @@ Image at_most(const Image& map, int width) {
   return map.width <= width ? map : shrunk(map, width, std::min(map.height, width / 2));
 }
 
-// A map's pixels as directions, for sums over all of them.
+// The directions of the pixels of a map, factored into rows and columns, for sums over all pixels.
 struct Source {
   const Image* map;
   std::vector<double> sines, cosines;      // of the rows' polar angles
@@ -86,8 +86,8 @@ struct Source {
   }
 };
 
-// Sum over the source of weight(c) radiance d omega and of weight(c) d omega, for pixels whose cosine c with
-// `axis` is above `least`; rows and columns that cannot be are left out.
+// The sums of weight(c) radiance d_omega and of weight(c) d_omega over the pixels of the source whose cosine
+// c with `axis` is above `least`. Rows and columns without such pixels are skipped.
 template <class Weight>
 std::pair<Vec3, double> gather(const Source& source, const Vec3& axis, double least, Weight weight) {
   const Image& map = *source.map;
@@ -96,7 +96,8 @@ std::pair<Vec3, double> gather(const Source& source, const Vec3& axis, double le
   const double row = centre.v * map.height, rows = reach / pi * map.height;
   const int first_row = std::max(0, static_cast<int>(std::floor(row - rows)) - 1);
   const int last_row = std::min(map.height, static_cast<int>(std::ceil(row + rows)) + 1);
-  // The widest column distance of a cap that holds no pole: asin(sin reach / sin polar angle).
+  // The largest distance in columns from the centre of a cap that holds no pole: asin(sin reach / sin polar
+  // angle).
   const double sine = std::sin(pi * centre.v);
   const bool holds_pole =
       pi * centre.v - reach <= 0 || pi * centre.v + reach >= pi || sine <= std::sin(reach) || reach >= pi / 2;
@@ -130,7 +131,7 @@ std::pair<Vec3, double> gather(const Source& source, const Vec3& axis, double le
   return {sum, total};
 }
 
-// Fills a map of `width` x width/2 with value(direction).
+// A map of width x width/2 pixels whose values are value(direction).
 template <class Value>
 Image filled(int width, unsigned threads, Value value) {
   Image out(width, width / 2, 3);
@@ -145,9 +146,9 @@ Image filled(int width, unsigned threads, Value value) {
   return out;
 }
 
-// The lobe of exponent e around normal = viewer: with half vector distribution nh^e and Kelemen's 1 / lh^2, f
-// nl is nh^(e - 2) nl up to a factor, and nh^2 = (1 + nl) / 2. A table over the cosines that matter: linear
-// between 2048 steps.
+// The lobe of exponent e for a viewer in the direction of the normal. With the half vector distribution nh^e
+// and Kelemen's 1 / lh^2, f nl is nh^(e - 2) nl up to a factor, and nh^2 = (1 + nl) / 2. The lobe is a table
+// over the cosines that matter, linear between 2048 steps.
 class LobeWeight {
  public:
   explicit LobeWeight(double e) : least_(std::max(0.0, 2 * std::exp2(std::log2(1e-4) * 2 / e) - 1)) {
@@ -157,7 +158,7 @@ class LobeWeight {
     }
     values_.push_back(values_.back());
   }
-  double least() const { return least_; }  // below 1e-4 of the peak nothing is left to see
+  double least() const { return least_; }  // the lobe is below 1e-4 of its peak beneath this cosine
   double at(double c) const {
     const double at = std::min((c - least_) / (1 - least_), 1.0) * steps;
     const auto i = static_cast<std::size_t>(at);
@@ -172,7 +173,7 @@ class LobeWeight {
 
 Image lobe_map(const Image& map, double gloss, unsigned threads) {
   const double e = exponent_of_gloss(gloss);
-  // Half the lobe's width per pixel of the result, a quarter per pixel of what is summed.
+  // A pixel of the result spans half the width of the lobe, and a pixel of the summed map spans a quarter.
   const double wanted = std::clamp(6.3 * std::sqrt(e), 32.0, 256.0);
   const Image seen = at_most(map, static_cast<int>(std::min(2 * wanted, double(prefilter_width))));
   const Source source(seen);
@@ -218,7 +219,8 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
     levels_.push_back({gloss, lobe_map(seen, gloss, threads)});
   }
 
-  // A little of the mean everywhere: bilinear look-up sees light in pixels that are black themselves.
+  // Every pixel gets a little of the mean as weight, because bilinear look-up finds light in black pixels
+  // beside bright ones.
   double mean = 0;
   for (int y = 0; y < map_.height; ++y)
     for (int x = 0; x < map_.width; ++x) mean += luminance_at(map_, x, y) * solid_angle(map_, y) / (4 * pi);
@@ -267,7 +269,7 @@ Vec3 Environment::sample(double u, double v) const {
   const auto column = std::upper_bound(begin, begin + map_.width - 1, u) - begin;
   const double column_before = column == 0 ? 0 : begin[column - 1];
   const double in_column = (u - column_before) / (begin[column] - column_before);
-  // Even over the solid angle within a pixel: linear in the cosine.
+  // Within a pixel, directions are spread evenly over the solid angle, that is linearly in the cosine.
   const double top = std::cos(pi * double(row) / map_.height),
                bottom = std::cos(pi * double(row + 1) / map_.height);
   const double y = top + (bottom - top) * std::clamp(in_row, 0.0, 1.0);
@@ -288,7 +290,7 @@ double Environment::pdf(const Vec3& d) const {
 }
 
 EnvironmentTurn::EnvironmentTurn(double degrees) {
-  // 0 exactly, so that a scene without a turn is what it was.
+  // A turn of 0 is the exact identity, so that it does not change a scene by rounding.
   if (degrees == 0) return;
   cos_ = std::cos(degrees * (pi / 180));
   sin_ = std::sin(degrees * (pi / 180));

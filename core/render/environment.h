@@ -10,41 +10,44 @@
 
 namespace etak {
 
-/// Light from all around as a lat-long picture of radiance (linear sRGB), and what shading needs of it.
+/// Light from all directions as a latitude-longitude picture of radiance (linear sRGB), with the prefiltered
+/// forms that shading uses.
 ///
-/// Columns go around the y axis: the middle of the picture lies at -z (what the camera looks at), a quarter
-/// to the right of it is +x; the top row is +y. For direction d: u = 1/2 + atan2(d.x, -d.z) / 2 pi, v =
-/// acos(d.y) / pi.
+/// Columns go around the y axis: the middle of the picture is at -z (where the camera looks), a quarter of
+/// the width to the right of it is +x, and the top row is +y. Direction d has v = acos(d.y) / pi and
+/// u = 1/2 + atan2(d.x, -d.z) / (2 pi).
 ///
-/// Two prefiltered forms, made once, as plain pictures that a GPU can take as textures:
-///   irradiance   exact sum over the map for every pixel of a small one
-///   specular     a chain of maps, one per gloss level: the mean radiance seen through Schueler's lobe of
-///                that gloss with viewer and normal along the mirror direction (so the lobe stays round at
-///                grazing view: the usual split into lobe and Fresnel; environment_error() of reference.h
-///                states what that costs)
+/// The two prefiltered forms are made once. They are pictures that a GPU can use as textures:
+///   irradiance   a small map; each of its pixels is a sum over all pixels of the environment
+///   specular     one map for each of nine levels of gloss: the mean radiance that is seen through Schueler's
+///                lobe of that gloss, with viewer and normal along the mirror direction. The lobe thus stays
+///                round at grazing view, which is the usual split into lobe and Fresnel term; ambient_error()
+///                of reference.h measures the error of that
 class Environment {
  public:
-  /// Throws Error (naming `what`) for pictures of fewer than 3 channels, NaN, infinite or negative radiance,
-  /// or larger than 8192 x 4096.
-  ///   scale     factor on the radiance, >= 0
-  ///   threads   to prefilter with; the result is the same for any number
+  /// Throws Error that names `what` for pictures of fewer than 3 channels, for sizes outside of 2 x 2 to
+  /// 8192 x 4096, and for NaN, infinite or negative radiance.
+  ///   scale     factor of the radiance, >= 0
+  ///   threads   for prefiltering; the result is the same for any number
   Environment(const Image& lat_long, double scale, const std::string& what, unsigned threads);
 
-  /// Radiance from direction `d` (unit vector): bilinear.
+  /// The radiance from direction `d` (a unit vector), bilinear between pixels.
   Vec3 radiance(const Vec3& d) const;
 
-  /// Irradiance on a plane with normal `n`: pi for a white environment of radiance 1.
+  /// The irradiance on a plane with normal `n`; pi for an environment of radiance 1 everywhere.
   Vec3 irradiance(const Vec3& n) const;
 
-  /// Radiance through the lobe of `gloss` around `r`: 1 for a white environment; between levels linear in
-  /// gloss.
+  /// The radiance that is seen through the lobe of `gloss` around `r`, linear in gloss between the levels; 1
+  /// for an environment of radiance 1 everywhere.
   Vec3 specular(const Vec3& r, double gloss) const;
 
   struct Level {
     double gloss;
     Image map;
   };
-  /// The level above a gloss and the share of the one below it.
+  /// The two levels that a gloss lies between.
+  ///   sharp   index of the level of the higher gloss; the other one follows it
+  ///   share   weight of the level of the lower gloss, [0, 1]
   struct Between {
     std::size_t sharp;
     double share;
@@ -53,21 +56,22 @@ class Environment {
 
   const Image& map() const { return map_; }
   const Image& irradiance_map() const { return irradiance_; }
-  const std::vector<Level>& levels() const { return levels_; }  // gloss 1 first, 0 last
+  const std::vector<Level>& levels() const { return levels_; }  // from gloss 1 to gloss 0
 
-  /// Directions by luminance: two numbers in [0, 1) to a direction; pdf in 1/sr.
+  /// A direction for two random numbers in [0, 1), with a density about proportional to luminance.
   Vec3 sample(double u, double v) const;
+  /// The density of sample() at direction `d`, in 1/sr.
   double pdf(const Vec3& d) const;
 
  private:
   Image map_;
   Image irradiance_;
   std::vector<Level> levels_;
-  std::vector<double> row_sums_;     // cumulated over rows, last 1
-  std::vector<double> column_sums_;  // per row cumulated over columns, last 1
+  // Cumulated luminance over the rows, and in each row over its columns; the last sums are 1.
+  std::vector<double> row_sums_, column_sums_;
 };
 
-/// A scene's environment turned around y, and directions between the two.
+/// A turn of the environment around y: converts directions between the scene and the map.
 class EnvironmentTurn {
  public:
   explicit EnvironmentTurn(double degrees);
@@ -80,9 +84,10 @@ class EnvironmentTurn {
   double cos_ = 1, sin_ = 0;
 };
 
-/// etak's own environment, made by arithmetic: a sky that darkens upwards from a bright horizon, brown
-/// ground, a sun (0.02 sr at 40 degrees height, right of the camera's back) and a square softbox on the left.
-///   width   of the picture, 64 to 4096; its height is half of that
+/// etak's own environment, which is computed: a sky that darkens upwards from a bright horizon, brown ground,
+/// a sun (0.02 sr, 40 degrees above the horizon, behind the camera on the right) and a square softbox on the
+/// left.
+///   width   of the picture, 64 to 4096; the height is half of it
 Image studio_environment(int width = 512);
 
 }  // namespace etak

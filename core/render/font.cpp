@@ -7,7 +7,7 @@
 namespace etak {
 namespace {
 
-// Rows of five dots from the top.
+// A character as seven rows of five dots, from the top.
 struct Glyph {
   char character;
   std::array<std::uint8_t, 7> rows;

@@ -43,11 +43,12 @@ Vec3 operator*(const Vec3& a, double s) {
   return {a[0] * s, a[1] * s, a[2] * s};
 }
 
-// Numbers in [0, 1) that depend on their place alone (the mixer of Steele et al. 2014, SplitMix).
+// Random numbers in [0, 1) that depend on pixel and sample alone (by the mixer of Steele et al. 2014,
+// SplitMix).
 class Random {
  public:
-  // Both numbers are mixed first: streams that start a step apart would be one stream shifted, and show as
-  // streaks.
+  // Both numbers are mixed first, because streams that start one step apart would be the same stream,
+  // shifted, and show as streaks in the picture.
   Random(std::uint64_t pixel, std::uint64_t sample)
       : numbers_(SplitMix::mixed(SplitMix::mixed(pixel + 1) ^ (sample + 1) * 0xD1B54A32D192ED03u)) {}
   double next() { return numbers_.uniform(); }
@@ -56,7 +57,7 @@ class Random {
   SplitMix numbers_;
 };
 
-// Tangent, bitangent and normal as rows.
+// The frame of a surface point: tangent, bitangent and normal as rows.
 Mat3 frame_of(const Vec3& n) {
   const double length2 = n[0] * n[0] + n[2] * n[2];
   const double inverse = 1 / std::sqrt(std::max(length2, 1e-12));
@@ -68,7 +69,7 @@ Vec3 out_of(const Mat3& frame, const Vec3& local) {
   return frame[0] * local[0] + frame[1] * local[1] + frame[2] * local[2];
 }
 
-// XYZ weights and the matrix to linear sRGB.
+// Converts spectra of reflectance to linear sRGB.
 struct Eye {
   Quadrature quadrature = make_quadrature(Method::nm1, {});
   Mat3 to_srgb;
@@ -83,7 +84,7 @@ struct Eye {
   }
 };
 
-// Everything a point of the object is shaded with.
+// Shades points of the object.
 class Shader {
  public:
   Shader(const Scene& scene, const Environment* environment, const SpectralFresnel* fresnel)
@@ -101,7 +102,8 @@ class Shader {
 
   bool has_ambient() const { return environment_ != nullptr || scene_.lights.hemispheres.has_value(); }
 
-  // f_r of both parts, specular whole and diffuse times opacity. Local directions.
+  // f_r of the specular part plus opacity times that of the diffuse part, for directions in the frame of the
+  // point.
   Vec3 reflectance(const Vec3& l, const Vec3& v) const {
     const Directions d{l[0], l[1], l[2], v[0], v[1], v[2]};
     Vec3 out{};
@@ -145,7 +147,7 @@ class Shader {
     return sum;
   }
 
-  // One sample of the light from hemispheres and environment, unbiased.
+  // One unbiased sample of the reflected light from hemispheres and environment.
   Vec3 ambient_sample(const Mat3& frame, const Vec3& v, Random& random) const {
     const double pick = random.next(), a = random.next(), b = random.next();
     const bool by_light = environment_ != nullptr;
@@ -157,7 +159,7 @@ class Shader {
       const double radius = std::sqrt(a), phi = 2 * pi * b;
       l = {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - a)};
     } else {
-      // nh^e over the hemisphere, then mirrored.
+      // The half vector has the density nh^e over the hemisphere; the viewer is mirrored at it.
       const double nh = std::pow(a, 1 / (exponent_ + 1)),
                    sine = std::sqrt(std::max(0.0, (1 - nh) * (1 + nh)));
       const double phi = 2 * pi * b;
@@ -182,7 +184,7 @@ class Shader {
     return reflectance(l, v) * radiance * (l[2] / pdf);
   }
 
-  // Share of the background that is seen through the object.
+  // The light of the background that is seen through the object.
   Vec3 through(double nv) const {
     if (scene_.surface.opacity >= 1) return {};
     double f = 0;
@@ -218,7 +220,7 @@ PixelSum draw_pixel(const Scene& scene, const Camera& camera, const Shader& shad
   const int side = options.samples_per_side;
   const auto pixel = static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(scene.width) +
                      static_cast<std::uint64_t>(column);
-  // Ambient light is estimated per pixel: mean and variance over all its samples.
+  // The variance of the ambient light is estimated for each pixel, over all its samples.
   double sum = 0, squares = 0, count = 0;
   for (int i = 0; i < side * side; ++i) {
     const double x = camera.x(column + (i % side + 0.5) / side), y = camera.y(row + (i / side + 0.5) / side);
@@ -279,7 +281,8 @@ Vec3 SpectralFresnel::exact(const OpticalConstants& optics, double c) {
 std::optional<Lobe> lobe_of(const Model& model, const std::vector<double>& values) {
   Lobe out{&model, values};
   bool has_fresnel = false;
-  // Optimized hides a Fresnel of K / lh: its lobe is the bounded form's, where K = 1 is F = 1.
+  // Schueler's Optimized has a hidden Fresnel term K / lh. Its lobe is taken from the bounded form, where
+  // K = 1 gives F = 1.
   if (model.id == "schueler-optimized")
     if (const Model* bounded = find_model("schueler-optimized-bounded");
         bounded && bounded->value_count() == values.size())

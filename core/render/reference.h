@@ -11,15 +11,16 @@
 
 namespace etak {
 
-/// Fresnel reflectance as a colour, from a spectrum: exact F(wavelength, c) at 1 nm over 360..830 nm, seen
-/// under D65 by the CIE 1931 observer, as linear sRGB.
-///   error   3e-5 against the sum itself: 4096 steps in the cosine, linear between them
+/// The Fresnel reflectance of a spectrum as a colour: the exact F(wavelength, cosine) in steps of 1 nm over
+/// 360..830 nm, under D65 for the CIE 1931 observer, in linear sRGB. It is a table of 4096 steps in the
+/// cosine, linear between them.
+///   error   3e-5 against exact()
 class SpectralFresnel {
  public:
   explicit SpectralFresnel(const OpticalConstants& optics);
   Vec3 at(double c) const;
 
-  /// The sum itself, for one cosine.
+  /// The sum over the spectrum for one cosine, without the table.
   static Vec3 exact(const OpticalConstants& optics, double c);
 
  private:
@@ -27,43 +28,48 @@ class SpectralFresnel {
 };
 
 struct ReferenceOptions {
-  int samples_per_side = 4;  // of a pixel: 4 x 4 points, each a ray of its own
-  int light_samples = 16;    // per point, for hemispheres and environment; 0: those are left out
+  int samples_per_side = 4;  // of a pixel: 4 x 4 rays
+  int light_samples = 16;    // for each ray, of hemispheres and environment; 0: these are left out
   unsigned threads = 1;
 };
 
-/// A judge's picture and how sure it is of itself.
+/// A reference picture and its statistical error.
 struct Reference {
-  Image picture;  // as render_cpu gives it
-  // Of a pixel's luminance where light was sampled: root mean square over covered pixels.
-  double standard_error = 0;
-  double worst_error = 0;  // largest of a pixel
+  Image picture;  // in the form of render_cpu()
+  // The standard error of the luminance of sampled light: root mean square over the covered pixels, and that
+  // of the worst pixel.
+  double standard_error = 0, worst_error = 0;
 };
 
-/// Draws `scene` in double with nothing approximated but by sampling: discrete lights summed; hemispheres and
-/// environment integrated over the model's own lobe by multiple importance sampling (one third each after the
-/// light, the cosine, and the lobe of the scene's gloss; balance heuristic); coverage by counting rays. Where
-/// the surface has optics, Fresnel is taken per wavelength: the model's lobe (its f_r with F = 1) times
-/// SpectralFresnel at the half angle. Random numbers follow from pixel and sample, so the picture is the same
-/// for any number of threads.
+/// Draws `scene` in double, with sampling as the only approximation. Discrete lights are summed. Hemispheres
+/// and environment are integrated over the model itself by multiple importance sampling with the balance
+/// heuristic: one third of the samples each follow the light, the cosine, and the lobe of the scene's gloss
+/// (without an environment, one half each follow the cosine and the lobe). Coverage is the share of rays that
+/// meet the object. Where the surface has optics, Fresnel is computed for each wavelength: f_r is the model's
+/// lobe (its f_r with F = 1) times SpectralFresnel at the half angle. Random numbers depend on pixel and
+/// sample alone, so the picture is the same for any number of threads. Throws Error for scenes that
+/// validate() refuses.
 Reference render_reference(const Scene& scene, const Environment* environment,
                            const ReferenceOptions& options, const RowsDone& rows_done = {});
 
-/// How far the real-time terms for hemispheres and environment are from the sampled ones, on `scene` without
-/// its discrete lights: luminance over the object's fully covered pixels, relative to the reference's mean.
+/// The error of the real-time terms for hemispheres and environment against the sampled reference, on `scene`
+/// without its discrete lights. All numbers are of luminance over the fully covered pixels, relative to the
+/// mean of the reference.
 struct AmbientError {
-  double mean = 0, worst = 0;  // absolute differences
+  double mean = 0, worst = 0;  // of absolute differences
   double bias = 0;             // mean of signed differences
-  double standard_error = 0;   // of the reference's pixels, rms: what of `mean` may be noise
+  double standard_error = 0;   // of the reference's pixels, rms: so much of `mean` may be noise
 };
 AmbientError ambient_error(Scene scene, const Environment* environment, const ReferenceOptions& options);
 
-/// The model with F = 1 that `model` is a lobe of, and its values: for the spectral reference. None for a
-/// model whose Fresnel term cannot be set to 1, and for one whose diffuse part is not black.
+/// A model and the values with which its Fresnel term is 1.
 struct Lobe {
   const Model* model;
   std::vector<double> values;
 };
+
+/// The lobe of `model` with `values`, for the spectral reference; nullopt for a model whose Fresnel term
+/// cannot be set to 1, and for one whose diffuse part is not black.
 std::optional<Lobe> lobe_of(const Model& model, const std::vector<double>& values);
 
 }  // namespace etak

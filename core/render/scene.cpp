@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::array<char, 3> channel_letters{'r', 'g', 'b'};
 
-// What a surface says of a parameter; the parameter's own default where it says nothing.
+// The value of a parameter for a surface; the parameter's default where the surface does not have that
+// quantity.
 Vec3 value_of(const Parameter& parameter, const SurfaceValues& surface) {
   const auto all = [](double value) { return Vec3{value, value, value}; };
   switch (parameter.role) {
@@ -51,7 +52,8 @@ std::string range_text(const Parameter& parameter) {
   return number(parameter.min, 6) + " to " + number(parameter.max, 6);
 }
 
-// Sets the numbers that `name` means: "K", "K.r". False when it means none.
+// Sets the numbers of the parameter "K" or of its channel "K.r". False when the model has no parameter of
+// that name.
 bool apply(const Model& model, const std::string& name, double value, std::vector<double>& values) {
   std::size_t at = 0;
   for (const Parameter& parameter : model.parameters) {
@@ -101,7 +103,8 @@ std::vector<double> model_values(const Model& model, const SurfaceValues& surfac
   for (const Parameter& parameter : model.parameters) {
     const Vec3 wanted = value_of(parameter, surface);
     for (std::size_t c = 0; c < (parameter.color ? 3u : 1u); ++c) {
-      // Colours outside a display's gamut stay what they are (gold's red is 1.04): the models take them.
+      // Colours outside of a display's gamut (gold's red is 1.04) are not clamped, because the models
+      // evaluate them.
       const bool color = parameter.role == Role::f0 || parameter.role == Role::diffuse;
       const double used = color ? wanted[c] : std::clamp(wanted[c], parameter.min, parameter.max);
       if (used != wanted[c] && clamped != nullptr) {
@@ -153,8 +156,8 @@ bool has_parameter(const Model* model, std::string_view name) {
   return false;
 }
 
-// Hemispheres and environment see the colours of the surface: those that were set for the model, where it has
-// them.
+// Sets the colours and the gloss of the surface to those of the model, because hemispheres and environment
+// use the surface's.
 void take_set(const Model& model, const std::vector<double>& values, SurfaceValues& surface) {
   std::size_t at = 0;
   for (const Parameter& each : model.parameters) {

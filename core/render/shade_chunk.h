@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: shading of some hundred surface points at once, included in an unnamed namespace that has
-// chunk_size and ETAK_RENDER_CLONES, after core/math/real_f64.h or real_f32.h. Arrays of one quantity each, so
-// that the loops vectorise.
+// Shades a chunk of some hundred surface points at once. Each quantity is an array of its own, so that the
+// loops are vectorised. There is no include guard: include this in an unnamed namespace that has chunk_size
+// and ETAK_RENDER_CLONES, behind core/math/real_f64.h or real_f32.h.
 #include "core/fresnel/texts.h"
 
 #include "core/light/texts.h"
 
-// Loops run over whole blocks of lanes, past the end too (nothing reads what they leave there): a rest that
-// is taken one by one costs as much as the row before it.
+// Loops run over whole blocks of points, also past the last point, where nothing reads what they write. A
+// remainder that is computed point by point would cost as much as the rest of the row.
 constexpr std::size_t block = 16;
 static_assert(chunk_size % block == 0);
 
@@ -20,29 +20,29 @@ struct Lane {
 using Triple = std::array<Lane, 3>;
 
 struct Chunk {
-  std::size_t count = 0, whole_blocks = 0;  // points; the same rounded up to blocks
+  std::size_t count = 0, whole_blocks = 0;  // how many points; the same, rounded up to whole blocks
   Triple position, normal, viewer;          // in the scene's space; filled by the caller
   Lane tangent_x, tangent_z;                // the tangent's y is 0
   Triple bitangent;
   Triple local_viewer, local_light;  // in the frame of tangent, bitangent and normal
-  Triple local_half;                 // the half vector there: far lights
-  Triple to_light;                   // in the scene's space: point and spot lights
+  Triple local_half;                 // the half vector in that frame; for far lights
+  Triple to_light;                   // in the scene's space; for point and spot lights
   Lane irradiance;                   // E nl of one light, without its colour
   Triple response;                   // f_r of one model
   Triple specular, diffuse;          // radiance
   Lane through;                      // share of the background that is seen through the object
-  Triple texel_body, texel_f0;       // of textures: diffuse colour times opacity, F0
+  Triple texel_body, texel_f0;       // from textures: diffuse colour times opacity, and F0
   Lane texel_opacity, texel_gloss;
 };
 
-// One light in numbers the loops need.
+// One light, as the numbers that the loops need.
 struct ChunkLight {
   bool directional, spot;
   real px, py, pz;  // position
   real dx, dy, dz;  // towards the light (directional), along the beam (spot)
   real cos_inner, cos_outer;
-  vec3 color;  // with intensity, and pi where the setup is scaled by it
-  // Directional lights seen orthographically: half way to the viewer, and its cosine with the light.
+  vec3 color;  // times intensity, and times pi where the setup is scaled by pi
+  // For directional lights in orthographic pictures: the half vector, and its cosine with the light.
   real hx, hy, hz;
   double lh;
 };
@@ -52,7 +52,7 @@ ETAK_RENDER_CLONES void build_frames(Chunk& c, bool orthographic) {
   for (std::size_t i = 0; i < count; ++i) {
     const real nx = c.normal[0][i], ny = c.normal[1][i], nz = c.normal[2][i];
     const real length2 = nx * nx + nz * nz;
-    // Below this the tangent is the x axis: at the poles of y it has no direction of its own.
+    // At the poles of y the cross product that gives the tangent vanishes, and the tangent is the x axis.
     const bool pole = length2 < real(1e-12);
     const real inverse = 1 / std::sqrt(length2 > real(1e-12) ? length2 : real(1e-12));
     const real tx = pole ? real(1) : nz * inverse, tz = pole ? real(0) : -nx * inverse;
@@ -89,7 +89,8 @@ ETAK_RENDER_CLONES void aim_directional(Chunk& c, real x, real y, real z) {
   }
 }
 
-// As aim_directional, with the half vector in place of the light's direction.
+// As aim_directional(), but with the half vector in place of the light's direction; see
+// Model::f32_batch_far().
 ETAK_RENDER_CLONES void aim_far(Chunk& c, const ChunkLight& light) {
   const real x = light.dx, y = light.dy, z = light.dz, hx = light.hx, hy = light.hy, hz = light.hz;
   const std::size_t count = c.whole_blocks;
@@ -132,7 +133,8 @@ struct Range {
   std::size_t first, last;
 };
 
-// All points but the dark ones at both ends, in whole blocks.
+// The points that the light reaches, in whole blocks: blocks at both ends where all points are dark are left
+// out.
 ETAK_RENDER_CLONES Range lit_blocks(const Chunk& c) {
   const auto dark = [&](std::size_t first) {
     int reached = 0;
@@ -159,7 +161,7 @@ struct ChunkHemispheres {
   vec3 axis, lower, upper;
 };
 
-// What hemispheres and environment see of the surface at a point.
+// The values of the surface at a point that hemispheres and environment use.
 struct PointSurface {
   vec3 f0_value, diffuse;
   real gloss;
@@ -205,8 +207,10 @@ void add_hemispheres(Chunk& c, const ChunkHemispheres& h, const Surface& surface
   }
 }
 
-// The prefiltered maps are looked up in double whatever `real` is: trigonometry costs more than the width.
-//   lobe_gloss   of the look-up: one for all points, as a GPU has two levels of the map at a time
+// Adds the light of the environment. The prefiltered maps are looked up in double in both precisions, because
+// trigonometry costs far more than the wider type.
+//   lobe_gloss   the gloss of the look-up, the same for all points, because a GPU has two levels of the map
+//                at a time
 template <class Surface>
 void add_environment(Chunk& c, const Environment& environment, const EnvironmentTurn& turn, real lobe_gloss,
                      const Surface& surface, bool with_specular, bool with_diffuse) {
@@ -256,7 +260,7 @@ ETAK_RENDER_CLONES void sphere_points(Chunk& c, double first_x, double step, dou
   }
 }
 
-// Normals from the camera's axes to those of the scene.
+// Converts normals from the camera's axes to those of the scene.
 ETAK_RENDER_CLONES void turn_points(Chunk& c, const Mat3& axes) {
   real m[9];
   for (std::size_t i = 0; i < 9; ++i) m[i] = real(axes[i / 3][i % 3]);
@@ -269,7 +273,7 @@ ETAK_RENDER_CLONES void turn_points(Chunk& c, const Mat3& axes) {
   }
 }
 
-// Points [first, last) of the chunk to pixels of four channels; the object covers them whole.
+// Writes the points [first, last) of the chunk, which the object covers wholly, as pixels of four channels.
 ETAK_RENDER_CLONES void store_whole(const Chunk& c, std::size_t first, std::size_t last, real opacity,
                                     float* out) {
   for (std::size_t i = first; i < last; ++i) {

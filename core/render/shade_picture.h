@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: from a scene to its picture, behind shade_chunk.h and functions respond(), respond_far()
-// that evaluate a model.
+// Draws the picture of a scene. There is no include guard: include this behind shade_chunk.h and the
+// functions respond() and respond_far(), which evaluate a model.
 
 vec3 narrowed(const Vec3& v) {
   return vec3(real(v[0]), real(v[1]), real(v[2]));
 }
 
-// What all chunks of a picture share.
+// The values that all chunks of a picture share.
 struct Shading {
   const Scene& scene;
   const Environment* environment;
   Camera camera;
   EnvironmentTurn turn;
-  const Model* specular;  // null where it gives nothing
+  // The models; null where a model gives no light.
+  const Model* specular;
   const Model* diffuse;
   std::vector<double> specular_values;
   std::vector<ChunkLight> lights;
-  bool with_diffuse;  // some diffuse light is there, of `diffuse` or of a model of kind both
+  bool with_diffuse;  // whether there is diffuse light, from `diffuse` or from a specular model of kind both
   bool needs_positions = false, needs_viewers;
-  bool far = false;  // light and viewer are far away, and the models have loops for that
+  bool far = false;  // the viewer is at infinity, and the models have loops for directional lights
   double f0_luminance;
   bool in_zone = false;
 
@@ -53,7 +54,7 @@ struct Shading {
       const double power = light.intensity * scale;
       const double hx = sign * light.direction[0] + viewer[0], hy = sign * light.direction[1] + viewer[1],
                    hz = sign * light.direction[2] + viewer[2];
-      // Light from straight behind has no half vector and lights nothing.
+      // Light from straight behind the object has no half vector; the object is dark under it.
       const double length = std::max(std::sqrt(hx * hx + hy * hy + hz * hz), 1e-30);
       lights.push_back({directional, light.kind == LightKind::spot, real(light.position[0]),
                         real(light.position[1]), real(light.position[2]), real(sign * light.direction[0]),
@@ -65,13 +66,14 @@ struct Shading {
   }
 };
 
-// A piece of a row: columns from `first` on, of which [whole_first, whole_last) lie inside the object.
+// A piece of a row that becomes one chunk: the columns from `first` on. The object covers the columns
+// [whole_first, whole_last) wholly.
 struct Piece {
   int row, first;
   std::size_t whole_first, whole_last;  // counted from `first`
 };
 
-// Fills positions, normals and viewers.
+// Fills the positions, normals and viewers of the chunk.
 void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
   const Camera& camera = shading.camera;
   const double y = camera.y(piece.row + 0.5);
@@ -95,17 +97,17 @@ void place_points(const Shading& shading, const Piece& piece, Chunk& c) {
     }
   }
   if (!quick || !shading.needs_positions) return;
-  // A unit sphere at the origin: a point is its own normal.
+  // The sphere has radius 1 and lies at the origin, so the position of a point is its normal.
   for (std::size_t axis = 0; axis < 3; ++axis)
     std::copy_n(c.normal[axis].values.begin(), c.whole_blocks, c.position[axis].values.begin());
 }
 
-// A model's values at every lit point of a textured chunk.
+// Evaluates a model at every lit point of a textured chunk, with the values of the texel there.
 void respond_textured(const Model& model, const std::vector<double>& values, const Range& reached, Chunk& c) {
   TexturedValues textured(model, values);
   for (std::size_t i = reached.first; i < std::min(reached.last, c.count); ++i) {
     if (!(c.irradiance[i] > 0)) continue;
-    // The body's colour has its opacity already.
+    // The colour of the body is already multiplied by its opacity.
     const std::array<double, 4> body{double(c.texel_body[0][i]), double(c.texel_body[1][i]),
                                      double(c.texel_body[2][i]), 1},
         gloss{double(c.texel_f0[0][i]), double(c.texel_f0[1][i]), double(c.texel_f0[2][i]),
@@ -193,7 +195,8 @@ void shade(const Shading& shading, Chunk& c) {
     see_through(c, real(scene.surface.opacity), real(shading.f0_luminance));
 }
 
-// Whether a point gets stripes: of the forbidden zone, of energy from nowhere.
+// Whether a point gets stripes, because its F0 is in the forbidden zone, or because it reflects more light
+// than it gets.
 struct Marks {
   bool zone, energy;
 };
@@ -216,11 +219,11 @@ Marks marks_at(const Shading& shading, const Chunk& c, std::size_t i) {
   return out;
 }
 
-// `row`: where the pixels of the piece go.
+// Writes the pixels of a piece to `row`.
 void store(const Shading& shading, const Piece& piece, const Chunk& c, float* row) {
   const Scene& scene = shading.scene;
   const Camera& camera = shading.camera;
-  const bool textured = scene.textures != nullptr;  // whose body has its opacity already
+  const bool textured = scene.textures != nullptr;  // its body is already multiplied by opacity
   const real opacity = textured ? real(1) : real(scene.surface.opacity);
   const vec3 behind = narrowed(scene.background);
   const bool clear = textured || opacity < 1;
@@ -253,7 +256,7 @@ void store(const Shading& shading, const Piece& piece, const Chunk& c, float* ro
   }
 }
 
-// Into `target`, which says where pixels go: PicturePixels or PictureCodes of cpu_renderer.cpp.
+// Draws a scene into `target`: PicturePixels or PictureCodes of cpu_renderer.cpp.
 template <class Target>
 void draw(const Scene& scene, const Environment* environment, unsigned threads, const Target& target,
           const RowsDone& rows_done) {

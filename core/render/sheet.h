@@ -8,13 +8,14 @@
 
 namespace etak {
 
-/// Pictures of one size in a grid with labels: columns named above, rows at the left, grey between.
+/// Pictures of one size in a grid, with the labels of the columns above, those of the rows on the left, and
+/// grey between the pictures.
 struct Sheet {
   std::vector<std::string> columns, rows;
-  std::vector<Image> pictures;  // three or four channels, row after row; an empty one leaves its place grey
+  std::vector<Image> pictures;  // three or four channels, row by row; an empty one leaves its place grey
 };
 
-/// The sheet as one picture of three channels in linear light.
+/// Draws the sheet as one picture of three channels in linear light.
 Image laid_out(const Sheet& sheet);
 
 }  // namespace etak

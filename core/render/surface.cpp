@@ -16,9 +16,10 @@
 namespace etak {
 namespace {
 
-// About where red, green and blue of sRGB have their weight; they choose between two solutions, no more.
+// About the wavelengths where red, green and blue of sRGB have most of their weight. They only choose between
+// two solutions.
 constexpr std::array<double, 3> channel_nm{611, 549, 464};
-// A metal without loss has n = 0, which has no logarithm.
+// The least n in a hint, because a metal without loss has n = 0, which has no logarithm.
 constexpr double least_hint = 1e-6;
 
 Vec3 log_n_hint(const OpticalConstants& optics, std::string_view what) {
@@ -76,7 +77,8 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
   out.gloss = gloss;
   const auto schlick82 = [](double f0) { return f64::f_schlick(f0, f82_cosine); };
   if (kind == "surface") {
-    // A measured reflectance of paint or cloth is that of the body and of a surface like that of any plastic.
+    // The measured reflectance of paint or cloth is the sum of that of the body and that of a surface like
+    // plastic.
     const TotalReflectance parts = divided(result.srgb_linear);
     out.diffuse = vec(parts.diffuse);
     out.f0 = vec(parts.f0);
@@ -92,7 +94,8 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
   } else {
     for (std::size_t c = 0; c < 3; ++c) {
       out.f82[c] = schlick82(out.f0[c]);
-      // Without k known: a dielectric below the forbidden zone, else a metal.
+      // Where k is not known, the hint is that of a dielectric below the forbidden zone, and that of a metal
+      // else.
       const double root = std::sqrt(std::clamp(out.f0[c], 0.0, 0.9999));
       hint[c] = out.f0[c] < 0.2 ? std::log((1 + root) / (1 - root)) : -1;
     }

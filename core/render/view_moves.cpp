@@ -13,7 +13,7 @@ namespace {
 
 constexpr double quarter_turn_deg = 90;
 
-// In [-180, 180), so that numbers stay readable after many turns.
+// The angle in [-180, 180), so that numbers stay readable after many turns.
 double one_turn(double degrees) {
   return degrees - 360 * std::floor((degrees + 180) / 360);
 }
@@ -24,12 +24,12 @@ Vec3 to_light(const Light& light) {
   return length > 0 ? scaled(light.position, 1 / length) : Vec3{0, 0, 1};
 }
 
-// Where the mirror of a sphere shows what lies in direction `l`: half way to the viewer.
+// The place where a mirroring sphere shows what lies in direction `l`: where the normal is the half vector.
 ViewPlace highlight(const Vec3& l, const Mat3& axes) {
   Vec3 half{};
   for (std::size_t i = 0; i < 3; ++i) half[i] = l[i] + axes[2][i];
   const double length = std::sqrt(dot(half, half));
-  // Straight behind there is no highlight; its mark is kept at the rim.
+  // A light straight behind the object has no highlight; its mark is put at the rim.
   if (length < 1e-9) return {silhouette_limit, 0};
   return {dot(half, axes[0]) / length, dot(half, axes[1]) / length};
 }
@@ -53,7 +53,8 @@ const ViewTile& tile_at(const std::vector<ViewTile>& tiles, int column, int row)
   return tiles.front();
 }
 
-// A side alone, in a frame that is placed as in the picture of both.
+// The pixels around a place for one side alone, which is drawn at the same place as in the picture of both
+// sides.
 Image side_patch(ViewState state, const ViewSide& side, int width, int height, int column, int row) {
   state.a = side;
   state.split = state.zone_overlay = state.energy_overlay = false;
@@ -161,7 +162,7 @@ Vec3 mean_color(const Image& picture) {
 
 ViewPatch patch_under(const ViewState& state, int width, int height, int column, int row) {
   if (state.shape == ViewShape::wedge && state.split) {
-    // One row of the two for each side.
+    // Each side is one of the two rows of spheres.
     height = std::max(1, height / 2);
     row %= height;
   }

@@ -9,56 +9,67 @@
 
 namespace etak {
 
-/// What a hand does to a view. Places and ways are in radii of the sphere, x to the right, y up.
+// The view after drags and turns of the mouse wheel.
+
+/// A place in a picture or a distance in it, in radii of the sphere; x to the right, y up.
 struct ViewPlace {
   double x = 0, y = 0;
 };
 
-/// The place behind a point of a `width` x `height` picture of `state`, counted from its left upper corner,
-/// and the side of a radius there in pixels. Throws Error as view_tiles() does.
+/// A place in a picture, and the radius of the sphere there in pixels.
 struct PlaceUnder {
   ViewPlace place;
   double radius_pixels = 1;
 };
+
+/// The place at a point of a `width` x `height` picture of `state`. Throws Error as view_tiles() does.
+///   column, row   pixels from the top left corner
 PlaceUnder place_under(const ViewState& state, int width, int height, double column, double row);
 
-/// The camera after a drag that takes the object along: a radius is a quarter turn.
+/// The camera after a drag that turns the object with the mouse; a drag of one radius is a quarter turn.
 View orbited(const View& view, const ViewPlace& way);
 
-/// The camera after a drag that takes the picture along.
+/// The camera after a drag that moves the picture with the mouse.
 View panned(const View& view, const ViewPlace& way);
 
-/// The camera nearer by `factor`; what lies at `fixed` stays there. Zoom is held to 0.05 to 50.
+/// The camera with its zoom multiplied by `factor`, while the place `fixed` stays where it is. The zoom is
+/// clamped to 0.05..50.
 View zoomed(const View& view, double factor, const ViewPlace& fixed);
 
-/// The same direction, with the whole object in the middle.
+/// The camera at the same direction, with the whole object in the middle of the picture.
 View framed(const View& view);
 
-/// The environment's turn after a drag: a radius is a quarter turn, and it goes where the hand goes.
+/// The turn of the environment, in degrees, after a drag that moves it with the mouse; a drag of one radius
+/// is a quarter turn.
 double turned_environment(double turn_deg, const ViewPlace& way);
 
-/// Where a light's highlight lies on a sphere: where hands take hold of it.
+/// The handle by which the mouse moves a light: the place of its highlight on a sphere.
 struct LightMark {
-  int light = 0;  // index in the setup; hemispheres_mark: the axis of the hemispheres
+  int light = 0;  // index in the setup, or hemispheres_mark for the axis of the hemispheres
   ViewPlace place;
 };
 inline constexpr int hemispheres_mark = -1;
 std::vector<LightMark> light_marks(const LightSetup& setup, const View& view);
 
-/// The setup with light `mark` (an index, or hemispheres_mark) moved so that its highlight lies at `place`.
-/// Lights with a place keep their distance, spots go on looking at the object. At the rim the light is
-/// behind.
+/// The setup with the light `mark` (an index, or hemispheres_mark) moved so that its highlight lies at
+/// `place`. Lights that have a position keep their distance, and spots still point at the object. A place at
+/// the rim puts the light behind the object. Throws Error for an index that the setup does not have.
 LightSetup moved_light(const LightSetup& setup, const View& view, int mark, const ViewPlace& place);
 
-/// `scene` as it is in a rectangle of its picture, in a picture of that size.
+/// A scene whose picture is a rectangle of the picture of `scene`: `width` x `height` pixels from column x,
+/// row y on.
 Scene cropped(const Scene& scene, int x, int y, int width, int height);
 
-/// Linear radiance of both sides at a pixel of the picture and around it: 5 x 5 pixels at most, four
-/// channels, times exposure. Throws Error as view_tiles() does.
+/// The surroundings of a pixel as each of the two sides shows them: at most 5 x 5 pixels of four channels,
+/// linear radiance times exposure.
 struct ViewPatch {
   Image a, b;
 };
-Vec3 mean_color(const Image& picture);  // of the first three channels
+
+/// The mean of the first three channels over all pixels.
+Vec3 mean_color(const Image& picture);
+
+/// The surroundings of a pixel of the `width` x `height` picture. Throws Error as view_tiles() does.
 ViewPatch patch_under(const ViewState& state, int width, int height, int column, int row);
 
 }  // namespace etak

@@ -12,7 +12,7 @@
 namespace etak {
 namespace {
 
-// What both sides share.
+// The scene without its surface: everything that both sides share.
 Scene frame_of(const ViewState& state, int width, int height) {
   Scene out;
   out.width = width;
@@ -37,7 +37,7 @@ void set_side(const ViewSide& side, bool energy_overlay, Scene& scene) {
   scene.specular_values = std::move(fitted.specular_values);
   scene.diffuse_values = std::move(fitted.diffuse_values);
   scene.textures = side.textures;
-  // Core does it here, so that both devices show one and the same.
+  // The albedo is computed here, so that the CPU and the GPU mark the same pixels.
   if (energy_overlay) scene.mark_energy = quick_albedo(scene, 17);
 }
 
@@ -49,7 +49,7 @@ const Parameter* parameter_named(const ViewSide& side, std::string_view name) {
   return nullptr;
 }
 
-// `side` with the wedge's parameter at `share` of its range.
+// `side` with the parameter of the wedge at `share` of its range.
 ViewSide wedge_side(ViewSide side, const std::string& parameter, double share) {
   if (const Parameter* found = parameter_named(side, parameter))
     side.overrides.emplace_back(parameter, std::lerp(found->min, found->max, share));

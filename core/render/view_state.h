@@ -25,20 +25,20 @@ struct ViewSide {
 
 enum class ViewShape { sphere, quad, wedge };
 
-/// What a viewport shows: a plain value.
+/// Everything that a viewport shows, as a plain value.
 struct ViewState {
   ViewSide a, b;
-  bool split = false;      // a on the left of the separator, b on its right (a wedge: a above, b below)
+  bool split = false;      // both: a left of the separator, b right of it; in a wedge, a above and b below
   double separator = 0.5;  // share of the width
   ViewShape shape = ViewShape::sphere;
   std::string wedge_parameter = "gloss";  // "gloss", "opacity" or a parameter of a model
   int wedge_steps = 7;                    // spheres in a row, 2 to 16
-  LightSetup lights;                      // its environment's file and scale are not looked at
+  LightSetup lights;                      // the environment's file and scale in it are ignored
   std::shared_ptr<const Environment> environment;
   double environment_turn_deg = 0;
   View camera;
   double exposure = 1;                               // linear factor
-  std::string ocio_config, ocio_display, ocio_view;  // all three empty: plain sRGB
+  std::string ocio_config, ocio_display, ocio_view;  // of OpenColorIO; all three empty: sRGB
   bool zone_overlay = false, energy_overlay = false;
   Vec3 background{0.18, 0.18, 0.18};  // linear
   friend bool operator==(const ViewState&, const ViewState&) = default;
@@ -49,17 +49,17 @@ struct ViewState {
 /// A scene and the part of the whole picture that shows it.
 struct ViewTile {
   Scene scene;
-  int x = 0, y = 0;                   // where the scene's left upper corner lies; rows from the top
+  int x = 0, y = 0;                   // place of the scene's top left corner; rows from the top
   int clip_first = 0, clip_last = 0;  // columns of the whole picture, [first, last), that show it
 };
 
-/// The scenes that `state` is made of, in a picture of `width` x `height` pixels; every pixel belongs to
-/// exactly one. The object keeps its proportions: where the picture is higher than wide, it fits the width.
+/// The scenes that make up a picture of `state` of `width` x `height` pixels; every pixel belongs to exactly
+/// one of them. The object keeps its proportions: in a picture that is higher than wide, it fits the width.
 /// Throws Error for states that cannot be drawn.
 std::vector<ViewTile> view_tiles(const ViewState& state, int width, int height);
 
-/// The picture by core's CPU renderer: linear radiance times exposure over the background, coverage as fourth
-/// channel. Throws Error as view_tiles() does.
+/// Draws the picture on the CPU: linear radiance times exposure over the background, and the object's
+/// coverage as fourth channel. Throws Error as view_tiles() does.
 Image draw_view(const ViewState& state, int width, int height, unsigned threads);
 
 }  // namespace etak

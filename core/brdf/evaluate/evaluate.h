@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// No include guard: every term and model as a type, from terms.inc and models.inc. Included once per kind of
-// evaluation in an unnamed namespace, after core/math/real_f64.h or real_f32.h; nothing here or in what it
-// includes is visible outside, so that a file compiled for other instructions leaves nothing behind that others call.
+// Every term and model of terms.inc and models.inc as a C++ type. There is no include guard: each kind of
+// evaluation includes this once, in an unnamed namespace, behind core/math/real_f64.h or real_f32.h. Nothing
+// of it is visible outside, so that a source compiled for another instruction set leaves no function behind
+// that other sources call.
 #include "core/brdf/texts.h"
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-parameter"  // a constant value asks for no angles
+#pragma GCC diagnostic ignored "-Wunused-parameter"  // a constant value does not use the angles
 
 inline vec3 color(const real* p) {
   return vec3(p[0], p[1], p[2]);
 }
 
-// A type holds what is computed once for a surface (`size` numbers at p); at(a) is the value at one pair of
-// directions.
+// Each type is constructed from the `size` numbers at p and holds what is computed once for a surface; at(a)
+// is the value for one pair of directions.
 #define ETAK_D(id, numbers, call, ...)         \
   struct D_##id {                              \
     static constexpr int size = numbers;       \
@@ -71,7 +72,7 @@ inline vec3 color(const real* p) {
     explicit M_##entry(const real* p_) : p(p_), q(constant) {} \
     vec3 at(Angles a) const { return call; }                   \
   };
-// D's parameters stand behind F's; a V with a width takes D's first.
+// The parameters of D follow those of F. A V with a width takes the first parameter of D.
 #define ETAK_MICROFACET(d, f, v)                                                                \
   struct M_##d##_##f##_##v {                                                                    \
     static constexpr int size = F_##f::size + D_##d::size;                                      \

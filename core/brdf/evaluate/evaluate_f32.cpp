@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The formula texts in float: what a GPU gets, with the C library's exp and pow.
+// The formula texts compiled in float, the precision of a GPU, with exp and pow of the C library.
 #include <cmath>
 
 #include "core/brdf/evaluate/evaluators.h"

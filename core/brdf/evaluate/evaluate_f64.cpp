@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The formula texts in double: the reference.
+// The formula texts compiled in double: the reference.
 #include <cmath>
 
 #include "core/brdf/evaluate/evaluators.h"

@@ -6,8 +6,8 @@ namespace {
 
 int level() {
 #ifdef ETAK_X86_64_LEVELS
-  // The features that make up the levels, as far as the loops can use them: GCC 12 takes no level names
-  // here.
+  // Features are asked for one by one, because GCC 12 takes no names of levels here; only those that the
+  // loops can use are needed.
   __builtin_cpu_init();
   const bool v3 =
       __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");

@@ -7,12 +7,14 @@
 
 #include "core/brdf/models.h"
 
-// Between the registry and the files that compile the formula texts; not for others.
+// The interface between the registry and the sources that compile the formula texts; not for other sources.
 namespace etak::evaluators {
 
-/// A compiled model ("brdf_lambert", or "ggx_schlick_smith_ggx_height" for fused terms) or term ("D_ggx": for
-/// D and V all three results are the same). `numbers`: the `size` numbers its entry takes, parameters then
-/// derived ones.
+/// A compiled model or term, for one pair of directions.
+///   entry      "brdf_lambert"; "ggx_schlick_smith_ggx_height" for a model of three terms; "D_ggx" for a term
+///   size       how many numbers the entry takes
+///   evaluate   `numbers` are the parameters, then the derived numbers; for a D or a V all three results are
+///              the same
 template <class Real>
 struct One {
   const char* entry;
@@ -22,34 +24,38 @@ struct One {
 std::span<const One<double>> all_f64();
 std::span<const One<float>> all_f32();
 
-/// What is compiled of a term of terms().
+/// The compiled form of a term, which must be one of terms().
 template <class Real>
 const One<Real>& compiled(const Term& term);
 
-/// Writes the term's derived numbers (see Model::derive).
+/// Computes the derived numbers of a term (see Model::derive()).
 void derive(const Term& term, const double* values, double* out);
 
-/// An id as the name of compiled things: "smith-ggx-height" is smith_ggx_height.
+/// The name under which the term of an id is compiled: "smith_ggx_height" for "smith-ggx-height".
 std::string compiled_name(std::string_view id);
 
-/// A compiled model as a loop over arrays; see Model::f32_batch.
+/// A model compiled as loops over arrays.
 struct Many {
   const char* entry;
+
+  /// See Model::f32_batch().
   void (*evaluate)(std::size_t count, const float* const directions[6], const double* numbers,
                    float* const rgb[3]);
 
-  /// See Model::f32_batch_far.
+  /// See Model::f32_batch_far().
   void (*evaluate_far)(std::size_t count, float lh, const float* const turned[5], const double* numbers,
                        float* const rgb[3]);
 
-  /// The first channel alone, from arrays of nl, nv, nh and lh (isotropic models; half vector along the
-  /// tangent): as other people's loops take their angles, for comparing run times.
+  /// Computes the first channel alone, from arrays of nl, nv, nh and lh; for isotropic models, with the half
+  /// vector in the plane of the normal and the tangent. Other programs take their angles in this way, so this
+  /// is for comparing run times with theirs.
   void (*evaluate_cosines)(std::size_t count, const float* const cosines[4], const double* numbers,
                            float* out);
 };
 
-/// A table of loops with its length: plain pointers, because the files behind it are compiled for
-/// instructions that not every processor has and must not instantiate what others use.
+/// A table of loops and its length. It has plain pointers, because the sources that define the tables are
+/// compiled for instructions that not every processor has, and must not instantiate templates that other
+/// sources use.
 struct ManyTable {
   const Many* rows;
   std::size_t count;

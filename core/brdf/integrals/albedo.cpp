@@ -20,7 +20,7 @@ double sin_deg(double x) {
   return std::sin(r * (pi / 180));
 }
 
-// The half vectors at one polar angle as a function of azimuth.
+// The half vectors at one polar angle, as a function of the azimuth, for one viewer.
 class Ring {
  public:
   Ring(const Vec3& v, double theta, const std::optional<Vec3>& half_space)
@@ -32,8 +32,9 @@ class Ring {
     return {twice * s_ * std::cos(phi) - v_[0], twice * s_ * std::sin(phi), twice * c_ - v_[2]};
   }
 
-  // Azimuths in [0, end] between which the integrand is smooth: where the light crosses the horizon, where nl
-  // = nv, and where 2 nh nv / vh and 2 nh nl / vh are one. All are values of vh, which is linear in cos(phi).
+  // The azimuths in [0, end] between which the integrand is smooth. They are where the light crosses the
+  // horizon, where nl = nv, and where 2 nh nv / vh or 2 nh nl / vh is 1. Each is a certain value of vh, which
+  // is linear in cos(phi).
   std::vector<double> edges(double end) const {
     std::vector<double> out{0, end};
     const double slope = v_[0] * s_;
@@ -47,8 +48,8 @@ class Ring {
       if (end > pi) out.push_back(2 * pi - phi);
     };
     for (const double each : thresholds) add(each);
-    // At the most grazing views models that divide by powers of vh (Schueler's Optimized) rise and fall
-    // within a millionth of the ring beyond the light's horizon: pieces that grow by a factor.
+    // At the most grazing views, models that divide by powers of vh (Schueler's Optimized) rise and fall
+    // within a millionth of the ring next to the light's horizon, so there the pieces grow by a factor.
     if (v_[2] < 1e-4)
       for (double vh = 8 * thresholds[0]; vh < 0.25; vh *= 8) add(vh);
     if (half_space_) add_crossings(out);
@@ -62,8 +63,9 @@ class Ring {
     return l[0] * (*half_space_)[0] + l[1] * (*half_space_)[1] + l[2] * (*half_space_)[2];
   }
 
-  // Where the light crosses the edge of the half space: at most four roots, as `beyond` has two harmonics.
-  // Extremes between samples are looked for too, or two close roots would be missed.
+  // Adds the azimuths where the light crosses the edge of the half space. There are at most four, since
+  // beyond() has two harmonics. Extremes between the samples are looked for too, since two close roots would
+  // be missed otherwise.
   void add_crossings(std::vector<double>& out) const {
     constexpr int samples = 48;
     std::vector<double> at;
@@ -71,7 +73,7 @@ class Ring {
     for (int i = 0; i < samples; ++i) {
       const double a = 2 * pi * (i - 1) / samples, b = 2 * pi * (i + 1) / samples;
       const double here = beyond(2 * pi * i / samples);
-      const double sign = here > 0 ? 1 : -1;  // an extreme towards zero
+      const double sign = here > 0 ? 1 : -1;  // of an extreme that points towards zero
       if (sign * beyond(a) >= sign * here && sign * beyond(b) >= sign * here) {
         double lo = a, hi = b;
         for (int round = 0; round < 60; ++round) {
@@ -98,7 +100,7 @@ class Ring {
 
 }  // namespace
 
-// Cosines as sines of the complement: 90 - theta is exact where the cosine is small.
+// Cosines are taken as sines of the complement, because 90 - theta is exact where the cosine is small.
 Vec3 direction_deg(double theta_deg, double phi_deg) {
   const double s = sin_deg(theta_deg);
   return {s * sin_deg(90 - phi_deg), s * sin_deg(phi_deg), sin_deg(90 - theta_deg)};

@@ -12,15 +12,16 @@ namespace {
 
 using std::numbers::pi;
 
-// (e^x - 1) / x.
+// (e^x - 1) / x, the mean of e^t for t from 0 to x.
 double mean_exponential(double x) {
   return x == 0 ? 1 : std::expm1(x) / x;
 }
 
 }  // namespace
 
-// With u = log(1 + a1) the integral is ((1 + a1) E(1 - a2) - E(2 - a2)) / a1^2, E(z) = (e^(z u) - 1) / z: no
-// pole at a2 = 1, 2. The two parts cancel for small a1, where the binomial series converges at once.
+// With u = log(1 + a1) the integral is ((1 + a1) E(1 - a2) - E(2 - a2)) / a1^2, where
+// E(z) = (e^(z u) - 1) / z; this form has no pole at a2 = 1 or 2. The two parts cancel for small a1, where the
+// binomial series converges fast.
 double abc_norm(double a1, double a2) {
   double integral;
   if (a1 * std::max(a2, 1.0) < 0.1) {
@@ -37,14 +38,15 @@ double abc_norm(double a1, double a2) {
   return 1 / (2 * pi * integral);
 }
 
-// Gamma(1 - p, alpha) is the integral of y^-p e^-y from alpha; y = alpha e^w makes it alpha^(1-p) e^-alpha
-// times that of exp((1 - p) w - alpha (e^w - 1)) from 0, whose logarithm is concave: one peak, then a fall
-// faster than exponential.
+// Gamma(1 - p, alpha) is the integral of y^-p e^-y from alpha to infinity. With y = alpha e^w it is
+// alpha^(1-p) e^-alpha times the integral of exp((1 - p) w - alpha (e^w - 1)) from 0. The logarithm of that
+// integrand is concave: it has one peak, and then falls faster than exponentially.
 double log_sgd_norm(double alpha, double p) {
   const auto exponent = [&](double w) { return (1 - p) * w - alpha * std::expm1(w); };
   const double peak = p < 1 ? std::max(0.0, std::log((1 - p) / alpha)) : 0;
   const double most = exponent(peak);
-  const auto drop = [&](double from, double step) {  // where the integrand is e^-45 of its peak
+  // The place behind `from` where the integrand has fallen to e^-45 of its peak.
+  const auto drop = [&](double from, double step) {
     double w = step;
     while (exponent(from + w) > most - 45) w *= 2;
     double low = w / 2;

@@ -13,43 +13,47 @@
 
 namespace etak {
 
-/// Where a file goes that is never whole in memory: bytes one behind the other, and some put over earlier
-/// ones.
+/// The output of writers whose file is never whole in memory.
+///   add     appends bytes to the file
+///   patch   overwrites earlier bytes, from offset `at` on
 struct FileSink {
   std::function<void(std::string_view)> add;
   std::function<void(std::size_t at, std::string_view)> patch;
 };
 
-/// A KTX 2.0 file (Khronos KTX 2.0 specification): VK_FORMAT_R8G8B8A8_UNORM or _SRGB with its data format
-/// descriptor, straight alpha, KTXorientation "rd", KTXwriter "etak".
+/// Writes a KTX 2.0 file (Khronos KTX 2.0 specification): VK_FORMAT_R8G8B8A8_UNORM or _SRGB with its data
+/// format descriptor, straight alpha, KTXorientation "rd", KTXwriter "etak".
 ///   levels       an RGBA8 texture with its mip chain: levels[l] has max(1, side >> l) texels a side, 4
-///                channels, rows without gaps between them
+///                channels, and no gaps between rows
 ///   srgb         the colour is sRGB-encoded; alpha never is
 ///   zstd_level   0: no supercompression; 1..22: Zstandard
 void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink);
 
-/// How a DDS file says what it holds.
-///   dx10     DXGI_FORMAT_R8G8B8A8_UNORM or _UNORM_SRGB, with the alpha mode
-///   legacy   bit masks of Direct3D 9 (A8B8G8R8): no word on sRGB or on alpha, but older readers know it
-///            (OpenImageIO 2.4 refuses RGBA8 under a DX10 header and reads this one)
+/// The kind of header of a DDS file.
+///   dx10     names DXGI_FORMAT_R8G8B8A8_UNORM or _UNORM_SRGB, and the alpha mode
+///   legacy   has bit masks of Direct3D 9 (A8B8G8R8), which tell neither sRGB nor the alpha mode, but which
+///            older readers know (OpenImageIO 2.4 refuses RGBA8 under a DX10 header and reads this one)
 enum class DdsHeader { dx10, legacy };
 
-/// A DDS file, level 0 first, rows without padding; alpha mode straight for colour + alpha and custom for the
-/// rest.
-///   levels, srgb   as above
-///   custom_alpha   the fourth channel is not an opacity (gloss); DX10 only
-///   header         legacy cannot say sRGB: throws Error for such a texture
+/// Writes a DDS file, level 0 first, rows without padding. Throws Error for an sRGB texture with a legacy
+/// header, which cannot say sRGB.
+///   levels, srgb   as in write_ktx2()
+///   custom_alpha   true: the fourth channel is no opacity (but gloss), and the alpha mode is "custom";
+///                  false: the alpha mode is "straight". Only DX10 headers have an alpha mode
 void write_dds(std::span<const ConstPixelsView8> levels, bool srgb, bool custom_alpha, DdsHeader header,
                const FileSink& sink);
 
-/// For programs that load an atlas: reads back what the two above write (and other uncompressed RGBA8 files
-/// of these kinds: 2-D, one layer, one face, alpha not premultiplied). Sizes, level counts and places are
-/// checked before anything is allocated. Throws Error.
+/// A texture that was read from a KTX2 or DDS file.
 struct TextureFile {
   std::vector<Image8> levels;
   bool srgb = true;
-  bool custom_alpha = false;  // DDS with a DX10 header only
+  bool custom_alpha = false;  // set by DDS files with a DX10 header only
 };
+
+/// For programs that load an atlas: these read the files that write_ktx2() and write_dds() make, and other
+/// uncompressed RGBA8 files of these formats (2-D, one layer, one face, alpha not premultiplied; KTX2 also
+/// with Zstandard). Sizes, level counts and offsets are checked before memory is allocated. They throw Error
+/// that names `path`.
 TextureFile read_ktx2(std::string_view bytes, std::string_view path);
 TextureFile read_dds(std::string_view bytes, std::string_view path);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// DDS by Microsoft's "Programming Guide for DDS" (DDS_HEADER, DDS_PIXELFORMAT, DDS_HEADER_DXT10).
+// Writes and reads DDS files. Based on Microsoft's "Programming Guide for DDS" (DDS_HEADER, DDS_PIXELFORMAT,
+// DDS_HEADER_DXT10).
 #include <algorithm>
 #include <array>
 #include <cstring>

@@ -23,7 +23,8 @@ int zlib_level(PngLevel level) {
   return level == PngLevel::fast ? 1 : level == PngLevel::small ? 6 : 9;
 }
 
-// Room for one more call at the end of `out`; returns how much there is.
+// Makes room for `wanted` bytes behind the first `used` bytes of `out`; returns how much room there is, at
+// most 1 GiB.
 std::uint32_t make_room(std::vector<std::uint8_t>& out, std::size_t used, std::size_t wanted) {
   if (out.size() < used + wanted) out.resize(used + wanted);
   return static_cast<std::uint32_t>(std::min<std::size_t>(out.size() - used, std::size_t{1} << 30));
@@ -52,7 +53,8 @@ std::uint32_t adler32_of_both(std::uint32_t first, std::uint32_t second, std::si
 }
 
 std::span<const std::uint8_t, 2> zlib_header(PngLevel level) {
-  // CMF: deflate, 32 KiB window. FLG: the level's class, and 5 bits that make both a multiple of 31.
+  // The first byte (CMF) says deflate with a 32 KiB window. The second (FLG) has the class of the level, and
+  // 5 bits that make both bytes, as one number, a multiple of 31.
   static constexpr std::array<std::uint8_t, 2> fast{0x78, 0x01}, small{0x78, 0x9C}, smallest{0x78, 0xDA};
   return level == PngLevel::fast ? fast : level == PngLevel::small ? small : smallest;
 }
@@ -67,8 +69,8 @@ struct Deflater::State {
       return;
     }
 #endif
-    // Negative window: no header or checksum. RLE: matches at distance 1 only, twice as fast on filtered rows
-    // as the usual search and no worse than level 1.
+    // A negative window size means a stream without header and checksum. Z_RLE looks for matches at distance
+    // 1 only: on filtered rows that is twice as fast as the usual search of level 1 and compresses no worse.
     const int strategy = level == PngLevel::fast ? Z_RLE : Z_FILTERED;
     if (::deflateInit2(&zlib, zlib_level(level), Z_DEFLATED, -15, 9, strategy) != Z_OK)
       throw std::bad_alloc();
@@ -98,7 +100,7 @@ void Deflater::append(std::span<const std::uint8_t> piece, bool last, std::vecto
   assert(piece.size() < std::size_t{1} << 31);
   const std::size_t start = out.size();
   std::size_t used = start;
-  // Deflate at its worst: 5 bytes for each stored block, and the flush.
+  // The most bytes that deflate can need: 5 more for each stored block, and the flush.
   const std::size_t bound = piece.size() + piece.size() / 1024 + 1024;
 #ifdef ETAK_HAS_ISAL
   if (state_->level == PngLevel::fast) {
@@ -109,9 +111,10 @@ void Deflater::append(std::span<const std::uint8_t> piece, bool last, std::vecto
     s.level_buf_size = static_cast<std::uint32_t>(state_->work.size());
     s.flush = FULL_FLUSH;
     s.end_of_stream = last ? 1 : 0;
-    // Without history ISA-L takes the third byte's hash from bits 16 to 47 of the stream's own address (2.30,
-    // .write_first_byte of its level 1), so that one strip in a thousand comes out as other bytes from run to
-    // run. A first byte in a stored block of ours, told as history, keeps it from that path.
+    // For a stream without history, ISA-L 2.30 (.write_first_byte of its level 1) computes the third byte's
+    // hash from bits 16 to 47 of the stream's own address, so that one strip in a thousand is compressed to
+    // other bytes from run to run. So the first byte is written here, in a stored block, and given to ISA-L
+    // as history, which keeps it from that path.
     if (!piece.empty()) {
       const std::array<std::uint8_t, 6> stored{0, 1, 0, 0xFE, 0xFF, piece.front()};
       out.insert(out.end(), stored.begin(), stored.end());
@@ -160,7 +163,7 @@ struct Inflater::State {
 };
 
 Inflater::Inflater() : state_(new State) {
-  // Not value-initialised: 150 KB that the library sets itself.
+  // The state, 150 KB, is not value-initialised, because the library initialises it.
   ::isal_inflate_init(&state_->isal);
   state_->isal.crc_flag = ISAL_ZLIB_NO_HDR_VER;
 }
@@ -172,7 +175,7 @@ void Inflater::feed(std::span<const std::uint8_t> input) {
 }
 
 std::size_t Inflater::unused() const {
-  // What it has taken into its bit buffer behind the checksum counts too.
+  // Bytes behind the checksum that the library has already moved into its bit buffer count too.
   return state_->isal.avail_in + static_cast<std::size_t>(std::max(0, state_->isal.read_in_length / 8));
 }
 
@@ -202,7 +205,8 @@ Inflater::Status Inflater::read(std::span<std::uint8_t> out, std::size_t& writte
   if (code == ISAL_INVALID_SYMBOL) return damaged("an invalid code");
   if (code < 0) return damaged("an invalid block");
   if (s.isal.block_state == ISAL_BLOCK_FINISH) return Status::ended;
-  // Output can be held back when the input is used up: only a call that gives nothing is hungry.
+  // The library can hold back output when the input is used up, so it needs input only when a call gives
+  // nothing.
   if (written > 0 || s.isal.avail_in < input_before) return Status::more;
   return s.isal.avail_in == 0 ? Status::hungry : damaged("a stream that stands still");
 }

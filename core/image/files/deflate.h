@@ -12,22 +12,23 @@
 
 namespace etak {
 
-// The one door to zlib and ISA-L (Intel's Intelligent Storage Acceleration Library; used where it was found
-// when etak was built). Deflate is RFC 1951, the stream around it RFC 1950.
+// The only sources of etak that use zlib and ISA-L (Intel's Intelligent Storage Acceleration Library, which
+// is used where it was found when etak was built). Deflate is RFC 1951; the zlib stream around it is
+// RFC 1950.
 
-/// CRC-32 of PNG chunks (ISO 3309), continued from `crc`; 0 to begin with.
+/// The CRC-32 that PNG chunks use (ISO 3309), continued from `crc`, which is 0 for the first bytes.
 std::uint32_t crc32_of(std::uint32_t crc, std::span<const std::uint8_t> bytes);
 
-/// Adler-32, continued from `adler`; 1 to begin with.
+/// The Adler-32 checksum of `bytes`, continued from `adler`, which is 1 for the first bytes.
 std::uint32_t adler32_of(std::uint32_t adler, std::span<const std::uint8_t> bytes);
 
-/// Adler-32 of two pieces one behind the other, the second `second_size` bytes long.
+/// The Adler-32 of two consecutive pieces from the Adler-32 of each; the second is `second_size` bytes long.
 std::uint32_t adler32_of_both(std::uint32_t first, std::uint32_t second, std::size_t second_size);
 
-/// The two bytes a zlib stream begins with, as zlib's own levels 1, 6 and 9 have them.
+/// The two bytes that a zlib stream begins with, as zlib writes them for its levels 1, 6 and 9.
 std::span<const std::uint8_t, 2> zlib_header(PngLevel level);
 
-/// Deflates pieces of one stream, each without looking at the others, so that they can be made side by side.
+/// Deflates pieces of one stream. No piece refers to another, so several threads can make them at once.
 class Deflater {
  public:
   explicit Deflater(PngLevel level);
@@ -35,8 +36,8 @@ class Deflater {
   Deflater& operator=(Deflater&&) noexcept;
   ~Deflater();
 
-  /// Appends the deflated `piece` to `out`, ending on a whole byte.
-  ///   last   closes the stream (the checksum behind it is the caller's)
+  /// Appends the deflated `piece` to `out`; the output ends on a whole byte.
+  ///   last   true: closes the stream (the caller writes the checksum behind it)
   void append(std::span<const std::uint8_t> piece, bool last, std::vector<std::uint8_t>& out);
 
  private:
@@ -44,14 +45,14 @@ class Deflater {
   std::unique_ptr<State> state_;
 };
 
-/// Inflates a zlib stream that comes in pieces, header and checksum included. The window is always 32 KiB:
-/// some old programs write a smaller one into the header than their streams need, and whether zlib notices
-/// depends on how its output is cut.
+/// Inflates a zlib stream, with its header and checksum, from input in pieces. The window is always 32 KiB:
+/// some old programs write a smaller window into the header than their streams need, and whether zlib notices
+/// depends on how much output is asked for with each call.
 class Inflater {
  public:
   enum class Status {
-    hungry,   // wants more input
-    more,     // call again
+    hungry,   // more input is needed: call feed()
+    more,     // call read() again
     ended,    // the stream has ended and its checksum was right
     damaged,  // what() says why
   };
@@ -61,16 +62,18 @@ class Inflater {
   Inflater& operator=(Inflater&&) noexcept;
   ~Inflater();
 
-  /// The next piece of the stream, once the one before is used up (Status::hungry); must stay where it is
-  /// until then.
+  /// Gives the next piece of the stream. The piece before must be used up (Status::hungry), and this one must
+  /// stay in memory until it is.
   void feed(std::span<const std::uint8_t> input);
 
-  /// Writes up to out.size() bytes (at least 1); `written` says how many, whatever the status.
+  /// Writes up to out.size() bytes, which must be at least 1. `written` is how many were written, with any
+  /// status.
   Status read(std::span<std::uint8_t> out, std::size_t& written);
 
-  /// How much of the last piece fed has not been looked at: what lies behind the end of the stream.
+  /// How many bytes of the last piece lie behind the end of the stream.
   std::size_t unused() const;
 
+  /// Why the stream is damaged, in words; for Status::damaged.
   const char* what() const;
 
  private:

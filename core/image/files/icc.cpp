@@ -15,10 +15,10 @@
 namespace etak {
 namespace {
 
-constexpr double most_codes = 2;          // by which a curve may differ from the one it is taken for
-constexpr double most_coordinate = 0.01;  // and a primary
+constexpr double most_codes = 2;          // sRGB codes by which a curve may differ from a named one
+constexpr double most_coordinate = 0.01;  // by which the XYZ of a primary may differ from a named one
 
-// Linear light of the 256 codes.
+// The linear light of each of the 256 codes.
 using Curve = std::array<double, 256>;
 
 double fixed16(std::string_view bytes, std::size_t at) {
@@ -29,7 +29,7 @@ std::uint32_t half_word(std::string_view bytes, std::size_t at) {
   return std::uint32_t{static_cast<std::uint8_t>(bytes[at])} << 8 | static_cast<std::uint8_t>(bytes[at + 1]);
 }
 
-// The bytes of a tag; empty where there is none that lies inside of the profile.
+// The bytes of a tag; empty where the profile has no such tag or the tag does not lie inside of the profile.
 std::string_view tag_of(std::string_view profile, std::string_view signature) {
   constexpr std::size_t table = 132, row = 12;
   const std::size_t count = std::min<std::size_t>(big_endian(profile, 128), (profile.size() - table) / row);
@@ -53,7 +53,7 @@ std::optional<Curve> sampled(Function function) {
   return out;
 }
 
-// "curv": no numbers (as it is), one exponent, or a table.
+// A tag of type "curv": it holds no numbers (the identity), one exponent, or a table.
 std::optional<Curve> table_curve(std::string_view tag) {
   const std::size_t count = big_endian(tag, 8);
   if (count > (tag.size() - 12) / 2) return std::nullopt;
@@ -68,7 +68,7 @@ std::optional<Curve> table_curve(std::string_view tag) {
   });
 }
 
-// "para": (a x + b)^g + e from d on, c x + f below; the shorter forms leave some of it out.
+// A tag of type "para": (a x + b)^g + e for x >= d, c x + f below; the shorter forms leave parameters out.
 std::optional<Curve> formula_curve(std::string_view tag) {
   constexpr std::array<std::size_t, 5> numbers{1, 3, 4, 5, 7};
   const std::size_t form = half_word(tag, 8);
@@ -129,7 +129,7 @@ std::string name_of_primaries(const Mat3& columns) {
   return are(pro_photo, d50) ? "ProPhoto RGB" : "others";
 }
 
-// The curve that the tags share; nullopt where one cannot be read.
+// The name of the curve that all the tags have; nullopt where one of them cannot be read.
 std::optional<std::string> name_of_curves(std::string_view profile,
                                           std::initializer_list<std::string_view> tags) {
   std::string out;
@@ -166,7 +166,7 @@ std::optional<IccColors> icc_colors(std::string_view profile) {
 
 std::string power_curve_name(double exponent) {
   if (std::abs(exponent - 1) < 0.01) return "linear";
-  // 0.45455 stands in countless sRGB files as the nearest power.
+  // 0.45455 is the power nearest to the sRGB curve, and countless sRGB files declare it.
   if (std::abs(exponent - 0.45455) < 0.005) return "gamma22";
   return "gamma " + number(exponent, 5);
 }

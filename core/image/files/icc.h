@@ -8,27 +8,31 @@
 
 namespace etak {
 
-/// The largest colour profile that is looked at; those of screens and working spaces have 0.4 to 60 KB.
+/// Size of the largest colour profile that is read, in bytes. Profiles of screens and working spaces have 0.4
+/// to 60 KB.
 inline constexpr std::size_t largest_profile_bytes = std::size_t{1} << 20;
 
-/// What an ICC profile says of a picture's codes.
+/// What an ICC profile says about the codes of a picture.
 ///   curve       "srgb", "linear", "gamma22", "gamma 0.55556" (the exponent that encodes) or "a curve of its
 ///               own"
-///   primaries   "sRGB", "Display P3", "Adobe RGB", "Rec. 2020", "ProPhoto RGB" or "others"; "greys" of a
-///               profile of greys
+///   primaries   "sRGB", "Display P3", "Adobe RGB", "Rec. 2020", "ProPhoto RGB" or "others"; "greys" for a
+///               grey profile
 struct IccColors {
   std::string curve, primaries;
   friend bool operator==(const IccColors&, const IccColors&) = default;
 };
 
 /// Reads the curves and primaries of an RGB profile, or the curve of a grey one (ICC.1:2010, "curveType",
-/// "parametricCurveType", "XYZType"). A curve is one of those above when it never differs by more than 2 of
-/// 255 sRGB codes from it, and primaries when no coordinate of their XYZ under D50 differs by more than 0.01.
-/// nullopt: broken, of tables in place of curves, of another colour model, or too large.
+/// "parametricCurveType", "XYZType"). A curve gets the name of a known one when it differs from it by at most
+/// 2 of 255 sRGB codes everywhere; primaries get a name when no coordinate of their XYZ under D50 differs by
+/// more than 0.01.
+///   returns   nullopt for profiles that are broken, that have tables in place of curves, that are of another
+///             colour model, or that are too large
 std::optional<IccColors> icc_colors(std::string_view profile);
 
-/// "linear", "gamma22" (1/2.2, which countless sRGB files name as the nearest power) or "gamma 0.6".
-///   exponent   that encodes
+/// The name of a power curve: "linear", "gamma22" (1/2.2, which countless sRGB files declare as the nearest
+/// power) or, for example, "gamma 0.6".
+///   exponent   of encoding: code = light ^ exponent
 std::string power_curve_name(double exponent);
 
 }  // namespace etak

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// KTX 2.0 by the Khronos specification (KTX File Format Specification 2.0; Khronos Data Format 1.3 for the
-// descriptor). The one door to Zstandard.
+// Writes and reads KTX 2.0 files. Based on the KTX File Format Specification 2.0 and, for the descriptor, the
+// Khronos Data Format Specification 1.3. This is the only source of etak that uses Zstandard.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -31,8 +31,8 @@ void pad_to_4(std::string& out) {
   while (out.size() % 4 != 0) out.push_back('\0');
 }
 
-// Basic data format descriptor of RGBA8. Transfer is that of the colour; the opacity's sample says that it is
-// linear where the colour is not.
+// The basic data format descriptor of RGBA8. Its transfer function is that of the colour; where that is sRGB,
+// the sample of the alpha channel is marked as linear.
 std::string data_format_descriptor(bool srgb) {
   constexpr std::uint32_t samples = 4, block_bytes = 24 + 16 * samples;
   constexpr std::uint64_t model_rgbsda = 1, primaries_bt709 = 1, transfer_linear = 1, transfer_srgb = 2;
@@ -46,20 +46,20 @@ std::string data_format_descriptor(bool srgb) {
   append(out, srgb ? transfer_srgb : transfer_linear, 1);
   append(out, 0, 1);  // straight alpha
   append32(out, 0);   // texel blocks of 1 x 1 x 1 x 1
-  append64(out, 4);   // 4 bytes in plane 0, where compressed too (older revisions wanted 0 there)
+  append64(out, 4);   // 4 bytes in plane 0, also with supercompression (where older revisions wanted 0)
   for (std::uint64_t c = 0; c < samples; ++c) {
     const std::uint64_t channel = c < 3 ? c : alpha_channel | (srgb ? linear_sample : 0);
     append(out, 8 * c, 2);
     append(out, 7, 1);  // 8 bits
     append(out, channel, 1);
-    append32(out, 0);    // position
-    append32(out, 0);    // 0 is 0
-    append32(out, 255);  // 255 is 1
+    append32(out, 0);    // sample position
+    append32(out, 0);    // code 0 stands for the value 0
+    append32(out, 255);  // code 255 stands for the value 1
   }
   return out;
 }
 
-// Sorted by key, values with their final zero.
+// The key/value data: sorted by key, each value with its final zero.
 std::string key_values() {
   std::string out;
   for (const std::string_view pair :
@@ -71,12 +71,13 @@ std::string key_values() {
   return out;
 }
 
-// All of a level; rows lie without gaps.
+// The bytes of a whole level, whose rows have no gaps between them.
 std::string_view bytes_of(const ConstPixelsView8& level) {
   return {reinterpret_cast<const char*>(level.data), level_bytes(level.width, level.height)};
 }
 
-// One frame, handed on as it comes; returns its length.
+// Compresses bytes to one Zstandard frame, which goes to `add` piece by piece; returns the length of the
+// frame.
 std::size_t compress(std::string_view bytes, int level, const std::function<void(std::string_view)>& add) {
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), ZSTD_freeCCtx);
   if (!context) throw std::bad_alloc();
@@ -109,7 +110,7 @@ struct Reader {
   }
   std::uint32_t u32(std::size_t at) const { return number32(bytes, at); }
 
-  // A part of the file behind header and level index.
+  // A part of the file, which must not begin before offset `first`, where the level index ends.
   std::string_view part(std::string_view what, std::uint64_t offset, std::uint64_t length,
                         std::size_t first) const {
     if (offset < first || offset > bytes.size() || length > bytes.size() - offset)
@@ -122,7 +123,7 @@ struct Reader {
 
   void check_descriptor(std::string_view found, bool srgb, bool supercompressed) const {
     const std::string expected = data_format_descriptor(srgb);
-    // Primaries may be unspecified; bytesPlane0 is 0 in compressed files of older revisions.
+    // The primaries may be unspecified, and bytesPlane0 is 0 in supercompressed files of older revisions.
     constexpr std::size_t primaries_at = 13, plane_at = 20;
     std::string same(found);
     if (same.size() == expected.size()) {
@@ -137,7 +138,7 @@ struct Reader {
            srgb ? "R8G8B8A8_SRGB's" : "R8G8B8A8_UNORM's");
   }
 
-  // Only orientation matters: a picture stored from the bottom would come in upside down.
+  // Only the orientation matters: a picture stored from the bottom would be read upside down.
   void check_key_values(std::string_view data) const {
     for (std::size_t at = 0; at < data.size();) {
       if (data.size() - at < 4) fail("key/value data that break off", "whole entries");
@@ -174,9 +175,9 @@ void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_le
   const std::size_t descriptor_at = header_bytes + index_entry_bytes * count;
   const std::size_t pairs_at = descriptor_at + descriptor.size();
 
-  // Smallest level first, so that a reader may stop early; the index is from the largest. All that stands
-  // before is a multiple of 4 bytes, and so is every level that is not compressed: aligned as they come. The
-  // lengths of compressed levels are put in when they are known.
+  // The smallest level comes first, so that a reader may stop early; the index begins with the largest. The
+  // data in front of the levels, and every level that is not compressed, are multiples of 4 bytes, so that
+  // all levels are aligned. The lengths of compressed levels are patched in when they are known.
   std::vector<std::size_t> offset(count), length(count);
   std::size_t end = pairs_at + pairs.size();
   for (std::size_t l = count; l-- > 0;) {
@@ -246,7 +247,7 @@ TextureFile read_ktx2(std::string_view bytes, std::string_view path) {
   const auto full =
       static_cast<std::uint32_t>(full_mip_levels(static_cast<int>(width), static_cast<int>(height)));
   r.expect(r.u32(40) <= full, "levels", r.u32(40), "at most " + std::to_string(full));
-  const std::size_t count = std::max<std::size_t>(1, r.u32(40));  // 0: the reader is to make the rest
+  const std::size_t count = std::max<std::size_t>(1, r.u32(40));  // 0 asks the reader to make the mips itself
   r.expect(scheme == scheme_none || scheme == scheme_zstd, "supercompression scheme", scheme,
            "0 (none) or 2 (Zstandard)");
   r.expect(number64(bytes, 72) == 0, "supercompression global data of bytes", number64(bytes, 72), "none");

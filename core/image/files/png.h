@@ -16,26 +16,28 @@ namespace etak {
 
 class ByteSource;  // core/base/files/steady_file.h
 
-// PNG (ISO/IEC 15948), where the time of an atlas goes, without OpenImageIO: ISA-L inflates and deflates
-// where it was found when etak was built, zlib elsewhere. Only what etak's textures are made of: 8 and 16
-// bits, grey, grey + alpha, RGB, RGBA, not interlaced; colour is never multiplied by the last channel.
-// Everything else (palette, 1-4 bits, Adam7, tRNS) is the business of image_io.h.
+// Reads and writes PNG (ISO/IEC 15948) without OpenImageIO, because most of the time of packing an atlas goes
+// into PNG. Data are inflated and deflated by ISA-L where it was found when etak was built, else by zlib.
+// Only the forms that textures commonly have are supported: 8 and 16 bits, grey, grey + alpha, RGB, RGBA, not
+// interlaced. Colour is never multiplied by the last channel. image_io.h reads all other forms (palette, 1 to
+// 4 bits, Adam7, tRNS).
 
-/// Reads rows from the top, in strips, so that no more than a strip needs to be held. Stricter than the
-/// standard asks of decoders, and than libpng is: a texture that is damaged anywhere is refused. Beyond what
-/// libpng refuses these are errors: a wrong checksum of any chunk or of the image data, image data that goes
-/// on behind the last row, IDAT chunks with others between them, a PLTE chunk where no colour can use it, an
-/// IEND chunk with content. Bytes behind IEND are not looked at.
-/// One thing that libpng refuses is read: a zlib header with a smaller window than the stream needs (the
-/// checksum shows that the pixels are right).
+/// Reads the rows of a PNG file from the top. Only a strip of rows needs to be in memory at a time. The
+/// reader is stricter than libpng and than the standard asks of decoders: a texture that is damaged anywhere
+/// is refused. Besides what libpng refuses, these are errors: a wrong checksum of any chunk or of the image
+/// data, image data that go on behind the last row, other chunks between IDAT chunks, a PLTE chunk where no
+/// colour can use it, an IEND chunk with content. Bytes behind IEND are not read. One thing that libpng
+/// refuses is read: a zlib header with a smaller window than the stream needs (the checksum proves that the
+/// pixels are right).
 class PngReader {
  public:
-  /// nullopt: not a PNG, or one of the forms above that are not read here.
-  ///   bytes   of the whole file; must outlive the reader
-  ///   path    for messages
-  /// Throws Error for a PNG of ours that is broken: bad chunk, checksum, size above max_image_side.
+  /// Opens a PNG file. Throws Error for broken files of the supported forms: a bad chunk, a wrong checksum, a
+  /// side above max_image_side.
+  ///   bytes     the whole file; must outlive the reader
+  ///   path      names the file in messages
+  ///   returns   nullopt for a file that is no PNG, or that has one of the other forms
   static std::optional<PngReader> open(std::string_view bytes, std::string_view path);
-  /// The same of a file that is read as its rows are asked for; it must outlive the reader.
+  /// The same for a file that is read while its rows are asked for; `file` must outlive the reader.
   static std::optional<PngReader> open(ByteSource& file, std::string_view path);
   PngReader(PngReader&&) noexcept;
   PngReader& operator=(PngReader&&) noexcept;
@@ -43,9 +45,9 @@ class PngReader {
 
   const PictureHeader& header() const;
 
-  /// The next `count` rows (fewer than that left is the caller's mistake) to `out`, row i at out + i *
-  /// stride; 16-bit samples in the machine's byte order. After the last row the stream's end and checksum are
-  /// looked at. Throws Error for truncated or damaged data.
+  /// Writes the next `count` rows, row i at out + i * stride bytes, 16-bit samples in the machine's byte
+  /// order. At least `count` rows must be left. After the last row, the end of the stream and its checksum
+  /// are checked too. Throws Error for truncated or damaged data.
   void read_rows(std::uint8_t* out, std::size_t stride, int count);
 
  private:
@@ -55,8 +57,8 @@ class PngReader {
   std::unique_ptr<State> state_;
 };
 
-/// Rows of codes in memory, `stride` bytes apart; samples of 16 bits in the machine's byte order. Of the
-/// header the sides, channels (1 grey, 2 grey + alpha, 3 RGB, 4 RGBA) and bits (8 or 16) count.
+/// Rows of codes in memory, `stride` bytes apart, 16-bit samples in the machine's byte order. Of the header,
+/// the sides, the channels (1 grey, 2 grey + alpha, 3 RGB, 4 RGBA) and the bits (8 or 16) are used.
 struct PngRows {
   PictureHeader header;
   const std::uint8_t* rows = nullptr;
@@ -64,7 +66,7 @@ struct PngRows {
 
   PngRows(PictureHeader header_, const std::uint8_t* rows_, std::size_t stride_)
       : header(std::move(header_)), rows(rows_), stride(stride_) {}
-  /// Of a whole picture, which stays as long as this.
+  /// The rows of a whole picture, which must outlive this view.
   template <class Code>
   PngRows(const Pixels<Code>& image)
       // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): values as bytes
@@ -72,9 +74,8 @@ struct PngRows {
                 static_cast<std::size_t>(image.width * image.channels) * sizeof(Code)) {}
 };
 
-/// How hard to compress. What a level means is fixed for one build of etak, and so are the bytes for any
-/// thread count.
-/// Row filters are chosen by least sum of absolute differences at every level.
+/// How hard to compress. In one build of etak a level always makes the same bytes, with any number of
+/// threads. Every level chooses the filter of each row by the least sum of absolute differences.
 ///   fast       the default: ISA-L level 1 (without it zlib's RLE strategy)
 ///   small      zlib level 6
 ///   smallest   zlib level 9
@@ -86,35 +87,38 @@ struct PngOptions {
   bool srgb = false;  // write an sRGB chunk (perceptual intent)
 };
 
-/// A PNG file, piece by piece and in order to `sink`, which is called by one thread at a time; strips of rows
-/// are filtered and deflated side by side, as many at once as there are threads. What `sink` throws comes
-/// out.
+/// Writes a PNG file to `sink`, piece by piece and in order; `sink` is called by one thread at a time. Strips
+/// of rows are filtered and deflated by options.threads threads at once. Exceptions of `sink` are passed on.
 void write_png(const PngRows& image, const PngOptions& options,
                const std::function<void(std::string_view)>& sink);
 
-/// A PNG file whose rows come in bands from the top, for pictures that are never whole in memory; bytes as
-/// write_png()'s. A band is made of strips, which threads of the caller's may make side by side.
+/// Writes a PNG file whose rows come in bands from the top, for pictures that are never whole in memory. The
+/// file is the same as that of write_png(). A band is divided into strips, which several threads of the
+/// caller may make at once.
 class PngBands {
  public:
-  /// What threads work with; writers that share one hold no more of it than there are threads.
+  /// Buffers and compressors of the threads. Writers that share a Scratch need together no more of them than
+  /// there are threads.
   class Scratch;
   static std::shared_ptr<Scratch> scratch();
 
-  /// `sink` as of write_png(); options.threads is not looked at.
+  /// `sink` is used as by write_png(). options.threads is ignored.
   PngBands(const PictureHeader& header, const PngOptions& options, std::function<void(std::string_view)> sink,
            std::shared_ptr<Scratch> scratch);
   ~PngBands();
   PngBands(const PngBands&) = delete;
   PngBands& operator=(const PngBands&) = delete;
 
-  /// The next `count` rows, which stay where they are until the next call has returned; how many strips they
-  /// make (rows that fill none wait for the next band). The strips of the band before must be made.
+  /// Takes the next `count` rows, which must stay in memory until the next call has returned. All strips of
+  /// the band before must have been made. Rows that do not fill a strip wait for the next band.
+  ///   returns   how many strips there are to make
   std::size_t next(const std::uint8_t* rows, std::size_t stride, int count);
 
-  /// Filters, deflates and hands on strip i of the band; each once, in any order and by any threads.
+  /// Filters and deflates strip i of the band and passes it on. Call it once for each strip, in any order and
+  /// from any thread.
   void make(std::size_t i);
 
-  /// Ends the file when all rows are there and made.
+  /// Ends the file, after all rows have been given and all strips made.
   void finish();
 
  private:
@@ -122,15 +126,16 @@ class PngBands {
   std::unique_ptr<State> state_;
 };
 
-/// The same in memory.
+/// A PNG file as write_png() makes it, in memory.
 std::string png_bytes(const PngRows& image, const PngOptions& options);
 
-/// What the chunks before the image data of a PNG file say, whatever its form; nothing is trusted but lengths
-/// that fit. An sRGB chunk wins over gAMA, as the standard says. nullopt for other files.
+/// What the chunks before the image data say about a PNG file of any form; nullopt for other files. The
+/// values are not checked, except that chunks lie inside of the file. A colour profile wins over gAMA, and an
+/// sRGB chunk over both.
 std::optional<PictureHeader> png_header(ByteSource& bytes);
 
-/// Throws Error when a PNG file of any form is cut short or damaged: goes through its chunks up to IEND and
-/// their checksums, and inflates its image data. Decoders of others then have nothing left to complain of.
+/// Throws Error when a PNG file of any form is cut short or damaged: verifies the checksums of all chunks up
+/// to IEND and inflates the image data. Other libraries can then decode the file without errors.
 void check_png(std::string_view bytes, std::string_view path);
 
 }  // namespace etak

@@ -14,11 +14,12 @@
 namespace etak {
 namespace {
 
-// A chunk may be as long as the file: it is summed in pieces that stay in the second-level cache.
+// A chunk may be as long as the file, so its checksum is taken in pieces, which stay in the second-level
+// cache.
 constexpr std::size_t piece_bytes = std::size_t{64} << 10;
 
-// What lies deflated in the data of a chunk behind its first `skip` bytes; empty where it is damaged, or
-// where either form of it has more than `most` bytes.
+// Inflates the data of a chunk behind its first `skip` bytes. Empty where the data are damaged, or where they
+// have more than `most` bytes deflated or inflated.
 std::string inflated(ByteSource& bytes, const PngChunk& chunk, std::size_t skip, std::size_t most) {
   std::string out;
   if (chunk.size > most) return out;
@@ -39,7 +40,7 @@ std::string inflated(ByteSource& bytes, const PngChunk& chunk, std::size_t skip,
   return {};
 }
 
-// An iCCP chunk: the profile's name, a zero, the method of compression, the profile.
+// Reads an iCCP chunk: the name of the profile, a zero, the method of compression, the deflated profile.
 void read_profile(ByteSource& bytes, const PngChunk& chunk, PictureHeader& out) {
   constexpr std::size_t most_name = 79;
   const std::string head(bytes.view(chunk.data(), std::min<std::size_t>(chunk.size, most_name + 1)));

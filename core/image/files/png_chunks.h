@@ -18,8 +18,8 @@ inline constexpr std::string_view png_signature("\x89PNG\r\n\x1a\n", 8);
 inline constexpr std::size_t png_chunk_overhead = 12;  // length, type, checksum
 
 struct PngChunk {
-  std::size_t start = 0;  // of its length field
-  std::size_t size = 0;   // of its data
+  std::size_t start = 0;  // offset of the length field, with which a chunk begins
+  std::size_t size = 0;   // of the data, in bytes
   std::string type;
 
   std::size_t data() const { return start + 8; }
@@ -37,20 +37,20 @@ inline std::span<const std::uint8_t> octets(std::string_view bytes) {
 
 bool has_png_signature(ByteSource& bytes);
 
-/// The data of an IHDR chunk.
+/// The fields of an IHDR chunk. `colour` is the colour type, and `bits` the bit depth.
 struct PngForm {
   std::uint32_t width, height;
   int bits, colour, compression, filter, interlace;
 };
 PngForm png_form(std::string_view ihdr);
 
-/// Which channels a colour type has; 0 for those that PNG does not have.
+/// How many channels a colour type has; 0 for colour types that PNG does not define.
 int png_channels(int colour);
 
-/// The chunk at `start`; nullopt when it is not whole.
+/// The chunk that begins at `start`; nullopt when the file ends before the chunk does.
 std::optional<PngChunk> png_chunk_at(ByteSource& bytes, std::size_t start);
 
-/// The checksum that the file has for a chunk, and that of its type and data.
+/// The checksum that the file stores for a chunk, and the checksum of its type and data as they are.
 std::uint32_t stored_checksum(ByteSource& bytes, const PngChunk& chunk);
 std::uint32_t checksum(ByteSource& bytes, const PngChunk& chunk);
 

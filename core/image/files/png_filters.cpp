@@ -9,7 +9,8 @@
 namespace etak {
 namespace {
 
-// What stands left, above, and left above decides what a byte is thought to be.
+// The value that a filter predicts for a byte, from the bytes to its left, above it, and above and to the
+// left (`corner`).
 int predicted(int filter, int left, int above, int corner) {
   switch (filter) {
     case 1:

@@ -16,9 +16,9 @@
 namespace etak {
 namespace {
 
-constexpr std::size_t deflate_at_most = 1032;  // bytes from one byte of a deflate stream
+constexpr std::size_t deflate_at_most = 1032;  // bytes that one byte of a deflate stream can inflate to
 
-// Small enough to stay in the second-level cache between inflating and unfiltering.
+// Sizes of the buffers, small enough to stay in the second-level cache between inflating and unfiltering.
 constexpr std::size_t input_bytes = std::size_t{64} << 10;
 constexpr std::size_t filtered_bytes = std::size_t{256} << 10;
 
@@ -31,14 +31,14 @@ bool valid(const PngForm& h) {
 }  // namespace
 
 struct PngReader::State {
-  std::unique_ptr<ByteSource> own;  // where the reader was given bytes in memory
+  std::unique_ptr<ByteSource> own;  // owns `bytes` where the file is in memory
   ByteSource* bytes = nullptr;
   std::string path;
   PictureHeader info;
   std::size_t row_bytes = 0;
   int rows_done = 0;
 
-  // Image data: the IDAT chunk that is being taken apart, and what of it has been handed to the inflater.
+  // The IDAT chunk that is being read, and how many of its bytes the inflater has got.
   PngChunk idat;
   std::size_t idat_taken = 0;
   std::uint32_t idat_checksum = 0;
@@ -46,12 +46,12 @@ struct PngReader::State {
   std::vector<std::uint8_t> input;
   Inflater inflater;
 
-  // Inflated rows: those in [filtered_used, filtered_end) of `filtered` wait, `data_left` bytes are still to
-  // come.
+  // Inflated rows that are not unfiltered yet: the bytes [filtered_used, filtered_end) of `filtered`.
+  // `data_left` bytes are still to be inflated.
   std::vector<std::uint8_t> filtered;
   std::size_t filtered_used = 0, filtered_end = 0, data_left = 0;
-  std::vector<std::uint8_t> above;                // the last row finished, as in the file
-  std::array<std::vector<std::uint8_t>, 2> wide;  // rows of 16 bits before they get the machine's byte order
+  std::vector<std::uint8_t> above;                // the last finished row, in the byte order of the file
+  std::array<std::vector<std::uint8_t>, 2> wide;  // finished rows of 16 bits, in the byte order of the file
   const PngFilters* filters = &png_filters();
 
   [[noreturn]] void fail(const std::string& found, std::string_view expected = "an undamaged PNG") const {
@@ -109,14 +109,14 @@ PngForm PngReader::State::form() const {
   return h;
 }
 
-// False for forms that are not read here.
+// Reads the IHDR chunk; false for forms that PngReader does not read.
 bool PngReader::State::read_header() {
   const PngForm h = form();
   info = *png_header(*bytes);
   if (!info.strips) return false;
   row_bytes = std::size_t{h.width} * static_cast<std::size_t>(info.channels * info.bits / 8);
   data_left = (row_bytes + 1) * h.height;
-  // Before any memory is taken: no deflate stream of this length can hold so much.
+  // Checked before memory is allocated: no deflate stream of this length can hold that much.
   if (data_left / deflate_at_most > bytes->size())
     fail("holds " + std::to_string(bytes->size()) + " bytes, too few for its " + std::to_string(h.width) +
          " x " + std::to_string(h.height) + " pixels");
@@ -133,7 +133,7 @@ bool PngReader::State::read_until_idat() {
     }
     if (chunk.type == "tRNS") return false;
     if (chunk.type == "PLTE") {
-      // A palette suggested for displays of few colours.
+      // In RGB and RGBA pictures, PLTE is a palette suggested for displays of few colours.
       if (palette || info.channels < 3 || chunk.size % 3 != 0 || chunk.size > 768)
         fail(chunk, "is no palette that belongs here");
       palette = true;
@@ -150,7 +150,7 @@ void PngReader::State::begin_idat(const PngChunk& chunk) {
   idat_checksum = crc32_of(0, octets(chunk.type));
 }
 
-// Another chunk of image data is begun where one follows.
+// Checks the checksum of the IDAT chunk, and begins the next one where another follows.
 void PngReader::State::end_idat() {
   if (idat_checksum != stored_checksum(*bytes, idat)) fail(idat, "has a wrong checksum");
   const PngChunk next = checked_chunk(idat.end());
@@ -160,8 +160,8 @@ void PngReader::State::end_idat() {
     idat_over = true;
 }
 
-// Image data of as many chunks as fit, one behind the other: files with an IDAT for every few bytes are
-// common.
+// Gives the inflater the data of as many chunks as fit into the buffer, because files with an IDAT chunk for
+// every few bytes are common.
 void PngReader::State::gather_input() {
   std::size_t size = 0;
   while (size < input.size() && !idat_over) {
@@ -176,7 +176,7 @@ void PngReader::State::gather_input() {
   inflater.feed(std::span(input).first(size));
 }
 
-// Inflates until at least a row waits, and as much more as there is room for.
+// Inflates at least until a whole row is in `filtered`, and as much more as there is room for.
 void PngReader::State::fill() {
   std::copy(filtered.data() + filtered_used, filtered.data() + filtered_end, filtered.data());
   filtered_end -= filtered_used;
@@ -199,7 +199,7 @@ void PngReader::State::fill() {
   }
 }
 
-// The stream must end here, with its checksum, and so must the image data.
+// Checks, after the last row, that the stream ends with its checksum and that no image data follow.
 void PngReader::State::finish() {
   std::array<std::uint8_t, 1> more;
   for (Inflater::Status status{}; status != Inflater::Status::ended;) {
@@ -219,7 +219,7 @@ void PngReader::State::finish() {
 }
 
 void PngReader::State::finish_chunks() {
-  // What is left of the image data: empty chunks at most.
+  // Of the image data, only empty chunks may be left.
   while (!idat_over) {
     if (idat_taken < idat.size) fail("image data goes on behind its end");
     end_idat();
@@ -235,7 +235,8 @@ void PngReader::State::finish_chunks() {
   }
 }
 
-// Goes over rows of `length` bytes each, with the filter's number before them.
+// Inflates `rows` rows of `length` bytes each, in front of which is the number of their filter, and checks
+// that number.
 void PngReader::State::check_rows(std::size_t rows, std::size_t length) {
   std::size_t in_row = 0;
   for (std::size_t row = 0; row < rows;) {
@@ -261,8 +262,9 @@ void PngReader::State::check_rows(std::size_t rows, std::size_t length) {
   }
 }
 
-// Looks for the end of the stream behind the last row. More data and a wrong checksum are no errors to other
-// decoders; of the former a little is read, since a small file may hold gigabytes of it.
+// Looks for the end of the stream behind the last row. Other decoders accept more data there, and a wrong
+// checksum, so these are no errors here. Only a little of such data is read, since a small file may hold
+// gigabytes of it.
 void PngReader::State::find_end() {
   constexpr std::size_t enough = 1024;
   for (std::size_t more = 0; more < enough;) {
@@ -334,7 +336,7 @@ void PngReader::read_rows(std::uint8_t* out, std::size_t stride, int count) {
     above = finished;
     ++s.rows_done;
   }
-  // The caller may change what it was given.
+  // The row is copied, because the caller may change the rows that it was given.
   std::copy_n(above, s.row_bytes, s.above.data());
   if (s.rows_done == s.info.height) s.finish();
 }
@@ -373,8 +375,8 @@ void check_png(std::string_view in_memory, std::string_view path) {
   s.begin_idat(s.next_chunk(at));
   s.input.resize(std::min(input_bytes, bytes.size()));
   s.filtered.resize(filtered_bytes);
-  // First column and row of each pass, and the steps to the next. Interlaced pictures have the first seven,
-  // others the last.
+  // The first column and row of each pass, and the steps between its columns and rows. Interlaced pictures
+  // have the first seven passes; others have only the last one.
   struct Pass {
     std::uint32_t x, y, dx, dy;
   };

@@ -5,8 +5,8 @@
 
 namespace etak {
 
-/// Rows that write_png() hands to its sink with each call, the last one excepted: so long work can tell how
-/// far it is.
+/// How many rows write_png() makes a strip of; the last strip may have fewer. Each strip is one call of the
+/// sink, from which callers can tell the progress of a long file.
 int png_strip_rows(const PictureHeader& header, PngLevel level);
 
 }  // namespace etak

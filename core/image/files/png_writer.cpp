@@ -19,8 +19,9 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Filtered bytes that are deflated on their own. At `fast` a strip and what it becomes stay in the
-// second-level cache; the slower levels look back further and pay for each beginning.
+// Size of a strip: how many filtered bytes are deflated on their own. At level `fast`, a strip and its
+// deflated form stay in the second-level cache. The slower levels find matches further back, and lose some at
+// the start of each strip, so their strips are larger.
 constexpr std::size_t strip_bytes(PngLevel level) {
   return level == PngLevel::fast ? std::size_t{512} << 10 : std::size_t{2} << 20;
 }
@@ -48,7 +49,7 @@ void begin_chunk(Bytes& out, std::string_view type) {
   append_text(out, type);
 }
 
-// Ends the chunk that began at `start` of `out`; `checksum` is that of its type and data.
+// Ends the chunk that began at offset `start` of `out`; `checksum` is the CRC-32 of its type and data.
 void end_chunk(Bytes& out, std::size_t start, std::uint32_t checksum) {
   set_big_endian(out, start, static_cast<std::uint32_t>(out.size() - start - 8));
   append_big_endian(out, checksum);
@@ -62,7 +63,7 @@ void append_chunk(Bytes& out, std::string_view type, std::span<const std::uint8_
 }
 
 Bytes head(const PictureHeader& info, bool srgb) {
-  static constexpr std::array<std::uint8_t, 5> colour_type{0, 0, 4, 2, 6};  // by channels
+  static constexpr std::array<std::uint8_t, 5> colour_type{0, 0, 4, 2, 6};  // by the number of channels
   Bytes out;
   append_text(out, png_signature);
   Bytes header;
@@ -76,15 +77,15 @@ Bytes head(const PictureHeader& info, bool srgb) {
   return out;
 }
 
-// What one thread works with, kept from strip to strip: two rows as the file has them with zeros before them
-// and room behind, a strip of filtered rows, and the IDAT chunk made of it.
+// The buffers of one thread, kept from strip to strip: two rows in the byte order of the file, with zeros in
+// front and room behind; and a strip of filtered rows.
 struct Tools {
   explicit Tools(PngLevel level) : deflater(level) {}
   Bytes row, above, filtered, idat;
   Deflater deflater;
 };
 
-// A strip that is made and waits for those before it.
+// A finished strip that waits for the strips before it.
 struct Strip {
   Bytes idat;
   std::uint32_t adler = 1, checksum = 0;
@@ -140,15 +141,15 @@ struct PngBands::State {
   int strip_rows = 1;
   const PngFilters& filters = png_filters();
 
-  // The band: rows [first, end) of the picture; those before `split` lie in `carried`, the others at `rows`.
-  // One more row, the one above the band, comes first in `carried` (zeros above the picture).
+  // The band is the rows [first, end) of the picture. Rows before `split` are in `carried`, the others at
+  // `rows`. The first row of `carried` is the one above the band (zeros above the first row of the picture).
   int first = 0, split = 0, end = 0;
   Bytes carried;
   const std::uint8_t* rows = nullptr;
   std::size_t stride = 0;
 
-  std::mutex lock;                       // of what follows
-  std::map<std::size_t, Strip> waiting;  // strips, by number in the file, that wait for those before them
+  std::mutex lock;                       // guards the members below
+  std::map<std::size_t, Strip> waiting;  // finished strips, by their number in the file
   std::size_t next_strip = 0;
   std::uint32_t adler = 1;
   bool handing_on = false, failed = false;
@@ -159,7 +160,7 @@ struct PngBands::State {
     return rows + static_cast<std::size_t>(y - split) * stride;
   }
 
-  // A row with the samples in the file's byte order.
+  // Copies a row, with its samples in the byte order of the file.
   void copy_row(int y, Bytes& to) const {
     const std::uint8_t* from = row(y);
     std::uint8_t* out = to.data() + png_row_lead;
@@ -173,7 +174,7 @@ struct PngBands::State {
     }
   }
 
-  // Rows [begin, stop) as an IDAT chunk without its closing checksum.
+  // Makes the IDAT chunk of rows [begin, stop), without the checksum at its end.
   Strip deflated(int begin, int stop, Tools& tools) const {
     Strip out;
     out.filtered_size = static_cast<std::size_t>(stop - begin) * (row_bytes + 1);
@@ -206,10 +207,11 @@ struct PngBands::State {
     return out;
   }
 
-  // Hands on the strips whose turn has come. One thread at a time does so; others leave theirs to it.
+  // Passes on the strips whose turn has come. One thread at a time does so; the others leave their strips to
+  // it.
   void hand_on(std::size_t number, Strip strip) {
     std::unique_lock guard(lock);
-    // Not too many wait at once, should the disk be slow.
+    // The number of waiting strips is limited, in case the disk is slow.
     moved.wait(guard, [&] { return failed || number == next_strip || waiting.size() < most_waiting; });
     if (failed) return;
     waiting.emplace(number, std::move(strip));
@@ -261,7 +263,7 @@ PngBands::~PngBands() = default;
 std::size_t PngBands::next(const std::uint8_t* rows, std::size_t stride, int count) {
   State& s = *state_;
   assert(count >= 0 && s.end + count <= s.info.height);
-  // Rows of the old band that no strip has taken, and the one above them, come along.
+  // Rows of the old band that no strip has used, and the row above them, are carried over to the new band.
   const int taken = s.end == s.info.height ? s.end : s.end / s.strip_rows * s.strip_rows;
   Bytes carried(static_cast<std::size_t>(s.end - taken + 1) * s.row_bytes);
   for (int y = std::max(taken - 1, 0); y < s.end; ++y)

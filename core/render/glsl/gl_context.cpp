@@ -19,10 +19,10 @@ bool has_word(const char* list, std::string_view word) {
          (" " + std::string(list) + " ").find(" " + std::string(word) + " ") != std::string::npos;
 }
 
-// A display that needs no window system: Mesa's surfaceless platform, else the first device, else the default
-// display.
+// The EGL displays to try, in this order: Mesa's surfaceless platform and each device, which need no window
+// system; then the default display. Throws Error where there is no libEGL.
 std::vector<EGLDisplay> displays() {
-  // On its own, libepoxy ends the program when there is no libEGL.
+  // libEGL is looked for here, because libepoxy ends the program when there is none.
   if (void* const library = dlopen("libEGL.so.1", RTLD_LAZY); library == nullptr)
     throw Error::at("OpenGL", "there is no libEGL.so.1", needed);
   std::vector<EGLDisplay> out;

@@ -7,8 +7,8 @@
 
 namespace etak {
 
-/// A GL 3.3 core context without a window, current on this thread when made and from make_current() on; destroyed with
-/// the value. Throws Error where there is none.
+/// An OpenGL 3.3 core context without a window. It is current on the thread that makes it, and is destroyed
+/// with the value. The constructor throws Error where OpenGL is missing.
 class GlContext {
  public:
   GlContext();
@@ -16,7 +16,7 @@ class GlContext {
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  /// Another context may have come between.
+  /// Makes the context current again on this thread, after another one may have been made current.
   void make_current() const;
 
  private:

@@ -33,8 +33,8 @@ GlRunner::Info read_info() {
   return info;
 }
 
-// The lines of `text` that `log` names ("0:12(5): error" or "0(12) : error"), for reading a message without
-// the file.
+// The driver's messages, each with the line of the shader that it names ("0:12(5): error" or "0(12) : error")
+// below it, so that a message can be understood without the shader.
 std::string with_lines(const std::string& log, const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream in(text);
@@ -51,7 +51,7 @@ std::string with_lines(const std::string& log, const std::string& text) {
   return out;
 }
 
-// A linked program; throws std::string with the driver's message.
+// A linked program. The constructor throws Error with the driver's message.
 class Program {
  public:
   Program(const std::string& vertex, const std::string& fragment) : id_(glCreateProgram()) {
@@ -79,7 +79,7 @@ class Program {
 
   void set(const GlslUniform& uniform) const {
     const GLint at = glGetUniformLocation(id_, uniform.name.c_str());
-    if (at < 0) return;  // the driver found it unused
+    if (at < 0) return;  // the driver has removed it, because nothing uses it
     const float* values = uniform.values.data();
     switch (uniform.width) {
       case 1:
@@ -114,7 +114,7 @@ class Program {
   GLuint id_;
 };
 
-// A target of one texture, current while it lives.
+// A framebuffer with one texture, which is bound while the value lives.
 class Target {
  public:
   Target(GLenum format, int width, int height) {
@@ -144,7 +144,8 @@ class Target {
   GLuint frame_ = 0, texture_ = 0;
 };
 
-// A float texture of three channels on texture unit `unit`: read texel by texel, or as a lat-long map.
+// A float texture of three channels on texture unit `unit`. A latitude-longitude map is filtered bilinearly;
+// an array of numbers is read texel by texel.
 class FloatTexture {
  public:
   FloatTexture(int unit, const Image& map) : FloatTexture(unit, map.width, map.height, map.values) {
@@ -170,7 +171,7 @@ class FloatTexture {
   GLuint id_ = 0;
 };
 
-// Codes of four channels, colours sRGB-encoded, texel by texel.
+// A texture of 8-bit codes on texture unit `unit`: four channels, sRGB-encoded colours, without filtering.
 class CodeTexture {
  public:
   CodeTexture(int unit, const Image8& rgba) {
@@ -191,7 +192,7 @@ class CodeTexture {
   GLuint id_ = 0;
 };
 
-// The GL's clock around what is drawn between start and stop.
+// Measures the time of drawing between start() and stop() by OpenGL's own clock, where it has one.
 class GpuClock {
  public:
   GpuClock() {
@@ -211,7 +212,7 @@ class GpuClock {
   void stop() const {
     if (query_ != 0) glEndQuery(GL_TIME_ELAPSED);
   }
-  /// Of the last start and stop; waits for the GL.
+  /// The time between the last start() and stop(). Waits until OpenGL has finished drawing.
   std::optional<double> milliseconds() const {
     if (query_ == 0) return std::nullopt;
     GLuint64 nanoseconds = 0;
@@ -237,7 +238,7 @@ struct GlRunner::State {
     glDisable(GL_DITHER);
     glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
   }
-  ~State() { context.make_current(); }  // the programs are of this context
+  ~State() { context.make_current(); }  // the programs belong to this context
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
@@ -261,7 +262,8 @@ struct GlRunner::State {
 
 namespace {
 
-// The scene's program in use with its uniforms and textures, for as long as it lives.
+// Puts the program of a scene into use with its uniforms and textures, which stay bound while the value
+// lives.
 class Prepared {
  public:
   template <class State>
@@ -269,7 +271,7 @@ class Prepared {
     validate(scene);
     if (scene.textures) throw Error::at("scene", "has textures", "one without them for this way of drawing");
     Scene drawn = scene;
-    // Whether there is one is told by the pointer; a file's name without its picture lights nothing.
+    // The pointer alone says whether there is an environment; a file name without its picture gives no light.
     drawn.lights.environment = environment != nullptr ? "given" : "";
     const GlslText text = glsl_text(drawn);
     corners_ = text.corners;
@@ -293,7 +295,7 @@ class Prepared {
   std::vector<std::unique_ptr<FloatTexture>> textures_;
 };
 
-// A picture of the rows that the GL gives from the bottom.
+// A picture with rows from the top, made of rows that OpenGL gives from the bottom.
 Image rows_down(const Scene& scene, const std::vector<float>& rows_up) {
   Image out(scene.width, scene.height, 4);
   const std::ptrdiff_t row = scene.width * std::ptrdiff_t{4};

@@ -7,10 +7,10 @@
 namespace etak {
 namespace {
 
-// A polygon around the object: on a rasteriser without a GPU the pixels beside it cost as much as those on
-// it.
+// Draws a polygon around the object instead of the whole picture, because for a software rasteriser the
+// pixels beside the object cost as much as those of the object.
 void fan(GlslGlue& glue, const Scene& scene, const Camera& camera, bool sphere) {
-  if (!sphere && scene.perspective) return;  // a near camera may see the square anywhere
+  if (!sphere && scene.perspective) return;  // the square may be anywhere in the picture
   const int corners = sphere || camera.turned() ? 32 : 4;
   const double reach = (sphere ? 1 : std::sqrt(2.0)) + 2 * camera.pixel();
   const double radius = reach / (corners == 4 ? 1 : std::cos(std::numbers::pi / corners)) / camera.pixel();
@@ -25,7 +25,7 @@ void fan(GlslGlue& glue, const Scene& scene, const Camera& camera, bool sphere) 
   glue.vertex_uniform({"fan_corners", 1, 1, false, {static_cast<float>(corners)}});
 }
 
-// Up to position, normal and viewer of the pixel.
+// Writes main() up to the position, the normal and the viewer of the pixel, for a camera at the front.
 void seen_from_the_front(GlslGlue& glue, const Scene& scene, bool sphere) {
   glue.line("void main() {");
   glue.line("  float pixel = 2.2 / picture_size.y;");
@@ -52,11 +52,11 @@ void seen_from_the_front(GlslGlue& glue, const Scene& scene, bool sphere) {
                      : "    vec3 v = viewer_perspective(clamp(at, -side, side), camera_spread);");
 }
 
-// The same for a camera that moves.
+// The same for a camera at any direction, which uniforms set.
 void seen_from_anywhere(GlslGlue& glue, const Scene& scene, const Camera& camera, bool sphere) {
   glue.declare("vec2", "picture_origin");
   glue.uniform("picture_pixel", camera.pixel());
-  // Rows of the target count from below.
+  // The rows of the target count from the bottom.
   glue.uniform("picture_centre", camera.centre_column(), scene.height - camera.centre_row());
   std::vector<float> axes, plane;
   for (const Vec3& axis : camera.axes()) append_floats(axes, axis);

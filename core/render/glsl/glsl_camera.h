@@ -6,10 +6,10 @@
 
 namespace etak {
 
-/// The head of a scene's main(): where the pixel's ray meets the object. Afterwards there are `color` (the
-/// background), `coverage` and, inside an open `if (coverage > 0.0) {`, position `p`, normal `n` and the
-/// direction to the viewer `v`. The uniforms picture_size, background and, in perspective, camera_distance
-/// and camera_spread are the caller's.
+/// Writes the beginning of a scene's main(), which finds where the ray of the pixel meets the object. It sets
+/// the variables `color` (the background) and `coverage`, opens the block `if (coverage > 0.0) {`, and in it
+/// sets the position `p`, the normal `n` and the direction `v` to the viewer. The caller declares the
+/// uniforms picture_size, background and, in perspective, camera_distance and camera_spread.
 void camera_text(GlslGlue& glue, const Scene& scene, const Camera& camera);
 
 }  // namespace etak

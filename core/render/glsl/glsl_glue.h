@@ -20,13 +20,14 @@ inline void append_floats(std::vector<float>& out, const Vec3& v) {
   for (const double x : v) out.push_back(static_cast<float>(x));
 }
 
-/// As a real number in GLSL.
+/// A number as a GLSL literal of type float.
 inline std::string glsl_decimal(double value) {
   const std::string text = number(value, 9);
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-/// Grows the glue: the part of the text that is this scene's own.
+/// Collects the part of a shader's text that is written for one scene (the glue), with its uniforms and
+/// features, and puts the shader together.
 class GlslGlue {
  public:
   GlslText text;
@@ -47,11 +48,11 @@ class GlslGlue {
   void uniform(const std::string& name, double x, double y) {
     add({name, 2, 1, false, {static_cast<float>(x), static_cast<float>(y)}});
   }
-  // A uniform that the caller sets.
+  // Declares a uniform that the caller sets.
   void declare(const std::string& type, const std::string& name) {
     declarations_ += "uniform " + type + ' ' + name + ";\n";
   }
-  // One of the vertex shader's own.
+  // Adds a uniform that the vertex shader declares.
   void vertex_uniform(GlslUniform uniform) { text.uniforms.push_back(std::move(uniform)); }
   void uniforms(const std::string& name, int width, const std::vector<float>& values) {
     add({name, width, static_cast<int>(values.size()) / width, true, values});

@@ -20,7 +20,7 @@ bool in_setup(const Scene& scene, LightKind kind) {
                              [&](const Light& light) { return light.kind == kind && shines(light); });
 }
 
-// Distance and direction of a light that has a place.
+// The code that computes the distance `r` and the direction `l` of a light that has a position.
 std::string arriving(const std::string& kind) {
   return "\n    vec3 to = " + kind + "_position[i] - p;\n    float r = max(length(to), " +
          std::to_string(point_light_min_r) + ");\n    vec3 l = in_frame(to / r, t, b, n);";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model's part of a scene's shader: its parameters as uniforms or texels, and its call.
+// The part of a shader that evaluates a model: its parameters, which are uniforms or texels, and the call.
 #include "core/render/glsl/glsl_model.h"
 
 #include "core/base/error.h"
@@ -9,7 +9,7 @@
 namespace etak {
 namespace {
 
-// What a parameter is at a texel; as TexturedValues has it.
+// The GLSL expression for a parameter that follows the texture; the same value as that of TexturedValues.
 std::string from_texture(const Parameter& parameter) {
   const auto held = [&](const std::string& value) {
     return "clamp(" + value + ", " + glsl_decimal(parameter.min) + ", " + glsl_decimal(parameter.max) + ")";
@@ -29,7 +29,8 @@ std::string from_texture(const Parameter& parameter) {
   }
 }
 
-// A parameter whose value a texture holds, as GLSL; "" for one that is a uniform.
+// The GLSL expression for a parameter whose value a texture of an atlas holds; empty for one that is a
+// uniform.
 std::string fetched_value(const Model& model, const Parameter& parameter, const TextureUse& textures) {
   switch (parameter.role) {
     case Role::diffuse:

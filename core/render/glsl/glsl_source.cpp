@@ -14,7 +14,8 @@ bool is_word(char c) {
   return is_letter(c) || is_digit(c) || c == '_';
 }
 
-// The end of the token that begins at `at`: a comment to its line's end, a word, a number, or one character.
+// The end of the token that begins at `at`: a comment up to the end of its line, a word, a number, or one
+// character.
 std::size_t token_end(std::string_view text, std::size_t at) {
   std::size_t end = at + 1;
   const auto here = [&](std::size_t i) { return i < text.size() ? text[i] : '\0'; };
@@ -43,7 +44,7 @@ bool is_comment(std::string_view token) {
   return token.starts_with("//");
 }
 
-// What a text uses: names that are called, and all names.
+// The names that a text uses: those that it calls as functions, and all of them.
 struct Uses {
   std::set<std::string_view> called, named;
 
@@ -56,7 +57,7 @@ struct Uses {
   }
 };
 
-// A function, struct, constant or uniform with the comment above it.
+// A function, struct, constant or uniform, with the comment above it.
 struct Definition {
   std::string_view name;
   std::string_view text;
@@ -70,8 +71,8 @@ struct ParsedFile {
   std::vector<Definition> definitions;
 };
 
-// `struct Angles {`, `const real pi = ...`, `uniform vec3 a[3];`, `real f(...)`: the name is the last word
-// before the first sign of punctuation.
+// Parses a definition. Its name is the last word before the first punctuation mark: `struct Angles {`,
+// `const real pi = ...`, `uniform vec3 a[3];`, `real f(...)`.
 Definition definition(std::string_view text) {
   Definition out;
   out.text = text;
@@ -88,7 +89,8 @@ Definition definition(std::string_view text) {
   return out;
 }
 
-// Definitions begin at the start of a line and end with a line whose last brace or semicolon closes them.
+// Splits a file into definitions. Each begins at the start of a line and ends with a line whose last brace or
+// semicolon closes it.
 ParsedFile parsed(const GlslFile& file) {
   ParsedFile out{&file, {}, {}};
   const std::string_view text = file.text;
@@ -99,7 +101,7 @@ ParsedFile parsed(const GlslFile& file) {
     const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
     const std::string_view line = text.substr(at, end - at - 1);
     if (is_comment(line)) {
-      // Collected: belongs to the file, or to the definition below it.
+      // The comment belongs to the heading of the file, or to the definition below it.
     } else if (!code && heading) {
       out.heading = text.substr(begin, at - begin);
       heading = false;
@@ -128,7 +130,7 @@ const std::vector<ParsedFile>& parsed_files() {
     std::vector<ParsedFile> out;
     for (const GlslFile& file : glsl_files())
       if (file.name.ends_with(".glsl"))
-        out.push_back(parsed(file));  // a whole shader's `main` is nobody's to call
+        out.push_back(parsed(file));  // whole shaders (*.vert) hold no function that others call
     return out;
   }();
   return files;

@@ -7,28 +7,28 @@
 
 namespace etak {
 
-/// A GLSL text that is kept in the library: the formula texts of core/fresnel, core/brdf and core/light in
-/// order of use ("brdf/d_ggx.glsl"), then what only a GPU needs ("shaders/picture.glsl", of
+/// A GLSL text that is embedded in the library: the formula texts of core/fresnel, core/brdf and core/light
+/// in order of use ("brdf/d_ggx.glsl"), then the texts for GPUs alone ("shaders/picture.glsl", from
 /// resources/shaders).
 struct GlslFile {
   std::string_view name;
   std::string_view text;
 
-  /// A formula text is C++ too: whole numbers stand for real ones.
+  /// Whether this is a formula text, which is also C++, and in which whole numbers stand for real ones.
   bool is_formula() const { return !name.starts_with("shaders/"); }
 };
 std::span<const GlslFile> glsl_files();
 
-/// The text of one file. Throws Error for a name that is not there.
+/// The text of the file with this name. Throws Error for unknown names.
 std::string_view glsl_file(std::string_view name);
 
-/// `text` with every whole-number literal as a real one, 2 as 2.0: "300 es" converts nothing by itself.
-/// Comments and names (`m2`) stay as they are.
+/// `text` with every whole number written as a real one, 2 as 2.0, because GLSL "300 es" has no implicit
+/// conversions. Comments and names (`m2`) are not changed.
 std::string real_literals(std::string_view text);
 
-/// All functions, structs, constants and uniforms of the *.glsl among glsl_files() that `root` uses, directly
-/// or through others, in the order of the files, each file's part under its name and heading comment. What is
-/// not used is not there.
+/// The functions, structs, constants and uniforms of the *.glsl files among glsl_files() that the code `root`
+/// uses, directly or through others, and no others. They come in the order of the files; the part of each
+/// file begins with its name and its heading comment.
 std::string glsl_needed_by(std::string_view root);
 
 }  // namespace etak

@@ -18,7 +18,7 @@
 namespace etak {
 namespace {
 
-// The text of one scene, part by part.
+// Writes the shaders of one scene, part by part.
 class SceneText {
  public:
   SceneText(const Scene& scene, const GlslDisplay* display, const TextureUse* textures)
@@ -62,7 +62,7 @@ class SceneText {
                 : scene_.diffuse != nullptr && etak::body_is_black(*scene_.diffuse, scene_.diffuse_values));
   }
 
-  // Textures as globals that main() fills for its pixel.
+  // Declares the scene's textures, and the global variables that main() sets to the texels of its pixel.
   void textures() {
     if (!textured_) {
       if (scene_.view) glue_.leave_out("textures", "the surface is the same everywhere");
@@ -84,7 +84,7 @@ class SceneText {
     const bool black = !textured_ && !fetched && body_is_black(combined);
     has_diffuse_ = !black && (combined || diffuse != nullptr);
     if (!any_light_) {
-      // Hemispheres and environment have forms of their own.
+      // Hemispheres and environment have formulas of their own and do not evaluate the models.
       glue_.leave_out("specular", "no discrete light");
       glue_.leave_out("diffuse", "no discrete light");
       return;
@@ -181,7 +181,8 @@ class SceneText {
       glue_.uniform("body_K", scaled(scene_.surface.diffuse, opacity_));
   }
 
-  // What hemispheres and environment need of the mirror direction.
+  // Computes the mirror direction, and declares the F0 and the gloss that hemispheres and environment use
+  // with it.
   void mirror() {
     if (std::exchange(mirror_declared_, true)) return;
     if (textures_ != nullptr && textures_->specular)
@@ -231,7 +232,7 @@ class SceneText {
   void marks() {
     const std::vector<float>& energy = scene_.mark_energy;
     const bool zone = scene_.mark_zone;
-    // Of windows: no use telling everybody else.
+    // Only windows can ask for stripes, so the feature is listed for their scenes alone (those with a view).
     if (!zone && scene_.view) glue_.leave_out("zone stripes", "not asked for");
     if (energy.empty() && scene_.view) glue_.leave_out("energy stripes", "not asked for");
     if (!zone && energy.empty()) return;
@@ -260,7 +261,8 @@ class SceneText {
                ", stripe_at.x, picture_size.y - 1.0 - stripe_at.y, " + exposure_name() + ");");
   }
 
-  // F0 as a uniform of its own: hemispheres have one only where there are some.
+  // Declares F0 as a uniform of its own, because that of the hemispheres exists only where the setup has
+  // hemispheres.
   std::string zone_color() {
     glue_.uniform("zone_f0", scene_.surface.f0);
     return "zone_f0";
@@ -327,15 +329,15 @@ class SceneText {
 
   const Scene& scene_;
   const GlslDisplay* display_;
-  const TextureUse* textures_;  // null: uniforms say everything
+  const TextureUse* textures_;  // what is fetched from an atlas; null: nothing
   const Camera camera_;
   const bool textured_;
   const double opacity_;
   GlslGlue glue_;
   std::string brdf_, light_code_;
   std::string body_ = "body_K", mirror_f0_ = "gloss_K", mirror_gloss_ = "gloss";  // names of the values
-  bool any_light_;         // some discrete light meets some model
-  bool fetching_ = false;  // some texture is read
+  bool any_light_;         // whether a discrete light lights a model
+  bool fetching_ = false;  // whether a texture of an atlas is read
   bool has_diffuse_ = false, body_declared_ = false, mirror_declared_ = false;
 };
 
@@ -370,7 +372,8 @@ GlslText glsl_evaluation_text(const Model& model, const std::vector<double>& val
 }
 
 GlslText glsl_expression_text(std::string_view expression, GlslVersion version) {
-  // Numbers come times a uniform of 1: what has no unknowns is computed by the compiler, not by the GPU.
+  // Numbers are multiplied by a uniform of value 1, because an expression of constants would be computed by
+  // the compiler and not by the GPU.
   std::string code(expression);
   for (std::size_t at = 0; (at = code.find("real(", at)) != code.npos; at += 6) code.replace(at, 4, "given");
   GlslGlue glue;

@@ -8,17 +8,17 @@
 namespace etak {
 namespace {
 
-// What a shader reads of the two textures A and B.
+// What a shader reads from the two textures A and B of an atlas.
 struct FetchedTextures {
   const TextureUse& use;
-  double opacity;  // where no texture says it
+  double opacity;  // used where it is not fetched
 
   bool a() const { return use.diffuse || use.fetch_alpha; }
   bool b() const { return use.specular || use.gloss; }
   bool blends() const { return use.alpha == TextureUse::Alpha::blend; }
   bool tests() const { return use.alpha == TextureUse::Alpha::test; }
   bool roughness() const { return use.gloss && use.gloss_form != GlossForm::schueler; }
-  // A mask of one number shows all or nothing.
+  // A mask whose alpha is one number shows all texels or none.
   bool one_mask() const { return tests() && !use.fetch_alpha; }
   bool all_hidden() const { return one_mask() && opacity < use.cutoff; }
 };
@@ -32,7 +32,7 @@ void add_uniform(TextureFetch& out, const char* name, std::vector<float> values)
   out.uniforms.push_back({name, width, 1, false, std::move(values)});
 }
 
-// Samplers, variables, uniforms and the function that fetch() calls.
+// Writes the samplers, variables and uniforms, and the function that fetch() calls.
 void declare_textures(const FetchedTextures& of, TextureFetch& out) {
   const TextureUse& use = of.use;
   if (of.a()) add_line(out, "uniform sampler2D diffuse_alpha;");
@@ -44,7 +44,8 @@ void declare_textures(const FetchedTextures& of, TextureFetch& out) {
     add_uniform(out, "texel_opacity", {static_cast<float>(of.opacity)});
   if (use.specular) add_line(out, "vec3 texel_f0;");
   if (use.gloss) add_line(out, "float texel_gloss;");
-  // e = 2 / r^4 - 2 is the exponent of the lobe whose width is r^2; Schueler's g holds 1 to 4096 of it.
+  // e = 2 / r^4 - 2 is the exponent of the lobe whose width is r^2; Schueler's g in [0, 1] has exponents 1 to
+  // 4096.
   if (of.roughness())
     add_line(out,
              "float gloss_of_roughness(float r) {\n  float r4 = max(r * r * r * r, 1e-8);\n"
@@ -85,7 +86,7 @@ void add_fetch(const FetchedTextures& of, TextureFetch& out) {
   line("}\n");
 }
 
-// What the text has of each feature, and why it lacks one.
+// Lists which features the text has, and why it lacks the others.
 void tell_features(const FetchedTextures& of, TextureFetch& out) {
   const TextureUse& use = of.use;
   const auto tell = [&](const char* what, bool in, const char* reason) {

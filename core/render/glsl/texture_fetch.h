@@ -8,17 +8,18 @@
 
 namespace etak {
 
-/// The part of a shader that reads a material's texels: variables texel_diffuse, texel_f0, texel_gloss and
-/// texel_opacity (those that are asked for), and `void fetch(vec2 at)`, which sets them for a place in
-/// [-1, 1]^2, row 1 on top.
+/// The part of a shader that reads the texels of a material: the variables texel_diffuse, texel_f0,
+/// texel_gloss and texel_opacity, as far as they are fetched, and `void fetch(vec2 at)`, which sets them for
+/// a place in [-1, 1]^2 where y = 1 is the top of the picture.
 struct TextureFetch {
   std::string code;
   std::vector<GlslUniform> uniforms;
   std::vector<GlslFeature> features;
-  bool any = false;  // there is a fetch() to call
+  bool any = false;  // whether there is a fetch() to call
 };
 
-///   opacity   where no texture says it
+/// The code for one use of the textures.
+///   opacity   used where it is not fetched
 TextureFetch texture_fetch(const TextureUse& use, double opacity);
 
 }  // namespace etak

@@ -22,9 +22,10 @@ inline double log_uniform(Random& random, double low, double high) {
   return std::exp(uniform(random, std::log(low), std::log(high)));
 }
 
-/// A value that parameters of this kind take in practice.
+/// A random value in the range that is common for parameters of this kind.
 inline double random_value(Random& random, const Parameter& p) {
-  // No total reflection: next to the critical angle the slope is infinite, and float cannot follow.
+  // Total reflection is avoided, because next to the critical angle the slope is infinite and float loses all
+  // digits.
   if (p.name == "n1") return uniform(random, 1, 1.3);
   if (p.name == "n2") return uniform(random, 1.3, 3);
   switch (p.role) {
@@ -34,7 +35,7 @@ inline double random_value(Random& random, const Parameter& p) {
       return uniform(random, 0, 8);
     case Role::alpha:
       return log_uniform(random, 0.02, 1);
-    case Role::f82:  // far below the curve it dips to 0, where float has no digits left
+    case Role::f82:  // far below this the curve dips to 0, where float has no digits left
       return uniform(random, 0.5, 1);
     case Role::exponent:
       return log_uniform(random, 1, 4096);
@@ -67,8 +68,8 @@ inline bool has_role(const Model& model, Role role) {
                      [&](const Parameter& p) { return p.role == role; });
 }
 
-/// Above the surface, uniform in the cosine from `least` up; every fourth pair near the mirror configuration,
-/// where lobes are.
+/// A random pair of directions above the surface, uniform in the cosine from `least` up. Every fourth pair is
+/// near the mirror configuration, where lobes are.
 inline Directions random_directions(Random& random, double least = 0.02) {
   const auto one = [&](double& x, double& y, double& z) {
     z = uniform(random, least, 1);

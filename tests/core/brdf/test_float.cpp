@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same texts in float and in vector lanes against double.
+// Compares the formula texts in float, and in vectorised loops, with those in double.
 #include <catch2/catch.hpp>
 
 #include "tests/core/brdf/random_models.h"
@@ -9,7 +9,8 @@ using namespace etak::test;
 
 namespace {
 
-// How near single precision comes, by what the formula is made of; relative to max(|f64|, 1e-4 of the peak).
+// The error of single precision that the operations of a formula allow, relative to max(|f64|, 1e-4 of the
+// peak).
 double tolerance(const Model& model) {
   const auto uses = [&](std::string_view file) {
     return std::find(model.files.begin(), model.files.end(), file) != model.files.end();

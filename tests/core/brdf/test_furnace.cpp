@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// White furnace: directional albedo against printed numbers, against closed forms, and against what each
-// model claims.
+// The white furnace: compares directional albedo with printed numbers, with closed forms, and with the claims
+// of each model.
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -18,7 +18,8 @@ double width_of(double e) {
   return std::sqrt(2 / (e + 2));
 }
 
-// The same by another road: over light directions, Gauss-Legendre in many panels.
+// The directional albedo by another method: over light directions, by Gauss-Legendre quadrature in many
+// panels.
 double albedo_over_light(const Model& model, const std::vector<double>& values, double theta_v) {
   constexpr int panels = 48;
   double sum = 0;
@@ -42,8 +43,8 @@ double albedo_over_light(const Model& model, const std::vector<double>& values, 
   return sum;
 }
 
-// Share of the light from theta_l that leaves in any direction: what models without reciprocity must be
-// asked, too.
+// The share of the light from theta_l that leaves in any direction. For models that are not reciprocal this
+// differs from the directional albedo and is tested too.
 double albedo_of_light(const Model& model, const std::vector<double>& values, double theta_l, double width) {
   AlbedoOptions options;
   options.lobe_width = width;
@@ -61,13 +62,13 @@ struct PrintedAlbedo {
   const char* id;
   std::vector<double> values;
   double width;
-  double albedo[7];  // at `furnace_views`, three decimals; one above 10
+  double albedo[7];  // at `furnace_views`, with three decimals, or one above 10
 };
 
 }  // namespace
 
-// Two places at 89.9 degrees are printed otherwise: .667 is the limit at 90 degrees, and 25.7 is coarse: over
-// half vectors, with more points where l h ends, the integral is 25.793.
+// Two numbers at 89.9 degrees differ from the printed ones: .667 is the limit at 90 degrees; and 25.7 is
+// inaccurate, since the integral over half vectors, with more points at the end of l h, is 25.793.
 TEST_CASE("directional albedo comes out as printed") {
   const std::vector<PrintedAlbedo> table = {
       {"microfacet:schueler,schlick,cook-torrance",
@@ -134,8 +135,8 @@ TEST_CASE("the half-vector integral equals one over light directions") {
 }
 
 TEST_CASE("closed forms at normal incidence") {
-  // Exact Blinn-Phong is normalised to one there; the approximate one is (m + 8)(2^(-m/2) + m) / ((m + 2)(m +
-  // 4)).
+  // At normal incidence the exact Blinn-Phong has albedo 1, and the approximate one has
+  // (m + 8)(2^(-m/2) + m) / ((m + 2)(m + 4)).
   for (const double m : {1.0, 8.8, 100.0, 4096.0}) {
     const std::vector<double> values{0, 0, 0, 1, 1, 1, m};
     CHECK(albedo(*find_model("blinn-phong-exact"), values, 0, width_of(m), 1e-9) == Approx(1).epsilon(1e-8));
@@ -169,7 +170,7 @@ TEST_CASE("energy is conserved where it is claimed, and a counter-example exists
                                                         : 1;
         for (int c = 0; c < (p.color ? 3 : 1); ++c) values.push_back(value);
       }
-      // Both parts white would sum to two by intention: the parts are looked at one by one.
+      // With both parts white the albedo would be 2, as intended, so the parts are tested one by one.
       const bool parts = model.kind == ModelKind::combined;
       for (int part = 0; part < (parts ? 2 : 1); ++part) {
         std::vector<double> one = values;

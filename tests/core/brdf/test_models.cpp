@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every row of the registry is held to.
+// Properties that every row of the registry must have.
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <set>
@@ -23,7 +23,7 @@ Directions swapped(const Directions& d) {
   return {d.vx, d.vy, d.vz, d.lx, d.ly, d.lz};
 }
 
-// The stress values of a role; the first test of everything that divides.
+// Extreme values for each role, which find divisions by zero and overflows.
 std::vector<std::pair<Role, double>> stresses() {
   return {{Role::gloss, 0},   {Role::gloss, 1},    {Role::f0, 0},          {Role::f0, 1.0 / 60},
           {Role::f0, 1},      {Role::f0, 1.022},   {Role::f0, -0.01},      {Role::f0, 1.5},
@@ -97,7 +97,7 @@ TEST_CASE("any three terms make a model, and the fused ones are their product") 
         REQUIRE(model->parameters.size() >= F.parameters.size());
         const std::vector<double> values = random_values(random, *model);
         const Directions d = random_directions(random);
-        // Each term alone, its parameters found by name.
+        // Each term is evaluated alone, with its parameters found by name.
         const auto term = [&](const Term& t) {
           std::vector<double> own;
           for (const Parameter& p : t.parameters) {
@@ -227,7 +227,8 @@ TEST_CASE("isotropic models do not change with a turn about the normal, Ashikhmi
 }
 
 TEST_CASE("parameters come back in the printed formulas: values at one pair of directions by hand") {
-  // l 30 degrees, v 40 degrees, opposite sides: h at 5 degrees towards v, l.h = cos 35.
+  // l is at 30 degrees and v at 40 degrees on opposite sides, so h is at 5 degrees towards v, and
+  // l.h = cos 35.
   const Directions d = directions_deg(30, 40, 180);
   const auto c = [](double deg) { return std::cos(deg * std::numbers::pi / 180); };
   const double nl = c(30), nv = c(40), nh = c(5), lh = c(35), g = 0.5, e = 64, K = 0.2;
@@ -248,7 +249,7 @@ TEST_CASE("parameters come back in the printed formulas: values at one pair of d
   const double m = 0.3, tan2 = std::pow(std::tan(5 * std::numbers::pi / 180), 2);
   const double beckmann = std::exp(-tan2 / (m * m)) / (std::numbers::pi * m * m * std::pow(nh, 4));
   const std::vector<double> glass{1.5, 1.5, 1.5, 0, 0, 0, m};
-  // Dielectric pair at 35 degrees, sin_t = sin 35 / 1.5.
+  // Two clear media at 35 degrees, sin_t = sin 35 / 1.5.
   const double st = std::sin(35 * std::numbers::pi / 180) / 1.5, ct = std::sqrt(1 - st * st);
   const double rs = (lh - 1.5 * ct) / (lh + 1.5 * ct), rp = (ct - 1.5 * lh) / (ct + 1.5 * lh),
                R = (rs * rs + rp * rp) / 2;
@@ -269,18 +270,16 @@ TEST_CASE("parameters come back in the printed formulas: values at one pair of d
   CHECK(f64(*find_model("ggx-schlick"), d, {0.04, 0.04, 0.04, 0.3})[0] ==
         Approx(a2 / (std::numbers::pi * t * t) * V * S).epsilon(1e-12));
 
-  const double s2 = 0.09, A = 1 - 0.5 * s2 / (s2 + 0.33);  // opposite azimuths: no B part
+  const double s2 = 0.09, A = 1 - 0.5 * s2 / (s2 + 0.33);  // at opposite azimuths there is no B part
   CHECK(f64(*find_model("oren-nayar"), d, {0.8, 0.8, 0.8, 0.3})[0] ==
         Approx(0.8 / std::numbers::pi * A).epsilon(1e-12));
-  const double B =
-      0.45 * s2 /
-      (s2 + 0.09);  // equal azimuths: sin(30) tan(40) or sin(40) tan(30): the larger angle's sine,
-  const double near = std::sin(40 * std::numbers::pi / 180) *
-                      std::tan(30 * std::numbers::pi / 180);  // the smaller angle's tangent
+  // At equal azimuths, B is multiplied by the sine of the larger angle and the tangent of the smaller one.
+  const double B = 0.45 * s2 / (s2 + 0.09);
+  const double near = std::sin(40 * std::numbers::pi / 180) * std::tan(30 * std::numbers::pi / 180);
   CHECK(f64(*find_model("oren-nayar"), directions_deg(30, 40, 0), {0.8, 0.8, 0.8, 0.3})[0] ==
         Approx(0.8 / std::numbers::pi * (A + B * near)).epsilon(1e-12));
 
-  // Ashikhmin-Shirley with h in the plane of the tangent: only nu counts.
+  // For Ashikhmin-Shirley with h in the plane of the tangent, only nu matters.
   const double as =
       std::sqrt(101.0 * 11) / (8 * std::numbers::pi) * std::pow(nh, 100) * S / (lh * std::max(nl, nv));
   CHECK(f64(*find_model("ashikhmin-shirley-specular"), d, {0.04, 0.04, 0.04, 100, 10})[0] ==

@@ -12,7 +12,8 @@ using namespace etak;
 
 namespace {
 
-// The definition, integrated: 2 std::numbers::pi times that of (1 + a t)^-b (1 - t) over [0, 1], in s = log(1 + a t).
+// The integral by its definition: 2 pi times that of (1 + a t)^-b (1 - t) over [0, 1], taken over
+// s = log(1 + a t).
 double abc_by_quadrature(double a, double b) {
   const double u = std::log1p(a);
   double sum = 0;
@@ -48,8 +49,8 @@ TEST_CASE("ABC's constant is right everywhere, its removable poles included") {
 }
 
 TEST_CASE("the shifted gamma constant is one over an incomplete gamma function") {
-  // Gamma(0, x) is E1(x), Gamma(1, x) = e^-x, Gamma(1/2, x) = sqrt(std::numbers::pi) erfc(sqrt x), Gamma(-1, x) = e^-x / x
-  // - E1(x).
+  // Gamma(0, x) = E1(x), Gamma(1, x) = e^-x, Gamma(1/2, x) = sqrt(pi) erfc(sqrt x), and
+  // Gamma(-1, x) = e^-x / x - E1(x).
   CHECK(std::exp(-log_sgd_norm(1, 1)) == Approx(0.21938393439552027368).epsilon(1e-12));
   CHECK(std::exp(-log_sgd_norm(0.1, 1)) == Approx(1.8229239584193906661).epsilon(1e-12));
   for (const double x : {1e-6, 0.01, 0.5, 3.0, 50.0}) {
@@ -73,7 +74,7 @@ TEST_CASE("every distribution integrates to what it claims") {
                                                     : 1.7);
       const double integral = integral_of_distribution(
           [&](double nm, double s2) {
-            // l = v = a direction at cosine nm: the half vector is there too.
+            // l and v are the same direction at cosine nm, so the half vector is that direction too.
             double rgb[3];
             const double s = std::sqrt(s2);
             term.f64({s, 0, nm, s, 0, nm}, values.data(), rgb);

@@ -7,7 +7,7 @@
 
 #include "core/image/files/containers.h"
 
-/// Whole KTX2 and DDS files in memory, from the writers that put them out piece by piece.
+/// Whole KTX2 and DDS files in memory, although their writers write piece by piece.
 namespace etak::test {
 
 struct TextureLevels {

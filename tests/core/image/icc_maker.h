@@ -10,7 +10,8 @@
 
 #include "tests/core/image/png_maker.h"
 
-/// ICC profiles byte by byte, for tests: shares nothing with core/image but the standard.
+/// Makes ICC profiles byte by byte, for tests. Nothing of core/image is used, so that the tests are
+/// independent of it.
 namespace etak::test {
 
 inline std::string icc_u16(std::uint32_t value) {
@@ -31,7 +32,7 @@ inline std::string icc_table(const std::vector<std::uint16_t>& values) {
   return out;
 }
 
-/// A power: u8Fixed8.
+/// A "curv" tag with one exponent, as u8Fixed8Number.
 inline std::string icc_gamma(double exponent) {
   return icc_table({static_cast<std::uint16_t>(std::lround(exponent * 256))});
 }
@@ -42,7 +43,7 @@ inline std::string icc_formula(unsigned form, const std::vector<double>& numbers
   return out;
 }
 
-/// sRGB's own curve, as ICC's form 3.
+/// The sRGB curve as a "para" tag of form 3.
 inline std::string icc_srgb_curve() {
   return icc_formula(3, {2.4, 1 / 1.055, 0.055 / 1.055, 1 / 12.92, 0.04045});
 }
@@ -64,7 +65,7 @@ inline std::string icc_profile(const std::string& model, const IccTags& tags) {
   return body + table + data;
 }
 
-/// Colorants as the profiles of the named spaces print them, under D50.
+/// The XYZ of the primaries under D50, as printed in the profiles of the named colour spaces.
 using IccColorants = std::array<std::array<double, 3>, 3>;
 inline constexpr IccColorants icc_srgb{
     {{0.4361, 0.2225, 0.0139}, {0.3851, 0.7169, 0.0971}, {0.1431, 0.0606, 0.7141}}};
@@ -86,7 +87,7 @@ inline std::string icc_rgb(const IccColorants& colorants, const std::string& cur
                               {"bTRC", curve}});
 }
 
-/// The chunk that holds a profile in a PNG file.
+/// The iCCP chunk of a PNG file, which holds a profile.
 inline std::string iccp_chunk(const std::string& profile) {
   return png_chunk("iCCP", std::string("a profile\0\0", 11) + zlib_stream(profile));
 }

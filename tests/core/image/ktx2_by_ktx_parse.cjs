@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the npm package ktx-parse finds in a KTX 2.0 file, one line a value, for test_containers.cpp.
+// Prints what the npm package ktx-parse finds in a KTX 2.0 file, one value on each line, for test_containers.cpp.
 const { readFileSync } = require('fs');
 const { pathToFileURL } = require('url');
 
-// import() itself does not look into NODE_PATH.
+// require.resolve() finds the package, because import() ignores NODE_PATH.
 import(pathToFileURL(require.resolve('ktx-parse'))).then(({ read }) => {
   const file = read(new Uint8Array(readFileSync(process.argv[2])));
   const block = file.dataFormatDescriptor[0];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mip chain as one would write it down: double, from level 0, areas by intersection of intervals.
+// A plain mip chain for comparison: computed in double from level 0, with areas as intersections of
+// intervals.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace etak::test {
 
-/// Random codes that are the same everywhere.
+/// Random codes that are the same on every machine.
 struct Noise {
   std::uint64_t state = 1;
   std::uint32_t next() {
@@ -32,7 +33,7 @@ inline Image8 noise_picture(int width, int height, std::uint64_t seed) {
 
 struct ReferenceLevel {
   int width = 0, height = 0;
-  // linear R G B of A, opacity as a code, linear R G B of B, 1/e
+  // Linear R, G, B of texture A, opacity as a code, linear R, G, B of texture B, and 1/e.
   std::vector<std::array<double, 8>> texels;
 };
 
@@ -86,7 +87,7 @@ inline ReferenceLevel reference_next(const ReferenceLevel& above, bool weigh_by_
   return out;
 }
 
-/// Rounded half up: A's four codes, then B's.
+/// The four codes of texture A, then those of texture B, rounded half up.
 inline std::array<int, 8> reference_codes(const std::array<double, 8>& t) {
   std::array<int, 8> out{};
   for (const std::size_t c : {0, 1, 2, 4, 5, 6}) out[c] = static_cast<int>(255 * srgb_encode(t[c]) + 0.5);

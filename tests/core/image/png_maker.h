@@ -10,7 +10,8 @@
 #include <string_view>
 #include <vector>
 
-/// PNG files of every form, byte by byte, for tests: shares nothing with core/image but the standard.
+/// Makes PNG files of every form byte by byte, for tests. Nothing of core/image is used, so that the tests
+/// are independent of it.
 namespace etak::test {
 
 inline std::string big_endian(std::uint32_t value) {
@@ -32,12 +33,12 @@ inline const std::string png_signature("\x89PNG\r\n\x1a\n", 8);
 struct PngSpec {
   unsigned width = 1, height = 1;
   int colour = 6, bits = 8, interlace = 0;
-  int filter = -1;                       // of every row; -1: all in turn
+  int filter = -1;                       // of every row; -1: the filters take turns
   int level = 6;                         // of zlib; 0: stored blocks
-  int strategy = 0;                      // Z_FIXED: fixed codes
+  int strategy = 0;                      // of zlib; Z_FIXED: fixed Huffman codes
   int window = 15;                       // log2
-  std::size_t idat = 0;                  // bytes of an IDAT chunk; 0: one chunk
-  bool empty_idats = false;              // one before each and one behind all
+  std::size_t idat = 0;                  // bytes in an IDAT chunk; 0: all in one chunk
+  bool empty_idats = false;              // an empty IDAT before each one and one at the end
   std::string before = {}, behind = {};  // chunks around the image data
   unsigned seed = 1;
 };
@@ -46,8 +47,8 @@ inline unsigned png_channels(int colour) {
   return colour == 2 ? 3 : colour == 4 ? 2 : colour == 6 ? 4 : 1;
 }
 
-/// The zlib stream of random but compressible rows. Filtered bytes are drawn, so that every value of the
-/// filters' arithmetic comes up; what pixels they stand for is the decoder's to say.
+/// The zlib stream of random but compressible rows. The filtered bytes are random, so that the filters meet
+/// every value; which pixels these bytes stand for is left to the decoders.
 inline std::string png_filtered_rows(const PngSpec& spec) {
   std::mt19937 random(spec.seed);
   std::string rows;
@@ -58,7 +59,7 @@ inline std::string png_filtered_rows(const PngSpec& spec) {
     for (unsigned y = 0; y < height; ++y) {
       rows += static_cast<char>(spec.filter >= 0 ? static_cast<unsigned>(spec.filter) : (y + spec.seed) % 5);
       for (std::size_t i = 0; i < bytes; ++i)
-        // A palette of 256 entries, or fewer bits, take any code.
+        // A palette of 256 entries and pictures of fewer bits allow any byte.
         rows +=
             random() % 3 != 0 && i > 0 ? rows[rows.size() - 1 - random() % i] : static_cast<char>(random());
     }
@@ -98,7 +99,7 @@ inline std::string png_header(const PngSpec& spec) {
   return png_chunk("IHDR", data);
 }
 
-/// The file around a zlib stream that need not fit it.
+/// The PNG file around a zlib stream. The stream may be invalid or of another size than the header says.
 inline std::string png_around(const PngSpec& spec, const std::string& stream) {
   std::string out = png_signature + png_header(spec);
   if (spec.colour == 3) {

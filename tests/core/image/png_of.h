@@ -17,7 +17,8 @@ inline std::string png_of(const Image8& image, bool srgb = false) {
   return png_bytes(image, options);
 }
 
-/// A whole picture of 8 bits. Same forms and errors as PngReader; nullopt for 16 bits too.
+/// Reads a whole picture of 8 bits by PngReader, with its forms and errors; nullopt for pictures of 16 bits
+/// too.
 inline std::optional<Image8> read_png8(std::string_view bytes, std::string_view path) {
   std::optional<PngReader> reader = PngReader::open(bytes, path);
   if (!reader || reader->header().bits != 8) return std::nullopt;

@@ -25,7 +25,7 @@ TEST_CASE("ranges are those of a plain loop, for any number of texels") {
       }
       CHECK(range.least[4 + c] == least);
       CHECK(range.most[4 + c] == most);
-      CHECK(range.constant(c));  // nothing was said of the other texture
+      CHECK(range.constant(c));  // no texel of the other texture was added
     }
   }
 }

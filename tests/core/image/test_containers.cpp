@@ -26,7 +26,7 @@ std::vector<Image8> chain(int width, int height) {
   return mip_pair(picture, picture, {}).diffuse_alpha;
 }
 
-// bytes with a number of 32 bits put in.
+// The bytes with a 32-bit number written at `at`.
 std::string with(std::string bytes, std::size_t at, std::uint32_t value) {
   for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(value >> (8 * i) & 0xff);
   return bytes;

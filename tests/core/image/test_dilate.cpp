@@ -82,7 +82,7 @@ TEST_CASE("hidden texels get the mean of the smallest block with something visib
   const auto show = [&](int x, int y, std::uint8_t code) {
     for (auto& v : a.at(x, y)) v = code;
     for (auto& v : b.at(x, y)) v = code;
-    a.at(x, y)[3] = 1;  // hardly visible is visible
+    a.at(x, y)[3] = 1;  // a texel of alpha 1 is visible too
   };
   show(0, 0, 255);
   show(1, 1, 0);
@@ -93,7 +93,8 @@ TEST_CASE("hidden texels get the mean of the smallest block with something visib
   CHECK(int{b.at(0, 1)[3]} == 21);  // the mean of 1/e, as in the mips
   CHECK(int{a.at(2, 1)[1]} == 77);
   CHECK(int{b.at(2, 0)[3]} == 77);
-  // (0, 2): the block of 4 x 4, of two means; (5, 4): the whole.
+  // Texel (0, 2) is filled from the block of 4 x 4, the mean of two blocks; texel (5, 4) from the whole
+  // picture.
   CHECK(a.at(0, 2)[0] == a.at(3, 3)[0]);
   CHECK(int{a.at(0, 2)[0]} > 77);
   CHECK(a.at(5, 4)[0] == a.at(0, 2)[0]);

@@ -36,8 +36,8 @@ double mean_of(const Image& a, const Image& b) {
   return flip(flip_view(a), flip_view(b)).mean;
 }
 
-// FLIP once more, pixel by pixel from the article's formulas: filters of two dimensions, no shared parts, the
-// matrices typed in.
+// FLIP once more, written pixel by pixel from the formulas of the article: with two-dimensional filters, with
+// the matrices as printed, and without any code of core/image.
 namespace plainly {
 
 Colour to_xyz(const Colour& c) {
@@ -151,10 +151,11 @@ TEST_CASE("equal pictures differ nowhere") {
 TEST_CASE("plain pictures differ by their colours alone, and green against blue is the most there is") {
   const Colour black{0, 0, 0}, white{1, 1, 1}, green{0, 1, 0}, blue{0, 0, 1};
   CHECK(mean_of(plain(40, 30, green), plain(40, 30, blue)) == Approx(1).margin(1e-12));
-  // L* 100 apart: 100^0.7 = 25.1189; the most is (55.437 + hypot(101.18, 107.80))^0.7 = 41.28; so
-  // 0.95 + 0.05 (25.1189 - 16.51) / (0.6 x 41.28).
+  // The difference in L* is 100, and 100^0.7 = 25.1189; the largest difference is (55.437 + hypot(101.18,
+  // 107.80))^0.7 = 41.28. So the error is 0.95 + 0.05 (25.1189 - 16.51) / (0.6 x 41.28).
   CHECK(mean_of(plain(40, 30, black), plain(40, 30, white)) == Approx(0.96737).margin(2e-5));
-  // Grey of linear 0.5 has L* 76.0693; white is 23.9307 away, below the knee: 23.9307^0.7 x 0.95 / 16.51.
+  // Grey of linear 0.5 has L* 76.0693. White differs by 23.9307, which is below the knee:
+  // 23.9307^0.7 x 0.95 / 16.51.
   CHECK(mean_of(plain(40, 30, {0.5, 0.5, 0.5}), plain(40, 30, white)) == Approx(0.53112).margin(2e-4));
 }
 
@@ -175,7 +176,7 @@ TEST_CASE("a single bright pixel is seen as the formulas of the article give it,
           Approx(plainly::flip(dark, lit, x, y, ppd)).margin(1e-7));
   CHECK(error.map[30 * 61 + 30] > error.map[30 * 61 + 33]);
   CHECK(error.map[30 * 61 + 33] > error.map[30 * 61 + 36]);
-  // Beyond the widest filter, 10 pixels, nothing is left.
+  // The widest filter reaches 10 pixels; nothing differs farther away.
   CHECK(error.map[30 * 61 + 41] == Approx(0).margin(1e-9));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// FLIP against the mean that its authors publish for their own pair of pictures, where that pair lies here.
+// FLIP against the mean that its authors publish for their pair of pictures; skipped where the pair is
+// missing.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -15,7 +16,8 @@ using namespace etak::test;
 
 namespace {
 
-// The folder of reference.png and test.png: $ETAK_FLIP, else data/flip of the shared folder; none: not here.
+// The folder of reference.png and test.png: $ETAK_FLIP, else data/flip of the shared folder; nullopt where
+// there is none.
 std::optional<std::string> pictures_folder() {
   std::string folder;
   if (const char* named = std::getenv("ETAK_FLIP"))
@@ -41,7 +43,8 @@ TEST_CASE("FLIP's mean of its authors' pictures is the published one") {
     WARN("skipped: no reference.png and test.png of FLIP's repository in $ETAK_FLIP or shared data/flip");
     return;
   }
-  // Published to six places for float arithmetic, whose last ones differ between implementations.
+  // The mean is published with six decimals of float arithmetic, the last of which differ between
+  // implementations.
   CHECK(flip(seen(*folder + "/reference.png"), seen(*folder + "/test.png")).mean ==
         Approx(0.159691).margin(2e-5));
 }

@@ -40,11 +40,11 @@ TEST_CASE("curves of a profile are named by what they do") {
   CHECK(curve_named(icc_table({0, 65535})) == "linear");
   CHECK(curve_named(icc_formula(0, {1})) == "linear");
   CHECK(curve_named(icc_gamma(2.2)) == "gamma22");
-  CHECK(curve_named(icc_gamma(2.19921875)) == "gamma22");  // Adobe RGB's
+  CHECK(curve_named(icc_gamma(2.19921875)) == "gamma22");  // the exponent of Adobe RGB
   CHECK(curve_named(icc_formula(1, {2.2, 1, 0})) == "gamma22");
   CHECK(curve_named(icc_formula(2, {2.2, 1, 0, 0})) == "gamma22");
   CHECK(curve_named(icc_gamma(1.8)).starts_with("gamma 0.55"));
-  // BT.709's curve for cameras.
+  // The curve of BT.709 for cameras.
   CHECK(curve_named(icc_formula(3, {1 / 0.45, 1 / 1.099, 0.099 / 1.099, 1 / 4.5, 0.081})) ==
         "a curve of its own");
   const auto mixed = icc_colors(icc_profile("RGB ", {{"rXYZ", icc_xyz(icc_srgb[0])},
@@ -79,13 +79,14 @@ TEST_CASE("a profile that is cut, or names what is not there, is not read, and n
     for (const char byte : {'\0', '\x7f', '\xff'}) {
       std::string changed = whole;
       changed[at] = byte;
-      (void)icc_colors(changed);  // the sanitizers look on
+      (void)icc_colors(changed);  // must not read outside of the bytes; the sanitizers notice
     }
   CHECK_FALSE(icc_colors(icc_profile("CMYK", {})));
   CHECK_FALSE(icc_colors(icc_profile("GRAY", {{"kTRC", icc_formula(7, {1})}})));
   CHECK_FALSE(icc_colors(icc_profile("GRAY", {{"kTRC", icc_formula(4, {1, 2})}})));
   CHECK_FALSE(icc_colors(icc_profile("GRAY", {{"kTRC", icc_formula(1, {2.2, 0, 1})}})));
-  CHECK_FALSE(icc_colors(icc_profile("GRAY", {{"kTRC", icc_formula(0, {-30000})}})));  // no number at 0
+  // 0 to a negative power is infinite.
+  CHECK_FALSE(icc_colors(icc_profile("GRAY", {{"kTRC", icc_formula(0, {-30000})}})));
   CHECK_FALSE(icc_colors(icc_profile("RGB ", {{"A2B0", "mft2"}})));
   CHECK_FALSE(icc_colors(whole + std::string(largest_profile_bytes, '\0')));
 }
@@ -103,14 +104,14 @@ TEST_CASE("the profile of a PNG file is read, whatever lies around it") {
   CHECK(header(linear).colour_space == "linear");
   CHECK(header(linear).primaries == "Display P3");
   CHECK(PngReader::open(linear, "t.png")->header().primaries == "Display P3");
-  // A profile wins over gAMA, and sRGB's own chunk over both, as the standard says.
+  // A profile wins over gAMA, and an sRGB chunk over both.
   PngSpec spec{3, 2};
   spec.before = png_chunk("gAMA", big_endian(60000)) + iccp_chunk(icc_rgb(icc_display_p3, icc_gamma(1)));
   CHECK(header(make_png(spec)).colour_space == "linear");
   spec.before += png_chunk("sRGB", std::string(1, '\0'));
   CHECK(header(make_png(spec)).colour_space == "srgb");
   CHECK(header(make_png(spec)).primaries.empty());
-  // Not read: no profile, a damaged stream, and one that never ends.
+  // These are not read: a chunk without a profile, a damaged stream, and a stream that never ends.
   CHECK(header(with_iccp(plain, "no profile")).colour_space == "icc: a profile");
   std::string damaged = linear;
   damaged[60] ^= 0x55;

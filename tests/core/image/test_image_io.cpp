@@ -12,8 +12,8 @@
 namespace etak {
 namespace {
 
-// Specular colour with gloss, diffuse with opacity: what the atlas holds, colour under 0 in the fourth
-// channel included.
+// A picture as an atlas has them: specular colour with gloss, and diffuse colour with opacity, also with
+// colour where the fourth channel is 0.
 Image8 two_textures() {
   Image8 out(16, 16, 4);
   for (int y = 0; y < 16; ++y)

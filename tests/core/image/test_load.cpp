@@ -17,7 +17,8 @@
 namespace etak {
 namespace {
 
-// Colour 200 and its neighbours, the last channel 0 in most pixels: gloss as often as opacity.
+// Colours of about 200, with 0 in the last channel of most pixels: it stands for gloss as often as for
+// opacity.
 template <class Value>
 Pixels<Value> gloss_in_last(int channels, Value scale) {
   Pixels<Value> out(9, 7, channels);
@@ -30,7 +31,7 @@ Pixels<Value> gloss_in_last(int channels, Value scale) {
   return out;
 }
 
-// A picture written by OpenImageIO itself.
+// Writes a picture by OpenImageIO itself, without core/image.
 void write_by_oiio(const std::string& path, const Image8& image,
                    const std::vector<std::pair<std::string, std::string>>& attributes = {}) {
   OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeUInt8);
@@ -139,7 +140,7 @@ TEST_CASE("the forms that the fast PNG reader leaves out are read all the same, 
     CHECK(image.header.bits == bits);
     CHECK(image.header.format == "png");
     CHECK(!image.header.lossy);
-    // Cut or changed anywhere it is refused, as all PNG files are.
+    // A file that is cut or changed at any byte is refused, as all damaged PNG files are.
     for (std::size_t size = 0; size < bytes.size(); size += 5)
       CHECK(!test::error_of([&] { (void)loaded(bytes.substr(0, size), "b"); }).empty());
   }

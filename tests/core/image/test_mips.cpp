@@ -19,7 +19,7 @@ namespace {
 
 using test::noise_picture;
 
-// Largest difference in codes from the chain in double.
+// The largest difference in codes from the reference chain in double.
 int off_from_reference(const Image8& a, const Image8& b, const MipOptions& options) {
   const MipPair pair = mip_pair(a, b, options);
   test::ReferenceLevel level = test::reference_base(a, b);
@@ -126,7 +126,7 @@ TEST_CASE("loops of several texels give the same bits as the plain ones") {
     std::array<std::vector<std::uint8_t>, 4> rows;
     for (auto& row : rows) {
       row.resize(8 * count);
-      // Noise; few codes; black and white; nothing to see.
+      // The rows are noise, few codes, black and white, or all zero.
       for (auto& code : row)
         code = static_cast<std::uint8_t>(round % 4 == 0   ? random()
                                          : round % 4 == 1 ? random() % 3
@@ -148,7 +148,7 @@ TEST_CASE("loops of several texels give the same bits as the plain ones") {
 
     if (round % 2 == 1)
       for (auto* texels : {&a, &b})
-        for (Texel& texel : *texels)  // up to beyond the ends of what codes hold
+        for (Texel& texel : *texels)  // beyond both ends of the range of codes
           for (int c = 0; c < 4; ++c)
             texel.v[c] = std::ldexp(static_cast<float>(random() % 4096), -11 - round / 4);
     std::vector<std::uint8_t> codes_a(4 * count), codes_b(4 * count);
@@ -209,8 +209,8 @@ TEST_CASE("a linear ramp keeps its centre of mass on odd sides, where plain 2 x 
       double mass = 0;
       for (int x = 0; x < level.width; ++x) {
         mass += double{level.at(x, 0)[0]} / level.width;
-        // A mean of a ramp over an area is the ramp in its middle; a second odd level sees steps, not the
-        // ramp.
+        // The mean of a ramp over an area is the value of the ramp in the middle of the area. The next odd
+        // level is made of steps and no longer of the ramp.
         if (2 * level.width >= width - 1)
           CHECK(level.at(x, 0)[1] ==
                 Approx((x + 0.5) / level.width).margin(1e-6 + 0.6 / width / level.width));
@@ -241,7 +241,7 @@ TEST_CASE("diffuse under alpha 0 does not count, and counts alike where all is h
   CHECK(int{weighted.diffuse_alpha[1].at(0, 0)[3]} == 64);  // 63.75
   a.at(0, 0)[3] = 0;
   CHECK(int{mip_pair(a, b, {}).diffuse_alpha[1].at(0, 0)[1]} > 200);
-  // The specular colour knows nothing of alpha.
+  // The specular colour does not depend on alpha.
   CHECK(weighted.specular_gloss[1] == constant_picture(1, 1, 100));
 }
 
@@ -251,14 +251,14 @@ TEST_CASE("gloss is the mean of 1/e, weighted by the luminance of F0") {
   b.at(1, 0)[3] = 0;    // e = 1
   // 1/e' = (1 + 1/4096) / 2, so g' = 0.0833 and the code 21.2.
   CHECK(int{mip_pair(a, b, {}).specular_gloss[1].at(0, 0)[3]} == 21);
-  // Where nothing is reflected the lobe does not matter.
+  // A texel that reflects nothing has no weight in the mean of the lobes.
   for (std::size_t c = 0; c < 3; ++c) b.at(1, 0)[c] = 0;
   CHECK(int{mip_pair(a, b, {}).specular_gloss[1].at(0, 0)[3]} == 255);
 }
 
 TEST_CASE("a bumpy normal map widens the lobe as the mean of the lobes turned does") {
-  // Slopes of +-s along both axes; the reference turns the lobe cos^e each way and measures the mean lobe's
-  // second moment, per axis, against that of one lobe.
+  // The normals have slopes of +-s along both axes. The reference turns the lobe cos^e by each normal and
+  // compares the second moment of the mean lobe, along one axis, with that of a single lobe.
   const double s = 0.08;
   const std::uint8_t gloss = 140;
   const double e = std::exp2(12 * gloss / 255.0);
@@ -271,7 +271,7 @@ TEST_CASE("a bumpy normal map widens the lobe as the mean of the lobes turned do
         normals.at(x, y)[c] = static_cast<std::uint8_t>(std::floor((n[c] + 1) * 127.5 + 0.5));
     }
   const auto second_moment = [&](double p, double q) {
-    // Of p' over the plane of slopes, weight cos^e of the angle to the normal (p, q, 1).
+    // The moment of p' over the plane of slopes, with the weight cos^e of the angle to the normal (p, q, 1).
     double weight = 0, moment = 0;
     for (double u = -1; u <= 1; u += 0.01)
       for (double v = -1; v <= 1; v += 0.01) {
@@ -291,7 +291,7 @@ TEST_CASE("a bumpy normal map widens the lobe as the mean of the lobes turned do
     const MipPair pair = mip_pair(a, b, options);
     CHECK(pair.specular_gloss[0] == b);
     const double expected = -std::log2(1 / e + widened) / 12 * 255;
-    // One code is 3 % of the variance; the normals are 8-bit themselves.
+    // One code is 3 % of the variance, and the normals have 8 bits only.
     CHECK(std::abs(int{pair.specular_gloss[1].at(0, 0)[3]} - expected) <= 2);
     CHECK(int{pair.specular_gloss.back().at(0, 0)[3]} == int{pair.specular_gloss[1].at(0, 0)[3]});
     CHECK(expected < gloss - 8);
@@ -306,7 +306,7 @@ TEST_CASE("a flat normal map leaves gloss alone; a lobe wider than gloss 0 is co
   MipOptions options;
   options.normals = &normals;
   CHECK(mip_pair(a, b, options).specular_gloss == mip_pair(a, b, {}).specular_gloss);
-  // Normals that lie flat in opposite ways have a mean of nearly none.
+  // The mean of flat normals in opposite directions is almost zero.
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) {
       normals.at(x, y)[0] = x % 2 == 0 ? 0 : 255;
@@ -318,7 +318,7 @@ TEST_CASE("a flat normal map leaves gloss alone; a lobe wider than gloss 0 is co
 }
 
 TEST_CASE("a mask's coverage stays, where the plain mean loses it") {
-  // Leaves of grass: thin opaque strokes on nothing.
+  // Blades of grass: thin opaque strokes on a transparent ground.
   const Image8 a = filled(256, 256, [](int x, int y, int c) {
     return static_cast<std::uint8_t>(c < 3 ? 120 : (x + y / 5) % 7 < 2 && (y * 3 + x) % 31 < 24 ? 255 : 0);
   });
@@ -336,13 +336,13 @@ TEST_CASE("a mask's coverage stays, where the plain mean loses it") {
     CHECK(now == Approx(share).margin(l <= 3 ? 0.02 : 0.12));
   }
   CHECK(share_that_passes(plain.diffuse_alpha[4], 0.5) < share / 2);
-  // Only opacity changes, and a level does not depend on how many others there are.
+  // Only opacity differs between the chains, and a level does not depend on the number of levels.
   CHECK(kept.specular_gloss == plain.specular_gloss);
   for (std::size_t i = 0; i < kept.diffuse_alpha[2].values.size(); ++i)
     if (i % 4 != 3) REQUIRE(kept.diffuse_alpha[2].values[i] == plain.diffuse_alpha[2].values[i]);
   options.levels = 3;
   CHECK(mip_pair(a, b, options).diffuse_alpha[2] == kept.diffuse_alpha[2]);
-  // All or nothing needs no factor.
+  // Where all texels have one alpha, there is no factor.
   for (const int alpha : {0, 100, 255}) {
     Image8 flat = a;
     for (std::size_t i = 3; i < flat.values.size(); i += 4) flat.values[i] = static_cast<std::uint8_t>(alpha);

@@ -13,7 +13,7 @@ using namespace etak::test;
 
 namespace {
 
-// Hardly compressible, so that the file is about as large as the picture.
+// A picture that hardly compresses, so that its file is about as large as its pixels.
 Image8 noise(int side) {
   Image8 out(side, side, 4);
   std::uint32_t state = 1;

@@ -18,7 +18,7 @@
 namespace etak {
 namespace {
 
-// Smooth in places, noise in others, flat in the rest.
+// A picture that is smooth in some places, noise in others, and flat in the rest.
 template <class Value>
 Pixels<Value> picture(int width, int height, int channels, unsigned seed = 5) {
   Pixels<Value> out(width, height, channels);
@@ -104,7 +104,8 @@ TEST_CASE("the bytes are the same for any number of threads, and come in order")
 }
 
 TEST_CASE("a deflater's address is not in its bytes") {
-  // Rows that are half noise and half zeros: there a wrong hash of the third byte shows most often.
+  // Rows that are half noise and half zeros, where a wrong hash of the third byte changes the output most
+  // often.
   std::mt19937 random(3);
   std::vector<std::uint8_t> strip(16385 * 31);
   std::vector<Deflater> deflaters;
@@ -134,7 +135,7 @@ TEST_CASE("rows in bands of any heights become the bytes of the whole picture") 
       int done = 0;
       std::vector<std::uint8_t> band;
       const auto next = [&](int height) {
-        // Each band's memory is another one, and that of the band before is overwritten.
+        // Each band is in memory of its own, and the memory of the band before is overwritten.
         std::vector<std::uint8_t> fresh(rows.rows + static_cast<std::size_t>(done) * rows.stride,
                                         rows.rows + static_cast<std::size_t>(done + height) * rows.stride);
         const std::size_t strips = bands.next(fresh.data(), rows.stride, height);
@@ -167,7 +168,7 @@ TEST_CASE("what the sink throws comes out for any number of threads") {
 
 namespace {
 
-// Each look at it spoils what the one before has given.
+// Each view of it overwrites the bytes that the view before has given.
 class ForgetfulBytes : public ByteSource {
  public:
   explicit ForgetfulBytes(std::string bytes) : bytes_(std::move(bytes)) {}
@@ -196,7 +197,7 @@ TEST_CASE("found 4.03: a file is read as rows are asked for, whatever the size o
     at += 12 + size;
   }
   for (const std::size_t piece : {std::size_t{1}, std::size_t{7}, std::size_t{8192}, data.size()}) {
-    // A long chunk before the image data is looked at in pieces too.
+    // A long chunk before the image data is read in pieces too.
     std::string file = bytes.substr(0, 33) + test::png_chunk("teSt", std::string(200000, 'x'));
     for (std::size_t at = 0; at < data.size(); at += piece)
       file += test::png_chunk("IDAT", data.substr(at, piece));
@@ -250,7 +251,8 @@ TEST_CASE("all kinds of instructions filter and unfilter to the same bytes") {
         const auto draw = [&]() {
           return round % 2 == 0 ? extremes[random() % 8] : static_cast<std::uint8_t>(random());
         };
-        // Near the byte to the left or above, in some rounds, so that every filter wins somewhere.
+        // In some rounds the byte is near the one to the left or above, so that each filter is the best one
+        // somewhere.
         above[i] = draw();
         row[i] = round % 5 == 1   ? static_cast<std::uint8_t>(row[i - pixel] + random() % 3)
                  : round % 5 == 2 ? static_cast<std::uint8_t>(above[i] + random() % 3)
@@ -297,7 +299,7 @@ TEST_CASE("checksums are those of the standards") {
 }
 
 TEST_CASE("the inflater gives all output however its input and output are cut, and no more") {
-  // Long matches: much output is still held back when the input is used up.
+  // With long matches, the inflater still holds back much output when the input is used up.
   std::string text(300000, 'x');
   for (std::size_t i = 0; i < text.size(); i += 9000) text[i] = static_cast<char>(i / 9000);
   const std::string stream = test::zlib_stream(text) + "tail";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The PNG reader beside libpng: equal pixels for what both read, and no file read that libpng refuses.
+// Compares the PNG reader with libpng: both give equal pixels, and the reader refuses every file that libpng
+// refuses.
 #include <png.h>
 
 #include <catch2/catch.hpp>
@@ -22,7 +23,7 @@ struct Raw {
   bool warned = false;
 };
 
-// The rows as they are in the file, 16 bits big-endian; nothing for files that libpng refuses.
+// The rows as they are in the file, with 16-bit samples big-endian; nullopt for files that libpng refuses.
 std::optional<Raw> libpng_read(const std::string& bytes) {
   Raw out;
   png_structp png = png_create_read_struct(
@@ -55,7 +56,7 @@ std::optional<Raw> libpng_read(const std::string& bytes) {
 
 enum class Answer { read, other_form, refused };
 
-// The same from ours; `why` of a refusal.
+// The same by PngReader; `why` gets the reason where it refuses the file.
 Answer our_read(const std::string& bytes, std::vector<std::uint8_t>& out, std::string& why) {
   try {
     auto reader = PngReader::open(bytes, "t.png");
@@ -157,7 +158,7 @@ TEST_CASE(
     spec.level = random() % 5 == 0 ? 0 : 6;
     spec.idat = random() % 3 == 0 ? 1 + random() % 30 : 0;
     std::string stream = test::zlib_stream(test::png_filtered_rows(spec), spec.level, spec.strategy);
-    // Damage the image data, or lie about the picture.
+    // Damages the image data, or changes what the header says.
     switch (random() % 5) {
       case 0:
         stream[random() % stream.size()] ^= static_cast<char>(1 << random() % 8);
@@ -191,7 +192,7 @@ TEST_CASE(
     } else if (!expected) {
       ++both_refuse;
     } else {
-      // What png.h names, of which libpng says no more than a warning, or nothing at all.
+      // Errors that png.h lists, for which libpng gives a warning or nothing at all.
       bool named = expected->warned;
       for (const char* reason : {"Adler-32", "incorrect data check", "goes on behind", "has no end"})
         named = named || why.find(reason) != std::string::npos;

@@ -7,8 +7,8 @@
 
 namespace etak::test {
 
-/// Writes a TIFF file with codes of 8 or 16 bits, or 32-bit floats, by OpenImageIO: ZIP compression, and a last channel
-/// of two or four that is no factor of the colour.
+/// Writes a TIFF file by OpenImageIO: codes of 8 or 16 bits or 32-bit floats, with ZIP compression. Colour is
+/// not multiplied by the last of two or four channels.
 void write_tiff(const std::string& path, const Image8& image);
 void write_tiff(const std::string& path, const Image16& image);
 void write_tiff(const std::string& path, const Image& image);

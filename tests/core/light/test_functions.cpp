@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions of `etak eval`: by independent arithmetic, by printed values, and in what they refuse.
+// The functions of `etak eval`: compared with independent arithmetic and with printed values, and what they
+// refuse.
 #include "core/light/functions.h"
 
 #include <catch2/catch.hpp>
@@ -21,7 +22,7 @@ double s(double degrees) {
   return std::sin(degrees * std::numbers::pi / 180);
 }
 
-// "n=1.5;k=0" as `etak eval` would be told.
+// Evaluates a function for inputs written as "n=1.5;k=0".
 double eval(std::string_view id, std::string_view inputs) {
   const Function* function = find_function(id);
   if (!function) throw Error("no function " + std::string(id));
@@ -157,7 +158,7 @@ TEST_CASE("Fresnel functions") {
 }
 
 TEST_CASE("errors of approximations are those of a plain loop") {
-  // Schlick on glass, every 0.25 degrees; maximum and mean over cos^2.
+  // Schlick's approximation for glass, at every 0.25 degrees: maximum, and mean over cos^2.
   double worst = 0, mean = 0, last = 0, last_c2 = 1;
   for (int i = 0; i <= 360; ++i) {
     const double cosine = i == 360 ? 0 : c(i * 0.25), st = std::sqrt(1 - cosine * cosine) / 1.5,
@@ -189,7 +190,7 @@ TEST_CASE("distributions, their integrals, and geometry") {
   CHECK(eval("D_phong", "e=4096;nm=0.9999") ==
         near_to(4098 / (2 * std::numbers::pi) * std::exp(4096 * std::log1p(-1e-4)), 1e-10));
   CHECK(eval("D_schueler", "e=16;nm=0.9") == near_to(8.5 * std::pow(0.9, 16)));
-  // p = 1/2: Gamma(1/2, alpha) in closed form.
+  // For p = 1/2, Gamma(1/2, alpha) has a closed form.
   const double x = t2 + 0.04;
   CHECK(eval("D_sgd", "alpha=0.2;p=0.5;nm=0.8") ==
         near_to(std::pow(0.2, -0.5) * std::exp(-x / 0.2) /
@@ -244,7 +245,7 @@ TEST_CASE("reflectance functions: std::numbers::pi f nl for Schueler and Phong, 
         near_to(std::sqrt(101.0 * 11) / (8 * std::numbers::pi) / (c(30) * c(30))));
   CHECK(eval("oren_nayar", "theta_l=30;theta_v=40;phi_v=0;rho=1;sigma=0.3") ==
         near_to((1 - 0.5 * 0.09 / 0.42 + 0.45 * 0.09 / 0.18 * s(40) * s(30) / c(30)) / std::numbers::pi));
-  // Viewer at azimuth 90: a frame in which nothing is in one plane.
+  // With the viewer at azimuth 90, normal, light and viewer are not in one plane.
   const double lh = std::sqrt((1 + c(30) * c(40)) / 2), nh = (c(30) + c(40)) / (2 * lh);
   CHECK(eval("blinn_phong", "theta_l=30;theta_v=40;phi_v=90;cd=0;cs=1;m=20") ==
         near_to(28 / (8 * std::numbers::pi) * std::pow(nh, 20)));
@@ -294,7 +295,8 @@ TEST_CASE("hemispheres: the corrected form, the wide one and the print") {
   const double w = 1.8 / 8;
   CHECK(eval("hemi_specular_wide", "K=0.04;g=0.5;nv=0.6;rz=0.1;lower=0.2;upper=1") ==
         near_to(Fh * (0.2 * (1 - (1 + 0.1 / w) / 2) + (1 + 0.1 / w) / 2)));
-  // The print: weight -1 below gives 2 lower - upper, and F(g nv) its top value on a rough surface.
+  // As printed, the weight of -1 below the horizon gives 2 lower - upper, and F(g nv) is at its largest on a
+  // rough surface.
   CHECK(eval("hemi_specular_printed", "K=0.04;g=0;nv=1;rz=-1;lower=0.1;upper=1") ==
         near_to(1 * (2 * 0.1 - 1)));
   CHECK(eval("hemi_reference_total", "K=1;g=1;nv=0.5") ==
@@ -341,7 +343,7 @@ TEST_CASE("found 1.20: every function of n and k takes n = 0, a metal without lo
       CHECK(eval("fresnel_cosmean_abs_error", at) == near_to(0, 1e-12));
     }
   }
-  // The lobes take what reflects all as F = 1.
+  // For a medium that reflects everything, the lobes have F = 1.
   CHECK(eval("cook_torrance", "theta_l=10;theta_v=20;phi_v=180;n=0;k=5;m=0.3") ==
         near_to(eval("cook_torrance", "theta_l=10;theta_v=20;phi_v=180;n=1e-12;k=5;m=0.3"), 1e-9));
 }

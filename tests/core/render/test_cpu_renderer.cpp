@@ -64,7 +64,7 @@ TEST_CASE("codes drawn at once are those of the drawn picture") {
       scene.shape = shape;
       scene.transfer = transfer;
       scene.exposure = 1.7;
-      scene.width = 301;  // more than a chunk, no whole number of blocks
+      scene.width = 301;  // more than a chunk, and no whole number of blocks
       const Image8 expected = to_codes(drawn_by_cpu(scene, Precision::f32), scene.exposure, scene.transfer);
       for (const unsigned threads : {1u, 3u}) {
         Image8 codes;
@@ -75,7 +75,7 @@ TEST_CASE("codes drawn at once are those of the drawn picture") {
 }
 
 TEST_CASE("orthographic and nearly orthographic views of directional lights agree for every model") {
-  // The first takes the loops for far lights, the second those for any directions.
+  // The first scene uses the loops for light and viewer at infinity, the second those for any directions.
   for (const Model& model : models()) {
     const bool is_diffuse = model.kind == ModelKind::diffuse;
     const std::string id(model.id);

@@ -29,7 +29,7 @@ TEST_CASE("every transfer has each of its 256 codes, in order, and changes by on
   for (const Transfer each : {Transfer::srgb, Transfer::power_045, Transfer::square_root, Transfer::linear}) {
     Image picture(1, 1, 3);
     int before = 0;
-    // Steps far below the width of a code, also near black where the curves are steep.
+    // The steps are far smaller than a code, also near black, where the curves are steep.
     for (float value = 1e-8f; value < 1.1f; value *= 1.0005f) {
       picture.values = {value, value, value};
       const int code = to_codes(picture, 1, each).values[0];

@@ -47,7 +47,7 @@ TEST_CASE("the irradiance under a sky of one hemisphere is the closed form") {
     for (int x = 0; x < 256; ++x)
       for (std::size_t c = 0; c < 3; ++c) map.at(x, y)[c] = 1;
   const Environment sky(map, 1, "sky", 2);
-  // std::numbers::pi (1 + n.y) / 2
+  // The irradiance is pi (1 + n.y) / 2.
   for (const double y : {-0.9, -0.5, 0.0, 0.4, 0.95}) {
     const Vec3 n{std::sqrt(1 - y * y), y, 0};
     CHECK(sky.irradiance(n)[0] == Approx(std::numbers::pi * (1 + y) / 2).epsilon(0.01).margin(0.01));
@@ -125,7 +125,7 @@ TEST_CASE("the prefiltered light is near the sampled one, nearer for sharper lob
     CHECK(error.mean < bound.mean);
     CHECK(std::abs(error.bias) < bound.mean);
   }
-  // A matte body has no lobe to split: only the map's own interpolation is left.
+  // A matte body has no lobe that is split off, so only the interpolation of the map causes an error.
   scene.specular = nullptr;
   scene.diffuse = find_model("lambert");
   scene.surface.diffuse = {0.8, 0.8, 0.8};

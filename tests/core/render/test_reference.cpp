@@ -61,7 +61,7 @@ TEST_CASE("with no optics and directional lights the reference is the real-time 
 }
 
 TEST_CASE("an RGB model lies within its Fresnel error of the spectral reference") {
-  // F82 of gold is within 0.03 of the spectral truth, Schlick within 0.1, at any angle.
+  // At any angle, F82 for gold is within 0.03 of the spectral reference, and Schlick within 0.1.
   Scene scene = scene_of_material("gold", "ggx-f82", 48);
   scene.lights.hemispheres.reset();
   const Reference reference = render_reference(scene, nullptr, {1, 0, 2});

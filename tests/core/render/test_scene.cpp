@@ -122,7 +122,7 @@ TEST_CASE("scenes with numbers out of their domain are refused") {
   refused([&](Scene& s) { s.diffuse_values[0] = nan; });
   refused([](Scene& s) { s.field_of_view_deg = 180; });
   refused([](Scene& s) {
-    // A second diffuse part beside the formula's own.
+    // A diffuse model beside a model that has a diffuse part of its own.
     for (const Model& model : models())
       if (model.kind == ModelKind::combined) s.specular = &model;
     s.specular_values = model_values(*s.specular, s.surface, {});

@@ -55,7 +55,7 @@ TEST_CASE("a camera's axes are at right angles, and turn 90 looks from +x") {
         for (std::size_t c = 0; c < 3; ++c) product += axes[i][c] * axes[j][c];
         CHECK(product == Approx(i == j ? 1 : 0).margin(1e-12));
       }
-    // Right times up is towards the camera.
+    // The cross product of right and up points to the camera.
     CHECK(axes[0][1] * axes[1][2] - axes[0][2] * axes[1][1] == Approx(axes[2][0]).margin(1e-12));
   }
   CHECK(camera_axes({90, 0, 0, 0, 1})[2][0] == Approx(1));
@@ -94,7 +94,8 @@ TEST_CASE("turning the environment is turning its map") {
   state.lights = {};
   Scene scene = scene_of(state);
   const Image expected = drawn(scene, Precision::f64, &quarter);
-  // The map's columns go to the right of the view along -z: from above, against the turn.
+  // The columns of the map go to the right for a view along -z, which is against the turn when seen from
+  // above.
   scene.environment_turn_deg = -90;
   CHECK(most_apart(drawn(scene, Precision::f64, &sky), expected) < 1e-5);
 }
@@ -200,7 +201,7 @@ TEST_CASE("the quick albedo is the sum over all directions of light within 0.01"
         double exact = 0;
         for (int row = 0; row < steps; ++row)
           for (int column = 0; column < steps; ++column) {
-            // Even in the square of the sine: nl is part of the measure.
+            // The samples are even in the square of the sine, because nl is part of the measure.
             const double s2 = (row + 0.5) / steps, phi = 2 * pi * (column + 0.5) / steps;
             const double s = std::sqrt(s2);
             const Directions d{
