@@ -98,7 +98,7 @@ Scene sphere_scene(const Model& model, const SphereMaterial& material, double gl
 
 std::vector<bool> sphere_pixels(int side) {
   std::vector<bool> out(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-  const double step = 2.2 / side;  // as struct Scene says
+  const double step = 2.2 / side;  // width of a pixel in radii of the sphere, as struct Scene has it
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x)
       out[index_of(side, x, y)] =

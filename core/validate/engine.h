@@ -60,7 +60,7 @@ Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const C
 /// count). Called again after findings have been marked.
 ValidationReport report_of(std::vector<CheckedFile> files, const Settings& settings);
 
-/// What a run knows besides its configuration.
+/// What report_of_run() needs besides the configuration.
 ///   today         "YYYY-MM-DD" for allowances that expire; empty: the system's date
 ///   whole_tree    everything below the configuration's folder was looked at
 ///   known         findings of a baseline

@@ -50,11 +50,11 @@ struct ZoneSettings {
   friend bool operator==(const ZoneSettings&, const ZoneSettings&) = default;
 };
 
-/// Smallest region that counts in a tile of so many texels: min_area_px, or the share where that is more; but
+/// Smallest region that counts in a tile of `tile_texels`: min_area_px, or the share where that is more; but
 /// never more than half of the tile, so that a texture of a few texels is judged too.
 std::size_t least_region(const ZoneSettings& zone, std::size_t tile_texels);
 
-/// A finding that somebody has looked at and accepts.
+/// Findings that somebody has seen and accepts.
 struct AllowEntry {
   std::string rule;      // id or prefix
   std::string file;      // pattern; empty: every file

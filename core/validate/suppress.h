@@ -19,7 +19,7 @@ bool glob_matches(std::string_view pattern, std::string_view path);
 /// in time.
 bool is_date(std::string_view text);
 
-/// What apply_allowances() needs to know of the run.
+/// What apply_allowances() needs of the run.
 ///   today        "YYYY-MM-DD"
 ///   config       the configuration's file name for messages and findings
 ///   unused       severity of ETK903; off: no entry is reported as unused

@@ -61,8 +61,8 @@ struct TargetFile {
 };
 
 /// A part of the picture that is judged on its own: a tile of an atlas.
-///   material        what the tile is said to show: an id or name of the material library, or a name of the
-///                   project's own
+///   material        the material that the tile shows, as stated: an id or name of the library, or a name of
+///                   the project's own
 ///   surface_class   a class of ETK205 ("dry-sand"); may be empty
 ///   typical_gloss   the gloss that is expected of this material, for ETK303
 struct CheckTile {

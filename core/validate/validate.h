@@ -39,7 +39,7 @@ struct ValidationRequest {
   std::vector<std::string> paths;    // files and folders, as the user named them
   std::vector<std::string> listed;   // the names in a list of files
   std::string list;                  // the name of that list, for messages
-  std::vector<CheckTarget> targets;  // put together by the caller, besides those found
+  std::vector<CheckTarget> targets;  // made by the caller, in addition to those found
   MaterialsToCheck materials;
 
   // What it is checked by.
@@ -61,7 +61,8 @@ struct ValidationRequest {
   unsigned threads = 1;      // the report is the same for any number of them
   // Called by the thread that called validate(), with how many of the checks are done.
   std::function<void(std::size_t done, std::size_t all)> progress;
-  // Asked before each check, from any thread; true: no other check is begun, and the report says so.
+  // Called before each check, from any thread; true: no other check is begun, and the report is marked
+  // stopped.
   std::function<bool()> stop;
 };
 
@@ -69,8 +70,8 @@ struct ValidationRequest {
 /// opened.
 FileList list_files(ValidationRequest request);
 
-/// Checks what the request names. What cannot be read is a finding (ETK001), never an exception; an error of
-/// a rule is ETK901. Throws Error where the folder of the cache cannot be made.
+/// Checks what the request names. A file that cannot be read is a finding (ETK001), never an exception; an
+/// error of a rule is ETK901. Throws Error where the folder of the cache cannot be made.
 ValidationReport validate(ValidationRequest request);
 
 }  // namespace etak

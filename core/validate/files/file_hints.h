@@ -5,7 +5,7 @@
 
 namespace etak {
 
-// What the paths and first lines of files tell that a search finds.
+// What paths and first lines tell of the files that a search finds.
 
 /// Why there is no file at `path`, for messages.
 std::string why_missing(const std::string& path);

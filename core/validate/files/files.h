@@ -36,9 +36,9 @@ using PictureOpener = std::function<std::unique_ptr<RowSource>(const TargetFile&
 CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
                          unsigned threads = 1);
 
-/// What kind of file a path is by its ending and, for .json and what comes from a pipe, by its first bytes;
-/// nullopt: none that is checked. Throws Error where those bytes cannot be read. Pictures come back as
-/// specular_gloss: which role they have is for the caller's patterns to say.
+/// The kind of a file by its ending and, for .json and input from a pipe, by its first bytes; nullopt: a kind
+/// that is not checked. Throws Error where those bytes cannot be read. Every picture is specular_gloss here;
+/// the caller finds its role by its name.
 std::optional<FileRole> role_of_file(const std::string& path);
 
 /// An atlas layout: one target per page, with tiles and gutter, and last one for the materials that are on no

@@ -249,7 +249,7 @@ class Finder {
     out_.targets.push_back(std::move(found));
   }
 
-  // What the name of a picture tells; none where it tells no role.
+  // The picture with what its name tells; nullopt where that is no role.
   std::optional<NamedPicture> named_picture(const std::string& path) const {
     const std::string_view folder = folder_of(path), name = std::string_view(path).substr(folder.size());
     NamedPicture out;

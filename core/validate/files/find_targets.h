@@ -20,7 +20,7 @@ struct FoundTarget {
   std::vector<std::string> depends;
 };
 
-/// What was found, in the order of labels.
+/// The targets and files that were found, in the order of labels.
 ///   failed     one unreadable CheckedFile (ETK001) for everything that was named and cannot be checked
 ///   lone       sets whose companion is missing (ETK002), which are not opened
 ///   no_files   pipes, sockets and devices of folders, which were not opened

@@ -14,7 +14,7 @@ namespace etak {
 /// The key of a result.
 ///   digest   SHA-256 of the bytes of the files, their labels and roles, the settings, and this program:
 ///            whatever could change the result. Empty when a file cannot be read: no result is kept then
-///   stamps   what the system said of the files before their bytes were read
+///   stamps   device, inode, size and times of the files before their bytes were read
 struct CacheKey {
   std::string digest, stamps;
 };
@@ -33,7 +33,7 @@ std::string read_cache_key(const std::string& path);
 class ResultCache {
  public:
   /// Makes the folder. Throws Error.
-  ///   settings   what the findings depend on besides the files, as text
+  ///   settings   the settings that the findings depend on, as text
   ///   version    of the program: results of other versions, and of other builds, count as none
   ///   key        of read_cache_key(); empty: none
   ResultCache(const std::string& folder, const std::string& settings, const std::string& version,

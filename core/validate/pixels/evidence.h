@@ -100,7 +100,7 @@ struct TileEvidence {
   const PlateauSummary* region(RegionKind kind) const;
 };
 
-/// What is wrong with the numbers of a float picture.
+/// Wrong or unusual values of a float picture.
 struct FloatFacts {
   std::uint64_t nan = 0, infinite = 0, negative = 0, above_one = 0;
   std::array<int, 2> nan_at{}, negative_at{}, above_at{};  // the first of each

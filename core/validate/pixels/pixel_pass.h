@@ -8,9 +8,9 @@
 
 namespace etak {
 
-/// What a pass over the pixels found.
+/// The result of a pass over the pixels.
 struct PassResult {
-  std::vector<TileEvidence> tiles;  // in the order asked for
+  std::vector<TileEvidence> tiles;  // in the order of the argument
   std::optional<FloatFacts> a_floats, b_floats;
   CheckStats stats;
 };

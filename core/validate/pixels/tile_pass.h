@@ -12,7 +12,7 @@
 
 namespace etak {
 
-/// What a pass over the pixels looks for; the same for all tiles but for `every_row`.
+/// What a pass over the pixels looks for, the same for all tiles.
 struct PassPlan {
   const CodeTables* tables = nullptr;
   ByteLimits limits;
