@@ -39,8 +39,7 @@ constexpr std::size_t most_missing_reported = 1000;
 
 constexpr const char* missing_fix = "Correct the path, or write the file first.";
 
-// How a file was named. A file of a kind that is not checked is an error where it was named by hand, and
-// skipped where a folder or a list has it.
+// How a file was named. A file of an unchecked kind is an error where it was named by hand, else skipped.
 enum class Named { by_hand, by_folder, by_list };
 
 struct Candidate {
@@ -104,8 +103,7 @@ class Finder {
     candidates_.push_back({path, Named::by_hand, {}});
   }
 
-  // Keeps a folder as the user typed it (ending in '/', or empty), by the name that labels have for it, for
-  // messages.
+  // Keeps a folder as the user typed it (ending in '/', or empty) by the name that labels have for it.
   void remember_typed(std::string_view folder) {
     if (folder == last_typed_ && !out_.typed.empty()) return;
     last_typed_ = folder;
@@ -279,8 +277,7 @@ class Finder {
 
   void add_picture(const Candidate& candidate) {
     if (request_.role) {
-      // With --role each picture is checked alone: all have the same role, and a companion would have
-      // another.
+      // With --role each picture is checked alone, because all of them have the same role.
       NamedPicture picture;
       picture.path = picture.key = candidate.path;
       picture.name.role = *request_.role;
@@ -294,8 +291,7 @@ class Finder {
     pictures_.push_back(std::move(*picture));
   }
 
-  // Reports a picture whose name tells no role. Its texels do not tell one either: grey may be F0, metallic,
-  // roughness or a mask.
+  // A picture whose name tells no role. Its texels tell none either: grey may be F0, roughness or a mask.
   void unknown_picture(const std::string& path, bool by_hand,
                        const std::string& why = "its name tells no role") {
     if (by_hand) {
@@ -309,8 +305,7 @@ class Finder {
     list_document(out_.unknown.back(), "", ListedAs::unknown, why);
   }
 
-  // Adds the pictures that may be companions, from the folders of the run's pictures. Each folder is listed
-  // once.
+  // Adds possible companions from the folders of the run's pictures. Each folder is listed once.
   void add_companions() {
     if (request_.role) return;
     std::unordered_set<std::string> have, keys;
