@@ -105,14 +105,14 @@ std::string svg_legend(const std::vector<PlotKey>& keys, double left, double top
 }
 
 std::string svg_file(const LinePlot& plot, bool dark) {
-  constexpr double height = 270;  // of svg()
+  constexpr double height = 270;  // of the plot that svg() draws
   double legend = 0;
   const std::string keys = svg_legend(plot.keys, 10, 6, plot_width - 20, legend);
   LinePlot bare = plot;
   bare.keys.clear();
   bare.strip.clear();
   std::string inner = svg(bare);
-  // The head of its own has title, description and colours.
+  // svg_head() writes title, description and colours; of svg() only the drawing is needed.
   const std::size_t begin = inner.find("<path class=\"grid\"");
   inner = inner.substr(begin == inner.npos ? inner.find('>') + 1 : begin);
   const double top = legend > 0 ? legend + 8 : 0;

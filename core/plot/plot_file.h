@@ -9,43 +9,47 @@
 
 namespace etak {
 
-// What a plot needs outside of etak's own HTML pages: colours, a file of its own, numbers.
+// For plots outside of etak's HTML pages: colours, SVG and CSV files, the value of a curve at a place.
 
-/// The look that the classes of a PlotCurve ask for: "c1" to "c9" the colour, "bold", "dots", and one of
-/// "dashed", "dotted", "dashdot".
+/// The look of a PlotCurve.
+///   css_class   words with blanks between them: "c1" to "c9" for the colour, "bold", "dots", and one of
+///               "dashed", "dotted" and "dashdot"; other words are ignored
 struct PlotStyle {
-  std::size_t color = 0;  // into PlotColors::series
+  std::size_t color = 0;  // index into PlotColors::series
   bool bold = false, dots = false;
   enum class Dash { none, dashed, dotted, dashdot } dash = Dash::none;
 };
 PlotStyle plot_style(std::string_view css_class);
 
-/// "#rrggbb"; neutral greys, because judged colours stand beside them.
+/// The colours of a plot as "#rrggbb", on a light or a dark background. All but the series are neutral greys,
+/// because colours that are to be judged may stand beside the plot.
 struct PlotColors {
   std::string_view background, ink, ink_soft, line;
   std::string_view series[9];
 };
 const PlotColors& plot_colors(bool dark);
 
-/// A plot as an SVG file: colours written out, the legend in rows above the plot.
+/// A plot as an SVG file. Its own style sheet holds the colours; the legend stands in rows above the plot.
 std::string svg_file(const LinePlot& plot, bool dark);
 
-/// The numbers of the curves: x, then a column per curve by its title; empty where a curve has no value.
+/// The curves as CSV: a column of x, then a column for each curve under its title. A field is empty where the
+/// curve has no value.
 std::string csv(const LinePlot& plot);
 
-/// y of a curve at x: linear between its points; NaN outside of them and where it is broken. x ascending.
+/// y of a curve at x, on straight lines between its points; NaN outside of them and where the curve is
+/// interrupted. The curve's x must ascend.
 double value_at(const PlotCurve& curve, double x);
 
-// For the other kinds of plots.
+// The parts of SVG files that all kinds of plots share.
 
-/// Width of every plot in the user units of SVG, which are pixels at a browser's usual size.
+/// Width of every plot in user units of SVG. A file is shown at two pixels a unit.
 inline constexpr double plot_width = 460;
 
-/// Rows of legend entries "sample text" as SVG, from (left, top) on, no wider than `width`; `height` is what
-/// they take.
+/// The legend as SVG: for each entry a sample of its line and its text, in rows from (left, top) on that are
+/// at most `width` wide. `height` is set to the height of all rows. All numbers are in user units.
 std::string svg_legend(const std::vector<PlotKey>& keys, double left, double top, double width,
                        double& height);
-/// The head of an SVG file with its style sheet.
+/// The beginning of an SVG file: the opening tag, title, description, style sheet and background.
 std::string svg_head(double width, double height, std::string_view title, std::string_view description,
                      bool dark);
 

@@ -8,12 +8,14 @@
 
 namespace etak {
 
-/// How far from the centre a value is drawn.
+/// How the distance from the centre grows with the value.
 enum class RadialScale { linear, logarithmic };
 
-/// A half disc over a surface: angles from -90 to 90 degrees against the normal, values outwards.
-///   radial     for logarithmic ones all ticks are powers of ten; what is at or below its least is the centre
-///   light_deg  the direction that light comes from
+/// A polar plot on a half disc: its angle is the one from a surface's normal, -90 to 90 degrees, and the
+/// distance from the centre stands for the value.
+///   radial      axis of the values: values at or below `least` are drawn at the centre; the ticks of a
+///               logarithmic axis are powers of ten
+///   light_deg   angle of the direction that light comes from, in degrees
 struct PolarPlot {
   std::string title, description;
   PlotAxis radial;
@@ -23,23 +25,24 @@ struct PolarPlot {
   double light_deg = 0;
 };
 
-/// The radial axis for values up to `most`: from 0, or four decades.
+/// The radial axis for values up to `most`: a linear one begins at 0, a logarithmic one covers four decades.
 PlotAxis radial_axis(std::string label, double most, RadialScale scale);
 
-/// The number at a tick of the radial axis.
+/// The text at a tick of the radial axis.
 std::string radial_text(const PolarPlot& plot, double tick);
 
-/// Where a value lies between the centre (0) and the rim (1).
+/// The distance of a value from the centre: 0 at the centre, 1 at the rim and for values beyond the axis.
 double polar_radius(const PolarPlot& plot, double value);
 
-/// In units of the rim's radius: x to the right, y up.
+/// A point of the half disc in units of the rim's radius: x to the right, y up.
 struct PolarPoint {
   double x = 0, y = 0;
 };
 PolarPoint polar_point(const PolarPlot& plot, double angle_deg, double value);
 
+/// The plot as an SVG file, the legend in rows above it.
 std::string svg_file(const PolarPlot& plot, bool dark);
-/// angle_deg, then a column per curve.
+/// The curves as CSV: a column "angle_deg", then a column for each curve under its title.
 std::string csv(const PolarPlot& plot);
 
 }  // namespace etak

@@ -18,7 +18,7 @@ namespace etak {
 namespace {
 
 constexpr double plot_top = 30, plot_bottom = 222;
-constexpr double digit_width = 8;  // of the tick numbers, generous: fonts differ
+constexpr double digit_width = 8;  // of the numbers at ticks; enough for every usual font
 constexpr double strip_height = 5;
 constexpr std::size_t most_points = 120;
 constexpr double line_tolerance = 0.2;
@@ -74,7 +74,8 @@ std::string coordinate(double value) {
   return text;
 }
 
-// Ticks are multiples of a round step: as many decimals as it needs, or powers of ten where that gets long.
+// Ticks are multiples of a round step. They are written with as many decimals as the step needs, or with a
+// power of ten where that would be long.
 std::string tick_text(double value, double step) {
   if (value == 0) return "0";
   const int digits_after_point = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
@@ -85,7 +86,7 @@ std::string tick_text(double value, double step) {
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific,
                                  std::clamp(static_cast<int>(decades), 0, 17))
                        .ptr;
-  std::string out(text.data(), end);  // 2e-08, 2e+06: what says nothing is left out
+  std::string out(text.data(), end);  // "2e-08" becomes "2e-8", and "2e+06" becomes "2e6"
   const auto exponent = out.find_last_of("+-") + 1;
   if (out[exponent] == '0') out.erase(exponent, 1);
   if (out[exponent - 1] == '+') out.erase(exponent - 1, 1);
@@ -96,7 +97,7 @@ double step_of(const PlotAxis& axis) {
   return axis.ticks.size() > 1 ? axis.ticks[1] - axis.ticks[0] : axis.most - axis.least;
 }
 
-// Room for the widest tick number, the tick and a gap.
+// Width of the margin beside an axis: the widest number at a tick, the tick and a gap.
 double margin(const PlotAxis& axis) {
   std::size_t longest = 3;
   for (const double tick : axis.ticks) longest = std::max(longest, tick_text(tick, step_of(axis)).size());
@@ -167,7 +168,7 @@ void append_run(std::string& path, const std::vector<Point>& run) {
     append(path, first ? "M" : " ", coordinate(p.x), " ", coordinate(p.y));
     first = false;
   }
-  if (run.size() == 1) path += "h0";  // a round cap makes it a dot
+  if (run.size() == 1) path += "h0";  // round caps make a dot of a line without length
 }
 
 void append_curve(std::string& out, const PlotCurve& curve, const Frame& frame) {
@@ -190,7 +191,7 @@ void append_curve(std::string& out, const PlotCurve& curve, const Frame& frame) 
     append(out, "><title>", escape_html(curve.title), "</title></path>");
 }
 
-// Above the plot, in the middle: the axis labels have the corners.
+// The legend stands in the middle above the plot, because the labels of the axes take the corners.
 void append_keys(std::string& out, const LinePlot& plot) {
   constexpr double sample = 22, sample_gap = 5, key_gap = 14, per_letter = 7.4;
   const auto sample_width = [](const PlotKey& key) {

@@ -16,16 +16,17 @@ struct PlotAxis {
 };
 
 /// An axis that holds [least, most] between round numbers, with about `count` ticks 1, 2 or 5 times a power
-/// of ten apart. It starts at 0 when all values are above 0 and the least is under half of the largest. Equal
-/// or non-finite ends give an axis of some width.
+/// of ten apart. It starts at 0 when all values are above 0 and the least is under half of the largest. Where
+/// the ends are equal or not finite, the axis still has a width above 0.
 PlotAxis nice_axis(std::string label, double least, double most, int count = 5);
 
-/// The number at a tick of an axis.
+/// The text at a tick of an axis.
 std::string tick_text(const PlotAxis& axis, double tick);
 
-/// A line over x; NaN in y breaks it.
+/// A curve over x; NaN in y interrupts it.
 ///   css_class   class of its path: the page's style sheet gives colour, width and dashes
-///   title       what a pointer over it shows
+///   title       text that is shown when the pointer is over the curve
+///   on_right    y belongs to the right axis, where the plot has one
 ///   dots        a mark at every point instead of a line
 struct PlotCurve {
   std::vector<double> x, y;
@@ -35,8 +36,8 @@ struct PlotCurve {
   bool dots = false;
 };
 
-/// An entry of the legend; without a class it is text alone.
-///   brief   said where there is no room for the text; empty: the text
+/// An entry of the legend: a sample of the line of `css_class`, and a text; without a class the text alone.
+///   brief   a shorter text for places without room; empty: the text itself
 struct PlotKey {
   std::string css_class, text;
   std::string brief = {};
@@ -45,7 +46,7 @@ struct PlotKey {
 /// A line plot for HTML pages.
 ///   title         accessible name
 ///   description   what the plot shows in a sentence, for those who cannot see it
-///   strip         paint of a thin bar below the x axis ("url(#spectrum)"); may be empty
+///   strip         SVG paint of a thin bar below the x axis, such as "url(#spectrum)"; empty: no bar
 struct LinePlot {
   std::string title, description;
   PlotAxis x, left;
@@ -55,13 +56,13 @@ struct LinePlot {
   std::string strip;
 };
 
-/// The plot as an inline <svg> element, 460 x 270 units, coordinates with one decimal. Lines keep at most 120
-/// points: those whose removal would move the line by less than a fifth of a unit are left out first (Ramer
-/// 1972, Douglas and Peucker 1973).
+/// The plot as an inline <svg> element, 460 x 270 units, coordinates with one decimal. An uninterrupted line
+/// keeps at most 120 points: those whose removal would move the line by less than a fifth of a unit are left
+/// out first (Ramer 1972, Douglas and Peucker 1973).
 std::string svg(const LinePlot& plot);
 
-/// The rules svg() relies on, for the page's style sheet; colours come from the custom properties --ink,
-/// --ink-soft, --line and --plot-1, --plot-2, ...
+/// The CSS rules that svg() needs in the style sheet of the page. Colours come from the custom properties
+/// --ink, --ink-soft, --line and --plot-1, --plot-2, ...
 std::string_view plot_css();
 
 }  // namespace etak

@@ -33,7 +33,7 @@ bool is_total(const FoundF0& found) {
   return !gives_f0(found.material.material_class);
 }
 
-// In the mode opaque alpha is not looked at.
+// In the alpha mode "opaque" the alpha of a material has no effect.
 double opacity_by_mode(const ProjectMaterial& material) {
   return material.alpha_mode == AlphaMode::opaque ? 1 : material.alpha;
 }
@@ -120,7 +120,7 @@ std::string body_note(const ProjectMaterial& material, const FoundF0& found) {
 
 std::vector<std::string> resolve(Project& project, const MaterialLibrary& library) {
   std::vector<std::string> problems;
-  std::optional<MaterialLibrary> all;  // copied only where something is measured
+  std::optional<MaterialLibrary> all;  // the library is copied only where a material is measured
   const auto take = [&](ProjectMaterial& each) {
     if (!each.measured) return;
     if (!all) all = library_of(project, library);
@@ -141,7 +141,7 @@ SurfaceValues surface_of(const ProjectMaterial& material, const MaterialLibrary&
   if (material.measured) {
     const FoundF0 found = find_f0(*material.measured, library);
     out = surface_of(found.material, found.chosen(), found.result, vec(material.diffuse), material.gloss);
-    // The index of the record is that against vacuum.
+    // The record has n and k against vacuum, which do not hold for another outside medium.
     if (!material.measured->outside.empty()) out.optics.reset();
     const bool rough = !gives_f0(found.material.material_class);
     out.diffuse = vec(material.diffuse);
@@ -165,7 +165,7 @@ ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibr
     const FoundF0 found = find_f0(*material.measured, library);
     out = export_surface(found.material, found.chosen(), f0_options(*material.measured, library),
                          found.result, material.diffuse, material.gloss);
-    // The author may have given a body of measured total another surface than the assumed one.
+    // Where a total reflectance was divided, the author may have chosen another F0 than the assumed one.
     if (out.total && out.f0 != material.specular) {
       out.f0 = material.specular;
       out.notes.push_back("F0 " + number(out.f0.g, 3) + " is the author's");
@@ -177,8 +177,8 @@ ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibr
   }
   out.diffuse = material.diffuse;
   out.gloss = material.gloss;
-  // Alpha is of the body, whose clearness targets are told by themselves; theirs would take the reflection
-  // away too.
+  // Targets are told separately that the body is clear. An opacity below 1 would take away the reflection at
+  // the surface as well.
   out.opacity = out.clear ? 1 : opacity_by_mode(material);
   out.name = material.name;
   out.id = material.name;
@@ -196,7 +196,7 @@ AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library
     row.place = m.name;
     row.diffuse = source_of(m, Channel::diffuse, m.diffuse, remarks);
     row.specular = source_of(m, Channel::specular, m.specular, remarks);
-    // As it was given, so that the packer tells what its form of gloss cannot hold.
+    // A roughness is passed on as it was given: the packer then reports what its form of gloss cannot hold.
     if (m.gloss.given_roughness() && !m.texture(Channel::gloss)) {
       const double r = *m.gloss.given_roughness();
       row.roughness = ConstantSource{{r, r, r}, {}};
@@ -220,7 +220,7 @@ FreeNames names_of(const Project& project) {
 }
 
 std::string free_name(FreeNames& names, const std::string& wanted) {
-  // Of at most so many bytes, and whole characters.
+  // The beginning of `wanted`, of at most `most` bytes and of whole UTF-8 characters.
   const auto front = [&](std::size_t most) {
     std::size_t end = std::min(wanted.size(), most);
     const auto goes_on = [&] { return (static_cast<unsigned char>(wanted[end]) & 0xC0) == 0x80; };

@@ -19,33 +19,35 @@ namespace etak {
 
 class FreeNames;  // core/base/free_names.h
 
-// Materials under work, as an author saves them (resources/schema/project.schema.json). What is packed of
-// them is an AtlasManifest, so that `etak pack` takes a project where it takes a manifest.
+// The materials that an author works on, as the editor saves them (resources/schema/project.schema.json).
+// `etak pack` takes a project where it takes a manifest, because manifest_of() makes an AtlasManifest of it.
 
-/// Where an F0 was measured.
-///   material   id of the library or of the project's own spectra
-///   dataset    empty: the preferred one
+/// The record that an F0 is computed from, and how.
+///   material   id of a material of the library or of the project's own spectra
+///   dataset    id of a dataset; empty: the preferred one
 ///   outside    the medium in front, as outside_medium() takes it: "1.33", "water", "water/hale"; empty:
 ///              vacuum
+///   viewing    illuminant and observer
 struct MeasuredF0 {
   std::string material, dataset, outside;
   Viewing viewing;
   friend bool operator==(const MeasuredF0&, const MeasuredF0&) = default;
 };
 
-/// What a texture can stand for.
+/// The quantities of a material that a texture can give.
 enum class Channel { diffuse, specular, gloss, alpha };
 inline constexpr std::array all_channels{Channel::diffuse, Channel::specular, Channel::gloss, Channel::alpha};
 std::string_view name(Channel channel);  // "diffuse", ...
 
-/// One material of a project. A texture stands in the place of the number of its channel when the project is
-/// packed.
-///   specular    linear sRGB, not clipped: of `measured` where that is set, whatever the file holds
-///   parameters  of the models in use, by name, where they are not what the surface says: {"m", 0.3}
+/// One material of a project. When the project is packed, a texture replaces the number of its channel.
+///   specular     F0, linear sRGB, not clipped; where `measured` is set, resolve() sets it, whatever the file
+///                holds
+///   parameters   parameters of the models by name, where they differ from what the other values give:
+///                {"m", 0.3}
 struct ProjectMaterial {
-  std::string name;  // one of a kind in the project
+  std::string name;  // unique in the project
   LinearRgb diffuse{0, 0, 0}, specular{0.04, 0.04, 0.04};
-  Gloss gloss = 0.75;  // Schueler's, or a perceptual roughness
+  Gloss gloss = 0.75;  // Schueler's g, or a perceptual roughness
   double alpha = 1;
   std::optional<MeasuredF0> measured;
   std::array<std::optional<ImageSource>, all_channels.size()> textures;
@@ -61,8 +63,8 @@ struct ProjectMaterial {
   std::optional<ImageSource>& texture(Channel channel) { return textures[static_cast<std::size_t>(channel)]; }
 };
 
-/// Two sides in one picture.
-///   pinned   what side B shows, as it was when it was pinned; none: the material in hand
+/// Two sides, A and B, in one picture, so that two materials or models can be compared.
+///   pinned   the material of side B, as it was when it was pinned; none: the selected material
 ///   model    specular model of side B; empty: the material's own
 struct Comparison {
   bool on = false;
@@ -71,7 +73,7 @@ struct Comparison {
   friend bool operator==(const Comparison&, const Comparison&) = default;
 };
 
-/// A strip of spheres over a parameter.
+/// A row of spheres over the range of one parameter.
 struct Wedge {
   static constexpr int least_steps = 2, most_steps = 16;
   bool on = false;
@@ -80,7 +82,7 @@ struct Wedge {
   friend bool operator==(const Wedge&, const Wedge&) = default;
 };
 
-/// How the materials are looked at.
+/// How the materials are shown.
 ///   exposure                linear factor
 ///   config, display, view   of OpenColorIO; all empty: the sRGB curve alone
 struct ProjectView {
@@ -96,70 +98,76 @@ struct ProjectView {
 
 struct Project {
   std::vector<ProjectMaterial> materials;
-  std::vector<Material> spectra;  // imported: found before those of the library
+  std::vector<Material> spectra;  // imported materials; they replace those of the library with the same id
   ProjectView view;
   friend bool operator==(const Project&, const Project&) = default;
 
+  /// The material of that name; null: none.
   const ProjectMaterial* find(std::string_view material) const;
 };
 
-/// Reads a project. Picture files come out relative to the working folder, as parse_manifest() has it;
-/// `specular` of measured materials is what it was when the file was written: resolve() brings it up to date.
-/// Throws Error with the JSON pointer.
+/// Reads a project. Paths of picture files become relative to the working folder, as in parse_manifest().
+/// `specular` of measured materials is what the file holds; resolve() computes it anew. Throws Error with the
+/// JSON pointer.
 Project parse_project(std::string_view text, const std::string& file);
 
-/// The file's text: a material a line or few, numbers that read back equal.
+/// The text of a project file, each material on one line. Numbers are equal when they are read back.
 ///   file   path that the text is to be saved under: pictures below its folder are named relative to it,
 ///          others by absolute paths. Empty: all by absolute paths, for a copy that may be read from anywhere
 std::string format_project(const Project& project, const std::string& file);
 
-/// One material with the spectra it uses, as a project of its own; for files of single materials. What it was
-/// compared with stays behind.
+/// A project of one material and the spectra that it uses, for files of single materials. The comparison is
+/// left out.
 Project single(const Project& project, const ProjectMaterial& material);
 
-/// The library with the project's own spectra laid over it.
+/// The library with the project's own spectra added. A spectrum replaces the material of the same id.
 MaterialLibrary library_of(const Project& project, const MaterialLibrary& library);
 
-/// Options under which `measured` asks for its F0. Throws Error for an outside medium that is none.
+/// The options by which the F0 of `measured` is computed. Throws Error where `outside` is no medium.
 F0Options f0_options(const MeasuredF0& measured, const MaterialLibrary& library);
 
-/// A measured F0 with the record it comes from. Throws Error naming what is missing, and for a refused
-/// result.
+/// A computed F0, with the material and dataset that it comes from.
 struct FoundF0 : FoundDataset {
   F0Result result;
 };
+/// Computes the F0 of `measured`. Throws Error where the material, dataset or outside medium is not found,
+/// and where the data give no F0.
 FoundF0 find_f0(const MeasuredF0& measured, const MaterialLibrary& library);
 
-/// Sets the measured colours: F0, and for materials of class "surface" the diffuse colour, which is the
-/// measured total less the material's own specular colour (lowered where the total is darker: divided() in
-/// core/material/appearance.h). What cannot be found keeps its colour and loses `measured`; returned are the
-/// reasons, "NAME: ...".
+/// Computes the colours of all measured materials: F0, and for materials of class "surface" the diffuse
+/// colour, which is the measured total less the material's own specular colour (lowered where the total is
+/// darker: divided() in core/material/appearance.h). A material whose F0 cannot be computed keeps its colours
+/// and loses `measured`. Returns the reasons for that, "NAME: ...".
 std::vector<std::string> resolve(Project& project, const MaterialLibrary& library);
+/// Sets the colours of one material from its record, as resolve() does.
 void take_measured(ProjectMaterial& material, const FoundF0& found);
-/// What a person should know of a measured material: that its body is clear and not drawn, how a total
-/// reflectance was divided, that its roughness is a convention. One sentence a line; empty: nothing.
+/// Notes on a measured material: that its body is clear and not drawn, how a total reflectance was divided,
+/// that its roughness is a convention. One sentence a line; empty where there is nothing to note.
 std::string body_note(const ProjectMaterial& material, const FoundF0& found);
 
-/// What a renderer needs of a material: its numbers, F82 and n, k of the spectrum where it is measured and of
-/// F0 where it is not. Textures play no part.
+/// The values of a material that a renderer needs. F82, n and k come from the spectrum where the material is
+/// measured, else from F0. Textures are ignored. Throws Error as find_f0() does.
 SurfaceValues surface_of(const ProjectMaterial& material, const MaterialLibrary& library);
 
-/// The material for another program: its record's edge where F0 is measured, none where it is typed. Throws
-/// Error.
+/// The material for export to another program. F82 is that of the record where F0 is measured, and unknown
+/// where F0 was typed. Throws Error as find_f0() does.
 ExportSurface export_surface(const ProjectMaterial& material, const MaterialLibrary& library);
 
-/// What is packed. Colours outside of [0, 1] are brought there; `remarks` tells which.
+/// The project as a manifest for the packer, materials in the order of their names. Colours outside of [0, 1]
+/// are clamped.
+///   remarks   gets a line for each colour that was clamped and for each F0 that could not be computed
 AtlasManifest manifest_of(const Project& project, const MaterialLibrary& library,
                           std::vector<std::string>& remarks);
 
-/// A name that no material of the project has: "gold", "gold 2", ... Its end is left out where it would be
-/// longer than a project may hold (limits.h).
+/// The first of "gold", "gold 2", "gold 3", ... that no material of the project has, where "gold" is wanted.
+/// The end of `wanted` is left out where the name would be longer than most_name_bytes
+/// (core/material/limits.h).
 std::string free_name(const Project& project, const std::string& wanted);
-/// The same for many names, which are taken as they are given out.
+/// The same for several names: each name that free_name() returns is taken from then on.
 FreeNames names_of(const Project& project);
 std::string free_name(FreeNames& names, const std::string& wanted);
 
-/// Whether a JSON text says it is a project.
+/// Whether a JSON text names the schema of projects in its first 4 KiB.
 bool is_project(std::string_view text);
 
 }  // namespace etak

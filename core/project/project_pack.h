@@ -10,13 +10,14 @@
 
 namespace etak {
 
-// Projects as what the packer takes (target etak::project_files).
+// Projects as input of the packer (target etak::project_files).
 
-/// What pack() takes of a project. How the project is looked at changes no texel and is no part of it.
+/// The input of pack() for a project. The view of the project changes no texel and is left out.
 PackManifest packed_manifest(const Project& project, const MaterialLibrary& library);
 
-/// For PackOptions::other_manifest: takes project files.
-///   library   must outlive what is returned
+/// The reader of project files for PackOptions::other_manifest. It returns nullopt for a text that is no
+/// project, and throws Error for a broken one.
+///   library   must outlive the reader
 std::function<std::optional<PackManifest>(const std::string& text, const std::string& file)> project_reader(
     const MaterialLibrary& library);
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int plain_side = 16;
 
-// Means over areas are taken of linear light. Rows are gathered one by one, so that no picture of floats of
-// the whole size is made.
+// The picture in linear light, made smaller by means over squares of texels. The codes are summed directly,
+// so that no float picture of the full size is made.
 Image linear_small(const Image8& codes, int most_side) {
   const int longest = std::max(codes.width, codes.height);
   const int step = std::max(1, (longest + most_side - 1) / most_side);
@@ -61,7 +61,7 @@ MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary&
         "at most " + std::to_string(most_texels) + " for this");
   MaterialPair pair = load_pair(input, remarks);
   if (has_textures(material)) return pair;
-  // A single texel is no plateau for rules that look at areas.
+  // Rules that look for flat areas need more than a single texel.
   const auto spread = [](const Image8& texel) {
     Image8 out(plain_side, plain_side, 4);
     for (int y = 0; y < plain_side; ++y)

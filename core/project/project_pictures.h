@@ -10,20 +10,22 @@
 
 namespace etak {
 
-// A project's material as pictures (target etak::project_files).
+// The materials of a project as pictures (target etak::project_files).
 
+/// Whether some channel of the material has a texture.
 bool has_textures(const ProjectMaterial& material);
 
-/// Both textures of a material, as they would be packed: 16 x 16 of one colour where it has no pictures.
-/// Throws Error.
-///   most_texels   refuses pictures of more; 0: any
+/// Both textures of a material, as they would be packed; without pictures 16 x 16 texels of one colour.
+/// Throws Error for pictures that cannot be read or are too large.
+///   most_texels   larger pictures are refused; 0: no limit
 MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary& library,
                          const PictureDoor& door, std::size_t most_texels = 0);
 
-/// The pair in linear light for a renderer, made smaller (by means over areas) to `most_side` at most.
+/// The pair in linear light for a renderer, made smaller by means over areas until no side is above
+/// `most_side` texels.
 SurfaceTextures surface_textures(const MaterialPair& pair, int most_side);
 
-/// One channel of a pair as grey or RGB codes for looking at, made smaller to `most_side` at most.
+/// One channel of a pair as RGB codes to be shown (gloss and alpha as greys), made smaller in the same way.
 Image8 channel_picture(const MaterialPair& pair, Channel channel, int most_side);
 
 }  // namespace etak

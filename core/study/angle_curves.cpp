@@ -29,7 +29,7 @@ AngleCurve curve_of(const FresnelForm& form, const FresnelTruth& truth, const Fr
   return out;
 }
 
-// Angles and F0 alone: what reflectance data give.
+// The angles, and F0 alone: reflectance data do not tell F at other angles.
 FresnelTruth truth_of_f0(const Vec3& f0, double step_deg) {
   FresnelTruth out;
   const auto steps = static_cast<int>(std::lround(90 / step_deg));
@@ -39,7 +39,7 @@ FresnelTruth truth_of_f0(const Vec3& f0, double step_deg) {
   return out;
 }
 
-// Nanoseconds of one call, the median of the rounds.
+// Nanoseconds of one call of each body: the median over rounds, in which all bodies are called in turn.
 std::vector<double> median_ns(const std::vector<std::function<void()>>& bodies) {
   constexpr int rounds = 15;
   std::vector<std::vector<double>> times(bodies.size());
@@ -89,7 +89,7 @@ AngleCurves angle_curves(const Optics& optics, const F0Options& options, std::st
 void time_angle_curves(AngleCurves& curves) {
   constexpr std::size_t count = 4096, spectra = 64;
   const auto cosines = random_floats(count, 0, 1);
-  // Numbers of an ordinary metal: no form's time depends on them.
+  // Values of an ordinary metal.
   const std::array<float, 4> values{0.7f, 0.75f, 0.1f, 5.0f};
   std::vector<float> floats(count);
   std::vector<std::function<void()>> bodies;

@@ -17,25 +17,25 @@ struct AngleCurve {
   double ns = 0;               // time of one evaluation of one channel; 0: not measured
 };
 
-/// F over the angle of incidence of a material: what is exact, and what shaders make of it.
+/// The Fresnel reflectance F of a material over the angle of incidence: exact, and by forms that shaders use.
 struct AngleCurves {
   std::vector<double> angle_deg;  // 0 to 90, ascending
   std::vector<Vec3> exact;        // F(wavelength, angle) summed to linear sRGB; empty for reflectance data
-  double exact_ns = 0;            // of one angle: all wavelengths, all channels; 0: not measured
-  std::vector<AngleCurve> forms;  // Schlick, Schueler, F82, F82 tint, Lazanyi; those that F0 is enough for
-                                  // where there is no exact curve
+  double exact_ns = 0;            // time of one angle, all wavelengths and channels; 0: not measured
+  std::vector<AngleCurve> forms;  // Schlick, Schueler, F82, F82 tint, Lazanyi; where there is no exact curve,
+                                  // only those that need F0 alone
 };
 
-/// The curves of a dataset, without times. Each form gets what a renderer would: F0, F82, or a fit per
-/// channel.
-///   options    observer, illuminant and outside medium count
+/// The curves of a dataset, without times; empty where the data give no F0. Each form gets the numbers that a
+/// renderer would have: F0, F82, or a fit for each channel. Throws Error as fresnel_truth() does.
+///   options    observer, illuminant and outside medium are used
 ///   what       names the data in messages
-///   step_deg   between angles; errors are of these angles
+///   step_deg   distance of the angles; errors are taken at these angles
 AngleCurves angle_curves(const Optics& optics, const F0Options& options, std::string_view what,
                          double step_deg = 0.5);
 
 /// Measures `ns` of every form, and exact_ns, in this process: the median of interleaved short loops over
-/// cosines that are the same in every run. Some 20 ms; not for a thread that draws.
+/// cosines that are the same in every run. It takes about 20 ms, too long for a thread that draws.
 void time_angle_curves(AngleCurves& curves);
 
 }  // namespace etak

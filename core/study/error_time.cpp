@@ -14,7 +14,7 @@ void mark_dominated(ErrorTimeTable& table) {
       const double faster = row.time->median_ns - other.time->median_ns;
       const double closer = row.errors[metric] - other.errors[metric];
       if ((faster >= 0 && closer > 0) || (faster > 0 && closer >= 0)) row.pareto = false;
-      // Errors are exact numbers: only times have a spread to be beaten.
+      // Errors are exact numbers; only times have a spread, which the difference must exceed.
       if (closer > 0 && other.time->third_quartile_ns < row.time->first_quartile_ns) row.dominated = true;
     }
   }

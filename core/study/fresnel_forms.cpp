@@ -33,7 +33,7 @@ namespace in_single {
 
 constexpr std::array<double, 3> channel_nm{611.4, 549.1, 464.3};
 
-// Spectra on the grid to linear sRGB.
+// Turns reflectances on the 1 nm grid into linear sRGB, for one observer and illuminant.
 class Eye {
  public:
   explicit Eye(Viewing viewing) : quadrature_(make_quadrature(Method::nm1, viewing)) {
@@ -47,7 +47,7 @@ class Eye {
   Mat3 matrix_;
 };
 
-// n and k against the outside medium.
+// n and k on the grid, relative to the outside medium.
 GridIndex relative_index(const OpticalConstants& optics, const OutsideMedium& outside,
                          std::string_view what) {
   GridIndex index = grid_index(optics, what);
@@ -63,7 +63,7 @@ GridIndex relative_index(const OpticalConstants& optics, const OutsideMedium& ou
   return index;
 }
 
-// ---- fits: what a renderer is given, per channel
+// ---- fits: the numbers that a renderer is given for each channel
 
 FresnelValues per_channel(const FresnelTruth& truth,
                           std::array<double, 4> (*fit)(const FresnelTruth&, std::size_t)) {
@@ -83,7 +83,7 @@ FresnelValues fit_f82(const FresnelTruth& truth) {
   });
 }
 
-// F0 and tint are authored in [0, 1].
+// Authors give F0 and tint in [0, 1], so both are clamped.
 FresnelValues fit_f82_tint(const FresnelTruth& truth) {
   return per_channel(truth, [](const FresnelTruth& t, std::size_t c) -> std::array<double, 4> {
     const double f0 = std::clamp(t.f0[c], 0.0, 1.0);
@@ -115,8 +115,8 @@ FresnelValues fit_three(const FresnelTruth& truth) {
   });
 }
 
-// Sum of squared errors of one channel, every angle alike: weighted as a sphere shows them, grazing angles
-// would hardly count, and with them the largest error.
+// Sum of squared errors of one channel, with equal weights for all angles. With the weights of a sphere,
+// grazing angles would hardly count, where the errors are largest.
 template <class Value>
 double squared_error(const FresnelTruth& truth, std::size_t channel, Value value) {
   double sum = 0;
@@ -127,7 +127,7 @@ double squared_error(const FresnelTruth& truth, std::size_t channel, Value value
   return sum;
 }
 
-// Least of a function of one number in [low, high] that falls and rises once.
+// The place in [low, high] where a function that falls once and then rises is least, by golden sections.
 template <class F>
 double least_of(double low, double high, F f) {
   constexpr double golden = 0.6180339887498949;
@@ -155,7 +155,8 @@ FresnelValues fit_gulbrandsen(const FresnelTruth& truth) {
   });
 }
 
-// n, k as solved; the dip a c (1 - c)^alpha by least squares: a is linear, alpha is searched.
+// n and k are those of F0 and F82. The dip a c (1 - c)^alpha is fitted by least squares: a follows from a
+// linear equation, alpha is searched.
 FresnelValues fit_lazanyi(const FresnelTruth& truth) {
   FresnelValues out = fit_index(truth);
   for (std::size_t c = 0; c < 3; ++c) {
@@ -184,7 +185,7 @@ FresnelValues fit_lazanyi(const FresnelTruth& truth) {
 
 template <float (*F)(const float*, float)>
 void many(const float* p, const float* c, float* out, std::size_t count) {
-  const std::array<float, 4> own{p[0], p[1], p[2], p[3]};  // no alias of out: they stay in registers
+  const std::array<float, 4> own{p[0], p[1], p[2], p[3]};  // `out` cannot alias a copy: it stays in registers
   for (std::size_t i = 0; i < count; ++i) out[i] = F(own.data(), c[i]);
 }
 

@@ -13,41 +13,47 @@
 
 namespace etak {
 
-/// F over angle as it is seen: F(wavelength, angle) at 1 nm to linear sRGB, unclipped.
+/// The exact F over the angle of incidence as it is seen: F of every nanometre and angle, summed to linear
+/// sRGB, unclipped.
 struct FresnelTruth {
   std::vector<double> cosine;  // of incidence
-  std::vector<double> weight;  // of each in the mean over a sphere seen from far away: 2 c dc; sums to 1
+  std::vector<double> weight;  // in the mean over a sphere that is seen from far away, 2 c dc; their sum is 1
   std::vector<Vec3> rgb;
   Vec3 f0{}, f82{};                         // at cos 1 and 1/7
   std::array<Vec3, 2> mean_index{};         // n and k averaged over the spectrum as reflectances are
   std::array<Vec3, 2> three_wavelengths{};  // n and k at 611.4, 549.1 and 464.3 nm, as sRGB's primaries
 };
 
-/// Angles 0 to 90 degrees in steps of `step_deg`. Throws Error (naming `what`) as grid_index() does.
-///   seen   observer, illuminant and outside medium of these options count; space and method do not
+/// The truth at angles from 0 to 90 degrees in steps of `step_deg`. Throws Error (naming `what`) as
+/// grid_index() does.
+///   seen   observer, illuminant and outside medium are used; space and method are not
 FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg = 0.25,
                            const F0Options& seen = {});
 
-/// Up to four numbers per channel, as a renderer gets them.
+/// Up to four numbers for each channel, as a renderer gives them to a form.
 using FresnelValues = std::array<std::array<double, 4>, 3>;
 
 /// A form of Fresnel reflectance that a shader can have.
 struct FresnelForm {
   std::string_view id, title;
-  bool physical;  // offered to choose from; else here for comparison
+  bool physical;  // true: can be chosen; false: for comparison only
+  /// The numbers of a truth.
   FresnelValues (*fit)(const FresnelTruth& truth);
+  /// F for the numbers of one channel and a cosine of incidence, in double.
   double (*value)(const double* p, double c);
-  /// A loop over `count` cosines in float, for timing: the formula text that shaders get.
+  /// F for `count` cosines in float, for timing. It is compiled from the formula text that shaders get.
   void (*many)(const float* p, const float* c, float* out, std::size_t count);
 };
 std::span<const FresnelForm> fresnel_forms();
+/// The form of that id; null: none.
 const FresnelForm* fresnel_form(std::string_view id);
 
+/// The errors of a form with its numbers, over the angles of a truth.
 struct FresnelError {
   double max_abs = 0;              // over angles and channels
-  double mean_abs = 0;             // by weight, of the worst channel
+  double mean_abs = 0;             // weighted mean of the channel where it is largest
   double max_de = 0, mean_de = 0;  // CIEDE2000 of the colours, D65
-  double at_deg = 0;               // where max_abs is
+  double at_deg = 0;               // the angle of max_abs
 };
 FresnelError fresnel_error(const FresnelTruth& truth, const FresnelForm& form, const FresnelValues& values);
 

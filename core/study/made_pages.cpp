@@ -10,7 +10,8 @@
 namespace etak {
 namespace {
 
-// Noise over a page, linear between `cells` x `cells` points, in [0, 1].
+// Value noise over a page, in [0, 1]: bilinear between random values at the corners of `cells` x `cells`
+// cells.
 class ValueNoise {
  public:
   ValueNoise(int cells, std::uint64_t seed) : cells_(cells) {
@@ -39,7 +40,7 @@ std::uint8_t code(double value) {
   return to_code(static_cast<float>(value));
 }
 
-// Stone: four octaves of noise and grain; nothing to see through.
+// Stone: four octaves of noise and grain; alpha is 255 everywhere.
 Image8 stone_page(int side) {
   const ValueNoise noise[] = {{8, 21}, {32, 22}, {128, 23}, {512, 24}};
   Random grain(25);
@@ -54,7 +55,7 @@ Image8 stone_page(int side) {
   return page;
 }
 
-// Sprites: shaded discs on nothing.
+// Sprites: shaded discs on a transparent ground.
 Image8 sprite_page(int side) {
   constexpr int cell = 128;
   Image8 page(side, side, 4);
@@ -73,7 +74,7 @@ Image8 sprite_page(int side) {
   return page;
 }
 
-// F0 and gloss: materials in patches, F0 one colour each, scratches in the gloss.
+// F0 and gloss: patches of five materials, each with one colour of F0, and scratches in the gloss.
 Image8 material_page(int side) {
   const ValueNoise where(6, 31), scratches(340, 32);
   const std::array<std::array<double, 4>, 5> materials{{{0.22, 0.22, 0.22, 0.4},

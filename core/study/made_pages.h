@@ -7,6 +7,7 @@
 
 namespace etak {
 
+/// The largest side of a made page, in texels.
 inline constexpr int most_page_side = 1024;
 
 /// A page of four channels that is made by formula, the same in every run.
@@ -16,10 +17,10 @@ struct MadePage {
   Image8 pixels;
 };
 
-/// What pages of textures hold, of each kind one: grain (stone), shapes on nothing (sprites), patches of one
-/// colour with a fine gloss (materials). What a compression level costs depends on all of them: on noise
-/// alone every level gives up early and takes the same time.
-///   side   of each, up to most_page_side: the left upper part of a page of that side
+/// One page of each kind of content that textures have: grain (stone), shapes on a transparent ground
+/// (sprites), patches of one colour with fine structure in the gloss (materials). The time of a compression
+/// level depends on the content: on noise alone every level gives up early and takes the same time.
+///   side   of each page, up to most_page_side; a smaller page is the upper left part of the largest
 std::vector<MadePage> made_pages(int side);
 
 }  // namespace etak

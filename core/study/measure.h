@@ -12,12 +12,12 @@
 
 namespace etak {
 
-// What the families of error_time.h share: random inputs that are the same in every run, and a fence for
-// timed loops.
+// Shared by the families of error_time.h: random inputs that are the same in every run, and a function that
+// keeps timed loops from being optimised away.
 
 using Random = SplitMix;
 
-/// Inputs for a timed loop; the same for equal arguments.
+/// Random numbers from `low` to `high` as inputs of a timed loop; equal arguments give equal numbers.
 inline std::shared_ptr<const std::vector<float>> random_floats(std::size_t count, float low, float high,
                                                                std::uint64_t seed = 1) {
   Random random(seed);
@@ -26,12 +26,12 @@ inline std::shared_ptr<const std::vector<float>> random_floats(std::size_t count
   return out;
 }
 
-/// The compiler must take what `memory` points to as read: a timed loop's results are not thrown away.
+/// Makes the compiler assume that the memory is read here, so that it keeps the loop that has written it.
 inline void keep(const void* memory) {
   asm volatile("" : : "g"(memory) : "memory");
 }
 
-/// Times the table's first rows, one case each, and says which rows are beaten.
+/// Times the first rows of the table, row i by case i, and marks the rows that others dominate.
 inline void add_times(ErrorTimeTable& table, std::span<const TimedCase> cases, const ReportOptions& options) {
   const auto times = time_cases(cases, options.timing);
   for (std::size_t i = 0; i < times.size(); ++i) table.rows[i].time = times[i];

@@ -18,7 +18,8 @@ namespace {
 struct LightAngle {
   double from_viewer_deg, turn_deg, irradiance;
 };
-// The further behind, the brighter a surface reflects: with these the three highlights are about as bright.
+// Surfaces reflect more of light that comes from behind. With these irradiances the three highlights are
+// about equally bright.
 constexpr std::array light_angles{LightAngle{50, 120, 3.0}, LightAngle{100, 10, 2.0},
                                   LightAngle{150, 235, 0.5}};
 
@@ -28,7 +29,7 @@ Vec3 towards_light(const LightAngle& light) {
   return {std::sin(away) * std::cos(turn), std::sin(away) * std::sin(turn), std::cos(away)};
 }
 
-// Everything of a model but its width is set for F = 1.
+// The lobe of a model with the width of that gloss and F = 1.
 Lobe unit_lobe(const Model& model, double gloss) {
   SurfaceValues surface;
   surface.gloss = gloss;
@@ -83,7 +84,7 @@ Scene sphere_scene(const Model& model, const SphereMaterial& material, double gl
   scene.specular = &model;
   scene.specular_values = model_values(model, scene.surface, {});
   if (model.fresnel != nullptr && (model.fresnel->id == "lazanyi" || model.fresnel->id == "gulbrandsen")) {
-    // Three channels of each of the form's numbers come first, as the term's parameters do.
+    // The values of a model begin with the parameters of its Fresnel term, three channels of each number.
     const FresnelValues fitted = fresnel_form(model.fresnel->id)->fit(material.truth);
     for (std::size_t i = 0; i < model.fresnel->parameters.size(); ++i)
       for (std::size_t c = 0; c < 3; ++c) scene.specular_values[3 * i + c] = fitted[c][i];
@@ -97,7 +98,7 @@ Scene sphere_scene(const Model& model, const SphereMaterial& material, double gl
 
 std::vector<bool> sphere_pixels(int side) {
   std::vector<bool> out(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-  const double step = 2.2 / side;  // as struct Scene says
+  const double step = 2.2 / side;  // width of a pixel in radii of the sphere, as struct Scene has it
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x)
       out[index_of(side, x, y)] =
@@ -109,7 +110,7 @@ const Model& lobe_model(const Model& model) {
   if (model.distribution != nullptr)
     return *find_model("microfacet:" + std::string(model.distribution->id) + ",schlick," +
                        std::string(model.visibility->id));
-  // lobe_of() gives both forms of Optimized the bounded one's lobe.
+  // For both forms of Optimized lobe_of() gives the lobe of the bounded form.
   if (model.id == "schueler-optimized") return *find_model("schueler-optimized-bounded");
   return model;
 }

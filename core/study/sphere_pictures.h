@@ -15,7 +15,7 @@
 
 namespace etak {
 
-// A sphere under three lights, as models draw it and as it is.
+// A sphere under three lights, as models draw it and by the spectral reference.
 
 /// A material on the sphere.
 struct SphereMaterial {
@@ -24,38 +24,42 @@ struct SphereMaterial {
   FresnelTruth truth;
 };
 
-/// Throws Error for a material that is not there or has no n and k.
-///   body   of a dielectric; conductors and semiconductors have none
+/// A material of the library by its preferred dataset. Throws Error for a material that is not there or has
+/// no n and k.
+///   body   diffuse colour of a dielectric, linear; (0, 0, 0) for conductors and semiconductors
 SphereMaterial sphere_material(const MaterialLibrary& library, std::string_view id, const Vec3& body);
 
 /// Directional lights 50, 100 and 150 degrees from the viewer: half vectors at 25, 50 and 75 degrees.
 LightSetup sphere_lights();
 
-/// `model` with what it is given of the material: its parameters by role, fitted numbers where a Fresnel term
-/// asks for them. A specular model gets a Lambert body beside it; one of both kinds draws the body itself.
+/// The scene in which `model` draws the material. The model's parameters are set by their roles; Fresnel
+/// terms that need a fit get fitted numbers. A specular model gets a Lambert body beside it where the
+/// material has a diffuse colour; a model of both kinds draws the body itself.
 Scene sphere_scene(const Model& model, const SphereMaterial& material, double gloss, int side);
 
-/// The pixels that the sphere covers whole, with a pixel to spare. The rim is not judged: how a renderer
-/// smooths it is no matter of its models.
+/// Which pixels of a picture, row by row, lie at least one pixel inside the rim of the sphere. The rim is not
+/// judged, because its smoothing depends on the renderer and not on the model.
 std::vector<bool> sphere_pixels(int side);
 
-/// The lobe that `model` shares with others: the same for models that differ in F alone.
+/// The model that stands for the lobe of `model`: the same one for all models that differ in F alone.
 const Model& lobe_model(const Model& model);
 
-/// What render_reference() gives for the lobes of models and any material, in less time: lights and viewer
-/// are far away, so that each light has one half angle and F is one colour. A lobe is drawn once per light
-/// with F = 1.
+/// The pictures that render_reference() gives for the lobes of models and any material, in less time. Lights
+/// and viewer are far away, so that each light has one half angle, at which F is one colour. Each lobe is
+/// drawn once for each light with F = 1; the pictures of a material are sums of these times F.
 ///   error   1e-6 against render_reference(), relative to the brightest pixel
 class SphereTruth {
  public:
-  /// `rays`: per side of a pixel. Models whose F cannot be set to 1 are the caller's mistake.
+  /// Throws Error for a model whose F cannot be set to 1.
+  ///   rays   on each side of a pixel: rays x rays for a pixel
   SphereTruth(const std::vector<const Model*>& models, double gloss, int side, int rays, unsigned threads);
 
-  /// The lobe of `model` (one of the constructor's) with the material's F, linear, three channels.
+  /// The material with the lobe of `model`, which must be one of the constructor's models; linear sRGB, three
+  /// channels.
   Image picture(const Model& model, const SphereMaterial& material) const;
 
  private:
-  std::map<std::string, std::vector<Image>, std::less<>> lobes_;  // by id of lobe_model(): one per light
+  std::map<std::string, std::vector<Image>, std::less<>> lobes_;  // by id of lobe_model(); one for each light
   Image white_body_;
 };
 
@@ -67,10 +71,11 @@ struct SeenPicture {
 };
 SeenPicture seen(const Image& picture, double exposure, const std::vector<bool>& judged);
 
-/// Largest channel of the judged pixels, at least 1e-6: 1 / it is an exposure at which nothing clips.
+/// The largest channel of the judged pixels, at least 1e-6. Its inverse is an exposure at which nothing
+/// clips.
 double brightest(const Image& picture, const std::vector<bool>& judged);
 
-/// Sums over pictures: add one after the other, in the same order for the same result.
+/// Sums of errors over the judged pixels of pictures. The order of add() decides the last digits of the sums.
 struct PictureErrors {
   double squares = 0, de = 0, worst_de = 0, flip = 0;
   std::size_t pixels = 0;

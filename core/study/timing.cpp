@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one door to Google Benchmark.
+// The only source that includes Google Benchmark.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 // Keeps the time of every repeat; prints nothing.
 class Collector : public benchmark::BenchmarkReporter {
  public:
-  std::map<std::string, std::vector<double>>
-      seconds;  // of one iteration, per case, in the order of the repeats
+  // Seconds of one iteration, by case, in the order of the repeats.
+  std::map<std::string, std::vector<double>> seconds;
 
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
@@ -36,11 +36,11 @@ double quantile(std::vector<double> values, double share) {
 }
 
 void set_flag_of_library() {
-  // Interleaving is a flag of the library's command line, which is the one public way to it.
+  // The library offers interleaving only as a flag of its command line.
   static std::once_flag once;
   std::call_once(once, [] {
     char name[] = "etak", interleave[] = "--benchmark_enable_random_interleaving=true";
-    char quiet[] = "--v=0";  // else an environment variable V would make it talk
+    char quiet[] = "--v=0";  // else an environment variable V would make the library print
     char* arguments[] = {name, interleave, quiet, nullptr};
     int count = 3;
     benchmark::Initialize(&count, arguments);
@@ -61,7 +61,8 @@ std::vector<RunTime> time_cases(std::span<const TimedCase> cases, const TimingOp
         ->MinTime(seconds_a_repeat)
         ->UseRealTime();
   };
-  // The library begins each case with a few calls more, which find how often a repeat goes round.
+  // The library calls each case a few times more than it repeats it, to find the number of iterations of a
+  // repeat. These calls are no progress.
   std::vector<std::size_t> calls(cases.size());
   std::size_t done = 0;
   const auto tell = [&](std::size_t i) {

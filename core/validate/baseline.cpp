@@ -30,12 +30,12 @@ auto place_of(const KnownDefect& defect) {
   return std::tuple_cat(name_of(defect), std::tie(defect.region));
 }
 
-// Whether one of `sorted`, in the order of place_of(), is the defect: the same name, and a region each of
-// whose edges lies at most a step away. Each such region is looked up, so that a thousand defects of one name
-// take no longer than a thousand of many.
+// Whether `sorted`, in the order of place_of(), holds the wanted defect: one of the same name, with each edge
+// of its region at most one step away. Each such region is looked up, so that a thousand defects of one name
+// take no longer than a thousand of different names.
 bool is_known(const std::vector<const KnownDefect*>& sorted, const KnownDefect& wanted) {
   const auto before = [](const KnownDefect* a, const KnownDefect* b) { return place_of(*a) < place_of(*b); };
-  constexpr int neighbours = 81;  // each of four edges a step back, here or a step on
+  constexpr int neighbours = 81;  // 3^4: each of four edges a step back, unchanged or a step on
   KnownDefect moved = wanted;
   for (int i = 0; i < (wanted.region ? neighbours : 1); ++i) {
     if (wanted.region)

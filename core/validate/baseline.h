@@ -25,12 +25,13 @@ struct KnownDefect {
 /// The finding as an entry; `width` and `height` are of its picture.
 KnownDefect known_defect(const Finding& finding, int width, int height);
 
-/// What of `report` counts now, sorted. Left out: what an [[allow]] covers, and ETK001 and 9xx, which can
-/// never be taken for known.
+/// The findings of `report` that count now, sorted. Findings that an [[allow]] entry covers are left out, and
+/// those of ETK001 and 9xx, which can never be known.
 std::vector<KnownDefect> baseline_of(const ValidationReport& report);
 
-/// Marks the findings that `known` holds. Every edge of the region may differ by one step, so that an export
-/// with other softness or compression stays known; a defect that has grown or moved further is new.
+/// Sets `baseline` of every finding: whether `known` holds it. Every edge of the region may differ by one
+/// step, so that a defect stays known after an export with other softness or compression. A defect that has
+/// grown or moved further is new.
 void mark_known(ValidationReport& report, std::span<const KnownDefect> known);
 
 /// {"schema": "etak-baseline/1", "findings": [...]}, one entry per line.

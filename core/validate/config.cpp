@@ -35,7 +35,7 @@ std::string find_config(const std::string& path) {
   for (;; folder = folder.parent_path()) {
     const fs::path candidate = folder / "etak.toml";
     if (fs::is_regular_file(candidate, failure)) {
-      // Messages name it as the user would, where that is short.
+      // Messages name the file relative to the working folder where it lies below that.
       const fs::path near = candidate.lexically_relative(fs::current_path(failure));
       return near.empty() || *near.begin() == ".." ? candidate.string() : near.string();
     }

@@ -15,12 +15,12 @@ namespace etak {
 
 namespace {
 
-// Tiles that lie inside the pictures; the whole picture where the target has none.
+// The tiles of the target, cut at the edges of its pictures; without tiles one tile of the whole picture.
 std::vector<CheckTile> tiles_of(const CheckTarget& target, int width, int height) {
   std::vector<CheckTile> tiles;
   for (CheckTile tile : target.manifest.tiles) {
     PixelBox& box = tile.box;
-    // One that leaves its page is ETK506; the rest of it is judged all the same.
+    // ETK506 reports a tile that leaves its page; the part inside is judged all the same.
     const auto cut = [](int& start, int& length, int side) {
       const long long end = std::min<long long>(static_cast<long long>(start) + length, side);
       start = std::max(start, 0);
@@ -86,7 +86,7 @@ void demote_small_groups(Image8& marks, const PixelBox& box, std::size_t least) 
     for (int x = box.x; x < box.x + box.width; ++x) {
       if (marks.at(x, y)[0] != 2) continue;
       group.assign(1, {x, y});
-      marks.at(x, y)[0] = 3;  // seen
+      marks.at(x, y)[0] = 3;  // visited
       for (std::size_t next = 0; next < group.size(); ++next) {
         const auto [u, v] = group[next];
         for (int dy = -1; dy <= 1; ++dy)
@@ -224,7 +224,8 @@ void look_at_pixels(const CheckTarget& target, const std::function<PictureRows(N
 
 namespace {
 
-// Of the findings of one rule in the islands of one material the worst stays, with a list of all.
+// Joins the findings of one rule and file in the islands of one material: the worst finding stays, with a
+// list of all islands.
 void join_islands(const Manifest& manifest, std::vector<Finding>& findings) {
   std::map<std::string_view, std::string_view> material_of;  // by tile
   for (const CheckTile& tile : manifest.tiles)
@@ -319,7 +320,7 @@ Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const C
   };
   for (const CheckTile& tile : tiles_of(target, any->width, any->height)) {
     box = tile.box;
-    // Once with the mask as it is, once with the plateaus.
+    // The first pass marks the mask as it is, the second the plateaus.
     for (const bool plateaus : {false, true}) {
       PassPlan part = plan;
       part.recorder = mark(plateaus ? 2 : 1);

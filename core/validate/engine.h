@@ -16,28 +16,29 @@
 
 namespace etak {
 
-// The parts that validate() (validate.h) and PackCheck (check_pack.h) are made of. Other programs ask those
+// The parts that validate() (validate.h) and PackCheck (check_pack.h) are made of. Other programs call those
 // two.
 
-/// What the rules that are not off need together.
+/// The needs of all rules that are not off, together.
 Needs needs_of(const Settings& settings);
 
-/// Needs of the rules that can say something of such a target: of those that are on, those whose data may be
-/// there.
+/// The needs of those rules that are not off and whose data the target may have.
 Needs needs_of(const CheckTarget& target, const Settings& settings);
 
-/// Looks at the pixels, where some rule needs them, and adds tiles, counts and float facts to the evidence,
-/// and what it cost to `file`. evidence.a and .b are filled in from the pictures when empty.
+/// Reads the pixels, where some rule needs them. Adds tiles and the facts of float pictures to the evidence,
+/// and size, counts, areas and times to `file`. evidence.a and .b are filled in from the pictures where they
+/// are empty.
+///   open   gives the pictures with what the rules need; called once for each pass over the pixels
 void look_at_pixels(const CheckTarget& target, const std::function<PictureRows(Needs)>& open,
                     const Settings& settings, unsigned threads, Evidence& evidence, CheckedFile& file);
 
-/// Runs the rules over the evidence; findings in the order of rules, tiles, boxes.
+/// Runs the rules over the evidence and adds their findings to `file`, in the order of rules, tiles, boxes.
 void judge(const CheckTarget& target, const Evidence& evidence, const Settings& settings, CheckedFile& file);
 
-/// What is known of the file before anything is opened: path, companions, roles.
+/// A CheckedFile with what is known before anything is opened: path, companions, roles.
 CheckedFile checked_file_of(const CheckTarget& target);
 
-/// The transfer function that holds for a target: its own statement, else that of the settings.
+/// The settings for one target: the transfer function that its manifest states replaces that of `settings`.
 Settings settings_for(const CheckTarget& target, const Settings& settings);
 
 /// Checks pictures in memory. Files of the target are not opened; their labels and roles go into the report.
@@ -50,8 +51,8 @@ CheckedFile check_pictures(const CheckTarget& target, const PicturesInMemory& pi
 CheckedFile check_rows(const CheckTarget& target, const std::function<PictureRows(Needs)>& open,
                        const Settings& settings, unsigned threads = 1);
 
-/// Which texels of a picture a region rule means: one channel, 0 none, 1 transition (masked, no plateau), 2
-/// plateau.
+/// Marks the texels that a rule on regions is about, in a picture of one channel: 0 the condition is not met,
+/// 1 it is met, but not on a plateau (transition), 2 plateau.
 Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const CheckTarget& target,
                       const Settings& settings);
 
@@ -59,11 +60,11 @@ Image8 region_picture(RegionKind kind, const PicturesInMemory& pictures, const C
 /// count). Called again after findings have been marked.
 ValidationReport report_of(std::vector<CheckedFile> files, const Settings& settings);
 
-/// What a run knows besides its configuration.
+/// What report_of_run() needs besides the configuration.
 ///   today         "YYYY-MM-DD" for allowances that expire; empty: the system's date
 ///   whole_tree    everything below the configuration's folder was looked at
 ///   known         findings of a baseline
-///   renew_known   everything that is found counts as known, in the place of `known`
+///   renew_known   everything that is found counts as known, instead of `known`
 struct ReportRun {
   std::string today;
   bool whole_tree = false;
@@ -71,7 +72,8 @@ struct ReportRun {
   bool renew_known = false;
 };
 
-/// The same with what the configuration allows and what is known marked, and the fingerprint of the settings.
+/// report_of(), with the hash of the settings, and with the findings marked that the configuration allows or
+/// that are known.
 ValidationReport report_of_run(std::vector<CheckedFile> files, const ValidateConfig& config,
                                const ReportRun& run);
 

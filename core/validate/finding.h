@@ -19,7 +19,7 @@ namespace etak {
 enum class Severity { off, info, warning, error };
 std::string_view name(Severity severity);  // "off", "info", "warning", "error"
 
-/// A database material and how far it is.
+/// A material of the library, and its distance from a colour.
 struct NearestMaterial {
   std::string id, dataset;
   double bytes = 0;  // largest channel difference in 8-bit codes
@@ -28,15 +28,16 @@ struct NearestMaterial {
 
 /// One of the islands of an atlas that a finding is about.
 struct FindingIsland {
-  std::string tile;  // the island's own
+  std::string tile;  // name of the island's own tile
   std::optional<PixelBox> box;
   std::size_t area_px = 0;
   friend bool operator==(const FindingIsland&, const FindingIsland&) = default;
 };
 
-/// What a rule has to say of one place. Never more than one per rule, file and tile. Where the texels of a
-/// material lie in several islands, they are one tile of the material's name: values, box and area are those of the
-/// worst island, `islands` has all that the rule found something in.
+/// A defect that a rule has found. A rule sums up the places in one picture and tile in one finding. Where
+/// the texels of a material lie in several islands, the finding is one for all of them: `tile` is the name of
+/// the material, values, box and area are those of the worst island, and `islands` lists all islands with the
+/// defect.
 struct Finding {
   std::string rule;  // "ETK101"
   std::string slug;  // "f0-forbidden-zone"
@@ -44,7 +45,7 @@ struct Finding {
   std::string file;                    // relative to the run's root
   std::string tile;                    // of an atlas; else empty
   std::vector<FindingIsland> islands;  // two or more; else empty
-  std::string material;                // when named
+  std::string material;                // where it is named
   std::string pointer;                 // JSON pointer, for materials and scenes
   std::optional<PixelBox> box;
   std::size_t area_px = 0;
@@ -64,7 +65,7 @@ struct Finding {
   friend bool operator==(const Finding&, const Finding&) = default;
 };
 
-/// What a check cost; for --stats. The times differ from run to run and belong in no report that is compared.
+/// The work of a check, for --stats. The times differ from run to run, so they are in no report.
 struct CheckStats {
   std::size_t pictures_decoded = 0, pictures_left_out = 0;  // left out: no rule needs their texels
   std::size_t texels = 0;                                   // of one picture
@@ -87,26 +88,25 @@ struct CheckedFile {
   // Exact texel counts of the byte pass, in a fixed order: "forbidden_any_channel_px", "gloss_min", ...
   std::vector<std::pair<std::string, std::int64_t>> counts;
   CheckStats stats;
-  std::shared_ptr<const CheckTarget> target;  // what was checked; null for what could not be, and for others
-  // Of a UDIM set, which `target` is the first tile of: all tiles. A finding's `tile` is the number of its
-  // own.
+  std::shared_ptr<const CheckTarget> target;  // what was checked; null where no file was, as in ETK903's
+  // All tiles of a UDIM set; `target` is the first of them. `tile` of a finding is the number of its tile.
   std::vector<std::shared_ptr<const CheckTarget>> tiles;
 
-  /// The target that a finding is about: its tile's.
+  /// The target that a finding is about: in a UDIM set that of its tile.
   const CheckTarget& target_of(const Finding& finding) const;
 };
 
-/// What a run looked at.
+/// Numbers of files and checks of a run.
 struct RunCounts {
   std::size_t files = 0;       // found
-  std::size_t skipped = 0;     // of those, in folders and lists, no rule is about
+  std::size_t skipped = 0;     // found in folders and lists, of a kind that no rule checks
   std::size_t failed = 0;      // that cannot be checked at all
   std::size_t checks = 0;      // of files, pairs and sets
-  std::size_t from_cache = 0;  // of those
+  std::size_t from_cache = 0;  // checks whose result came from the cache
 };
 
-/// Folders as labels name them, relative to the run's root, and as the user typed them ("": the working
-/// folder).
+/// Folders as the user typed them ("": the working folder), by the names that labels have for them, relative
+/// to the run's root.
 using TypedFolders = std::map<std::string, std::string>;
 
 struct ValidationReport {
@@ -115,8 +115,8 @@ struct ValidationReport {
   std::size_t errors = 0, warnings = 0, infos = 0;  // not counting suppressed and baseline ones
   bool passed = true;
   bool incomplete = false;              // something could not be checked: exit status 2
-  bool stopped = false;                 // somebody asked for it: files are missing
-  bool nothing_checked = false;         // where something had to be: incomplete
+  bool stopped = false;                 // the run was stopped: files are missing
+  bool nothing_checked = false;         // though the run had to check something: incomplete
   std::vector<std::string> not_opened;  // pipes, sockets and devices that folders hold
   std::vector<std::string> unknown;     // pictures of folders and lists whose names tell no role
   TypedFolders typed;

@@ -32,7 +32,7 @@ std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
     for (std::size_t d = 0; d < material.datasets.size(); ++d) {
       const Dataset& dataset = material.datasets[d];
       const F0Result f0 = solve(solver, material, dataset);
-      // A doubtful dataset excuses no texture, unless it stands for the material for want of a better one.
+      // A doubtful dataset excuses no texture, unless it is the preferred one, because there is none better.
       if (f0.refused() || (f0.flags.has(Flag::doubtful) && d != material.preferred)) continue;
       known.push_back({material.id,
                        material.name,
@@ -47,7 +47,7 @@ std::vector<KnownF0> f0_in(const MaterialLibrary& library) {
   return known;
 }
 
-// Codes with a fraction: distances do not jump where a value is rounded.
+// The code of a linear value with a fraction, so that distances do not jump where codes are rounded.
 double code_with_fraction(double linear, TextureTransfer transfer) {
   const CodeTables& tables = code_tables(transfer);
   const double clamped = std::clamp(linear, 0.0, 1.0);
@@ -105,7 +105,7 @@ std::vector<NearestMaterial> nearest_materials(const KnownMaterials& known,
   std::vector<NearestMaterial> all;
   for (const KnownF0& entry : known.f0()) {
     const double distance = std::round(10 * code_distance(linear, entry, transfer)) / 10;
-    // Datasets of one material stand together: only the best stays.
+    // The datasets of a material follow one another; only the nearest of them is kept.
     if (!all.empty() && all.back().id == entry.id) {
       if (distance < all.back().bytes) all.back() = {entry.id, entry.dataset, distance};
     } else {
@@ -139,7 +139,7 @@ Explanation explain_f0(const KnownMaterials& known, const std::array<double, 3>&
     const double twice = code_with_fraction(once / 255, transfer), never = 255 * f0;
     const auto consider = [&](Explanation::Cause cause, double expected) {
       const double distance = std::abs(expected - code);
-      // As it is comes first: nothing needs an explanation that is right.
+      // `as_is` is considered first and wins at equal distance: a right value needs no explanation.
       if (distance < best.distance) best = {cause, f0, distance, entry.id};
     };
     consider(Explanation::Cause::as_is, once);

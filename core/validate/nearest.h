@@ -28,14 +28,14 @@ struct KnownF0 {
 class KnownMaterials {
  public:
   explicit KnownMaterials(MaterialLibrary library);
-  /// Those of the library inside the program.
+  /// The materials of the library inside the program.
   static const KnownMaterials& builtin();
 
-  /// A fingerprint of the materials, as results depend on them; empty for the built-in ones.
+  /// A hash of the materials, because results depend on them; empty for the built-in ones.
   const std::string& hash() const { return hash_; }
 
-  /// F0 of every dataset that gives one, without doubtful datasets that are not preferred: computed once,
-  /// when first asked for, by any thread.
+  /// F0 of every dataset that gives one, without doubtful datasets that are not preferred. Computed in the
+  /// first call, which may come from any thread.
   std::span<const KnownF0> f0() const;
 
   /// The entries of one material, by id, alias or name; empty: not in the library.
@@ -50,18 +50,18 @@ class KnownMaterials {
   mutable std::vector<KnownF0> f0_;
 };
 
-/// Those that the settings name, else the built-in ones.
+/// The materials that the settings name, else the built-in ones.
 const KnownMaterials& known_materials(const Settings& settings);
 
 /// Largest channel difference in codes between a linear colour and an entry clipped to [0, 1].
 double code_distance(const std::array<double, 3>& linear, const KnownF0& entry, TextureTransfer transfer);
 
-/// The `count` nearest materials (best dataset of each), nearest first.
+/// The `count` nearest materials, each by its nearest dataset, nearest first.
 std::vector<NearestMaterial> nearest_materials(const KnownMaterials& known,
                                                const std::array<double, 3>& linear, TextureTransfer transfer,
                                                std::size_t count = 3);
 
-/// Linear F0 of the library's dielectrics but gems: ice and water have the least of them.
+/// The range of linear F0 of the library's dielectrics without gems; ice and water have the least.
 inline constexpr double least_dielectric_f0 = 0.017, most_dielectric_f0 = 0.09;
 
 /// Codes, both ends included.
@@ -69,25 +69,27 @@ struct CodeRange {
   int first, last;
   constexpr bool holds(int code) const { return code >= first && code <= last; }
 };
-/// These dielectrics in sRGB codes.
+/// That range in sRGB codes.
 inline constexpr CodeRange dielectric_codes{36, 84};
-/// Stored without the curve: 255 times F0, with 3 codes of noise at the upper end.
+/// That range where F0 is stored without the curve: 255 times F0, with 3 codes of noise at the upper end.
 inline constexpr CodeRange linear_dielectric_codes{4, 26};
-/// Encoded twice: the sRGB codes of 36 / 255 and 84 / 255 as linear values.
+/// That range where F0 is encoded twice: the sRGB codes of 36 / 255 and 84 / 255 as linear values.
 inline constexpr CodeRange doubled_dielectric_codes{105, 155};
 
-/// How an F0 may have come about, for dielectrics only: the value does not tell it of metals.
+/// How the code of an F0 may have come about, if it is one of a dielectric. For metals the value does not
+/// tell that.
 ///   as_is     a dielectric of the library is within `distance` codes
 ///   doubled   the value was encoded twice
 ///   missing   the value was never encoded
 struct Explanation {
   enum class Cause { none, as_is, doubled, missing } cause = Cause::none;
-  double original = 0;  // F0 it would have been
+  double original = 0;  // the F0 that was meant
   double distance = 0;  // codes from the nearest dielectric under that cause
   std::string material;
 };
 
-/// Only a grey is explained; the cause is `none` unless some dielectric of the library is within 4 codes.
+/// The most likely explanation of a linear F0. Only a grey is explained; the cause is `none` unless some
+/// dielectric of the library is within 4 codes.
 Explanation explain_f0(const KnownMaterials& known, const std::array<double, 3>& linear,
                        TextureTransfer transfer);
 

@@ -13,7 +13,7 @@ namespace etak {
 
 class RuleCheck;
 
-/// What must be looked at before a rule can say something. A rule that needs no pixels loads none.
+/// What a rule needs in order to judge. Pixels are read only where some rule needs them.
 enum class Need : std::uint32_t {
   header = 1u << 0,       // size, channels, depth, declared colour space
   bytes_a = 1u << 1,      // codes of the diffuse + alpha picture
@@ -24,7 +24,7 @@ enum class Need : std::uint32_t {
   layout = 1u << 6,       // tiles of an atlas
   scene = 1u << 7,        // a glTF document
   material = 1u << 8,     // material files and spectra
-  named = 1u << 9,        // somebody says which material this is
+  named = 1u << 9,        // the name of the material
 };
 
 /// A set of needs.
@@ -49,7 +49,7 @@ class Needs {
   std::uint32_t bits_ = 0;
 };
 
-/// Masks that the region analysis runs on (core/validate/pixels/regions.h): what is judged as a plateau.
+/// The conditions whose plateaus the region analysis finds (core/validate/pixels/regions.h).
 enum class RegionKind : std::uint8_t {
   zone,                // ETK101: F0 in the forbidden zone
   f0_low,              // ETK103
@@ -58,7 +58,7 @@ enum class RegionKind : std::uint8_t {
   coloured,            // ETK106: dielectric F0 with a hue
   metal_with_diffuse,  // ETK108
   black_diffuse,       // ETK109
-  any_f0,              // ETK111, ETK112: every flat F0
+  any_f0,              // ETK111, ETK112, ETK401 to ETK403: every flat F0
   half_metal,          // ETK113
   dark_metal,          // ETK114
   blue_metal,          // ETK115: F0 of a metal, more blue than red
@@ -76,8 +76,8 @@ struct RuleParameter {
   std::string_view meaning;
 };
 
-/// A row of the rule table: all that help, documentation, SARIF and editors know of a rule. The rules are
-/// listed in rules.cpp; each stands in a file of its own, core/validate/rules/etk###_slug.cpp.
+/// A row of the rule table: all that help, documentation, SARIF and editors show of a rule. Each rule stands
+/// in a file of its own, core/validate/rules/etk###_slug.cpp; rules/rules.inc lists them.
 struct Rule {
   std::string_view id;       // "ETK101"
   std::string_view slug;     // "f0-forbidden-zone"
@@ -86,10 +86,10 @@ struct Rule {
   Severity strict_severity;  // of the profile strict
   Needs needs;
   std::span<const RuleParameter> parameters;
-  std::string_view source;                // article, tool or measurement the rule rests on
+  std::string_view source;                // article, tool or measurement that the rule rests on
   std::string_view what;                  // what is reported, with its condition
   std::string_view why;                   // why it is a mistake
-  std::string_view example;               // how it comes about; no picture
+  std::string_view example;               // how the mistake comes about, in words
   std::string_view fix;                   // what to do
   void (*check)(RuleCheck&) = nullptr;    // null: a rule of the tool itself (9xx)
   std::optional<RegionKind> region = {};  // what a mask picture of its findings shows

@@ -10,7 +10,7 @@ namespace etak {
 
 namespace {
 
-// The file that holds what a finding is about: sets name their pictures differently.
+// Label of the file that stands for a role: in some sets a picture of another role holds its texels.
 std::string label_of(const CheckTarget& target, FileRole role) {
   const auto with = [&](std::initializer_list<FileRole> wanted) -> const std::string* {
     for (const FileRole w : wanted)

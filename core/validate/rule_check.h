@@ -14,7 +14,7 @@
 
 namespace etak {
 
-/// What a rule's check gets: the evidence, its settings, and a way to report.
+/// The argument of a rule's check: the evidence, the settings, and functions that report findings.
 class RuleCheck {
  public:
   RuleCheck(const Rule& rule, const CheckTarget& target, const Settings& settings, const Evidence& evidence,
@@ -25,6 +25,7 @@ class RuleCheck {
   const Evidence& evidence;
   const CodeTables& tables;
 
+  /// Value of a parameter of the rule.
   double parameter(std::string_view name) const;
   Severity severity() const { return severity_; }
 
@@ -33,13 +34,15 @@ class RuleCheck {
   Severity at_least(Severity severity) const;
   Severity at_most(Severity severity) const;
 
-  /// A finding with the rule's facts filled in, about the whole target; about a picture; about a tile.
+  /// Adds a finding with the rule's facts filled in, about the whole target, a picture or a tile. The
+  /// reference holds until the next finding is added.
   Finding& report();
   Finding& report(const PictureEvidence& picture);
   Finding& report(const TileEvidence& tile, FileRole role);
 
-  /// A finding about plateaus: box around all, their area, colour of the largest.
-  ///   diffuse   the colour shown is that of A
+  /// Adds a finding about plateaus, with the box around all of them, their whole area, and the colour of one.
+  ///   shown     the plateau whose colour is reported
+  ///   diffuse   true: the colour of the diffuse texture; false: F0
   Finding& report(const TileEvidence& tile, const PlateauSummary& plateaus, const Plateau& shown,
                   bool diffuse);
 
@@ -50,11 +53,11 @@ class RuleCheck {
   /// Label of the target's file with this role (or that stands for it); the target's own where there is none.
   std::string file_of(FileRole role) const;
 
-  /// Whether the pictures have a gloss (alpha) channel of their own, not a filler.
+  /// Whether gloss (alpha) comes from a channel of the pictures and is not filled in.
   bool has_gloss() const;
   bool has_alpha() const;
 
-  /// Least number of texels that a rule without regions takes seriously in a tile.
+  /// The least number of texels in a tile that a rule without regions reports.
   std::size_t least_area(const TileEvidence& tile) const;
 
  private:

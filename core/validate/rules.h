@@ -12,10 +12,11 @@ namespace etak {
 /// Every rule, in the order of ids.
 std::span<const Rule* const> rules();
 
-/// By whole id ("ETK101") or slug ("f0-forbidden-zone"); case of the id does not matter. Null: none.
+/// The rule of that whole id ("ETK101") or slug ("f0-forbidden-zone"); the case of the id does not matter.
+/// Null: none.
 const Rule* find_rule(std::string_view id_or_slug);
 
-/// Rules whose id begins with `prefix` ("ETK1", "ETK"); a whole id gives one, a slug its rule. Empty: none
+/// The rules whose ids begin with `prefix` ("ETK1", "ETK"); a whole id or a slug gives one rule. Empty: none
 /// (ETK904).
 std::vector<const Rule*> rules_with_prefix(std::string_view prefix);
 

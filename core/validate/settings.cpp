@@ -68,7 +68,7 @@ std::size_t least_region(const ZoneSettings& zone, std::size_t tile_texels) {
 Severity severity_of(const Rule& rule, const Settings& settings) {
   const RuleSetting* setting = setting_of(rule, settings);
   if (setting != nullptr && setting->severity) return *setting->severity;
-  // What the tool itself has to say is never off by a profile: a crash is not "clean".
+  // No profile turns off the rules of the tool itself: a file that could not be checked is not clean.
   const bool of_the_tool = rule.id.starts_with("ETK9") || rule.id == "ETK001";
   switch (settings.profile) {
     case Profile::standard:
@@ -76,7 +76,7 @@ Severity severity_of(const Rule& rule, const Settings& settings) {
     case Profile::strict:
       return rule.strict_severity;
     case Profile::film:
-      // Renderers of film read any side and keep float reflectances above 1.
+      // Renderers for film take pictures of any size and keep float reflectances above 1.
       return rule.id == "ETK009" || rule.id == "ETK107" ? Severity::info : rule.strict_severity;
     case Profile::custom:
       return of_the_tool ? rule.severity : Severity::off;

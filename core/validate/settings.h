@@ -22,7 +22,7 @@ enum class Profile { standard, strict, film, custom };
 std::string_view name(Profile profile);  // "default", "strict", "film", "custom"
 std::optional<Profile> profile_named(std::string_view text);
 
-/// What curve stands between 8-bit codes and linear light.
+/// The curve between 8-bit codes and linear light.
 ///   srgb      piecewise, IEC 61966-2-1 (Hoffman's tables)
 ///   gamma22   exponent 1/2.2 (Schueler's tables)
 ///   linear    none
@@ -30,30 +30,31 @@ enum class TextureTransfer { srgb, gamma22, linear };
 std::string_view name(TextureTransfer transfer);  // "srgb", "gamma22", "linear"
 std::optional<TextureTransfer> texture_transfer_named(std::string_view text);
 
-/// What the configuration says of one rule; what it does not say is the rule's own.
+/// The configuration of one rule. Where it gives no value, that of the profile holds.
 struct RuleSetting {
   std::optional<Severity> severity;
   std::map<std::string, double, std::less<>> parameters;
   friend bool operator==(const RuleSetting&, const RuleSetting&) = default;
 };
 
+/// The value of F0 that is compared with the zone: luminance Y, or the largest channel.
 enum class ZoneMetric { luminance, max };
 
 /// The forbidden zone and the region analysis of the 1xx and 2xx rules.
 struct ZoneSettings {
-  double low = 0.20, high = 0.45;             // open interval of linear F0
-  ZoneMetric metric = ZoneMetric::luminance;  // max: the largest channel instead of Y
-  int erode = 3;                              // side of the square, 1 (off), 3 or 5
-  int min_area_px = 32;                       // smallest region
-  double min_area_share = 0.00001;            // of the tile, besides min_area_px (0.001 %)
+  double low = 0.20, high = 0.45;  // open interval of linear F0
+  ZoneMetric metric = ZoneMetric::luminance;
+  int erode = 3;                    // side of the square that masks are eroded by: 1 (off), 3 or 5
+  int min_area_px = 32;             // smallest region
+  double min_area_share = 0.00001;  // of the tile, besides min_area_px (0.001 %)
   friend bool operator==(const ZoneSettings&, const ZoneSettings&) = default;
 };
 
-/// Smallest region that counts in a tile of so many texels: min_area_px, or the share where that is more; but
+/// Smallest region that counts in a tile of `tile_texels`: min_area_px, or the share where that is more; but
 /// never more than half of the tile, so that a texture of a few texels is judged too.
 std::size_t least_region(const ZoneSettings& zone, std::size_t tile_texels);
 
-/// A finding that somebody has looked at and accepts.
+/// Findings that somebody has seen and accepts.
 struct AllowEntry {
   std::string rule;      // id or prefix
   std::string file;      // pattern; empty: every file
@@ -70,7 +71,7 @@ class KnownMaterials;
 struct Settings {
   Profile profile = Profile::standard;
   TextureTransfer transfer = TextureTransfer::srgb;
-  bool transfer_stated = false;        // by the user: ETK403 then has nothing to ask
+  bool transfer_stated = false;        // by the user: ETK403 is then silent
   bool alpha_is_transparency = false;  // 0 < alpha < 255 does not count as opaque
   Severity fail_on = Severity::error;
   std::map<std::string, RuleSetting, std::less<>> rules;  // by whole id: prefixes are resolved by the reader
@@ -82,7 +83,7 @@ struct Settings {
 
 struct Rule;
 
-/// What a rule is worth under these settings; `off` is not run and needs no data.
+/// The severity of a rule under these settings. A rule that is `off` is not run and needs no data.
 Severity severity_of(const Rule& rule, const Settings& settings);
 
 /// Value of a rule's parameter: the setting's, else the profile's. Asking for a parameter that the rule does

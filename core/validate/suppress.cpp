@@ -13,8 +13,8 @@ bool never_allowed(std::string_view rule) {
   return rule == "ETK001" || rule.starts_with("ETK9");
 }
 
-// Matches from the first '*' on by trying every length: patterns are short and paths too, but the number of
-// steps is bounded by remembering only the latest star of each kind.
+// Where the pattern does not fit on, the latest '*' takes one more character, else the latest "**". Only the
+// latest star of each kind is remembered, which bounds the number of steps.
 bool glob_part(std::string_view pattern, std::string_view path) {
   std::size_t p = 0, s = 0;
   std::size_t star = std::string_view::npos, star_at = 0;
@@ -129,7 +129,7 @@ void apply_allowances(ValidationReport& report, std::span<const AllowEntry> entr
       for (Finding& finding : file.findings) {
         if (!covers(entry, finding)) continue;
         used[i] = true;
-        // The first entry gives the reason; a later one that covers the same finding is in use all the same.
+        // The first entry gives the reason; a later one that covers the same finding counts as used as well.
         if (!finding.suppressed) finding.suppression = entry.reason;
         finding.suppressed = true;
       }

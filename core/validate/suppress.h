@@ -11,20 +11,22 @@
 
 namespace etak {
 
-/// Whether `pattern` covers `path`: '*' and '?' stand for anything but '/', "**" for anything. A pattern
-/// without '/' is held against the last part of the path alone.
+/// Whether `pattern` covers `path`: '*' stands for any characters but '/', '?' for one of them, "**" for any
+/// characters. A pattern without '/' is compared with the last part of the path alone.
 bool glob_matches(std::string_view pattern, std::string_view path);
 
-/// "YYYY-MM-DD" with a month and day that exist; the text order of such dates is their order in time.
+/// Whether the text is "YYYY-MM-DD" with a month and day that exist. The order of such texts is their order
+/// in time.
 bool is_date(std::string_view text);
 
-/// What apply_allowances() needs to know of the run.
+/// What apply_allowances() needs of the run.
 ///   today        "YYYY-MM-DD"
 ///   config       the configuration's file name for messages and findings
 ///   unused       severity of ETK903; off: no entry is reported as unused
 ///   whole_tree   everything below the configuration's folder was looked at, so an entry that met no file is
 ///                stale
-///   is_active    whether a rule ran; entries for rules that did not run are neither used nor unused
+///   is_active    whether some rule of the prefix ran; entries for rules that did not run are neither used
+///                nor unused
 struct AllowanceRun {
   std::string_view today, config;
   Severity unused = Severity::warning;

@@ -30,7 +30,7 @@ enum class FileRole {
   scene,     // glTF
   material,  // material JSON
   spectrum,  // page or table of n,k or reflectance
-  // What names tell and no rule judges.
+  // Roles that names tell, and that no rule judges.
   normal,
   height,
   occlusion,
@@ -41,26 +41,28 @@ enum class FileRole {
 };
 // "diffuse", "specular", "f0", "base-color", "metal-rough", "layout", ...
 std::string_view name(FileRole role);
-// Of what is judged; gloss is none of its own.
+// The role of that name, among those that are judged; gloss alone is none of them.
 std::optional<FileRole> role_named(std::string_view text);
-// Of everything that the name of a picture may tell: also "gloss", "normal", "ignore", ...
+// The role of that name, among all that the name of a picture may tell: also "gloss", "normal", "ignore", ...
 std::optional<FileRole> picture_role_named(std::string_view text);
-// What a person may say that a picture is.
+// The roles that a user may give to a picture, for messages.
 inline constexpr std::string_view picture_roles = "diffuse, specular, f0, base-color or metal-rough";
 
+/// A file of a target.
 struct TargetFile {
   FileRole role = FileRole::specular_gloss;
   std::string path;      // to open
   std::string label;     // for reports: relative to the run's root
   bool guessed = false;  // the role comes from the file's name (ETK010)
-  // What R, G, B and A hold, a letter each (channel_word of names.h); empty: the role's own layout.
+  // What R, G, B and A hold, a letter for each (channel_word of names.h); empty: the usual channels of the
+  // role.
   std::string channels = {};
   friend bool operator==(const TargetFile&, const TargetFile&) = default;
 };
 
 /// A part of the picture that is judged on its own: a tile of an atlas.
-///   material        what the tile is said to show: an id or name of the material library, or a name of the
-///                   project's own
+///   material        the material that the tile shows, as stated: an id or name of the library, or a name of
+///                   the project's own
 ///   surface_class   a class of ETK205 ("dry-sand"); may be empty
 ///   typical_gloss   the gloss that is expected of this material, for ETK303
 struct CheckTile {
@@ -69,14 +71,14 @@ struct CheckTile {
   int page = 0;
   std::optional<double> typical_gloss;
   std::optional<int> gutter, mips;  // where they differ from the manifest's
-  // Of the diffuse and the specular texture: the codes of one that the pages do without, because they are
-  // the same all over the tile.
+  // For the diffuse and the specular texture: the codes of a texture that the pages do without, because it is
+  // constant over the tile.
   std::array<std::optional<std::array<std::uint8_t, 4>>, 2> flat;
-  std::string island_of;  // the material whose texels lie in several tiles; empty: the tile is no island
+  std::string island_of;  // material of an atlas whose texels may lie in several tiles; empty: no atlas
   friend bool operator==(const CheckTile&, const CheckTile&) = default;
 };
 
-/// What the producer says of the pictures: of an atlas layout, or of the command line.
+/// What is stated about the pictures, in an atlas layout or on the command line.
 struct Manifest {
   std::vector<CheckTile> tiles;  // empty: the whole picture is one
   int gutter = 0;                // texels around each tile that repeat its edge
@@ -102,10 +104,10 @@ struct CheckTarget {
   friend bool operator==(const CheckTarget&, const CheckTarget&) = default;
 };
 
-/// The pictures of a target, opened: null where there is none or no rule wants it.
+/// The opened pictures of a target: null where there is none, or where no rule needs it.
 struct PictureRows {
   std::unique_ptr<RowSource> a, b;      // diffuse + alpha, specular + gloss
-  std::unique_ptr<RowSource> metallic;  // of a metal-rough set: its metallic channel in the first three
+  std::unique_ptr<RowSource> metallic;  // of a metal-rough set: metallic in each of the first three channels
 };
 
 /// The pictures of a target in memory, for the packer and the editor. Null where there is none.

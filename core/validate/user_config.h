@@ -5,14 +5,15 @@
 
 namespace etak {
 
-/// What a user has set for every call of etak: $XDG_CONFIG_HOME/etak/config.toml, else
-/// ~/.config/etak/config.toml. Unlike etak.toml it never lies beside inputs, which may be somebody else's.
+/// The settings of a user for every call of etak: $XDG_CONFIG_HOME/etak/config.toml, else
+/// ~/.config/etak/config.toml. Unlike etak.toml the file never lies beside inputs, which may come from
+/// others.
 struct UserConfig {
   bool force = false;  // outputs may replace what is there, as --force says
 };
 
-/// Throws Error with file and line for what is no TOML, unknown keys and other kinds of values. In target
-/// etak::validate_config, the door to toml++.
+/// Reads that file. Throws Error with file and line for a text that is no TOML, for unknown keys and for
+/// values of another type. In target etak::validate_config.
 UserConfig parse_user_config(std::string_view text, std::string_view file);
 
 }  // namespace etak

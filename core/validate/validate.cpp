@@ -32,7 +32,7 @@ class Checks {
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < files_.size(); ++i)
       if (done_[i] == 0) left.push_back(i);
-    // Few checks share the threads inside of each; many go on side by side.
+    // Many checks run side by side, one thread each; fewer checks than threads use several threads inside.
     const std::size_t lanes = std::clamp<std::size_t>(left.size(), 1, std::max(1u, request_.threads));
     const unsigned inside = std::max(1u, request_.threads / static_cast<unsigned>(lanes));
     std::atomic<std::size_t> finished{0};
@@ -52,7 +52,7 @@ class Checks {
   bool stopped() const { return stopped_; }
   std::size_t from_cache() const { return from_cache_; }
 
-  /// Those that were checked, each with its target.
+  /// The results of the checks that were made, each with its target.
   std::vector<CheckedFile> take_files() {
     std::vector<CheckedFile> out;
     for (std::size_t i = 0; i < files_.size(); ++i) {
@@ -112,7 +112,7 @@ void add_hashes(ValidationReport& report, unsigned threads) {
   });
 }
 
-// The tiles of a UDIM set become one file.
+// The results, with the tiles of each UDIM set joined to one.
 std::vector<CheckedFile> with_tiles_joined(std::vector<CheckedFile> files) {
   std::vector<CheckedFile> out;
   std::map<std::string, std::vector<CheckedFile>> sets;

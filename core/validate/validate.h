@@ -18,39 +18,39 @@
 
 namespace etak {
 
-// The one door of the validator (target etak::validate_files). An atlas is checked while it is packed by
-// check_pack.h, masks and thumbnails of findings come from core/pages/finding_pictures.h, and the report is
-// written by core/validate/output/formats.h.
+// The interface of the validator (target etak::validate_files). check_pack.h checks an atlas while it is
+// packed, core/pages/finding_pictures.h makes masks and thumbnails of findings, and
+// core/validate/output/formats.h writes the report.
 
 /// Materials of a project, which are no files: their pictures or colours are checked, and the records that
-/// their F0 was measured in.
+/// their F0 comes from.
 ///   library       with the project's own spectra (library_of); not null where there are materials
-///   most_texels   pictures of more are not looked at, which is a finding; 0: any
+///   most_texels   larger pictures are not checked, which is a finding; 0: no limit
 struct MaterialsToCheck {
   std::vector<ProjectMaterial> materials;
   std::shared_ptr<const MaterialLibrary> library;
   std::size_t most_texels = 0;
 };
 
-/// What is to be checked, by what, and how.
+/// What is to be checked, by which rules, and how.
 struct ValidationRequest {
-  // What. Files that belong together are found by their names: diffuse and specular pictures that differ in
-  // the ending of their role only, the pictures of a layout or of a scene.
+  // What is checked. Files that belong together are found by their names: diffuse and specular pictures that
+  // differ in the ending of their role only, the pictures of a layout or of a scene.
   std::vector<std::string> paths;    // files and folders, as the user named them
   std::vector<std::string> listed;   // the names in a list of files
   std::string list;                  // the name of that list, for messages
-  std::vector<CheckTarget> targets;  // put together by the caller, besides those found
+  std::vector<CheckTarget> targets;  // made by the caller, in addition to those found
   MaterialsToCheck materials;
 
-  // By what.
+  // What it is checked by.
   ValidateConfig config;
   std::optional<FileRole> role;  // of all pictures; none: by their names
-  Manifest manifest;             // what is said of all pictures
+  Manifest manifest;             // what is stated about all pictures
   std::string today;             // "YYYY-MM-DD", for allowances that expire; empty: the system's date
   std::vector<KnownDefect> known;
-  bool renew_known = false;  // everything found counts as known, in the place of `known`
+  bool renew_known = false;  // everything found counts as known, instead of `known`
 
-  // How.
+  // How it is checked.
   PictureDoor door;          // of pictures that are no plain PNG
   std::string cache_folder;  // results of earlier runs; made where it is missing; empty: none
   std::string cache_key;     // the bytes of a secret: only entries written with it count; empty: all of them
@@ -61,15 +61,17 @@ struct ValidationRequest {
   unsigned threads = 1;      // the report is the same for any number of them
   // Called by the thread that called validate(), with how many of the checks are done.
   std::function<void(std::size_t done, std::size_t all)> progress;
-  // Asked before each check, from any thread; true: no other check is begun, and the report says so.
+  // Called before each check, from any thread; true: no other check is begun, and the report is marked
+  // stopped.
   std::function<bool()> stop;
 };
 
-/// What would be checked as what; no picture is opened.
+/// The files that validate() would find, with their roles and what would be done with each. No picture is
+/// opened.
 FileList list_files(ValidationRequest request);
 
-/// Checks what the request names. What cannot be read is a finding (ETK001), never an exception; an error of
-/// a rule is ETK901. Throws Error where the folder of the cache cannot be made.
+/// Checks what the request names. A file that cannot be read is a finding (ETK001), never an exception; an
+/// error of a rule is ETK901. Throws Error where the folder of the cache cannot be made.
 ValidationReport validate(ValidationRequest request);
 
 }  // namespace etak

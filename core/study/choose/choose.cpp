@@ -20,9 +20,9 @@ namespace etak {
 namespace {
 
 constexpr std::string_view full_visibility = "smith-ggx-height";
-constexpr std::size_t most_f0 = 16;  // of a texture: so many colours of F0 are judged at every angle
-// Costs nearer than this are the same: two runs of measure_costs() differ by as much. Of equal ones the
-// closest on average is taken.
+constexpr std::size_t most_f0 = 16;  // colours of F0 of a texture that are judged at every angle
+// Costs within this factor count as equal, because two runs of measure_costs() differ by as much. Of forms of
+// equal cost the one with the least mean error is taken.
 constexpr double same_cost = 1.15;
 
 // The term of the registry that has the form's formula.
@@ -35,7 +35,7 @@ std::string_view term_of(std::string_view form) {
   return form;
 }
 
-// What a colour alone can feed.
+// Whether the form takes F0 alone, so that a colour is enough for it.
 bool needs_f0_alone(const FresnelForm& form) {
   return form.id == "schlick" || form.id == "schueler" || form.id == "spherical_gaussian" ||
          form.id == "from_f0" || form.id == "by_f0";
@@ -97,7 +97,7 @@ TextureFilter full_filter(const ChooseSubject& subject) {
                              : TextureFilter::bilinear;
 }
 
-// What each step judges by: "everything", at all angles and in all pixels.
+// Compares the candidates of each step with "everything", at all angles and in all pixels.
 class Judge {
  public:
   Judge(const ChooseSubject& subject, ErrorUnit unit, const CostTable& costs)
@@ -118,12 +118,13 @@ class Judge {
   std::size_t pixels() const { return judge_->pixels(); }
   double cost(const char* of_what, std::string_view id) const { return costs_.of(of_what + std::string(id)); }
 
-  /// F of the spectrum, or of one colour of F0.
+  /// F over angle of the spectrum, or of the first colour of F0.
   const FresnelTruth& truth() const { return truths_.front(); }
 
   PictureDifference picture(const Look& look) const { return judge_->difference_of(pictures_.draw(look)); }
 
-  /// The worst over the colours of F0 that occur; `values` are those of a spectrum, each colour has its own.
+  /// The largest error over all angles and all colours of F0 that occur. `values` are used with a spectrum;
+  /// for colours the form is fitted to each of them.
   PictureDifference at_any_angle(const FresnelForm& form, const FresnelValues& values) const {
     PictureDifference out;
     for (const FresnelTruth& truth : truths_) {
@@ -135,7 +136,7 @@ class Judge {
     return out;
   }
 
-  /// The least form that gives "everything" for the spectrum, or for the colours of F0 that occur.
+  /// The simplest form that equals "everything" for the spectrum, or for the colours of F0 that occur.
   std::string_view full_form() const {
     if (subject_.dataset) return "index";
     bool low = false, high = false;
@@ -149,19 +150,20 @@ class Judge {
   const ErrorUnit unit_;
   const CostTable& costs_;
   const ChoosePictures pictures_;
-  std::vector<FresnelTruth> truths_;  // the spectrum's, or one a colour of F0
+  std::vector<FresnelTruth> truths_;  // that of the spectrum, or one for each colour of F0
   Look everything_;
   std::optional<PictureJudge> judge_;
 };
 
-// ---- the steps, in their order: each looks for the cheapest within `limit` beside what was chosen before it
+// ---- the steps in their order: each looks for the cheapest candidate within `limit`, drawn with what the
+// steps before have chosen
 
 struct FresnelStep {
   const FresnelForm* form = nullptr;
   FresnelValues values{};
   double error = 0;  // over all angles
-  bool met = true;   // false: none is within the limit, and the closest was taken
-  double limit = 0;  // of the steps that follow: the same, or what the closest form misses alone
+  bool met = true;   // false: no form is within the limit, and the closest one was taken
+  double limit = 0;  // for the steps that follow: the same, or the error of the closest form alone
   std::vector<Candidate> candidates;
 };
 
@@ -220,8 +222,9 @@ struct VisibilityStep {
   std::vector<Candidate> candidates;
 };
 
-// Masking that fits a GGX lobe; the full one is among them. What it changes of itself says which of equal
-// costs is the closest: beside the form that was chosen, two errors may by chance make less than one.
+// Chooses among the masking terms that fit a GGX lobe, the full one included. Of terms of equal cost the
+// closest is the one with the least error beside the exact F: beside the chosen form, the errors of form and
+// masking may cancel by chance.
 VisibilityStep choose_visibility(const Judge& judge, const Look& chosen, double limit) {
   std::vector<Ranked<const Term*>> ranked;
   for (const Term& term : terms())
@@ -277,14 +280,14 @@ FilterStep choose_filter(const Judge& judge, Look look, double limit) {
 
 struct MethodStep {
   std::string method;
-  FresnelValues values{};  // of the form, fed by the method's F0
+  FresnelValues values{};  // numbers of the form for the F0 that the method gives
   double method_error = 0, fresnel_error = 0, cost_ns = 0;
   std::vector<Candidate> candidates;
 };
 
-// Last, because it costs once a spectrum and not once an evaluation: what it may miss is what is left. Where
-// F alone is over the budget (`fresnel` is not met), what the exact sum differs from the limit by is
-// rounding.
+// The quadrature is chosen last and may use what is left of the limit, because it is paid for once for a
+// spectrum and not for every evaluation. Where F alone is over the budget (`fresnel.met` is false), the exact
+// quadrature is taken even above the limit, because it differs from that by rounding only.
 //   budget   for the message
 MethodStep choose_method(const Judge& judge, const Look& chosen, const FresnelStep& fresnel, double budget) {
   const ChooseSubject& subject = judge.subject();
@@ -297,7 +300,7 @@ MethodStep choose_method(const Judge& judge, const Look& chosen, const FresnelSt
   if (truth.refused()) throw Error::at(subject.library, truth.refusal, "data with a colour");
   std::vector<Ranked<Method>> ranked;
   for (const Method method : all_methods)
-    // Schueler's points come with a power law of their own: not the same quantity.
+    // Schueler's method has a power law of its own, so that its result is another quantity.
     if (method != Method::legacy_schueler)
       ranked.push_back({method, judge.cost("quadrature/", name(method))});
   by_cost(ranked);
@@ -328,7 +331,7 @@ MethodStep choose_method(const Judge& judge, const Look& chosen, const FresnelSt
   throw Error::at(setting("budget"), number(budget, 6), "at least what the quadratures differ by");
 }
 
-// The texel that stands for the whole material, and the model's numbers for it.
+// Fills in the texel that stands for the whole material, and the numbers of the model for it.
 void describe_model(const Judge& judge, const FresnelValues& values, Choice& out) {
   const ChooseSubject& subject = judge.subject();
   out.values = values;

@@ -15,105 +15,112 @@
 
 namespace etak {
 
-// The cheapest way to draw a material that stays within a budget of error, found by measuring, not by a table
-// of materials: only what things cost comes from a table, so that the choice is the same on every machine.
+// Finds the cheapest way to draw a material within a budget of error. The errors are measured for the
+// material itself. The costs come from a table, so that the choice is the same on every machine.
 
-/// What a Fresnel form, a visibility term, a quadrature, a texture filter or a compression level costs: ns
-/// per evaluation (per texel read or written), from `etak report` on the machine that the header names.
+/// The costs of Fresnel forms, visibility terms, quadratures, texture filters and compression levels: ns per
+/// evaluation (per texel read or written), measured by measure_costs() on the machine that the header names.
 struct CostTable {
   std::string header;
   // "fresnel/f82", "visibility/smith-ggx-height", "quadrature/1nm", "filter/bilinear", "png/fast"
   std::map<std::string, double, std::less<>> ns;
-  double of(std::string_view id) const;  // Throws Error where it is missing
+  double of(std::string_view id) const;  // in ns; throws Error for an id that the table lacks
 };
 
-/// The table in resources/costs.json, kept in the program.
+/// The table in resources/costs.json, which is built into the program.
 const CostTable& shipped_costs();
+/// Reads a table as JSON (etak-costs/1), and writes one. Throws Error with `file` and JSON pointer.
 CostTable parse_costs(std::string_view text, std::string_view file);
 std::string format_costs(const CostTable& costs);
 
-/// Times everything here and now, in a minute: of each row the least time of 200 repeats that are spread
-/// over the whole run, which is the time without what else the machine does. Two runs on a calm machine agree
-/// within 15 % in nearly all rows. In target etak::study_run.
+/// Measures all costs on this machine, in about a minute: for each the shortest of 200 repeats that are
+/// spread over the whole run, because that repeat was disturbed least by other programs. Two runs on a calm
+/// machine agree within 15 % in nearly all rows. In target etak::study_run.
 CostTable measure_costs(std::string_view header,
                         const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 
-/// What differences are measured in: CIEDE2000 (D65), or 8-bit sRGB codes of the worst channel.
+/// The unit of errors: CIEDE2000 (D65), or 8-bit sRGB codes of the worst channel.
 enum class ErrorUnit { delta_e, codes };
 std::string_view name(ErrorUnit unit);  // "ΔE2000", "codes"
+/// The difference of two colours in linear sRGB.
 double difference(ErrorUnit unit, const Vec3& linear_a, const Vec3& linear_b);
 
-/// What to choose for: a surface of one texel, or of a texture pair.
+/// A material to choose for: a surface of one texel, or of a texture pair.
 struct ChooseSubject {
   std::string name;     // of the material, in its scene or in the library
-  std::string library;  // "gold/johnson_1972": its spectrum is known; empty: F0 is known as a colour alone
-  std::optional<Dataset> dataset;  // of `library`
-  SurfaceTexel texel;              // where there is no texture; f0 is not read where `dataset` is there
+  std::string library;  // "gold/johnson_1972": its spectrum is known; empty: only a colour of F0 is known
+  std::optional<Dataset> dataset;  // that `library` names
+  SurfaceTexel texel;              // where there is no texture; with a `dataset` its f0 is ignored
   std::shared_ptr<const TexelChain> texture;
-  bool mipmaps = true;  // its sampler reads mips
+  bool mipmaps = true;  // the texture's sampler reads mips
 
   bool textured() const { return texture && !texture->constant(); }
 };
+/// A material of the library without textures. Throws Error for a dataset without n and k.
 ChooseSubject library_subject(const Material& material, const Dataset& dataset, const Gloss& gloss);
-/// Width of the lobe of a texel: the narrowest that the models take is 1e-4.
+/// Width alpha of the lobe of a texel, at least 1e-4, the narrowest that the models take.
 double lobe_alpha(const SurfaceTexel& texel);
 
-/// A candidate that was looked at, in the order of its cost.
+/// A candidate that was tried. Lists of candidates are in the order of cost.
 struct Candidate {
   std::string id, title;
   double cost_ns = 0;
-  double error = 0;  // largest, in the unit of the budget
-  bool within = false;
+  double error = 0;     // largest, in the unit of the budget
+  bool within = false;  // the error is within the limit of its step
 };
 
+/// The result of choose().
 struct Choice {
   std::string material, library;
   double budget = 0;
   ErrorUnit unit = ErrorUnit::delta_e;
   bool met = true;  // false: no form of F stays within the budget; the closest was taken
   const FresnelForm* fresnel = nullptr;
-  FresnelValues values{};
+  FresnelValues values{};  // numbers of `fresnel`
   std::string visibility;  // term of the registry
   std::string method;      // spectral integration of F0; empty: no spectrum
   TextureFilter filter = TextureFilter::constant;
   std::string model;                 // "microfacet:ggx,f82,smith-ggx-height"
   std::vector<double> model_values;  // of one texel: the mean where the material has a texture
   double alpha = 0;
-  SurfaceTexel texel;                               // that one
-  std::array<std::uint8_t, channel_count> codes{};  // the same as a texture pair holds it
+  SurfaceTexel texel;                               // the texel that model_values are of
+  std::array<std::uint8_t, channel_count> codes{};  // that texel as a texture pair holds it
   bool textured = false;
-  double fresnel_error = 0;  // over all angles, of every F0 looked at
-  double picture_error = 0;  // of the worst pixel: everything against all that was chosen together
+  double fresnel_error = 0;  // the largest over all angles and every F0 that was judged
+  double picture_error = 0;  // of the worst pixel, with all choices together against "everything"
   double picture_mean = 0;
-  std::size_t pixels = 0;                               // compared
+  std::size_t pixels = 0;                               // that were compared
   double method_error = 0;                              // of F0
-  double everything_ns = 0, chosen_ns = 0;              // Fresnel, visibility, filter: per evaluation
-  double everything_solve_ns = 0, chosen_solve_ns = 0;  // per spectrum
+  double everything_ns = 0, chosen_ns = 0;              // Fresnel, visibility and filter, for one evaluation
+  double everything_solve_ns = 0, chosen_solve_ns = 0;  // F0, for one spectrum
   std::vector<Candidate> fresnel_candidates, visibility_candidates, filter_candidates, method_candidates;
   std::vector<std::string> defines;  // of the specialised shader: shading_defines() in core/atlas/variant.h
 };
 
+/// The budget of error.
 struct ChooseOptions {
   double budget = 1;
   ErrorUnit unit = ErrorUnit::delta_e;
 };
 
-/// "Everything" is: F at every nanometre where the spectrum is known, else per channel exact from F0 below
-/// the forbidden zone and Schlick's form above, because a colour says no more of a metal; a GGX lobe with
-/// height-correlated Smith masking; trilinear filtering; F0 by the exact quadrature. The budget holds for F
-/// at any angle and for every pixel of rendered spheres (of textures: at levels of detail from twice
-/// magnified to eight mips down), for all that was chosen together.
-/// Throws Error for data without a colour or without n and k. Where no form of F stays within the budget, the
-/// closest one is chosen and `met` says so; the rest is then chosen within what that one misses.
+/// Chooses the cheapest form of F, visibility term, texture filter and quadrature. They are compared with
+/// "everything": F at every nanometre where the spectrum is known, else for each channel the exact F of F0
+/// below the forbidden zone and Schlick's form above it, because a colour tells no more of a metal; a GGX
+/// lobe with height-correlated Smith masking; trilinear filtering; F0 by the exact quadrature. The budget
+/// holds for all choices together, for F at any angle and for every pixel of rendered spheres (of textures:
+/// at levels of detail from twice magnified to eight mips down). Throws Error for data without a colour or
+/// without n and k. Where no form of F stays within the budget, the closest one is chosen and `met` is false;
+/// the other choices then stay within the error of that form.
 Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs);
 
-/// The largest error of all that was chosen together: at any angle or in any pixel. Of a choice that is not
-/// `met`, the least that can be reached.
+/// The largest error of all choices together, at any angle or in any pixel. Where the choice is not `met`, no
+/// smaller error can be reached.
 double largest_error(const Choice& choice);
-/// Of a choice that is not `met`: what is the least that can be reached, and what is exact.
+/// The remark on a choice that is not `met`: the smallest error that can be reached, and the way that is
+/// exact.
 std::string unmet_remark(const Choice& choice);
 
-/// Levels of compression are lossless: the cheapest in time is taken, errors are 0.
+/// The levels of PNG compression, the cheapest first. They are lossless, so that their errors are 0.
 std::vector<Candidate> png_levels(const CostTable& costs);
 
 }  // namespace etak

@@ -21,7 +21,8 @@ Vec3 unit(const Vec3& v) {
   return {v[0] / length, v[1] / length, v[2] / length};
 }
 
-// Light and viewer in the frame of the surface; the lobes are isotropic, so any tangent will do.
+// The directions of light and viewer in the frame of the surface, by their cosines with the normal and with
+// each other. The lobes are isotropic, so that any tangent can be taken.
 Directions directions_of(double nl, double nv, double lv) {
   const double sl = std::sqrt(std::max(0.0, 1 - nl * nl)), sv = std::sqrt(std::max(0.0, 1 - nv * nv));
   const double across = sl * sv;
@@ -59,7 +60,7 @@ ChoosePictures::ChoosePictures(const ChooseSubject& subject)
   light({-0.1, 0.7, 0.5}, 1.5);
 }
 
-// What is the same for every look with this filter: the texels, and the lobe under each light.
+// The texels, and the lobe under each light, which are the same for every look with this filter.
 const ChoosePictures::Pixels& ChoosePictures::pixels_of(TextureFilter filter) const {
   auto& kept = pixels_[static_cast<std::size_t>(filter)];
   if (!kept.pixels.empty()) return kept;
@@ -70,8 +71,8 @@ const ChoosePictures::Pixels& ChoosePictures::pixels_of(TextureFilter filter) co
       subject_.texture ? subject_.texture->read(TextureFilter::constant, 0, 0, 0) : subject_.texel;
   const double last = textured ? std::min<double>(last_level, subject_.texture->levels() - 1) : first_level;
   for (double level = first_level; level <= last; level += level_step) {
-    // The sphere lies over the texture's middle, one pixel so many texels wide; what is beyond the edges
-    // begins anew.
+    // The sphere lies over the middle of the texture, `texels` texels to a pixel. Beyond its edges the
+    // texture repeats.
     const double texels = std::exp2(level);
     for (int j = 0; j < side; ++j)
       for (int i = 0; i < side; ++i) {
@@ -102,7 +103,7 @@ const ChoosePictures::Pixels& ChoosePictures::pixels_of(TextureFilter filter) co
   return kept;
 }
 
-// F of the look for each sample of the pixels.
+// F by the form of the look, for each sample of the pixels.
 const std::vector<Vec3>& ChoosePictures::fresnel_of(const Look& look) const {
   for (const Reflectances& each : fresnel_)
     if (each.form == look.form && each.filter == look.filter && each.values == look.values) return each.f;
@@ -123,7 +124,8 @@ const std::vector<Vec3>& ChoosePictures::fresnel_of(const Look& look) const {
         f = f_of_colour(pixel.texel.f0, light.lh);
       out.f.push_back(f);
     }
-  // The truth is asked for with every masking, the form at hand with the masking or filter that is tried.
+  // Two are kept. The first is the exact F, which is needed with every masking; the latest is needed with
+  // every masking or filter that is tried with its form.
   if (fresnel_.size() > 1) fresnel_.erase(fresnel_.begin() + 1, fresnel_.end());
   return fresnel_.emplace_back(std::move(out)).f;
 }
@@ -168,7 +170,7 @@ PictureDifference PictureJudge::difference_of(const std::vector<Vec3>& chosen) c
   PictureDifference out;
   for (std::size_t i = 0; i < everything_.size(); ++i) {
     const Vec3 pixel = exposed(chosen[i]);
-    if (pixel == everything_[i]) continue;  // no difference, and a colour has none to itself
+    if (pixel == everything_[i]) continue;  // equal colours have no difference
     const double miss = unit_ == ErrorUnit::delta_e ? delta_e2000(labs_[i], to_lab(to_rgb(pixel)))
                                                     : difference(unit_, everything_[i], pixel);
     out.worst = std::max(out.worst, miss);

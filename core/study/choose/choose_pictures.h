@@ -11,43 +11,47 @@
 
 namespace etak {
 
-// Pictures for choosing: spheres under a key, a fill and a rim light, so that highlights, edges and the half
-// light between are all in them. Lights and viewer are far away: each light has one half angle.
+// The pictures that choose() compares: spheres under a key, a fill and a rim light, which show highlights,
+// edges and the parts between them. Lights and viewer are far away, so that each light has one half angle.
 
-/// How a subject is drawn. Without a form F is the truth.
+/// How a subject is drawn.
+///   form     null: F is exact
+///   values   numbers of the form; where F0 comes from a texture, that of each texel replaces the first
+///            number
 struct Look {
   const FresnelForm* form = nullptr;
-  FresnelValues values{};  // of a subject with one F0; a texture gives each texel's F0 as the first number
+  FresnelValues values{};
   std::string_view visibility = "smith-ggx-height";
   TextureFilter filter = TextureFilter::trilinear;
 };
 
+/// Draws the spheres of a subject.
 class ChoosePictures {
  public:
   /// `subject` must outlive this.
   explicit ChoosePictures(const ChooseSubject& subject);
 
-  /// Linear colours of the pixels inside the silhouette, one picture after the other: one of a subject of one
-  /// texel, of a texture one per level of detail.
+  /// Linear colours of the pixels inside the silhouette, one picture after the other: one picture of a
+  /// subject of one texel, one for each level of detail of a texture.
   std::vector<Vec3> draw(const Look& look) const;
 
  private:
   struct Light {
-    Vec3 direction{};  // towards it
-    double irradiance = 0, lh = 0;
-    Vec3 spectral_f{};  // where the spectrum is known
+    Vec3 direction{};               // towards the light
+    double irradiance = 0, lh = 0;  // lh: cosine between light and half vector
+    Vec3 spectral_f{};              // the exact F, where the spectrum is known
   };
   // A pixel under a light that reaches it.
   struct LightSample {
     std::size_t light = 0;
     double nl = 0;
     Directions directions;
-    double lobe = 0;  // of the distribution
+    double lobe = 0;  // value of the distribution
   };
   struct Pixel {
     SurfaceTexel texel;
     double alpha = 0;
-    std::size_t first_sample = 0, sample_count = 0;  // of Pixels::samples
+    std::size_t first_sample = 0, sample_count = 0;  // in Pixels::samples
   };
   struct Pixels {
     std::vector<Pixel> pixels;
@@ -65,24 +69,25 @@ class ChoosePictures {
   const ChooseSubject& subject_;
   const bool f0_varies_;
   std::vector<Light> lights_;
-  // Looks differ in one thing at a time: what they share is made once. A subject is judged on one thread.
+  // Successive looks differ in one thing, so that what they share is kept. Only one thread may draw.
   mutable std::array<Pixels, all_filters.size()> pixels_;
   mutable std::vector<Reflectances> fresnel_;
 };
 
-/// What F is where F0 alone is known, per channel.
+/// F where F0 alone is known, for each channel: exact below the forbidden zone, Schlick's form above it.
 Vec3 f_of_colour(const Vec3& f0, double cosine);
 
-/// Over all pixels, at an exposure at which nothing of `everything` clips: a clipped channel would hide
-/// errors, and one beside it overstate them.
+/// The errors over all pixels, or over all angles.
 struct PictureDifference {
   double worst = 0, mean = 0;
 };
+/// Compares pictures with those of "everything", at an exposure at which no channel of the latter clips: a
+/// clipped channel would hide errors, and the channels beside it would overstate them.
 class PictureJudge {
  public:
   PictureJudge(ErrorUnit unit, const std::vector<Vec3>& everything);
 
-  /// `chosen` has the pixels of `everything`.
+  /// `chosen` must hold the same pixels as `everything`, in the same order.
   PictureDifference difference_of(const std::vector<Vec3>& chosen) const;
   std::size_t pixels() const { return everything_.size(); }
 
@@ -92,7 +97,7 @@ class PictureJudge {
   ErrorUnit unit_;
   double exposure_ = 1;
   std::vector<Vec3> everything_;  // exposed
-  std::vector<Lab> labs_;         // of them, where the unit asks for it
+  std::vector<Lab> labs_;         // those of everything_, for ErrorUnit::delta_e alone
 };
 
 }  // namespace etak

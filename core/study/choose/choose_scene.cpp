@@ -22,7 +22,7 @@ bool is_folder(const std::string& path) {
   return std::filesystem::is_directory(path, failure);
 }
 
-// The middle of what is too large to look at.
+// The middle of a box, at most most_side texels on a side.
 PixelBox window(PixelBox box) {
   const auto cut = [](int& first, int& size) {
     first += std::max(0, size - most_side) / 2;
@@ -33,7 +33,8 @@ PixelBox window(PixelBox box) {
   return box;
 }
 
-// A material of the library as the source of F0. Under another medium than air F0 is a colour to us.
+// Adds the spectrum where F0 comes from a material of the library. Under another medium than air only the
+// colour of F0 is used.
 void add_spectrum(const ManifestMaterial& m, const MaterialLibrary& library, ChooseSubject& out) {
   const auto* source = m.specular ? std::get_if<LibrarySource>(&*m.specular) : nullptr;
   if (source == nullptr || !source->outside.empty()) return;

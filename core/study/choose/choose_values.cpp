@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a choice is made from and what is said of it: costs, units of error, subjects and remarks.
+// The parts that a choice is made from, and remarks on it: costs, units of error, subjects.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -15,7 +15,7 @@
 namespace etak {
 namespace {
 
-// With three digits and not below `value`: a budget of that much is met.
+// `value` rounded up to three digits, so that a budget of the printed number can be met.
 std::string rounded_up(double value) {
   if (!(value > 0)) return number(value, 3);
   const double step = std::pow(10, std::floor(std::log10(value)) - 2);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times for the cost table: every Fresnel form, visibility term, quadrature, filter and PNG level here and
-// now. Other programs on the machine may make a row three times as slow for a while, and never faster: each
-// row is timed in many short repeats, mixed among those of all others over the whole run, and the least
-// counts.
+// Measures the cost table on this machine: every Fresnel form, visibility term, quadrature, filter and PNG
+// level. Other programs may make a row three times as slow for a while, and never faster. Each row is
+// therefore timed in many short repeats, mixed with those of all other rows over the whole run, and the
+// shortest counts.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -22,10 +22,10 @@ namespace {
 constexpr std::size_t count = 4096;
 constexpr std::size_t rounds = 200;
 constexpr int png_side = 128;
-// 2 ms a repeat: a burst of others lasts longer, so some repeats miss it.
+// 2 ms for each repeat: bursts of other programs last longer, so that some repeats lie between them.
 constexpr double seconds_a_case = 0.4;
 
-// One set of directions for all models: light over the whole hemisphere, viewer too.
+// Directions of light and viewer over the whole hemisphere, the same for all models.
 struct Batch {
   std::array<std::vector<float>, 6> directions;
   std::array<std::vector<float>, 3> rgb;
@@ -52,7 +52,7 @@ struct Batch {
   }
 };
 
-// Something in every texel: slopes and grain, as photographs of surfaces have them.
+// A texture without flat areas: slopes and grain, as in photographs of surfaces.
 std::shared_ptr<const Image8> some_texture(int width, int height) {
   const auto picture = std::make_shared<Image8>(width, height, 4);
   Random random(5);
@@ -65,8 +65,8 @@ std::shared_ptr<const Image8> some_texture(int width, int height) {
 }
 
 void add_textures(std::vector<TimedCase>& cases) {
-  // Small enough for the caches of one core: of a shared one neighbours leave more or less. And for a short
-  // repeat.
+  // Small enough for the caches of one core, because other programs take more or less of a shared cache, and
+  // for short repeats.
   constexpr int side = 64;
   const auto texture = some_texture(side, side);
   const auto chain = std::make_shared<const TexelChain>(view(*texture), view(*texture),
@@ -81,7 +81,7 @@ void add_textures(std::vector<TimedCase>& cases) {
                          keep(&texel);
                        }
                      }});
-  // Larger than the window that deflate looks back in.
+  // These pages are larger than the window of deflate.
   const auto pages = std::make_shared<const std::vector<MadePage>>(made_pages(png_side));
   for (const auto& [level, id] :
        {std::pair{PngLevel::fast, "png/fast"}, std::pair{PngLevel::small, "png/small"},
@@ -109,8 +109,9 @@ CostTable measure_costs(std::string_view header,
 
   std::vector<TimedCase> cases;
   const auto cosines = random_floats(count, 0, 1);
-  // Of a clear thing and of a metal, in green, which sRGB can show of both: some forms take a shorter way for
-  // one of them (and for F0 above 1, as gold's red), which a shader for many materials cannot.
+  // Each form is timed for a clear material and for a metal, and the longer time counts: some forms take a
+  // shorter way for one of the two, which a shader for many materials cannot count on. The channel is green,
+  // because some forms also take a shorter way for F0 above 1, as gold has in red.
   for (const Material* material : {&water, &gold}) {
     const auto& optics = std::get<OpticalConstants>(material->preferred_dataset().optics);
     const FresnelTruth truth = fresnel_truth(optics, material->id);
@@ -125,7 +126,8 @@ CostTable measure_costs(std::string_view header,
                        }});
     }
   }
-  // A masking term costs what a GGX lobe with Schlick's F and that term costs: all have the rest in common.
+  // The cost of a masking term is that of a GGX lobe with Schlick's F and this term: the rest is the same for
+  // all terms.
   const auto batch = std::make_shared<Batch>();
   for (const Term& term : terms()) {
     if (term.kind != TermKind::visibility || term.id.starts_with("smith-beckmann")) continue;
@@ -149,12 +151,13 @@ CostTable measure_costs(std::string_view header,
     double& ns = costs.ns[cases[i].id];
     ns = std::max(ns, times[i].least_ns);
   }
-  // One formula, three ways to find n and k: what differs between their times is noise.
+  // These forms have one formula and three ways to find n and k, so that differences of their times are
+  // noise.
   const double exact = std::min(
       {costs.ns["fresnel/index"], costs.ns["fresnel/mean_index"], costs.ns["fresnel/three_wavelengths"]});
   for (const char* id : {"fresnel/index", "fresnel/mean_index", "fresnel/three_wavelengths"})
     costs.ns[id] = exact;
-  // One of two forms and the choice between them: where that seems to take less, it is noise as well.
+  // by_f0 chooses one of two other forms, so that a time below theirs is noise as well.
   costs.ns["fresnel/by_f0"] =
       std::max({costs.ns["fresnel/by_f0"], costs.ns["fresnel/from_f0"], costs.ns["fresnel/schlick"]});
   return costs;

@@ -12,7 +12,7 @@
 namespace etak {
 namespace {
 
-// Colours by their luminance, those of one luminance as they stood.
+// Sorts colours by luminance; those of equal luminance keep their order.
 void sort_by_luminance(std::vector<std::uint32_t>& codes) {
   std::array<double, 256> linear{};
   for (std::size_t code = 0; code < 256; ++code) linear[code] = srgb_decode(static_cast<double>(code) / 255);
@@ -82,7 +82,7 @@ TexelChain::TexelChain(const ConstPixelsView8& diffuse_alpha, const ConstPixelsV
   mean_codes_[alpha_channel] = static_cast<std::uint8_t>(sums[alpha_channel] / count + 0.5);
   const double mean_gloss = gloss_of_variance(sums[gloss_channel] / count);
   mean_codes_[gloss_channel] = plain_u8(converted_gloss(mean_gloss, GlossForm::schueler, gloss));
-  // Of what does not vary the code itself, whatever the sums' last digits are.
+  // A channel that does not vary keeps its code, whatever the last digits of the sums are.
   for (std::size_t c = 0; c < channel_count; ++c)
     if (range.constant(c)) mean_codes_[c] = range.least[c];
 
@@ -92,7 +92,7 @@ TexelChain::TexelChain(const ConstPixelsView8& diffuse_alpha, const ConstPixelsV
     Level coarse{std::max(1, fine.width / 2), std::max(1, fine.height / 2), {}};
     for (int y = 0; y < coarse.height; ++y)
       for (int x = 0; x < coarse.width; ++x) {
-        // All fine texels under the coarse one; of an odd side, three share the last.
+        // The coarse texel is the mean of all fine texels under it; of an odd side the last one has three.
         const int left = x * fine.width / coarse.width, right = (x + 1) * fine.width / coarse.width;
         const int top = y * fine.height / coarse.height, bottom = (y + 1) * fine.height / coarse.height;
         Values sum{};

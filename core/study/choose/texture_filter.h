@@ -14,10 +14,10 @@
 
 namespace etak {
 
-// A material's texture pair as a renderer reads it: what choosing a texture filter needs.
+// A material's texture pair as a renderer reads it, for the choice of a texture filter.
 
-/// Ways to read it, the cheapest first.
-///   constant      no texture: one number a channel, the mean
+/// Ways to read a texture pair, the cheapest first.
+///   constant      no texture: one number for each channel, the mean
 ///   nearest       one texel of level 0
 ///   bilinear      four texels of level 0
 ///   nearest_mip   four texels of the nearer mip
@@ -27,12 +27,12 @@ inline constexpr std::array all_filters{TextureFilter::constant, TextureFilter::
                                         TextureFilter::bilinear, TextureFilter::nearest_mip,
                                         TextureFilter::trilinear};
 std::string_view name(TextureFilter filter);  // "constant", "nearest", "bilinear", "nearest-mip", "trilinear"
-/// Whether it reads mips.
+/// Whether the filter reads mips.
 constexpr bool reads_mips(TextureFilter filter) {
   return filter == TextureFilter::nearest_mip || filter == TextureFilter::trilinear;
 }
 
-/// A texel, linear.
+/// A texel of both textures, colours in linear light.
 struct SurfaceTexel {
   Vec3 diffuse{0, 0, 0}, f0{0.04, 0.04, 0.04};
   Gloss gloss = 0.75;  // Schueler's g, or a roughness
@@ -42,8 +42,9 @@ struct SurfaceTexel {
 /// the packer does.
 class TexelChain {
  public:
-  /// `pair` and `specular_gloss` RGBA codes as the packer has them; `box` the part that is in use, at least
-  /// one texel. Codes of alpha 0 count like others.
+  ///   diffuse_alpha, specular_gloss   RGBA codes as the packer has them, equal in size
+  ///   box                             the part in use, at least one texel; texels of alpha 0 count as well
+  ///   gloss                           the form of the codes of gloss
   TexelChain(const ConstPixelsView8& diffuse_alpha, const ConstPixelsView8& specular_gloss,
              const PixelBox& box, GlossForm gloss);
 
@@ -52,18 +53,19 @@ class TexelChain {
   int levels() const { return static_cast<int>(levels_.size()); }
   bool constant() const { return constant_; }  // every texel is the same
 
-  /// At x, y (in texels of level 0, centres at one half, edges repeated) and a level of detail: the base two
-  /// logarithm of the pixel's size in texels.
+  /// The texel that the filter gives at a place.
+  ///   x, y    in texels of level 0, whose centres lie at one half; beyond the edges the edge texels repeat
+  ///   level   level of detail: the base two logarithm of the pixel's size in texels of level 0
   SurfaceTexel read(TextureFilter filter, double x, double y, double level) const;
 
-  /// F0 of up to `most` texels that differ, spread over their range of luminance, both ends among them.
+  /// Up to `most` different colours of F0, linear, spread over their range of luminance with both ends.
   std::vector<Vec3> some_f0(std::size_t most) const;
 
   /// The mean texel as the codes of the pair.
   std::array<std::uint8_t, channel_count> mean_codes() const { return mean_codes_; }
 
  private:
-  // Diffuse, F0, 1 / e.
+  // The numbers of a texel: diffuse, F0, 1 / e.
   static constexpr std::size_t numbers = 7;
   using Values = std::array<double, numbers>;
   struct Level {
@@ -75,7 +77,7 @@ class TexelChain {
   static SurfaceTexel texel(const Values& values);
 
   std::vector<Level> levels_;
-  std::vector<std::uint32_t> f0_codes_;  // that occur, by luminance
+  std::vector<std::uint32_t> f0_codes_;  // colours of F0 that occur, in the order of luminance
   std::array<std::uint8_t, channel_count> mean_codes_{};
   bool constant_ = false;
 };

@@ -5,7 +5,7 @@
 
 namespace etak {
 
-// What makes each family (target etak::study_run).
+// The functions that measure the families (target etak::study_run).
 #define ETAK_FAMILY(id, function) ErrorTimeFamily function(const ReportOptions& options);
 #include "core/study/families/families.inc"
 #undef ETAK_FAMILY

@@ -83,7 +83,8 @@ ErrorTimeTable table_of(const MaterialLibrary& library, const Group& group, cons
       row.errors[2] = std::max(row.errors[2], error.max_de);
       row.errors[3] += error.mean_de / static_cast<double>(truths.size());
     }
-    // What passes 1 without bound is no choice: in the table, not in the plot.
+    // A form that rises above 1 without bound is not to be chosen: it stands in the table and, without a
+    // time, not in the plot.
     if (form.physical) row.time = times[f];
     table.rows.push_back(row);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Family g: what a gloss mip level should hold of two glosses side by side.
+// Family g: the gloss that a mip level should hold for two glosses side by side.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace etak {
 namespace {
 
-// A rule makes one gloss of two; in double for the errors, in float for the times.
+// Rules that make one gloss of two: in double for the errors, in float for the times.
 template <class Real>
 Real mean_gloss(Real a, Real b) {
   return (a + b) / 2;
@@ -52,16 +52,16 @@ struct Pair {
 };
 constexpr std::array shown_pairs{Pair{0.5, 0.75}, Pair{0.25, 0.75}, Pair{0.5, 1}, Pair{0, 1}};
 
-// (e + 2) / (2 pi) nh^e, times pi, for s = nh^2.
+// The lobe (e + 2) / (2 pi) nh^e, times pi, as a function of s = nh^2.
 double lobe(double e, double s) {
   return s <= 0 ? (e == 0 ? 1 : 0) : (e + 2) / 2 * std::pow(s, e / 2);
 }
 
-// Half the integral of |D - mean of D_a and D_b| nh: 0 for the same lobe, 1 for lobes that do not meet.
+// Half the integral of |D - mean of D_a and D_b| nh: 0 for equal lobes, 1 for lobes that do not overlap.
 double lobe_error(const Pair& pair, double gloss) {
   const double e = exponent_of_gloss(gloss), a = exponent_of_gloss(pair.a), b = exponent_of_gloss(pair.b);
-  // With s = nh^2 the measure D nh dw is pi D ds. Glossy lobes live in a sliver below s = 1: pieces that
-  // shrink towards it.
+  // With s = nh^2 the measure D nh dw is pi D ds. Glossy lobes lie just below s = 1, so that the pieces of
+  // the integral get shorter towards it.
   const auto difference = [&](double t) {
     const double s = 1 - t;
     return std::abs(lobe(e, s) - (lobe(a, s) + lobe(b, s)) / 2);
@@ -75,7 +75,7 @@ double lobe_error(const Pair& pair, double gloss) {
   return sum / 2;
 }
 
-// Of all single lobes; the error falls and rises once between the two glosses.
+// The error of the best single lobe. Between the two glosses the error falls once and then rises.
 double best_error(const Pair& pair) {
   double best = 1;
   constexpr int steps = 200;
@@ -114,7 +114,7 @@ ErrorTimeTable pair_table(const ReportOptions& options) {
   for (const Pair& pair : shown_pairs)
     table.metrics.push_back(
         {"pair_" + number(pair.a, 3) + "_" + number(pair.b, 3), "gloss " + text_of(pair), ""});
-  // All pairs of glosses in quarters, which hold the shown ones.
+  // All pairs of glosses in steps of a quarter; the shown pairs are among them.
   std::vector<Pair> pairs;
   for (int a = 0; a < 4; ++a)
     for (int b = a + 1; b <= 4; ++b) pairs.push_back({a / 4.0, b / 4.0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Family d: specular light from two hemispheres without an integral, against the integral.
+// Family d: formulas for specular light from two hemispheres, against the integral.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,13 +55,14 @@ double value(const Form& form, double K, double g, double nv, double rz, double 
   return form.in_double(in_double::vec3(K), g, nv, rz, in_double::vec3(lower), in_double::vec3(upper)).x;
 }
 
-// Light that Simplified sends to a viewer, of one reflectance: all of it, and the share from l . z > 0.
+// The light that the model Simplified sends to a viewer, for one reflectance.
 struct Truth {
   double albedo = 0;
-  std::vector<double> upper;  // per axis
+  std::vector<double> upper;  // for each axis z, the share of the light from l . z > 0
 };
 
-// Axes of the hemispheres: tilts and azimuths from 0 to 180 degrees, as the surface is its own mirror image.
+// Axes of the hemispheres: tilts and azimuths from 0 to 180 degrees, because the other half is a mirror
+// image.
 std::vector<Vec3> make_axes(int tilts, int azimuths) {
   std::vector<Vec3> out;
   for (int tilt = 0; tilt < tilts; ++tilt)
@@ -70,8 +71,9 @@ std::vector<Vec3> make_axes(int tilts, int azimuths) {
   return out;
 }
 
-// For all reflectances at once. Half vectors are spread as the lobe is, so that each carries about as much:
-// midpoints of `steps` equal parts of its weight times `steps` azimuths.
+// The truth for all reflectances at once, as a sum over half vectors. They are distributed as the lobe is, so
+// that all have about the same weight: midpoints of `steps` equal parts of the lobe's weight, times `steps`
+// azimuths.
 std::array<Truth, reflectances.size()> integrate(double g, double nv, std::span<const Vec3> axes, int steps) {
   const Model& model = *find_model("schueler-simplified");
   const double e = exponent_of_gloss(g);
@@ -90,7 +92,7 @@ std::array<Truth, reflectances.size()> integrate(double g, double nv, std::span<
       // dl = 4 vh dh, and the half vectors' density is (e + 2) / (2 pi) nh^(e + 1).
       const double weight =
           l[2] * 4 * vh * 2 * std::numbers::pi / ((e + 2) * std::exp((e + 1) * log_nh) * steps * steps);
-      // Three reflectances in one evaluation.
+      // One evaluation has three channels, so that it gives three reflectances.
       std::array<double, 6> f{};
       for (std::size_t k = 0; k < f.size(); k += 3) {
         const std::array<double, 4> values{reflectances[k], reflectances[k + 1],
@@ -125,7 +127,7 @@ std::array<Errors, forms.size()> measure(double g, std::span<const Vec3> axes, i
     for (std::size_t k = 0; k < reflectances.size(); ++k)
       for (std::size_t f = 0; f < forms.size(); ++f) {
         Errors& errors = out[f];
-        // Both hemispheres white: what is left is the Fresnel term.
+        // With both hemispheres white, only the Fresnel term is left.
         const double all = value(forms[f], reflectances[k], g, nv, 0, 1, 1);
         const double miss = std::abs(all - truths[k].albedo);
         errors.mean += miss / cells;
@@ -230,7 +232,7 @@ ErrorTimeFamily hemisphere_family(const ReportOptions& options) {
     mark_dominated(table);
   }
 
-  // Many more axes for the polished surface, whose transition few of them meet.
+  // The transition of a polished surface is so narrow that few axes meet it: many more axes are taken.
   const auto polished = measure(1, make_axes(37, 25), 120);
   const auto rms = [&](std::size_t form) { return number(std::sqrt(polished[form].share_square), 2); };
   family.advice =

@@ -21,7 +21,7 @@ namespace etak {
 namespace {
 
 constexpr int side = 256, rays = 4;
-constexpr int timed_side = 1024;  // in smaller frames the threads' start and end would show
+constexpr int timed_side = 1024;  // in smaller frames the start and end of threads would take a visible share
 constexpr double timed_gloss = 0.5;
 constexpr const char* base_model = "schueler-full";
 
@@ -54,7 +54,7 @@ std::vector<const Model*> specular_models() {
   return out;
 }
 
-// Lobes whose width does not come from the gloss have nothing in common with Full's.
+// Whether the width of the lobe comes from the gloss. Other lobes cannot be compared with that of Full.
 bool follows_gloss(const Model& model) {
   return std::none_of(model.parameters.begin(), model.parameters.end(), [](const Parameter& parameter) {
     return parameter.role == Role::other && !parameter.color;
@@ -65,7 +65,7 @@ struct ModelErrors {
   PictureErrors own, full;  // against the spectral reference with the model's lobe, and with Full's
 };
 
-// All pictures of the grid, drawn and judged on the CPU; sums of one order whatever the threads.
+// Judges all pictures of the grid on the CPU. Sums have one order, whatever the number of threads.
 class Gallery {
  public:
   Gallery(const ReportOptions& options)
@@ -86,15 +86,15 @@ class Gallery {
            joined(glosses_, ", ", [](double gloss) { return number(gloss, 3); });
   }
 
-  /// errors[model][material], summed over glosses, of pictures that `draw` makes (called by the threads, or
-  /// by one).
+  /// errors[model][material], summed over glosses, of the pictures that `draw` makes. `draw` is called on
+  /// that many threads at once.
   template <class Draw>
   std::vector<std::vector<ModelErrors>> errors(unsigned threads, Draw draw) const {
     std::vector<std::vector<ModelErrors>> out(models_.size(), std::vector<ModelErrors>(materials_.size()));
     for (std::size_t g = 0; g < glosses_.size(); ++g) {
       const double gloss = glosses_[g];
       const SphereTruth& truth = truth_of(g);
-      // A lobe's reference serves all models that share it.
+      // All models that share a lobe are compared with the same reference.
       std::vector<std::vector<std::size_t>> lobes;
       for (std::size_t m = 0; m < models_.size(); ++m) {
         const auto same = [&](const std::vector<std::size_t>& lobe) {
@@ -124,7 +124,7 @@ class Gallery {
     return out;
   }
 
-  /// What the reference itself changes when it takes one ray per pixel as renderers do.
+  /// The error of the reference itself when it takes one ray for each pixel, as renderers do.
   PictureErrors one_ray(bool metals) const {
     PictureErrors sum;
     const Model& model = *find_model(base_model);
@@ -154,7 +154,8 @@ class Gallery {
   }
 
  private:
-  // The spectral picture with Full's lobe, exposed so that nothing of it clips: all of a material are.
+  // The spectral picture with Full's lobe, at an exposure at which nothing of it clips. All pictures of the
+  // material have this exposure.
   struct Full {
     double exposure = 1;
     SeenPicture picture;
@@ -179,7 +180,7 @@ class Gallery {
   std::vector<SphereMaterial> materials_;
   std::vector<bool> metal_;
   std::vector<double> glosses_;
-  // Made when first needed: GL pictures are judged by the same ones.
+  // Made when they are first needed, and used again for the pictures of GL.
   mutable std::vector<std::unique_ptr<SphereTruth>> truths_;
   mutable std::vector<std::vector<Full>> full_;
 };
@@ -206,7 +207,7 @@ ErrorTimeRow row_of(const Model& model, const PictureErrors& errors, std::option
   ErrorTimeRow row;
   row.id = model.id;
   row.title = model.title;
-  // What is usual goes without saying: names have to fit into a plot.
+  // The usual masking is left out of the title, which has to fit into a plot.
   constexpr std::string_view usual = ", Smith height-correlated";
   if (row.title.ends_with(usual)) row.title.resize(row.title.size() - usual.size());
   row.errors = metrics_of(errors);
@@ -267,7 +268,7 @@ void add_cpu_tables(const Gallery& gallery, const ReportOptions& options, ErrorT
   for (std::size_t m = 0; m < count; ++m) {
     const Model& model = *gallery.models()[m];
     if (!follows_gloss(model)) continue;
-    // Of those that differ in F alone the first stands for all.
+    // Of models that differ in F alone only the first is shown.
     if (model.distribution != nullptr && !seen_lobes.insert(&lobe_model(model)).second) continue;
     table.rows.push_back(
         row_of(model, gallery.pooled(errors[m], &ModelErrors::full, [](bool) { return true; }), times[m]));
@@ -276,8 +277,9 @@ void add_cpu_tables(const Gallery& gallery, const ReportOptions& options, ErrorT
   family.tables.push_back(table);
 }
 
-// GL frames are timed by rounds over all models, each of a few frames: by the GL's own clock, but for
-// software rasterisers, whose clocks stop before they have drawn (llvmpipe: 0.13 ms of 1.9).
+// GL frames are timed in rounds over all models, a few frames of each in a round. The time is that of GL's
+// own clock, except for software rasterisers, whose clock stops before they have drawn (llvmpipe: 0.13 ms of
+// 1.9).
 void add_gl_table(const Gallery& gallery, const ReportOptions& options, ErrorTimeFamily& family) {
   std::string why;
   auto gl = GlRunner::open(why);

@@ -17,7 +17,7 @@
 namespace etak {
 namespace {
 
-// n and k at one wavelength: what is compared are lobes, not colours.
+// A surface by n and k at one wavelength, because lobes are compared and not colours.
 struct Surface {
   const char* id;
   const char* title;
@@ -54,7 +54,7 @@ const Model& model_of(std::string_view id) {
   return *model;
 }
 
-// The numbers a model takes for three surfaces, a channel each, at one gloss.
+// The values of a model at one gloss, with a surface in each of the three channels.
 std::vector<double> values_for(const Model& model, std::span<const Surface> three, double gloss) {
   const double e = exponent_of_gloss(gloss);
   std::vector<double> out;
@@ -79,7 +79,7 @@ std::vector<double> values_for(const Model& model, std::span<const Surface> thre
           out.push_back(alpha_of_exponent(e));
           break;
         default:
-          out.push_back(0);  // the diffuse part of Blinn-Phong: left out
+          out.push_back(0);  // the diffuse part of Blinn-Phong is left out
       }
   return out;
 }
@@ -87,7 +87,7 @@ std::vector<double> values_for(const Model& model, std::span<const Surface> thre
 // Sums over light and view, per surface.
 struct Sums {
   std::array<double, count> difference{}, bias{};  // of |f - f*| and f - f*, times nl nv
-  std::array<double, count> ratio{};               // the largest, f above f* or below it
+  std::array<double, count> ratio{};               // the largest of f / f* and f* / f
 };
 
 struct Measured {
@@ -101,8 +101,9 @@ struct Sample {
   double weight;
 };
 
-// Half vectors spread as GGX of the gloss's width spreads them, so that long tails are seen too: `steps`
-// equal parts of its weight, `steps` azimuths over half a turn (the other half is its mirror image).
+// Pairs of directions whose half vectors are distributed as in GGX of the width that the gloss has, so that
+// long tails are sampled too: `steps` equal parts of its weight, `steps` azimuths over half a turn (the other
+// half is a mirror image).
 std::vector<Sample> samples_of(double gloss, double nv, int steps) {
   const double alpha2 = 2 / (exponent_of_gloss(gloss) + 2);
   const double vx = std::sqrt(1 - nv * nv);
@@ -221,7 +222,7 @@ ErrorTimeTable table_of(double gloss, const Measured& measured, std::span<const 
     if (w == 0) row.note = "the reference";
     table.rows.push_back(row);
   }
-  // Ratios to Simplified: the base of time_cases() is its first case.
+  // The ratios of time_cases() are to its first case; those of the table are to Simplified.
   for (ErrorTimeRow& row : table.rows) row.time->ratio /= times[1].ratio;
   mark_dominated(table);
   return table;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Family i: how hard to pack rectangles, and how hard to compress their pages.
+// Family i: how much effort to spend on packing rectangles, and on compressing their pages.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -22,10 +22,11 @@ using Sizes = std::vector<RectSize>;
 constexpr int efforts[] = {1, 3, 10, 30, 100, 300, 1000, 3000};
 constexpr int most_quick_effort = 300, default_effort = 100;
 constexpr int page_side = most_page_side, quick_page_side = 512;
-// All repeats of a table's rows together, in seconds; rows that take long are repeated less often.
+// Seconds for all repeats of all rows of a table; where a round takes long, there are fewer repeats.
 constexpr double quick_seconds = 2.5, full_seconds = 60;
 constexpr std::size_t fewest_repeats = 3;
-// Sides of the smallest squares known for the sets below: found with effort 200,000; the last by its making.
+// Sides of the smallest squares known for the sets below. Effort 200,000 has found the first three; the
+// fourth set is made from a square of this side.
 constexpr int best_sides[] = {822, 1247, 535, page_side};
 
 double to_ms(double ns) {
@@ -45,7 +46,7 @@ Sizes uniform_set(std::size_t count) {
   return out;
 }
 
-// Squares of powers of two of which a transparent border was cut.
+// Squares with a power of two as their side, of which a transparent border was cut off.
 Sizes trimmed_set(std::size_t count) {
   Random random(12);
   Sizes out;
@@ -68,7 +69,7 @@ Sizes thin_set(std::size_t count) {
   return out;
 }
 
-// A page of 1024 x 1024 cut in two again and again: nothing need be lost.
+// A page of 1024 x 1024 that was cut in two again and again, so that a layout without loss exists.
 Sizes guillotine_set(std::size_t count) {
   Random random(14);
   Sizes out{{page_side, page_side}};
@@ -123,13 +124,13 @@ std::string png_of(const MadePage& page, PngLevel level, unsigned threads) {
   return png_bytes(page.pixels, options);
 }
 
-// As many repeats as fit; `once` is what one round over all cases took.
+// Times the cases with as many repeats as fit; `once` is the time of one round over all cases in seconds.
 std::vector<RunTime> timed(const std::vector<TimedCase>& cases, double once, const ReportOptions& options) {
   TimingOptions timing = options.timing;
   const double fit = (options.full ? full_seconds : quick_seconds) / std::max(once, 1e-6) - 1;
   timing.repeats = std::clamp(static_cast<std::size_t>(std::max(fit, 0.0)), fewest_repeats,
                               std::max(fewest_repeats, timing.repeats));
-  timing.seconds_a_case = 0;  // one layout, one page is enough to time
+  timing.seconds_a_case = 0;  // a single call takes long enough to be timed
   auto times = time_cases(cases, timing);
   for (RunTime& time : times) {
     time.median_ns = to_ms(time.median_ns);

@@ -38,7 +38,7 @@ struct Way {
   F0Options options;
 };
 
-// As people say it.
+// The name of a method as people write it: "10 nm" for "10nm".
 std::string title_of(Method method) {
   std::string text(name(method));
   if (text.starts_with("point-")) {
@@ -78,7 +78,7 @@ std::vector<F0Result> solve_all(const F0Solver& solver, std::span<const Sample> 
   return out;
 }
 
-// "1nm 240, exact 36"
+// How many results each method gave: "1nm 240, exact 36".
 std::string steps_taken(std::span<const F0Result> results) {
   std::map<Method, std::size_t> counts;
   for (const F0Result& result : results)
@@ -134,7 +134,7 @@ ErrorTimeTable library_table(std::span<const Way> all, std::span<const Sample> s
   return table;
 }
 
-// ---- with a page to be read
+// ---- the same with a page to be read
 
 void append_rows(std::string& out, std::string_view type, const Spectrum& first, const Spectrum* second) {
   out += "  - type: tabulated " + std::string(type) + "\n    data: |\n";
@@ -145,7 +145,7 @@ void append_rows(std::string& out, std::string_view type, const Spectrum& first,
   }
 }
 
-// As refractiveindex.info writes them; none for reflectances.
+// The data as a page of refractiveindex.info; empty for reflectances.
 std::string page_of(const Optics& optics) {
   const auto* constants = std::get_if<OpticalConstants>(&optics);
   if (constants == nullptr) return {};
@@ -204,9 +204,9 @@ ErrorTimeTable page_table(std::span<const Way> all, std::span<const Sample> samp
 
 // ---- stiff spectra
 
-constexpr double stiff_middle_nm = 550.3;  // on no grid
+constexpr double stiff_middle_nm = 550.3;  // which lies on none of the grids
 
-// A Lorentz line of reflectance, 0.1 to 0.9, with samples at a twentieth of its half width.
+// A Lorentz line of reflectance, 0.1 to 0.9, with samples a twentieth of its half width apart in its middle.
 Optics lorentz_line(double half_width_nm) {
   Spectrum s;
   const auto add = [&](double nm) {
@@ -229,7 +229,8 @@ Optics step_edge() {
   return Reflectance{{{300, 550.3, 550.31, 900}, {0.1, 0.1, 0.9, 0.9}}};
 }
 
-// Half a nanometre of 0.9 every two nanometres, wherever a coarse sum looks.
+// A reflectance of 0.9 over half a nanometre in every two, at the places where coarse sums take their
+// samples.
 Optics comb() {
   Spectrum s{{350}, {0.1}};
   for (double tooth = 360; tooth <= 830; tooth += 2)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Family f: what 8 bits per channel of an atlas lose.
+// Family f: the errors of 8 bits per channel in an atlas.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +17,7 @@
 namespace etak {
 namespace {
 
-// A way of keeping a number in [0, 1] as one of `codes` + 1 codes: through `encode`, rounded to nearest.
+// A way to store a number in [0, 1] as one of `codes` + 1 codes: `encode`, then rounding to nearest.
 struct Coding {
   const char* id;
   const char* title;
@@ -67,13 +67,14 @@ double rounded(const Coding& coding, double x) {
   return coding.decode(std::floor(coding.codes * coding.encode(x) + 0.5) / coding.codes);
 }
 
-// Half a step at x, as a share of x: the mean of up and down.
+// Half the distance between codes at x, as a share of x: the mean of the steps up and down.
 double half_step(const Coding& coding, double x) {
   const double code = coding.encode(x), half = 0.5 / coding.codes;
   return (coding.decode(code + half) - coding.decode(code - half)) / 2 / x;
 }
 
-// F0 of every dataset of the library, kept to [0, 1]: what is clipped is another matter.
+// F0 of every dataset of the library, clamped to [0, 1], because errors of clipping are not the question
+// here.
 std::vector<LinearRgb> library_colours() {
   const auto library = MaterialLibrary::builtin();
   const F0Solver solver({});
@@ -136,7 +137,7 @@ ErrorTimeTable f0_table(std::span<const LinearRgb> colours, const ReportOptions&
   return table;
 }
 
-// ---- gloss: the number kept is a function of Schueler's g, and so is the exponent
+// ---- gloss: the number that is stored is a function of Schueler's g, as the exponent is
 
 double gloss_of_alpha(double alpha) {
   return gloss_of_exponent(exponent_of_alpha(alpha));

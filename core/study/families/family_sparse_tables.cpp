@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Family j: what is lost when a table has few rows, and how best to draw the line between them.
+// Family j: the errors of tables with few rows, for several ways to interpolate between them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@ struct NkTable {
   std::vector<double> nm, n, k;
 };
 
-// Tables of n and k with as many rows in 400..700 nm, of the whole library.
+// All tables of n and k of the library that have `least` to `most` rows in 400..700 nm.
 std::vector<NkTable> pages_with(std::size_t least, std::size_t most) {
   std::vector<NkTable> out;
   const auto library = MaterialLibrary::builtin();
@@ -40,7 +40,7 @@ std::vector<NkTable> pages_with(std::size_t least, std::size_t most) {
   return out;
 }
 
-// Rows nearest to `points` wavelengths evenly over what is seen, its ends included.
+// The rows nearest to `points` wavelengths that lie evenly over the visible range, its ends included.
 NkTable decimated(const NkTable& page, std::size_t points) {
   const double first = std::max(page.nm.front(), visible_first_nm),
                last = std::min(page.nm.back(), visible_last_nm);
@@ -89,7 +89,7 @@ F0Solver solver_of(const Way& way) {
   return F0Solver(options);
 }
 
-// Every way over `tables` against `truth`, n and k linear, page by page.
+// The errors of every way over `tables`, against the results `truth` of the same index, and its times.
 ErrorTimeTable table_of(std::string id, std::string title, std::span<const NkTable> tables,
                         std::span<const F0Result> truth, const ReportOptions& options) {
   ErrorTimeTable table;
@@ -161,8 +161,8 @@ ErrorTimeFamily sparse_table_family(const ReportOptions& options) {
     family.tables.push_back(table_of("points_" + std::to_string(points),
                                      std::to_string(points) + " rows kept", thin, truth, options));
   }
-  // Johnson and Christy's metals have about ten rows in the visible, and nothing denser to be checked
-  // against.
+  // Johnson and Christy's metals have about ten rows in the visible range, and there are no denser data to
+  // compare them with.
   std::vector<NkTable> johnson = pages_with(1, dense_rows - 1);
   std::erase_if(johnson,
                 [](const NkTable& page) { return page.name.find("/johnson-197") == std::string::npos; });

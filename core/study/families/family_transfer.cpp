@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Family e: display transfer by shortcuts, in codes and in linear light.
+// Family e: shortcuts for the sRGB curve, and their errors in codes and in linear light.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace etak {
 namespace {
 
-// The texts that shaders get, in float.
+// The formula texts that shaders get, in float.
 namespace formulas {
 #include "core/math/real_f32.h"
 
@@ -47,7 +47,7 @@ double encode_error(const Curve& curve, double linear) {
   return 255 * (curve.in_double(linear) - srgb_encode(linear));
 }
 
-// Largest over a fine sweep of linear light.
+// The largest error over a fine sweep of linear light, with its sign.
 double worst_encode_error(const Curve& curve) {
   double worst = 0;
   for (int i = 0; i <= 100000; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Data that no material has, and spectra that are hard to integrate: what the real readers and solvers do
-// with them.
+// Checks of the readers and solvers that etak uses, with data that no material has and with spectra that are
+// hard to integrate.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,7 +21,7 @@ namespace {
 using std::string;
 using std::string_view;
 
-// What a user's table gives: its F0 and flags, or the message it is refused with.
+// The result of a user's table as text: its F0 and flags, or the message by which it is refused.
 string read_table(const string& rows, bool& refused, F0Result* result = nullptr) {
   try {
     const Table table = parse_table("wavelength_nm,n,k\n" + rows, "table.csv", {});
@@ -43,7 +43,7 @@ bool refuses_table(const string& rows, string& found, string_view names = {}) {
   return refused && found.find(names) != string::npos;
 }
 
-// A page of a database: doubtful values are flagged, not refused.
+// Whether a page of a database gets the flag and gives F0: in pages doubtful values are flagged, not refused.
 bool page_has(const string& rows, Flag flag, string& found) {
   RiiPage page;
   parse_rii_page("REFERENCES: |\n    none\nDATA:\n  - type: tabulated nk\n    data: |\n" + rows, "page.yml",

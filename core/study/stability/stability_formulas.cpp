@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The formula texts twice, in double and in single precision, and the rows of stability_formulas.inc through
+// Compiles the formula texts in double and in single precision, and the rows of stability_formulas.inc with
 // both.
 #include <cmath>
 
 #include "core/study/stability/stability_rows.h"
 
 #pragma GCC diagnostic push
-// The naive forms divide by zero: that is what they are here for.
+// Some of the naive forms divide by zero, which is what their cases show.
 #pragma GCC diagnostic ignored "-Wdiv-by-zero"
 
 namespace etak {
@@ -32,7 +32,7 @@ namespace in_double {
 #undef ETAK_STABILITY
 }  // namespace in_double
 
-// As in a shader: what only keeps loops fast (power_floor) is in.
+// As in shaders, powers below 2^power_floor are cut off, which keeps loops in float fast.
 namespace in_single {
 #include "core/math/real_f32.h"
 

@@ -19,23 +19,23 @@ struct StabilityFormula {
   double (*naive_f32)();
   double (*ours_f64)();
   double (*ours_f32)();
-  std::string_view expression;  // of ours, for GLSL
+  std::string_view expression;  // the text of `ours`, for GLSL
 };
 std::span<const StabilityFormula> stability_formulas();
 
-/// A case about data, files or spectra: runs the real reader or solver and says what happened.
+/// A case about data, files or spectra, run through the reader or solver that etak uses.
 struct StabilityCheck {
   std::string_view id, title, input, expected, source;
-  bool (*run)(std::string& found);  // true: as expected
+  bool (*run)(std::string& found);  // sets `found` to what happened; true: as expected
 };
 std::span<const StabilityCheck> stability_checks();
 
-// What two of the checks ask, of any formula: so that a test can put the wrong one in.
+// Two of the checks for any formula, so that a test can see them fail for a wrong one.
 
-/// Whether the integral of D nm is 1.
-///   integral   a function of `etak eval` that takes the slope m
+/// Whether the integral of D nm over the hemisphere is 1 at the slope m = 0.3.
+///   integral   name of a function of `etak eval` that gives the integral for a slope `param`
 bool counts_every_facet_once(std::string_view integral, std::string& found);
-/// Whether each code comes out of the value it stands for.
+/// Whether each of the 256 sRGB codes is given for the linear value that it stands for.
 bool gives_every_code_back(std::uint8_t (*code_of)(double linear), std::string& found);
 
 }  // namespace etak

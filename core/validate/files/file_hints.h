@@ -5,23 +5,25 @@
 
 namespace etak {
 
-// What paths and first lines tell of files that a search comes by.
+// What paths and first lines tell of the files that a search finds.
 
-/// Why nothing stands at `path`.
+/// Why there is no file at `path`, for messages.
 std::string why_missing(const std::string& path);
 
-/// What a pattern leaves of a file name: "crate" for "*_spec.*" and "crate_spec.png"; for other forms the
-/// whole name.
+/// The part of a file name that a pattern leaves open: "crate" of "crate_spec.png" for "*_spec.*"; for
+/// patterns of other forms the name without its format.
 std::string pattern_stem(const std::string& pattern, const std::string& name);
 
-/// "atlas/page0.mip3.png" is a level of "atlas/page0.png", as etak pack names them; "" for other names.
+/// The picture that a file is a mip level of, as etak pack names them: "atlas/page0.png" for
+/// "atlas/page0.mip3.png"; "" for other names.
 std::string level_0_of(const std::string& path);
 
-/// Tables and YAML files of a project are rarely spectra: one found in a folder is taken for that only when
-/// it says so, by a refractiveindex.info page's "DATA:" or a header line that begins with a wavelength.
+/// Whether a table or YAML file tells that it is a spectrum, by the "DATA:" of a page of refractiveindex.info
+/// or by a header line that begins with a wavelength. Files found in folders have to, because tables and YAML
+/// files of a project are rarely spectra.
 bool looks_like_spectrum(const std::string& path);
 
-/// Throws Error where a link leads from `folder` out to `path`, which was found there and which nobody named.
+/// Throws Error where `path`, which a search of `folder` has found, leads out of the folder by a link.
 void check_links(const std::string& folder, const std::string& path);
 
 }  // namespace etak

@@ -68,7 +68,7 @@ void check_pair(const CheckTarget& target, const PictureOpener& opener, const Se
       rows.b.reset();
       ++file.stats.pictures_left_out;
     }
-    // What an atlas has left out of its pages because it does not vary.
+    // A texture that an atlas has left out of its pages, because it is constant in every tile.
     const PictureHeader* page = rows.a ? &rows.a->header() : rows.b ? &rows.b->header() : nullptr;
     const int width = page == nullptr ? 0 : page->width, height = page == nullptr ? 0 : page->height;
     if (needs.has(Need::bytes_a) && !rows.a) rows.a = flat_rows(target, 0, width, height);
@@ -78,8 +78,8 @@ void check_pair(const CheckTarget& target, const PictureOpener& opener, const Se
   look_at_pixels(target, open, settings, threads, evidence, file);
 }
 
-// What a file's header is held against: diffuse and specular need no fourth channel where gloss has a file of
-// its own, and gloss is grey as roughness is.
+// The role that the header of a file is judged by: diffuse and specular need no fourth channel where gloss
+// has a file of its own, and gloss is grey as roughness is.
 FileRole role_in_set(FileRole role) {
   if (role == FileRole::diffuse_alpha) return FileRole::base_color;
   if (role == FileRole::specular_gloss) return FileRole::f0_only;
@@ -103,14 +103,14 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
     return whole->in_memory().rows();
   };
   look_at_pixels(weighed, open, settings, threads, evidence, file);
-  // Alpha is that of the base colour's file.
+  // There is an alpha channel where the file of the base colour has one.
   if (const TargetFile* base = with_role(target, {FileRole::base_color, FileRole::diffuse_alpha});
       base != nullptr && evidence.a)
     for (const PictureEvidence& header : evidence.headers)
       if (header.label == base->label) evidence.a->header.channels = header.header.channels;
 }
 
-// Label of a file beside the scene: as the scene's own label is.
+// The label of a file that a scene names, relative to the same folder as the label of the scene.
 std::string label_beside(const TargetFile& scene, const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(scene.path).parent_path();
   const std::filesystem::path relative =
@@ -124,7 +124,7 @@ std::string image_label(const TargetFile& of_scene, const GltfScene& scene, int 
   return path.empty() ? of_scene.label + "#/images/" + std::to_string(image) : label_beside(of_scene, path);
 }
 
-// The two textures that are judged of a material.
+// The two textures of a material that are judged.
 struct JudgedTextures {
   const std::optional<GltfTexture>& first;
   const std::optional<GltfTexture>& second;
@@ -158,7 +158,7 @@ void add_sums(const CheckedFile& one, CheckedFile& file) {
   }
 }
 
-// What was found of one material joins what was found of the scene.
+// Adds the findings and counts of one material to those of the scene.
 void add_material(const std::string& names, int index, CheckedFile one, CheckedFile& file) {
   for (Finding& finding : one.findings) {
     finding.material = names;
@@ -168,7 +168,7 @@ void add_material(const std::string& names, int index, CheckedFile one, CheckedF
   add_sums(one, file);
 }
 
-// The headers of a scene's textures, each once.
+// Judges the header of each texture of a scene once.
 void check_headers(const TargetFile& of_scene, const GltfScene& scene, const std::map<int, FileRole>& roles,
                    ScenePictures& pictures, const Settings& settings, CheckedFile& file) {
   Evidence headers;
@@ -183,8 +183,8 @@ void check_headers(const TargetFile& of_scene, const GltfScene& scene, const std
   judge(textures, headers, settings, file);
 }
 
-// Every used material is judged on its own, where triangles read its texels; a texture that two of them use
-// has its header judged once.
+// Judges every used material on its own, on the texels that triangles read. The header of a texture is judged
+// once, however many materials use it.
 void check_scene(const TargetFile& of_scene, const CheckTarget& target, const PictureDoor& door,
                  const Settings& settings, unsigned threads, CheckedFile& file) {
   const GltfScene scene = read_gltf(of_scene.path, GltfOptions{});
@@ -227,7 +227,7 @@ void check_scene(const TargetFile& of_scene, const CheckTarget& target, const Pi
     look_at_pixels(
         part, [&](Needs) { return converted.in_memory().rows(); }, settings, threads, evidence, one);
     forget_unused(evidence, hidden);
-    // An opaque material's alpha is not looked at by anybody.
+    // The alpha of an opaque material has no effect, so that its picture counts as one without alpha.
     if (evidence.a) evidence.a->header.channels = material.alpha_mode == AlphaMode::opaque || !color ? 3 : 4;
     if (evidence.b && !second) evidence.b->header.channels = evidence.metal_rough ? 3 : 4;
     judge(part, evidence, settings, one);
@@ -245,7 +245,7 @@ void check_material(const TargetFile& part, Evidence& evidence) {
                                                       : evidence_of_spectrum(text, part.path, part.label);
 }
 
-// Order of a CheckedFile's findings, as judge() leaves them.
+// Puts findings into the order in which judge() leaves them.
 void sort_findings(CheckedFile& file) {
   std::stable_sort(file.findings.begin(), file.findings.end(), [](const Finding& a, const Finding& b) {
     return std::tie(a.rule, a.tile, a.pointer) < std::tie(b.rule, b.tile, b.pointer);
@@ -264,7 +264,7 @@ std::string relabelled(std::string message, const CheckTarget& target) {
 
 namespace {
 
-// Gathers evidence by look(settings, evidence, file), where what goes wrong is a finding, and judges it.
+// Gathers evidence by look(settings, evidence, file) and judges it. Errors of `look` become findings.
 template <class Look>
 CheckedFile checked(const CheckTarget& target, const Settings& settings, Look look) {
   const Settings own = settings_for(target, settings);
@@ -290,7 +290,7 @@ CheckedFile checked(const CheckTarget& target, const Settings& settings, Look lo
     file.unreadable = true;
   }
   judge(target, evidence, own, file);
-  if (target.files.empty())  // numbers of a layout, which have no place in a picture
+  if (target.files.empty())  // the constants of a layout have no place in a picture
     for (Finding& finding : file.findings) forget_place(finding);
   sort_findings(file);
   return file;
@@ -351,7 +351,7 @@ std::optional<FileRole> kind_of_json(std::string_view head) {
   return std::nullopt;
 }
 
-// What comes from a pipe has no ending that could tell it.
+// The role of input from a pipe by its content, because it has no ending that could tell the role.
 std::optional<FileRole> kind_of_content(std::string_view head) {
   switch (content_kind(head)) {
     case ContentKind::gltf:
@@ -365,7 +365,7 @@ std::optional<FileRole> kind_of_content(std::string_view head) {
     case ContentKind::prose:
       break;
   }
-  // Of the formats of pictures Radiance HDR begins with lines of text.
+  // A picture may look like text as well: Radiance HDR begins with lines of text.
   if (!picture_format(head, "").empty()) return FileRole::specular_gloss;
   return std::nullopt;
 }

@@ -17,7 +17,7 @@ namespace etak {
 
 struct AtlasLayout;
 
-// One target at a time: the parts that validate() (core/validate/validate.h) and PackCheck (check_pack.h) are
+// Checks of one target: the parts that validate() (core/validate/validate.h) and PackCheck (check_pack.h) are
 // made of.
 
 /// Checks one target. Never throws for what is in the files: an unreadable one is finding ETK001, an error of
@@ -25,27 +25,28 @@ struct AtlasLayout;
 CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                   unsigned threads = 1);
 
-/// What was found of the tiles of a UDIM set, at least one, as one file: findings name their tiles.
+/// Joins the results of the tiles of a UDIM set, at least one, to one result, whose findings name their
+/// tiles.
 CheckedFile joined_tiles(std::vector<CheckedFile> tiles);
 
-/// Where the rows of a target's picture come from; called once per pass over the pixels.
+/// Opens a picture of a target; called once for each pass over the pixels.
 using PictureOpener = std::function<std::unique_ptr<RowSource>(const TargetFile&)>;
 
-/// The same of a pair whose pictures are at hand already: nothing is read from the files.
+/// Checks a pair whose pictures `open` gives, as check() does: no file of the target is read.
 CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
                          unsigned threads = 1);
 
-/// What kind of file a path is by its ending and, for .json and what comes from a pipe, by its first bytes;
-/// nullopt: none that is checked. Throws Error where those bytes cannot be read. Pictures come back as
-/// specular_gloss: which role they have is for the caller's patterns to say.
+/// The kind of a file by its ending and, for .json and input from a pipe, by its first bytes; nullopt: a kind
+/// that is not checked. Throws Error where those bytes cannot be read. Every picture is specular_gloss here;
+/// the caller finds its role by its name.
 std::optional<FileRole> role_of_file(const std::string& path);
 
 /// An atlas layout: one target per page, with tiles and gutter, and last one for the materials that are on no
-/// page because numbers say everything. Paths of pages are taken beside the file. Throws Error naming file
-/// and JSON pointer.
+/// page because constants replace their texels. Paths of pages are relative to the folder of the file. Throws
+/// Error naming file and JSON pointer.
 std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::string& label);
 
-/// The same of a layout's text, and of one in memory; `path` is where it is, or will be.
+/// The same of the text of a layout, and of a layout in memory; `path` is where its file is, or will be.
 std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const std::string& path,
                                                 const std::string& label);
 std::vector<CheckTarget> targets_of_layout(const AtlasLayout& layout, const std::string& path,

@@ -33,13 +33,13 @@ std::string_view folder_of(std::string_view path) {
   return slash == path.npos ? std::string_view() : path.substr(0, slash + 1);
 }
 
-// A list of a million names that lead nowhere is one mistake: so many of them are told one by one, the others
-// are counted.
+// So many names of a list that lead to no file are reported one by one, and the others counted: a list of a
+// million wrong names is one mistake.
 constexpr std::size_t most_missing_reported = 1000;
 
 constexpr const char* missing_fix = "Correct the path, or write the file first.";
 
-// Where a file came from decides what happens when nothing can be said of it.
+// How a file was named. A file of an unchecked kind is an error where it was named by hand, else skipped.
 enum class Named { by_hand, by_folder, by_list };
 
 struct Candidate {
@@ -75,12 +75,12 @@ class Finder {
 
  private:
   std::string label(const std::string& path) const {
-    // What has no place in a folder keeps its name.
+    // Input from a pipe lies in no folder and keeps its name.
     return is_pipe_input(path) ? path : relative_label(path, request_.config.root);
   }
 
   void fail(const std::string& path, const std::string& message, const std::string& fix = {}) {
-    // What a search has found may be come by again as a companion.
+    // A file that fails here may be found again as a companion.
     if (!failed_.insert(path).second) return;
     const std::string text = label(path);
     CheckedFile file;
@@ -103,7 +103,7 @@ class Finder {
     candidates_.push_back({path, Named::by_hand, {}});
   }
 
-  // A folder that the user named, ending in '/' or empty, and as labels name it: for messages.
+  // Keeps a folder as the user typed it (ending in '/', or empty) by the name that labels have for it.
   void remember_typed(std::string_view folder) {
     if (folder == last_typed_ && !out_.typed.empty()) return;
     last_typed_ = folder;
@@ -143,7 +143,7 @@ class Finder {
   }
 
   void classify() {
-    // Telling kinds opens .json files, so it is done on all threads.
+    // The kind of a .json file is told by its content. Files are opened for that, so all threads do it.
     std::vector<std::optional<FileRole>> kinds(candidates_.size());
     std::vector<char> missing(candidates_.size());
     std::vector<std::string> failures(candidates_.size());
@@ -247,7 +247,7 @@ class Finder {
     out_.targets.push_back(std::move(found));
   }
 
-  // What the name of a picture tells; none where it tells no role.
+  // The picture with what its name tells; nullopt where that is no role.
   std::optional<NamedPicture> named_picture(const std::string& path) const {
     const std::string_view folder = folder_of(path), name = std::string_view(path).substr(folder.size());
     NamedPicture out;
@@ -269,7 +269,7 @@ class Finder {
     out.name = std::move(*parsed);
     out.guessed = out.name.convention != Convention::own;
     out.key = lower_case(std::string(folder) + out.name.set);
-    // No name of a set holds a line's end that is not its own: keys with and without these parts differ.
+    // Each part begins with a line end, so that keys with and without it differ.
     if (!out.name.tile.empty()) out.key += '\n' + out.name.tile;
     if (!out.name.lod.empty()) out.key += '\n' + out.name.lod;
     return out;
@@ -277,7 +277,7 @@ class Finder {
 
   void add_picture(const Candidate& candidate) {
     if (request_.role) {
-      // Each stands for itself: --role names what it is, and its companion would have another role.
+      // With --role each picture is checked alone, because all of them have the same role.
       NamedPicture picture;
       picture.path = picture.key = candidate.path;
       picture.name.role = *request_.role;
@@ -291,7 +291,7 @@ class Finder {
     pictures_.push_back(std::move(*picture));
   }
 
-  // Texels do not tell a role either: grey may be F0, metallic, roughness or a mask.
+  // A picture whose name tells no role. Its texels tell none either: grey may be F0, roughness or a mask.
   void unknown_picture(const std::string& path, bool by_hand,
                        const std::string& why = "its name tells no role") {
     if (by_hand) {
@@ -305,7 +305,7 @@ class Finder {
     list_document(out_.unknown.back(), "", ListedAs::unknown, why);
   }
 
-  // The pictures beside those of the run that have a role, for companions: each folder is listed once.
+  // Adds possible companions from the folders of the run's pictures. Each folder is listed once.
   void add_companions() {
     if (request_.role) return;
     std::unordered_set<std::string> have, keys;
@@ -349,9 +349,9 @@ class Finder {
       while (end < pictures_.size() && pictures_[end].key == pictures_[begin].key) ++end;
       const std::span<NamedPicture> same(pictures_.data() + begin, end - begin);
       for (PictureSet& set : sets_of(same)) {
-        // Who names the role says that there is no more.
+        // A base colour that was named by --role is checked without its companions.
         if (request_.role == FileRole::base_color) set.missing.clear();
-        // What is beside the files of the run is judged with them only.
+        // A set is judged only where at least one of its pictures belongs to the run.
         if (!std::ranges::all_of(set.members, &NamedPicture::companion)) add_set(set);
       }
       for (const NamedPicture& picture : same)
@@ -428,7 +428,7 @@ class Finder {
   const NameReader reader_;
   std::vector<Candidate> candidates_;
   std::vector<NamedPicture> pictures_;
-  std::unordered_set<std::string> claimed_, failed_;  // by a scene or a layout
+  std::unordered_set<std::string> claimed_, failed_;  // claimed: named by a scene or a layout
   std::string last_typed_;
   FoundTargets out_;
 };

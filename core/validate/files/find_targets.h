@@ -20,15 +20,15 @@ struct FoundTarget {
   std::vector<std::string> depends;
 };
 
-/// What was found, in the order of labels.
+/// The targets and files that were found, in the order of labels.
 ///   failed     one unreadable CheckedFile (ETK001) for everything that was named and cannot be checked
 ///   lone       sets whose companion is missing (ETK002), which are not opened
 ///   no_files   pipes, sockets and devices of folders, which were not opened
 ///   unknown    labels of the pictures, in folders and lists, whose names tell no role
 ///   listing    everything that was found, where the request asks for it
-///   files      how many files were looked at
-///   skipped    how many of those, in folders and lists, no rule is about
-///   typed      folders as labels name them, and as the user did
+///   files      how many files were found
+///   skipped    how many of those in folders and lists are of a kind that no rule checks
+///   typed      folders as labels name them, and as the user typed them
 struct FoundTargets {
   std::vector<FoundTarget> targets;
   std::vector<CheckedFile> failed, lone;
@@ -41,9 +41,9 @@ struct FoundTargets {
 /// Finds the files that the request names, tells their kinds and puts together what belongs together:
 /// pictures of one folder whose names differ in what tells the role only ("crate_diff.png",
 /// "crate_spec.png"). A picture named alone takes its companion along. Pictures that a scene or a layout of
-/// the run names belong to it alone. Of names of the list that lead to no file a thousand fail one by one;
-/// the others fail as a number, under the name of the list. The list itself is used up: it may hold a million
-/// names.
+/// the run names belong to it alone. Names of the list that lead to no file fail one by one up to a thousand;
+/// the others fail as a number, under the name of the list. The names are moved out of `request.listed`,
+/// because there may be a million of them.
 FoundTargets find_targets(ValidationRequest& request);
 
 /// `path` relative to `root` (empty: the working folder) as text alone (links are not looked at), with '/'.

@@ -23,7 +23,7 @@ std::string beside(const std::string& path, const std::string& name) {
   return whole.lexically_normal().generic_string();
 }
 
-// What the check goes by, of etak's own layouts and of those of other programs.
+// The parts of a layout that the check needs, of layouts of etak and of other programs.
 struct LayoutFacts {
   struct Page {
     std::vector<std::pair<FileRole, std::string>> files;
@@ -39,7 +39,8 @@ struct LayoutFacts {
   std::vector<Place> places;
 };
 
-// "mips" counts level 0, which nothing can bleed into; chains that end early ask for less.
+// Levels below level 0 that must stay clean. `mips` counts level 0 too, and the chain of the page may end
+// earlier.
 int mips_of_tile(int mips, int levels) {
   return std::min(mips, levels) - 1;
 }
@@ -48,13 +49,14 @@ std::string tile_name(const std::string& material, int island) {
   return material + '#' + std::to_string(island);
 }
 
-// Only what the rules ask for is read: layouts of other programs may hold less and more than etak's.
+// Reads only what the rules need, because layouts of other programs may hold less and more than those of
+// etak.
 LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int levels) {
   node.expect_object();
   LayoutFacts::Place out{node.at("name").text(), {}};
   CheckTile& tile = out.tile;
   tile.name = node.has("island") ? tile_name(out.material, node.at("island").integer()) : out.material;
-  // etak's own first island has no number.
+  // In layouts of etak the first island has no number, so that any tile may be one.
   tile.island_of = out.material;
   tile.page = pages > 1 || node.has("page") ? node.at("page").integer(0, static_cast<int>(pages) - 1) : 0;
   tile.box = {node.at("x").integer(), node.at("y").integer(), node.at("w").integer(0),
@@ -63,7 +65,7 @@ LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int level
   if (node.has("surface_class")) tile.surface_class = node.at("surface_class").text();
   if (node.has("gloss")) tile.typical_gloss = node.at("gloss").number();
   if (node.has("gutter")) tile.gutter = node.at("gutter").integer(0, max_image_side);
-  // What is no copy of the edge cannot be held against it.
+  // A gutter from the picture itself is no copy of the edge and cannot be compared with it.
   if (node.has("source_gutter") && node.at("source_gutter").boolean()) tile.gutter = 0;
   if (node.has("mips")) tile.mips = mips_of_tile(node.at("mips").integer(1, 16), levels);
   return out;
@@ -83,7 +85,7 @@ AtlasMaterialRow read_row(const JsonNode& node) {
   return out;
 }
 
-// The codes of a texture that the pages do without.
+// The codes of a constant texture; nullopt where some channel varies.
 std::optional<std::array<std::uint8_t, 4>> flat_codes(const AtlasMaterialRow& row, Texture texture) {
   std::array<std::uint8_t, 4> out{};
   for (std::size_t c = 0; c < 4; ++c) {
@@ -136,7 +138,7 @@ LayoutFacts read_facts(const JsonNode& root) {
   return out;
 }
 
-// The same of a layout in memory: what read_facts() finds in layout_json() of it.
+// The facts of a layout in memory, equal to those that read_facts() finds in its JSON.
 LayoutFacts facts_of(const AtlasLayout& layout) {
   LayoutFacts out;
   for (const AtlasPage& page : layout.pages) {
@@ -164,7 +166,7 @@ LayoutFacts facts_of(const AtlasLayout& layout) {
   return out;
 }
 
-// The materials that are on no page; without tiles where there is none.
+// The target of the materials that are on no page; it has no tiles where every material is on one.
 CheckTarget target_of_numbers(const LayoutFacts& facts, const std::string& label) {
   CheckTarget out;
   out.label = label;
@@ -194,7 +196,7 @@ std::vector<CheckTarget> targets_of(LayoutFacts facts, const std::string& path, 
   }
   std::map<std::string_view, const AtlasMaterialRow*> by_name;
   for (const AtlasMaterialRow& row : facts.materials) by_name.try_emplace(row.name, &row);
-  // Materials that share texels have a row each: the tile is one.
+  // Materials that share texels have a rectangle each, all of the same place, which is one tile.
   std::set<std::tuple<int, int, int, int, int>> seen;
   for (auto& [name, tile] : facts.places) {
     const PixelBox& box = tile.box;

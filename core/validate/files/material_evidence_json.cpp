@@ -28,7 +28,8 @@ std::string dataset_pointer(std::size_t index) {
   return "/datasets/" + std::to_string(index);
 }
 
-// Rows by the names of their columns; what is no number is left out, which ETK611 has said already.
+// Reads rows by the names of their columns. Values that are no numbers are left out; ETK611 has reported
+// them.
 void read_rows(const Json& dataset, SpectralRows& rows) {
   const double scale = text_at(dataset, "unit") == "um" ? 1000 : 1;
   std::vector<std::string> columns;
@@ -125,7 +126,7 @@ const F0Solver& default_solver() {
   return solver;
 }
 
-// A table as rows again.
+// The rows of a table, or the range of a formula.
 void set_rows(SpectralRows& rows, const Optics& optics) {
   if (const auto* measured = std::get_if<Reflectance>(&optics)) {
     rows.wavelength_nm = measured->spectrum.wavelength_nm;
@@ -154,7 +155,7 @@ void add_optics(MaterialEvidence& evidence, const Optics& optics, Flags flags, c
   add_f0(evidence, default_solver(), optics, flags);
 }
 
-// What a dataset says of itself, and what can be computed of it.
+// Adds a dataset, and its reflectance at 550 nm where no flag makes it doubtful.
 void add_dataset(MaterialEvidence& evidence, const Dataset& dataset, bool preferred) {
   SpectralRows rows;
   rows.pointer = dataset_pointer(evidence.datasets.size());
@@ -185,7 +186,7 @@ JsonDocument without(JsonDocument object, const char* key) {
   return JsonDocument(std::move(value));
 }
 
-// The numbers of what is no material file.
+// The numbers of a file that the strict reader refuses.
 MaterialEvidence lenient_evidence(const Json& document) {
   MaterialEvidence out;
   out.name = text_at(document, "name");
@@ -219,7 +220,7 @@ MaterialEvidence evidence_of_material(std::string_view text, const std::string& 
   try {
     read.emplace(parse_json_strictly(text, label, 32, "a material file"));
   } catch (const Error&) {
-    return refused;  // said already
+    return refused;  // which has the message of the strict reader
   }
   const Json& document = **read;
   if (!document.is_object()) return refused;
@@ -230,7 +231,8 @@ MaterialEvidence evidence_of_material(std::string_view text, const std::string& 
   if (f0 == document.end() || !f0->is_object()) return out;
   const auto linear = triple<double>(*f0, "linear");
   const auto bytes = triple<int>(*f0, "srgb8");
-  // With a stored F0 the strict reader has refused the file for that key: the rest is judged all the same.
+  // The strict reader refuses a file with a stored F0 for that key. The file is read again without it, so
+  // that the rest is judged all the same.
   const JsonDocument rest = without(std::move(*read), "f0");
   try {
     out = evidence_of_material(read_material(JsonNode{rest, label, ""}));

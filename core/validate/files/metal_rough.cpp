@@ -80,7 +80,7 @@ bool MetalRoughSet::is_set(const CheckTarget& target) {
   return std::ranges::any_of(target.files, [](const TargetFile& file) { return is_part(file.role); });
 }
 
-// Letters of names.h: roughness, smoothness, metallic.
+// Takes the channels of an image by the letters of names.h: r roughness, s smoothness, m metallic.
 void MetalRoughSet::add_channels(std::string_view letters, int image) {
   for (std::size_t i = 0; i < letters.size(); ++i) {
     if (letters[i] == 'm' && metallic_.image < 0) metallic_ = {image, i, false};
@@ -108,7 +108,7 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
     if (file.role == FileRole::roughness) add_channels("r", image);
     if (file.role == FileRole::gloss) add_channels("s", image);
     if (file.role != FileRole::metal_rough) continue;
-    // As glTF packs them, the file needs no other.
+    // A picture that is packed as glTF packs them can be used as it is.
     const std::string_view letters = file.channels.empty() ? "-rm-" : std::string_view(file.channels);
     if (letters.substr(1, 2) == "rm" && !material_.metallic_roughness_texture)
       material_.metallic_roughness_texture = texture(image);
@@ -123,7 +123,7 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
     (specular_ >= 0 ? material_.specular_glossiness_texture : material_.metallic_roughness_texture) =
         texture(joined_);
   }
-  // A base colour without anything on metal is taken for that of a dielectric.
+  // A base colour without a metallic channel is taken for that of a dielectric.
   if (!whole && metallic_.image < 0) material_.metallic = 0;
   pictures_ = ScenePictures(images_, door);
 }
@@ -132,7 +132,7 @@ LoadedPictures MetalRoughSet::convert() {
   return convert(pictures_);
 }
 
-// Of a metal-rough set G roughness and B metallic; else F0 and gloss, 1 - roughness.
+// The joined picture: of a metal-rough set G roughness and B metallic, else F0 with gloss, 1 - roughness.
 Image8 MetalRoughSet::joined(ScenePictures& pictures) const {
   int width = 0, height = 0;
   for (const int image : {specular_, metallic_.image, roughness_.image})
@@ -173,7 +173,8 @@ LoadedPictures MetalRoughSet::convert(ScenePictures& pictures) const {
   return convert_material(material_, pictures);
 }
 
-/// The strip of a set that is being read, decoded and converted by the first of the three that asks.
+/// The strip of a set that is being read. The first of the three sources that needs it decodes and converts
+/// it.
 class MetalRoughStrips {
  public:
   MetalRoughStrips(const MetalRoughSet& set, std::vector<std::unique_ptr<RowSource>> files)
@@ -188,7 +189,7 @@ class MetalRoughStrips {
 
  private:
   void decode(int count) {
-    // Whoever asks after a failure hears of the same one.
+    // After a failure each source throws the same exception.
     if (failure_) std::rethrow_exception(failure_);
     try {
       for (std::size_t i = 0; i < files_.size(); ++i) {

@@ -14,13 +14,14 @@ bool is_color(FileRole role) {
   return role == FileRole::base_color || role == FileRole::diffuse_alpha;
 }
 
-// What is judged beside a colour.
+// Whether pictures of this role are judged together with a colour.
 bool is_part(FileRole role) {
   return role == FileRole::specular_gloss || (role >= FileRole::metal_rough && role <= FileRole::gloss);
 }
 
-// Words that prove nothing alone need a picture of another role whose word does, or a colour and a part;
-// Unreal's letters, which also number things (a, b, c), then need a third picture or a longer word.
+// Whether the roles may be taken from names that are no proof alone. They need a picture of another role
+// whose name is one, or a colour and a part together. Single letters of Unreal's names also number things (a,
+// b, c), so that a colour and a part by letters alone need a third role or a longer word besides.
 bool unsure_agree(std::span<const NamedPicture> same) {
   bool color = false, part = false, words = false;
   bool proof = false;
@@ -71,7 +72,7 @@ class SetMaker {
       if (picture->name.role == from) picture->name.role = to;
   }
 
-  // The first that is left of a role; null: none.
+  // Takes out the first picture of a role that is left; null: none.
   NamedPicture* take(FileRole role) {
     const auto found = std::ranges::find_if(left_, [&](const auto* p) { return p->name.role == role; });
     if (found == left_.end()) return nullptr;
@@ -110,7 +111,7 @@ class SetMaker {
     while (NamedPicture* picture = take(FileRole::f0_only)) judge_together({{picture}, {}});
   }
 
-  // Base colours share what lies beside them: colour variants of one material have one roughness.
+  // All base colours are judged with the same parts: colour variants of one material share one roughness.
   void take_metal_rough() {
     std::vector<NamedPicture*> parts;
     const auto add = [&](FileRole role) {
@@ -160,7 +161,7 @@ class SetMaker {
       PictureSet set;
       for (const FileRole role : {FileRole::diffuse_alpha, FileRole::specular_gloss})
         if (NamedPicture* picture = take(role)) set.members.push_back(picture);
-      // Gloss in a file of its own, beside both.
+      // A pair may have its gloss in a file of its own.
       if (set.members.size() == 2) {
         NamedPicture* gloss = take(FileRole::gloss);
         if (gloss == nullptr) gloss = take(FileRole::roughness);
@@ -170,7 +171,7 @@ class SetMaker {
     }
   }
 
-  // Metallic, roughness and packed pictures say nothing on their own.
+  // Metallic, roughness and packed pictures cannot be judged without a base colour.
   void take_lone_parts() {
     if (left_.empty()) return;
     PictureSet set;

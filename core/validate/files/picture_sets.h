@@ -10,12 +10,12 @@
 
 namespace etak {
 
-/// A picture with what its name tells, and what becomes of it.
+/// A picture with what its name tells, and what is done with it.
 struct NamedPicture {
   std::string path;
   std::string key;         // equal for what may belong together: folder, set, tile and level, in lower case
   ParsedName name;         // its role is settled by sets_of()
-  bool guessed = false;    // by its name, not by [roles] or --role
+  bool guessed = false;    // the role comes from the name, not from [roles] or --role
   bool companion = false;  // found beside what was named: judged with that or not at all
   bool by_hand = false;
   ListedAs as = ListedAs::not_judged;
@@ -23,7 +23,7 @@ struct NamedPicture {
 };
 
 /// Pictures that are judged together, or that would be if their companion were there.
-///   missing   what is not there, for ETK002: "a base colour without roughness"; empty: the set is whole, or
+///   missing   what is missing, for ETK002: "a base colour without roughness"; empty: the set is whole, or
 ///             the rule itself sees what is missing
 struct PictureSet {
   std::vector<NamedPicture*> members;
@@ -31,8 +31,9 @@ struct PictureSet {
 };
 
 /// Puts the pictures of one key together: diffuse with specular (and gloss), base colour with metallic and
-/// roughness or with a packed picture, F0 alone. Two resolutions or formats of one set are two sets. Roles
-/// are settled by what lies beside: "diffuse" beside roughness is a base colour, "albedo" beside F0 diffuse.
+/// roughness or with a packed picture, F0 alone. Two resolutions or formats of one set are two sets. The
+/// other pictures decide what an ambiguous word means: "diffuse" beside roughness is a base colour, "albedo"
+/// beside F0 is diffuse.
 std::vector<PictureSet> sets_of(std::span<NamedPicture> same);
 
 }  // namespace etak

@@ -40,7 +40,7 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
   target.label = material.name;
   target.files = {{FileRole::diffuse_alpha, "", material.name + " (diffuse, alpha)", false},
                   {FileRole::specular_gloss, "", material.name + " (specular, gloss)", false}};
-  // Codes are sRGB by construction, and flat colours are meant to be flat.
+  // etak itself has encoded the codes as sRGB, and a material without textures is meant to be constant.
   Settings own = settings;
   own.transfer_stated = true;
   if (!has_textures(material)) {
@@ -50,7 +50,7 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
   if (material.measured) target.manifest.material = material.measured->material;
   MaterialPair pair = pictures_of(material, library, door, most_texels);
   if (!has_textures(material)) {
-    // One alpha for all hides no texel: F0 is drawn whatever the body lets through.
+    // A constant alpha hides no texel: the surface reflects by its F0 even where the body is transparent.
     std::vector<std::uint8_t>& texels = pair.diffuse_alpha.values;
     for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
     if (black_is_right(material, library)) own.rules["ETK202"].severity = Severity::off;

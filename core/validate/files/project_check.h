@@ -8,12 +8,12 @@
 
 namespace etak {
 
-// The rules on materials of a project, the same as on files: a part of validate() (core/validate/validate.h).
+// Checks materials of a project by the rules for files: a part of validate() (core/validate/validate.h).
 
-/// Checks one material: its pictures or colours, and the record its F0 was measured in. Never throws for what
-/// is wrong with it. Findings carry its name as material.
+/// Checks one material: its pictures or colours, and the record that its F0 comes from. Errors of the
+/// material are findings, not exceptions. Findings have its name as material.
 ///   library       with the project's own spectra (library_of)
-///   most_texels   pictures of more are not looked at, which is a finding; 0: any
+///   most_texels   larger pictures are not checked, which is a finding; 0: no limit
 CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrary& library,
                            const PictureDoor& door, const Settings& settings, std::size_t most_texels = 0,
                            unsigned threads = 1);

@@ -31,12 +31,12 @@ std::string program_fingerprint(const std::string& version) {
   return version + ' ' + sha256_of_file("/proc/self/exe");
 }
 
-// What the system says of the files: it changes with their content.
+// Device, inode, size and times of the files, which change when a file is written.
 std::string stamps_of(const std::vector<std::string>& paths) {
   std::string out;
   for (const std::string& path : paths) {
     struct stat info {};
-    // What came from a pipe is kept in memory and stays as it is.
+    // Input from a pipe is kept in memory and does not change.
     if (!is_pipe_input(path) && ::stat(path.c_str(), &info) != 0) out += "none";
     for (const std::int64_t part :
          {static_cast<std::int64_t>(info.st_dev), static_cast<std::int64_t>(info.st_ino),
@@ -49,7 +49,7 @@ std::string stamps_of(const std::vector<std::string>& paths) {
   return out;
 }
 
-// The whole of an open file; nothing when it is no regular one, too long, or not to be read.
+// The content of an open file; nullopt when it is no regular file, too long, or cannot be read.
 std::optional<std::string> read_entry(const Descriptor& file) {
   struct stat info {};
   if (!file || ::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode)) return std::nullopt;
@@ -101,7 +101,8 @@ ResultCache::ResultCache(const std::string& folder, const std::string& settings,
 
 CacheKey ResultCache::key_of(const FoundTarget& found) const {
   CacheKey out;
-  // Before the bytes are read, so that a file that is written meanwhile counts as changed.
+  // The stamps are taken before the bytes are read, so that a file that is written meanwhile counts as
+  // changed.
   out.stamps = stamps_of(found.depends);
   std::string text = settings_ + '\n' + found.target.label + '\n';
   for (const TargetFile& file : found.target.files)
@@ -123,7 +124,8 @@ std::string ResultCache::seal_of(const std::string& digest, std::string_view tex
   return key_.empty() ? sha256(sealed) : hmac_sha256(key_, sealed);
 }
 
-// The folder of an entry. No link is followed: whoever can write to the cache could lead a writer elsewhere.
+// The folder of an entry. No link is followed, because a program that can write to the cache could redirect
+// others by one.
 Descriptor ResultCache::folder_of(const std::string& digest) const {
   return open_folder(folder_.get(), digest.substr(0, 2));
 }
@@ -157,7 +159,7 @@ void ResultCache::keep(const CacheKey& key, const FoundTarget& found, const Chec
   const Descriptor folder = folder_of(key.digest);
   if (!folder) return;
   // Not write_file(): a result that is lost in a power cut is only computed again, and flushing thousands of
-  // files takes longer than that. The rename keeps other runs from seeing a part.
+  // files takes longer than that. The rename keeps other runs from reading half an entry.
   Temporary out(folder.get(), name, Temporary::Kind::file);
   if (out &&
       write_all(out.open().get(), std::string(format_name) + seal_of(key.digest, text) + '\n' + text) &&

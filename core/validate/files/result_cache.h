@@ -11,11 +11,10 @@
 
 namespace etak {
 
-/// Which result is asked for.
+/// The key of a result.
 ///   digest   SHA-256 of the bytes of the files, their labels and roles, the settings, and this program:
-///            whatever could change the result. Empty when a file cannot be read: such a target has no
-///            result
-///   stamps   what the system said of the files before their bytes were read
+///            whatever could change the result. Empty when a file cannot be read: no result is kept then
+///   stamps   device, inode, size and times of the files before their bytes were read
 struct CacheKey {
   std::string digest, stamps;
 };
@@ -23,8 +22,9 @@ struct CacheKey {
 /// The bytes of a --cache-key file. Throws Error, also for fewer than 16 bytes.
 std::string read_cache_key(const std::string& path);
 
-/// Results of earlier runs, a small file each. To look one up its files are read, but no picture is decoded.
-///   seal   each file begins with a checksum of its text and of the digest it belongs to, so that damage and
+/// Results of earlier runs, a small file for each. To look one up, the files of its target are read, but no
+/// picture is decoded.
+///   seal   each entry begins with a checksum of its text and of the digest it belongs to, so that damage and
 ///          an entry under another's name count as none. With a key the checksum is an HMAC: entries of
 ///          writers without the key count as none too. Without one any writer can make any entry, so that the
 ///          folder is only for writers who are trusted
@@ -33,17 +33,19 @@ std::string read_cache_key(const std::string& path);
 class ResultCache {
  public:
   /// Makes the folder. Throws Error.
-  ///   settings   what the findings depend on besides the files, as text
+  ///   settings   the settings that the findings depend on, as text
   ///   version    of the program: results of other versions, and of other builds, count as none
   ///   key        of read_cache_key(); empty: none
   ResultCache(const std::string& folder, const std::string& settings, const std::string& version,
               std::string key);
 
+  /// The key of a target. Reads all of its files.
   CacheKey key_of(const FoundTarget& found) const;
 
+  /// The result of that key; nullopt: there is none that counts.
   std::optional<CheckedFile> find(const CacheKey& key) const;
 
-  /// Keeps nothing when the files have changed since key_of(): the result may then belong to other bytes.
+  /// Keeps a result, except when the files have changed since key_of(): it may then belong to other bytes.
   void keep(const CacheKey& key, const FoundTarget& found, const CheckedFile& file) const;
 
  private:

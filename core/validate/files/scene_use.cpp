@@ -13,10 +13,10 @@ namespace etak {
 
 namespace {
 
-// As far as ETK502 looks.
+// The distance in texels at which ETK502 looks for visible neighbours.
 constexpr int fringe_reach = 2;
 
-// Gives a hidden texel the colour of a visible one nearby, the nearest of them.
+// Gives a hidden texel the colour of the nearest visible one within that distance.
 void take_color(Image8& picture, const std::vector<std::uint8_t>& use, int x, int y) {
   int nearest = 2 * fringe_reach * fringe_reach + 1;
   const std::uint8_t* from = nullptr;
@@ -32,7 +32,7 @@ void take_color(Image8& picture, const std::vector<std::uint8_t>& use, int x, in
   if (from != nullptr) std::memcpy(picture.at(x, y).data(), from, 3);
 }
 
-// Of all that makes a material's pictures: of everything but name, normals and sides.
+// Everything that decides the pictures of a material: name, normal map, sides and UVs do not.
 auto look_of(const GltfMaterial& m) {
   const auto image = [](const std::optional<GltfTexture>& t) { return t ? t->image : -1; };
   return std::tuple(m.base_color, image(m.base_color_texture), m.metallic, m.roughness,
@@ -73,7 +73,7 @@ std::vector<std::uint8_t> texels_in_use(const MaterialUses& uses, const std::vec
       if (out.empty()) out.resize(use.mask.size());
       for (std::size_t i = 0; i < out.size(); ++i) out[i] |= use.mask[i];
     } catch (const Error&) {
-      return {};  // UVs that are no numbers
+      return {};  // some UVs are not finite
     }
   }
   return out;

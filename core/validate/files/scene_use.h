@@ -11,31 +11,32 @@
 
 namespace etak {
 
-/// The used materials of a scene by the pictures that they give: those of a group are alike but for names,
-/// normals, sides and UVs.
+/// Groups of the used materials of a scene that give equal pictures: those of a group differ in name, normal
+/// map, sides and UVs only.
 class MaterialLooks {
  public:
   explicit MaterialLooks(const GltfScene& scene);
 
-  /// The group of a used material, rising; none for other materials.
+  /// Indices of the materials in the group of a used material, ascending; empty for materials that are not
+  /// used.
   const std::vector<int>& of(int material) const;
 
  private:
-  std::vector<std::vector<int>> groups_;  // the first has nobody
+  std::vector<std::vector<int>> groups_;  // the first is empty, for materials that are not used
   std::vector<std::size_t> group_of_;     // by material
 };
 
 /// 1 for every texel that the triangles of a scene read with one of the materials, in pictures of width x
-/// height; empty where all of them may be read: textures looked up at different places, UVs that nobody
-/// understands, numbers instead of textures.
+/// height; empty where all of them may be read: textures that are read at different places, UVs that cannot
+/// be evaluated, constants instead of textures.
 std::vector<std::uint8_t> texels_in_use(const MaterialUses& uses, const std::vector<int>& materials,
                                         int width, int height);
 
-/// Hides the texels that are not in use from the rules: alpha 0, and beside visible ones
-/// their colour, so that no fringe is seen where nobody looks. Returns how many.
+/// Hides the texels that are not in use from the rules by an alpha of 0. Beside visible texels they also get
+/// the colour of these, so that ETK502 finds no fringe there. Returns the number of hidden texels.
 std::size_t hide_unused(LoadedPictures& pictures, const std::vector<std::uint8_t>& use);
 
-/// Takes so many hidden texels out of what was seen: shares are of the texels in use.
+/// Subtracts the hidden texels from the counts, so that shares are of the texels in use.
 void forget_unused(Evidence& evidence, std::size_t hidden);
 
 }  // namespace etak

@@ -12,7 +12,7 @@
 namespace etak {
 namespace {
 
-// Lines are easy to read up to here, however wide the terminal.
+// Longer lines are hard to read, however wide the terminal is.
 constexpr std::size_t widest_line = 100;
 
 std::string profiles_of(const Rule& rule) {

@@ -10,13 +10,13 @@
 namespace etak {
 
 /// The rule for people: what, why, an example, the fix, its parameters and sources.
-///   columns   that it may take; 0: as many as are easy to read
+///   columns   width of the lines in characters, at most 100; 0: 100
 std::string explanation(const Rule& rule, std::size_t columns = 0);
 
 /// The same in Markdown, under a heading.
 std::string explanation_markdown(const Rule& rule);
 
-/// id, slug, severity in the default and strict profile, title; a rule a line.
+/// A table of all rules, a line for each: id, slug, severity in the default and strict profile, title.
 std::string rules_table();
 
 /// {"schema": "etak-rules/1", "rules": [...]} for editors and documentation.

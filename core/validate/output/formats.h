@@ -10,12 +10,12 @@
 
 namespace etak {
 
-// The forms of a validation report. All are made from the report's values alone: no clock, no absolute path,
-// the order of the report, so equal reports give equal bytes. Only output_json and output_sarif show findings
-// that an [[allow]] entry or the baseline took out of the verdict; they are marked there.
+// The forms of a validation report. All are made from the report's values alone, in its order, without a
+// clock or absolute paths, so that equal reports give equal bytes. Findings that an [[allow]] entry or the
+// baseline took out of the verdict are left out of text and GitHub's commands, and marked in the other forms.
 
-/// What a form needs to know beside the report.
-///   fail_on   findings from here on make the verdict FAILED (a failure in JUnit)
+/// What a form needs besides the report.
+///   fail_on   findings of this severity and above make the verdict FAILED (a failure in JUnit)
 ///   version   of etak
 struct OutputOptions {
   Severity fail_on = Severity::error;
@@ -27,7 +27,7 @@ inline bool counts(const Finding& finding) {
   return !finding.suppressed && !finding.baseline;
 }
 
-/// The files with findings by severity, for verdict lines.
+/// Numbers of files and findings for the verdict.
 struct ReportCounts {
   std::size_t files = 0, clean = 0;  // clean: no finding that counts, and readable
   std::size_t unreadable = 0;
@@ -37,22 +37,22 @@ ReportCounts count_files(const ValidationReport& report);
 
 /// Where a finding lies: `crate_spec.png:tile "hinge" [812,64 96x40]`, `wood.json#/datasets/0/n`.
 std::string place_of(const Finding& finding);
-/// The same with other words for the file.
+/// The same with `file` as the name of the file.
 std::string place_of(const Finding& finding, const std::string& file);
 
-/// Its message with the cause behind it, one line without a full stop at its end.
+/// The message of a finding with its cause, on one line without a full stop at its end.
 std::string sentence_of(const Finding& finding);
 
-/// "2,914"
+/// A number with commas between thousands: "2,914".
 std::string grouped(std::size_t value);
 
 /// One line: "FAILED: 1 error, 2 warnings in 3 files (41 clean)." or "PASSED: 44 files, 0 findings."; what
 /// could not be checked comes first: "INCOMPLETE: 1 of 44 files could not be checked; ...".
 std::string verdict_of(const ValidationReport& report);
 
-/// How much of a report the text form tells.
+/// How much of a report the text form shows.
 ///   color        severity words in ANSI colours
-///   least        findings below are left out; of the verdict's numbers nothing is
+///   least        findings of a lower severity are left out; the verdict still counts them
 ///   fold_infos   infos of one rule share a line
 ///   findings     false: the verdict alone
 struct TextOptions {
@@ -66,7 +66,8 @@ struct TextOptions {
 /// are named as the user named them.
 std::string validation_text(const ValidationReport& report, const TextOptions& options = {});
 
-/// A label as the user would type it: below what was typed, else as it is.
+/// A label as the user would type it: below a folder that the user has typed by that folder's name, else the
+/// label itself.
 std::string shown_path(const std::string& label, const TypedFolders& typed);
 
 /// One row per finding, suppressed ones too, with a header; RFC 4180: CRLF, quotes where needed.
@@ -83,13 +84,13 @@ std::string validation_sarif(const ValidationReport& report, const OutputOptions
 /// JUnit XML: a test suite per file, a test case per family of rules.
 std::string validation_junit(const ValidationReport& report, const OutputOptions& options);
 
-/// Workflow commands of GitHub Actions: at most 10 of each level, as many as it shows; the rest is summed up
-/// in a plain line. The verdict last.
+/// Workflow commands of GitHub Actions: at most 10 of each level, because GitHub shows no more; the rest is
+/// summed up in a plain line. The verdict is last.
 std::string validation_github(const ValidationReport& report);
 
-/// A key that is equal for the same defect before and after a re-export: rule, relative file, tile, material,
-/// pointer and the box in steps of 1/8 of the picture's sides (16 hexadecimal digits of a 64-bit FNV-1a
-/// hash).
+/// A key that is equal for the same defect before and after a new export: rule, relative file, tile,
+/// material, pointer, and outside of tiles the middle of the box in steps of 1/8 of the picture's sides (16
+/// hexadecimal digits of a 64-bit FNV-1a hash).
 std::string region_fingerprint(const Finding& finding, int width, int height);
 
 }  // namespace etak

@@ -8,7 +8,8 @@
 namespace etak {
 namespace {
 
-// The escapes of GitHub's workflow commands, in line_text(): a property also ends at ':' and ','.
+// The text on one line, with the escapes of GitHub's workflow commands. In a property ':' and ',' are escaped
+// as well, because they would end it.
 std::string escaped(std::string_view text, bool property) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string out;

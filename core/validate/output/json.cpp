@@ -81,8 +81,8 @@ std::string text_of(const Json& json) {
   return quiet_json(json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-// The files one after the other, as an array's elements two levels deep: a document of all of them at once
-// takes ten times the memory of its text.
+// Writes the files one after the other as elements of an array two levels deep, because a document of all of
+// them would take ten times the memory of its text.
 void append_files(std::string& out, const std::vector<CheckedFile>& files) {
   for (const CheckedFile& file : files) {
     out += &file == &files.front() ? "\n    " : ",\n    ";

@@ -17,7 +17,7 @@ constexpr std::array families{Family{'0', "0xx input"},         Family{'1', "1xx
                               Family{'4', "4xx encoding"},      Family{'5', "5xx alpha and atlas"},
                               Family{'6', "6xx material data"}, Family{'9', "9xx tool"}};
 
-// What could not be looked at is an error of the test; a finding of enough weight is its failure.
+// Whether a file could not be checked, which is an error in JUnit; findings of a high severity are failures.
 bool is_unreadable(const Finding& finding) {
   return finding.rule == "ETK001" || finding.rule == "ETK901";
 }
@@ -80,7 +80,7 @@ std::string validation_junit(const ValidationReport& report, const OutputOptions
     std::size_t suite_tests = 0, suite_failures = 0, suite_errors = 0;
     for (const Family& family : families) {
       Case result = test_case(file, family, options.fail_on);
-      // The tool's own family is no property of the file: it appears only when it has something to say.
+      // The rules of the tool itself are not about the file: their family appears only when it has findings.
       if (family.digit == '9' && result.text.ends_with("/>\n")) continue;
       ++suite_tests;
       suite_failures += result.failures;

@@ -20,7 +20,7 @@ std::string_view level(Severity severity) {
   return severity == Severity::warning ? "warning" : "note";
 }
 
-// A relative path as a URI reference (RFC 3986): what is neither unreserved nor '/' in percent form.
+// A relative path as a URI reference (RFC 3986): all but unreserved characters and '/' are percent-encoded.
 std::string uri(std::string_view path) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string out;
@@ -43,7 +43,8 @@ Json artifact(const std::string& path) {
   return {{"uri", uri(path)}, {"uriBaseId", "%SRCROOT%"}};
 }
 
-// No server stands behind these names, as behind those of the schemas: `etak explain ETK101` does.
+// These addresses are names alone and lead to no server, as those of the schemas; `etak explain ETK101`
+// explains a rule.
 std::string rule_address(const Rule& rule) {
   return "urn:etak:rule:" + std::string(rule.id);
 }
@@ -118,7 +119,7 @@ Json result_json(const CheckedFile& file, const Finding& finding) {
 std::string validation_sarif(const ValidationReport& report, const OutputOptions& options) {
   Json results = Json::array();
   std::size_t left_out = 0;
-  // What counts comes first, so that a cut takes what is suppressed before what is not.
+  // Findings that count come first, so that suppressed ones are the first to be left out.
   for (const bool counting : {true, false})
     for (const CheckedFile& file : report.files)
       for (const Finding& finding : file.findings) {

@@ -35,8 +35,8 @@ std::string place_of(const Finding& finding) {
 
 std::string place_of(const Finding& finding, const std::string& file) {
   std::string out = file;
-  // A scene's pointer to a material means nothing in the texture that the finding is in. What came from a
-  // pipe is the scene itself: its textures are files.
+  // A pointer to a material of a scene means nothing in the texture that the finding is in. A file from a
+  // pipe is the scene itself, because its textures are files.
   const bool in_texture = finding.pointer.starts_with("/materials/") && !finding.file.ends_with(".gltf") &&
                           !finding.file.ends_with(".glb") && !is_pipe_input(finding.file);
   if (!finding.pointer.empty() && !in_texture) out += '#' + finding.pointer;
@@ -65,7 +65,8 @@ std::string sentence_of(const Finding& finding) {
 ReportCounts count_files(const ValidationReport& report) {
   ReportCounts out;
   for (const CheckedFile& file : report.files) {
-    // The configuration may have findings of its own (ETK903) but was not what was to be checked.
+    // The configuration may have findings of its own (ETK903), but is none of the files that were to be
+    // checked.
     const bool is_config = !file.roles.empty() && file.roles.front().second == "config";
     // The path of a UDIM set stands for its tiles and is no file.
     const std::size_t own = file.tiles.empty() ? 1 : 0;
@@ -145,7 +146,7 @@ void add_sentences(std::string& out, const Finding& finding) {
   out += '\n';
 }
 
-// Where a finding stands among those of its severity.
+// The order of findings of one severity.
 auto place_key(const Finding& f) {
   return std::tuple(std::string_view(f.file), std::string_view(f.pointer), std::string_view(f.tile),
                     f.box ? f.box->y : -1, f.box ? f.box->x : -1, std::string_view(f.rule));

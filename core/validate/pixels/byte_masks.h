@@ -6,24 +6,25 @@
 
 namespace etak {
 
-/// Limits of the byte tests, from the settings through the tables: no test of the byte pass sees a float.
+/// Limits of the byte tests in codes. They are made from the settings by the code tables, so that no test of
+/// the byte pass needs a float.
 struct ByteLimits {
   static constexpr int b_levels = 4, a_levels = 2;
-  // Alpha that is neither nothing nor whole (ETK501): beyond these codes premultiplied colour is too near to
-  // black, or to straight colour, to be told.
+  // Codes of alpha that ETK501 looks at: outside of them premultiplied colour is too near to black, or to
+  // straight colour, to be recognised.
   static constexpr std::uint8_t alpha_middle_first = 9, alpha_middle_last = 246;
   std::uint8_t zone_first = 124, zone_last = 178;       // codes of a grey in the forbidden zone, inclusive
   std::uint8_t b_level[b_levels] = {36, 81, 124, 179};  // least grey code at or above each limit of Y, 1..255
   std::uint8_t a_level[a_levels] = {30, 251};
-  std::uint8_t spread = 4;           // of a dielectric's channels
-  std::uint8_t bluish = 12;          // blue above red by more than this
-  std::uint8_t metal_diffuse = 30;   // diffuse above it under a metal
-  std::uint8_t black_diffuse = 2;    // diffuse at or below it
-  std::uint8_t single_bright = 124;  // one diffuse channel above it beside one at 0
+  std::uint8_t spread = 4;           // largest difference of a dielectric's channels
+  std::uint8_t bluish = 12;          // bluish: blue is above red by more than this
+  std::uint8_t metal_diffuse = 30;   // largest diffuse channel that a metal may have
+  std::uint8_t black_diffuse = 2;    // largest diffuse channel of black
+  std::uint8_t single_bright = 124;  // single channel: one diffuse channel above this, and one at 0
 };
 
-/// Answers for 64 texels, bit i for texel i. Of the levels of Y a texel is surely below when its largest
-/// channel is, and surely at or above when its smallest one is; the rest is for the table sums to say.
+/// Masks of 64 texels, bit i for texel i. A texel is surely below a level of Y when its largest channel is,
+/// and surely at or above it when its smallest channel is; for other texels the sums of the tables decide.
 struct MaskWords {
   std::uint64_t opaque;
   std::uint64_t alpha_zero, alpha_full, alpha_middle;  // 0; 255; the middle codes
@@ -39,8 +40,8 @@ struct MaskWords {
   std::uint64_t gloss_zero, gloss_full;
 };
 
-/// Exact counts over the texels looked at. Opaque texels are those of alpha 255 where alpha is transparency,
-/// else those of alpha above 0.
+/// Exact counts over the texels. Opaque texels are those of alpha 255 where alpha is transparency, else those
+/// of alpha above 0.
 struct MaskCounts {
   std::uint64_t opaque = 0, alpha_zero = 0, alpha_full = 0, zone_any = 0, zone_all = 0, black = 0;
   std::uint64_t gloss_zero = 0, gloss_full = 0;    // of opaque texels
@@ -48,15 +49,17 @@ struct MaskCounts {
   std::uint8_t gloss_least = 255, gloss_most = 0;  // of all
 };
 
-/// Masks and counts of 64 `words` texels: A and B, 4 bytes a texel. `valid` says which of the last 64 texels
-/// count; the others must repeat one that does, with alpha 0. Two sets of instructions, one result.
+/// Makes the masks and counts of 64 x `words` texels of A and B, 4 bytes a texel. `valid` tells which of the
+/// last 64 texels count; the others must repeat one that does, with alpha 0. All versions give the same
+/// result.
 using ByteMasks = void (*)(const std::uint8_t* a, const std::uint8_t* b, std::size_t words,
                            std::uint64_t valid, bool transparency, const ByteLimits& limits, MaskWords* out,
                            MaskCounts& counts);
+/// The fastest version for this processor.
 ByteMasks byte_masks();
 
-/// The two behind it. The first is there on x86-64 only, and may be called only where the processor has AVX2
-/// and POPCNT.
+/// The two versions. byte_masks_avx2() exists on x86-64 only; what it returns may be called only where the
+/// processor has AVX2 and POPCNT.
 ByteMasks byte_masks_avx2();
 ByteMasks byte_masks_plain();
 

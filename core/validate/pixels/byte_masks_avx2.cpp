@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled with -mavx2; called only where the processor has it.
+// This source is compiled with -mavx2 and called only where the processor has AVX2.
 #include "core/validate/pixels/byte_masks.h"
 
 #include <immintrin.h>
@@ -57,7 +57,8 @@ inline void add_sums(V v, std::uint64_t& sum, std::uint64_t& squares) {
       sum_of_four(_mm256_add_epi64(_mm256_unpacklo_epi32(pairs, zero), _mm256_unpackhi_epi32(pairs, zero)));
 }
 
-// 8 texels into 8 bytes each of red, green, blue, fourth; four of them make a plane of 32.
+// Sorts 64 texels into planes of red, green, blue and the fourth channel. A vector of 8 texels gives 8 bytes
+// of each channel; four of them make one vector of each plane.
 template <class Planes>
 inline void planes_of(const std::uint8_t* p, Planes& out) {
   const V by_channel = _mm256_setr_epi8(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15, 0, 4, 8, 12, 1,
@@ -68,7 +69,7 @@ inline void planes_of(const std::uint8_t* p, Planes& out) {
     for (int j = 0; j < 4; ++j)
       part[j] =
           _mm256_permutevar8x32_epi32(_mm256_shuffle_epi8(load(p + 128 * i + 32 * j), by_channel), by_lane);
-    // part[j]: red green | blue fourth, 8 bytes each, of texels 8 j ...
+    // part[j]: red green | blue fourth, 8 bytes each, of the 8 texels from 8 j on
     const V red_a = _mm256_unpacklo_epi64(part[0], part[1]), red_b = _mm256_unpacklo_epi64(part[2], part[3]);
     const V green_a = _mm256_unpackhi_epi64(part[0], part[1]),
             green_b = _mm256_unpackhi_epi64(part[2], part[3]);

@@ -76,7 +76,7 @@ inline void planes_of(const std::uint8_t* p, Planes& out) {
   }
 }
 
-#else  // any other processor: the same in loops
+#else  // any other processor: the same operations in loops
 
 struct V {
   std::uint8_t v[lanes];

@@ -48,7 +48,8 @@ CodeTables::CodeTables(TextureTransfer transfer) : transfer_(transfer) {
     red[code] = fixed(luminance_weights<double>[0] * decoded[code]);
     green[code] = fixed(luminance_weights<double>[1] * decoded[code]);
     blue[code] = fixed(luminance_weights<double>[2] * decoded[code]);
-    // Greys must be their own luminance code, so the limits between codes stand on the sums, not on 2^24 Y.
+    // A limit lies half a code below its code, so that a grey has its own code as luminance code in spite of
+    // rounding.
     code_first_[code] = code == 0 ? 0 : fixed(decode_of(transfer, (static_cast<double>(code) - 0.5) / 255));
   }
   for (std::size_t i = 0; i < code_start_.size(); ++i) {

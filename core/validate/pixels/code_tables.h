@@ -8,11 +8,11 @@
 
 namespace etak {
 
-/// One unit of linear light in the integers of the byte pass.
+/// The linear value 1 in the integers of the byte pass, whose unit is 2^-24.
 inline constexpr std::uint32_t linear_one = 1u << 24;
 
-/// What the 256 codes stand for under one transfer function, as integers: the byte pass adds, never
-/// multiplies, and knows no floats. Y by luminance_weights.
+/// The values of the 256 codes under one transfer function, as integers, so that the byte pass only adds and
+/// needs no floats. Y is by luminance_weights.
 struct CodeTables {
   explicit CodeTables(TextureTransfer transfer);
 
@@ -20,7 +20,7 @@ struct CodeTables {
   std::array<std::uint32_t, 256> red{}, green{}, blue{};  // the same times the channel's weight in Y
   std::array<double, 256> decoded{};
 
-  /// Y of a texel, of linear_one.
+  /// Y of a texel, where 1 is linear_one.
   std::uint32_t luminance(const std::uint8_t* rgb) const {
     return red[rgb[0]] + green[rgb[1]] + blue[rgb[2]];
   }
@@ -28,19 +28,19 @@ struct CodeTables {
   /// Code of the grey whose Y is nearest in codes: rounded half up on the encoded scale.
   std::uint8_t luminance_code(const std::uint8_t* rgb) const { return code_of(luminance(rgb)); }
 
-  /// The same of a Y (or any linear value of linear_one, at most linear_one + 1).
+  /// The code of a Y, or of any other linear value, of at most linear_one + 1.
   std::uint8_t code_of(std::uint32_t y) const {
     std::uint8_t code = code_start_[y >> code_shift];
     while (code < 255 && y >= code_first_[code + 1u]) ++code;
     return code;
   }
 
-  /// Smallest grey code whose Y is at least `y` (of linear_one); 256: none.
+  /// The smallest grey code whose Y is at least `y`, where 1 is linear_one; 256: none.
   int first_code_at_least(std::uint32_t y) const;
 
   /// Code (rounded half up) of a linear value clamped to [0, 1].
   std::uint8_t encode(double linear) const;
-  double decode(double code) const;  // codes between whole ones: of means
+  double decode(double code) const;  // also for codes with a fraction, as means have
 
  private:
   static constexpr unsigned code_shift = 12;
@@ -49,7 +49,7 @@ struct CodeTables {
   std::array<std::uint8_t, (linear_one >> code_shift) + 2> code_start_{};
 };
 
-/// Integer above which (or from which on) a linear value lies: floor(2^24 v) + 1 for v > limit.
+/// The least integer of the byte pass that lies above (is at least) a linear limit.
 std::uint32_t first_above(double limit);
 std::uint32_t first_at_least(double limit);
 

@@ -22,11 +22,12 @@ PixelBox around(const PixelBox& a, const PixelBox& b) {
   return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
 }
 
-// How codes change from a component outwards, `step` being 1 or -1.
+// How the codes change beyond the end of a run: not at all, in few steps, or in many.
 enum class End { border, hard, soft };
 
-// Hard: one step makes at least half of the change, as drawn and anti-aliased edges have it. Of the edges
-// that leave a plateau, blurred with sigma 2 and more, a step makes a quarter.
+// The end of a run whose last code is *code, in the direction `step`, 1 or -1. It is hard where one step
+// makes at least half of the change, as in drawn and anti-aliased edges. In edges that are blurred enough to
+// leave a plateau, with sigma 2 and more, a step makes a quarter.
 End end_of_run(const std::uint8_t* code, int step) {
   constexpr int noise = 8;  // codes
   int change = 0, largest_step = 0;
@@ -165,7 +166,7 @@ void Components::retire(bool all) {
   std::size_t kept = 0;
   for (const auto component : open_) {
     Sums& sums = sums_[component];
-    if (parent_[component] != component) {  // joined to another: free now that no run names it
+    if (parent_[component] != component) {  // joined to another, and named by no run any more
       free_.push_back(component);
     } else if (sums.touched && !all) {
       sums.touched = false;
@@ -194,8 +195,9 @@ Plateau Components::plateau_of(const Sums& sums) const {
   return plateau;
 }
 
-// Of a solid patch of 7 texels a side or more the components show the size: erosion and median leave a square
-// without three texels in each corner.
+// Looks for a solid patch in a component that is too small for a region. The component shows the size of a
+// patch of 7 texels a side or more, because erosion and median leave a square that lacks three texels in each
+// corner.
 void Components::close_small(const Sums& sums) {
   constexpr int least_side = 7;
   constexpr std::size_t corners = 12;

@@ -12,18 +12,18 @@
 
 namespace etak {
 
-/// A region that survived the analysis: connected, flat, large enough.
+/// A region that the analysis has found: connected, flat and large enough.
 struct Plateau {
   RegionKind kind = RegionKind::zone;
   PixelBox box;  // in the picture
   std::size_t area = 0;
   std::array<double, 3> specular{}, diffuse{};  // mean, linear
   double metallic = 0;                          // mean
-  std::uint8_t least = 255, most = 0;           // luminance codes on the plane that was judged
+  std::uint8_t least = 255, most = 0;           // extreme codes on the plane that was judged
   friend bool operator==(const Plateau&, const Plateau&) = default;
 };
 
-/// What all plateaus of one kind in one tile come to.
+/// The sums over all plateaus of one kind in one tile, and the largest of them.
 struct PlateauSummary {
   std::size_t masked = 0;  // texels that meet the condition
   std::size_t area = 0;    // of those, on plateaus that are large enough
@@ -32,32 +32,34 @@ struct PlateauSummary {
   std::vector<Plateau> largest;           // at most `kept`, largest first; equal ones from the top
   std::vector<std::size_t> area_by_code;  // 256, by the luminance code of the mean; empty when regions is 0
   PixelBox masked_box;                    // around all texels that meet the condition
-  // Of the zone: solid patches with hard edges that are too small for a region, and the largest of them with
-  // the texels around it that erosion took.
+  // Only for the zone: solid patches with hard edges that are too small for a region, and the largest of
+  // them, whose box includes the texels that erosion has removed.
   std::size_t patches = 0;
   std::size_t patch_area = 0;  // of their boxes
   Plateau largest_patch;
   static constexpr std::size_t kept = 256;
 };
 
-/// Rows that a run of texels lies in, at the tile's left edge; null where there is no such picture.
+/// The row of each picture that a run of texels lies in, from the tile's left edge on; null where there is no
+/// such picture.
 struct RowPointers {
   const std::uint8_t *a = nullptr, *b = nullptr, *metallic = nullptr;
 };
 
 /// Joins texels of successive rows into 8-connected components (runs and union-find), with sums over each. A
-/// component is judged and forgotten as soon as a row adds nothing to it, so memory follows the width.
+/// component is judged and forgotten as soon as a row adds nothing to it, so that memory grows with the width
+/// only.
 class Components {
  public:
   ///   tile         in the picture
   ///   least_area   components of fewer texels are dropped
-  ///   eroded       how far the mask reached beyond the components, in texels
+  ///   eroded       how many texels erosion has removed on each side
   Components(RegionKind kind, const PixelBox& tile, std::size_t least_area, int eroded,
              const CodeTables& tables);
 
   /// Row y of the tile, y ascending by 1 from any row; bit i of word w is texel 64 w + i.
-  ///   codes   luminance codes of the judged plane in this row, and of the `edge_reach` texels on both sides
-  ///           of each texel that is set; before the first and behind the last column their codes
+  ///   codes   codes of the judged plane in this row: of the texels that are set, and of the `edge_reach`
+  ///           texels on both sides of each; beyond the first and last column their codes are repeated
   void add_row(int y, const std::uint64_t* words, std::size_t word_count, const RowPointers& rows,
                const std::uint8_t* codes);
 
@@ -66,7 +68,7 @@ class Components {
   /// A row without any texel.
   void add_empty_row();
 
-  /// After the last row: closes what is open and sorts.
+  /// To be called after the last row: closes all components and fills in `summary`.
   void finish(PlateauSummary& summary);
 
  private:
@@ -77,7 +79,7 @@ class Components {
     std::uint64_t metallic = 0;
     std::uint8_t least = 255, most = 0;
     std::size_t hard_ends = 0, soft_ends = 0;  // of runs; ends at the tile's border are neither
-    bool touched = false;                      // by the current row
+    bool touched = false;                      // the current row has added to it
   };
   struct Run {
     int first, last;

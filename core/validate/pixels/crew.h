@@ -11,8 +11,8 @@
 
 namespace etak {
 
-/// Threads that stay between rounds of work: a strip of a picture is less than a millisecond, and starting
-/// threads for each would cost a tenth of that.
+/// Threads that stay between rounds of work: a strip of a picture takes less than a millisecond, and to start
+/// threads for each strip would take a tenth of that.
 class Crew {
  public:
   /// The caller is one of the workers, and the only one where no thread can be started.
@@ -23,8 +23,8 @@ class Crew {
 
   using Task = std::function<void(unsigned worker)>;
 
-  /// Runs the tasks, begun in their order, each on some worker, and waits for all. Of the exceptions that
-  /// of the first task is rethrown then; tasks not yet begun are left out.
+  /// Runs the tasks on the workers, beginning them in their order, and waits for all. After an exception no
+  /// other task is begun; of several exceptions that of the first task is thrown.
   void run(const std::vector<Task>& tasks);
 
  private:

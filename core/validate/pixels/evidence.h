@@ -13,23 +13,23 @@
 
 namespace etak {
 
-/// What was seen of the texels of one tile, before any rule has judged it. Made by the pass over the pixels;
-/// rules read it and never see pixels.
+// Evidence: everything that is known of a target before a rule has judged it. Rules read it and never see
+// pixels.
 
-/// Codes of one channel: how often each occurs.
+/// How often each of the 256 codes of a channel occurs.
 using Histogram = std::array<std::uint32_t, 256>;
 
 /// The codes between the 1st and the 99th percentile of a histogram.
 struct CodeSteps {
   int first = 0, last = 0;               // codes
-  int used = 0;                          // of them
+  int used = 0;                          // how many of them occur
   int median_step = 0, widest_step = 0;  // from one used code to the next
 };
 CodeSteps code_steps(const Histogram& codes);
 
 /// Counts of the byte pass: exact, over every texel.
 struct ByteCounts {
-  std::uint64_t texels = 0, opaque = 0;  // opaque: those the 1xx to 3xx rules judge
+  std::uint64_t texels = 0, opaque = 0;  // opaque: those that the 1xx to 3xx rules judge
   std::uint64_t alpha_zero = 0, alpha_full = 0;
   std::uint64_t zone_any = 0, zone_all = 0;  // a channel of B (all of them) in the forbidden zone's codes
   std::uint64_t black = 0;                   // B all 0
@@ -37,48 +37,49 @@ struct ByteCounts {
   std::uint64_t energy_over = 0, energy_far_over = 0;  // opaque; beyond the two limits of ETK201
   PixelBox energy_box;                                 // around them, in the picture
   std::array<int, 2> energy_at{};                      // codes of the worst channel, A and B
-  std::array<int, 2> energy_place{};
-  std::uint64_t energy_worst = 0;                // of linear_one
-  std::uint64_t gloss_zero = 0, gloss_full = 0;  // opaque
+  std::array<int, 2> energy_place{};                   // x, y of its texel in the picture
+  std::uint64_t energy_worst = 0;                      // its sum, where 1 is linear_one
+  std::uint64_t gloss_zero = 0, gloss_full = 0;        // opaque
   std::uint64_t gloss_sum = 0, gloss_squares = 0, gloss_texels = 0;
   std::uint8_t gloss_least = 255, gloss_most = 0;
-  // Texels with 8 < alpha < 247 that have a diffuse colour: their number, those with max(RGB) <= alpha + 1,
-  // and sums for a correlation. Black is black whatever it is multiplied by, and metals have it.
+  // Texels with 8 < alpha < 247 that have a diffuse colour: their number, the number of those with max(RGB)
+  // <= alpha + 1, and sums for a correlation. Black texels and metals are left out: black stays black,
+  // whatever it is multiplied by.
   std::uint64_t middle = 0, middle_below = 0, sum_max = 0, sum_alpha = 0, sum_max2 = 0, sum_alpha2 = 0,
                 sum_product = 0;
 
   void add(const ByteCounts& other);
 };
 
-/// Histograms and the like, of every row or of a sample of rows.
+/// Histograms and smoothness, of every row or of a sample of rows.
 struct Detail {
-  std::uint64_t texels = 0;  // looked at
+  std::uint64_t texels = 0;  // of these rows
   std::uint64_t opaque = 0;
   bool every_row = false;
   std::array<Histogram, 4> a{}, b{};  // over opaque texels; a[3], b[3]: alpha and gloss
-  // Neighbours along the row whose green codes of A (of B) differ by at most 1.
+  // Pairs of neighbours in a row whose green codes of A (of B) differ by at most 1.
   std::uint64_t smooth_a = 0, smooth_b = 0;
 
   void add(const Detail& other);
 };
 
-/// The values of a picture's three colours with codes up to 100, for ETK404.
+/// The values of a picture's three colour channels that have codes up to 100, for ETK404.
 struct DarkValues {
   std::uint64_t count = 0, in_comb = 0;  // in_comb: among comb_codes()
   int codes = 0;                         // distinct ones
 };
 
-/// Counts the dark values of `picture` (of Detail). A code with more than a quarter of all of them is a flat
-/// area, which says nothing of how the values came about, and is left out.
+/// Counts the dark values of `picture`, the histograms of a Detail. A code with more than a quarter of all of
+/// them is left out, because it is a flat area, which tells nothing of how the values came about.
 DarkValues dark_values(const std::array<Histogram, 4>& picture);
 
 /// A metallic value between these is neither metal nor dielectric (ETK101, ETK113): glTF 2.0 and Filament ask
-/// for values close to 0 or 1. `metal_from` begins the metals.
+/// for values close to 0 or 1. Metals begin at `metal_from`.
 inline constexpr double half_metal_above = 0.1, metal_from = 0.9;
 /// The same as codes: the first above 25.5, and the first from 229.5 on.
 inline constexpr std::uint8_t half_metal_first_code = 26, metal_first_code = 230;
 
-/// A tile after its last row.
+/// Everything that the pass over the pixels has found in a tile.
 struct TileEvidence {
   CheckTile tile;  // name, material, box; the whole picture when the target has no tiles
   bool whole = false;
@@ -86,10 +87,10 @@ struct TileEvidence {
   Detail detail;
   std::vector<RegionKind> kinds;        // that were analysed
   std::vector<PlateauSummary> regions;  // one per kind
-  std::uint64_t fringe = 0;             // ETK502
+  std::uint64_t fringe = 0;             // hidden texels that ETK502 reports
   std::array<int, 2> fringe_place{};
   int fringe_worst = 0;
-  std::uint64_t gutter_wrong = 0;  // ETK505
+  std::uint64_t gutter_wrong = 0;  // texels of the gutter that ETK505 reports
   int gutter_worst = 0;
   std::array<int, 2> gutter_place{};
   std::array<double, 16> mip_bleed{};   // per level from 1: largest difference, linear or plain, 0..1
@@ -99,7 +100,7 @@ struct TileEvidence {
   const PlateauSummary* region(RegionKind kind) const;
 };
 
-/// What is wrong with the numbers of a float picture.
+/// Wrong or unusual values of a float picture.
 struct FloatFacts {
   std::uint64_t nan = 0, infinite = 0, negative = 0, above_one = 0;
   std::array<int, 2> nan_at{}, negative_at{}, above_at{};  // the first of each
@@ -132,8 +133,8 @@ struct MaterialEvidence {
   std::optional<std::array<double, 3>> computed_f0;  // of the preferred dataset
   std::optional<std::array<int, 3>> computed_bytes;
   std::optional<double> luminance;
-  std::vector<std::pair<std::string, double>>
-      at_550;                    // reflectance at 550 nm by dataset, flagged ones left out
+  // Reflectance at 550 nm by dataset; flagged datasets are left out.
+  std::vector<std::pair<std::string, double>> at_550;
   bool is_material_file = true;  // citations are expected
 };
 
@@ -145,7 +146,7 @@ struct PictureEvidence {
   std::optional<FloatFacts> floats;
 };
 
-/// All there is to judge of one target.
+/// Everything that the rules judge of one target.
 struct Evidence {
   std::optional<PictureEvidence> a, b;  // a metal-rough set: base colour and metal-rough
   bool metal_rough = false;

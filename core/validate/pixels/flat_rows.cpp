@@ -24,7 +24,7 @@ class FlatRows : public RowSource {
   FlatRows(const CheckTarget& target, std::size_t texture, int width, int height)
       : RowSource({width, height, 4}), target_(target), texture_(texture) {
     header_.format = "memory";
-    // An alpha that is 255 everywhere is stored nowhere.
+    // Where alpha is 255 in every tile, the texture counts as one without alpha.
     if (texture == 0)
       header_.channels = std::ranges::all_of(target.manifest.tiles,
                                              [](const CheckTile& tile) { return (*tile.flat[0])[3] == 255; })
@@ -72,8 +72,8 @@ class FlatRows : public RowSource {
   const CheckTarget& target_;
   const std::size_t texture_;
   std::vector<std::size_t> coming_;  // tiles that begin later, the next ones at the end
-  std::vector<std::size_t>
-      here_;  // those of the row, in the manifest's order: the later one covers the earlier
+  // The tiles of the current row in the manifest's order: a later one covers an earlier one.
+  std::vector<std::size_t> here_;
   int next_ = 0;
 };
 

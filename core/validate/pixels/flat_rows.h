@@ -7,18 +7,18 @@
 
 namespace etak {
 
-/// Rows of a texture that an atlas does without: every tile, and the gutter around it, in its flat codes, the
-/// rest hidden (alpha 0 in the diffuse texture). What was left out of the pictures is judged like what is in
-/// them.
+/// The rows of a texture that an atlas has left out, because it is constant in every tile: each tile and the
+/// gutter around it have the tile's constant codes, and all other texels are 0, so that they are hidden. By
+/// this the constants are judged like texels.
 ///   texture         0 diffuse, 1 specular
 ///   width, height   of the page; 0: just what the tiles reach
 /// Null when some tile has no codes for it.
 std::unique_ptr<RowSource> flat_rows(const CheckTarget& target, std::size_t texture, int width, int height);
 
-/// Tiles for materials that are on no page at all: places of their own, in rows.
+/// Gives the tiles of materials that are on no page places of their own, in rows.
 void place_flat_tiles(Manifest& manifest);
 
-/// Takes those places out of a finding, which is about numbers.
+/// Removes such a place from a finding, which is about constants.
 void forget_place(Finding& finding);
 
 }  // namespace etak

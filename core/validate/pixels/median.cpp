@@ -2,8 +2,8 @@
 // The 5x5 median of 16 texels at once, by exchanges of bytes in vectors. Columns of five are sorted, then the
 // rows of equal rank: columns stay sorted by that. In such a square the value at rank (i, j), counted from 0,
 // has at least (i + 1)(j + 1) - 1 others that are not above it, so all with (i + 1)(j + 1) > 13 lie above the
-// median or are equal to it, and as many lie below: 13 values are left, and of those the median is found by
-// throwing away the least and the greatest in turn.
+// median or are equal to it, and as many lie below it or are equal to it. That leaves 13 values, whose median
+// is found by throwing away the least and the greatest in turn.
 #include <cstring>
 
 #include "core/validate/pixels/regions.h"
@@ -32,7 +32,7 @@ inline void sort5(Bytes& a, Bytes& b, Bytes& c, Bytes& d, Bytes& e) {
   order(b, c);
 }
 
-// Least of v[first..last] to v[first], greatest to v[last].
+// Moves the least of v[first..last] to v[first], and the greatest to v[last].
 template <int first, int last>
 inline void extremes(Bytes* v) {
   for (int i = first + 1; i <= last; ++i) order(v[first], v[i]);
@@ -53,7 +53,8 @@ void median_5x5(const std::uint8_t* const rows[5], std::uint8_t out[16]) {
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
       if ((i + 1) * (j + 1) <= 13 && (5 - i) * (5 - j) <= 13) v[count++] = s[i][j];
-  // Of 8 out of 13 the least and the greatest cannot be the median (7th) of all; so with each that is added.
+  // The least and the greatest of 8 of the 13 values cannot be the median (the 7th) of all. One more value
+  // takes the place of the greatest, and the same holds for those that are left.
   extremes<0, 7>(v);
   v[7] = v[8];
   extremes<1, 7>(v);

@@ -21,8 +21,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The last strips of rows of one picture: row y stands at y % (4 strip). While one is read, the one before is
-// counted and the one before that is followed, which looks back into the fourth.
+// The latest `kept` strips of rows of one picture: row y stands at y % (kept * strip).
 class Strips {
  public:
   Strips(RowSource* source, int width, int strip, int kept, const CodeTables& tables,
@@ -41,7 +40,7 @@ class Strips {
     return codes_.data() + static_cast<std::size_t>(y % ring_) * stride_;
   }
 
-  // Rows first_row ... of a strip; first_row is a multiple of the strip's height.
+  // Reads `count` rows from first_row on, which is a multiple of the strip's height.
   void read(int first_row, int count) {
     if (source_ == nullptr) return;
     std::uint8_t* to = codes_.data() + static_cast<std::size_t>(first_row % ring_) * stride_;
@@ -73,7 +72,7 @@ class Strips {
           if (f.negative++ == 0) f.negative_at = place;
           f.most_negative = std::min(f.most_negative, v);
         }
-        // Not a number counts as black, infinity as white: found already, and nothing may hang on it.
+        // Both were counted above; from here on NaN counts as black and infinity as white.
         const double clamped = v > 0 ? std::min(static_cast<double>(v), 1.0) : 0.0;
         if (c == 3)
           codes[i + c] = plain_u8(clamped);
@@ -81,7 +80,7 @@ class Strips {
           codes[i + c] = tables_.code_of(static_cast<std::uint32_t>(clamped * linear_one));
         if (c < 3 && std::isfinite(v)) largest = std::max(largest, v);
       }
-      // A hair above 1 is what half floats make of 1.
+      // Values slightly above 1 come from rounding to half floats.
       if (largest > 1.0005f) {
         ++f.above_one;
         if (largest > f.largest) {
@@ -102,21 +101,23 @@ class Strips {
   std::vector<float> floats_;
 };
 
-// Rows that are read at a time: a megabyte of the pair, which stays in the second cache.
+// The number of rows that are read at a time: about a megabyte of both pictures, which stays in the
+// second-level cache.
 int strip_height(int width, int height) {
   const int wanted = (1 << 20) / (8 * std::max(1, width));
   return std::clamp(wanted, RegionAnalysis::rows_kept,
                     std::max<int>(RegionAnalysis::rows_kept, std::min(height, 256)));
 }
 
+// A tile that the strips have reached.
 struct Active {
   std::size_t index = 0;
   std::unique_ptr<TilePass> pass;
   std::unique_ptr<TileFrame> frame;
-  int first = 0, last = 0;  // rows that one of them wants
+  int first = 0, last = 0;  // rows of the picture that pass and frame need
 };
 
-// A strip on its way: read, counted, followed.
+// A strip with the tiles that need its rows. It is read, then counted, then followed (TilePass).
 struct Strip {
   int top = 0, rows = 0;
   std::vector<std::shared_ptr<Active>> tiles;
@@ -147,7 +148,7 @@ class Pass {
     result_.tiles.resize(tiles_.size());
     prepare_tiles();
     const int strips = (header_.height + strip_ - 1) / strip_;
-    // Alone, a strip is finished while it is in the cache; with others, three strips are under way.
+    // One worker finishes a strip while it is in the cache; with several workers three strips are under way.
     const int lag = plan_.workers > 1 ? 1 : 0;
     std::vector<Strip> under_way(static_cast<std::size_t>(strips));
     for (int round = 0; round < strips + 2 * lag; ++round) {
@@ -197,7 +198,7 @@ class Pass {
             std::max({reach_, plan_.gutter_of(tile), plan_.mips_of(tile) > 0 ? 1 << plan_.mips_of(tile) : 0});
     waiting_.resize(tiles_.size());
     for (std::size_t i = 0; i < tiles_.size(); ++i) waiting_[i] = i;
-    // Last first, so that the next tile is taken from the end.
+    // The lowest tile comes first, so that the next tile is taken from the end.
     std::stable_sort(waiting_.begin(), waiting_.end(),
                      [&](std::size_t x, std::size_t y) { return tiles_[x].box.y > tiles_[y].box.y; });
   }
@@ -206,7 +207,7 @@ class Pass {
     return {a_.row(y) + 4 * x, b_.row(y) + 4 * x, pictures_.metallic ? metallic_.row(y) + 4 * x : nullptr};
   }
 
-  // A task that adds its time to one of the worker's three.
+  // Adds a task whose time is added to the worker's time of that kind: 0 reading, 1 counting, 2 following.
   template <class Act>
   void add(std::vector<Crew::Task>& tasks, std::size_t kind, Act act) {
     tasks.push_back([this, kind, act](unsigned worker) {
@@ -281,15 +282,16 @@ class Pass {
   const PassPlan& plan_;
   const PictureHeader header_;
   const int strip_;
-  // While one strip is read, the one before is counted and the one before that is followed, which looks back
-  // into the fourth. Alone, all is done to one strip before the next.
+  // The strips that are kept of each picture. Several workers read one strip, count the one before, and
+  // follow the one before that, which looks back into a fourth. One worker finishes a strip before it reads
+  // the next.
   const int kept_;
   Strips a_, b_, metallic_;
   std::vector<std::size_t> waiting_;
   std::vector<std::shared_ptr<Active>> active_;
   int reach_ = 0;
   Crew crew_;
-  std::vector<double> seconds_;  // per worker: reading, counting, following
+  std::vector<double> seconds_;  // for each worker: reading, counting, following
   PassResult result_;
 };
 

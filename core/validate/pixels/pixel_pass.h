@@ -8,9 +8,9 @@
 
 namespace etak {
 
-/// What a pass over the pixels found.
+/// The result of a pass over the pixels.
 struct PassResult {
-  std::vector<TileEvidence> tiles;  // in the order asked for
+  std::vector<TileEvidence> tiles;  // in the order of the argument
   std::optional<FloatFacts> a_floats, b_floats;
   CheckStats stats;
 };
@@ -19,7 +19,8 @@ struct PassResult {
 /// and the tiles that the current strip crosses.
 ///   tiles       inside the pictures
 ///   every_row   per tile: whether its detail is taken from every row
-///   plan        workers, which never change the result: with two or more, A and B are decoded side by side
+///   plan        its number of workers never changes the result; with two or more, A and B are decoded at
+///               once
 PassResult pixel_pass(PictureRows& pictures, std::span<const CheckTile> tiles,
                       const std::vector<bool>& every_row, const PassPlan& plan);
 

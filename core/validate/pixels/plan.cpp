@@ -19,7 +19,7 @@ double value_of(std::string_view id, std::string_view parameter, const Settings&
   return parameter_of(*find_rule(id), parameter, settings);
 }
 
-// A limit in codes that a rule's parameter gives, as a byte test takes it.
+// A parameter of a rule, in codes, as a limit of the byte tests.
 std::uint8_t byte_of(double code, int least = 0) {
   return static_cast<std::uint8_t>(std::clamp(code, static_cast<double>(least), 254.0));
 }
@@ -45,9 +45,9 @@ bool named_in_library(const CheckTarget& target, const Settings& settings) {
                              [&](const CheckTile& tile) { return known(tile.material); });
 }
 
-// The regions that some rule asks for, of the pictures that are there.
+// Chooses the kinds of regions that some rule needs and that can be found in the pictures that are there.
 void choose_kinds(const CheckTarget& target, const Settings& settings, PassPlan& plan) {
-  // The encoding rules (401, 402) are asked only where low, gem or zone regions make them likely.
+  // The encoding rules (401, 402) get their second look only where low, gem or zone regions make them likely.
   const bool encoding = is_on("ETK401", settings) || is_on("ETK402", settings);
   const bool named = named_in_library(target, settings);
   const auto want = [&](RegionKind kind, bool wanted) {
@@ -64,7 +64,7 @@ void choose_kinds(const CheckTarget& target, const Settings& settings, PassPlan&
          is_on("ETK111", settings) || (named && (is_on("ETK112", settings) || is_on("ETK403", settings))));
   }
   if (plan.has_a && plan.has_b) {
-    // What little diffuse a metal-rough set has under metal is the metallic channel's doing (ETK113).
+    // Diffuse under metal in a metal-rough set comes from metallic values below 1, which ETK113 judges.
     want(RegionKind::metal_with_diffuse, is_on("ETK108", settings) && !plan.has_metallic);
     want(RegionKind::black_diffuse, is_on("ETK109", settings) && !plan.transparency);
   }
@@ -80,7 +80,7 @@ void choose_kinds(const CheckTarget& target, const Settings& settings, PassPlan&
   }
 }
 
-// What ETK406 asks, of a sample of rows and with room for what the sample lacks.
+// The condition of ETK406 on a sample of rows, with wider limits, because the sample may lack codes.
 bool seems_posterised(const Detail& detail, bool diffuse) {
   const std::uint64_t smooth = diffuse ? detail.smooth_a : detail.smooth_b;
   if (4 * smooth <= 3 * detail.texels) return false;

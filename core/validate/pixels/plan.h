@@ -12,12 +12,11 @@ namespace etak {
 PassPlan first_plan(const CheckTarget& target, const Settings& settings, bool has_a, bool has_b,
                     bool has_metallic, unsigned workers);
 
-/// Whether some rule wants every row of this tile counted into its detail at once.
+/// Whether some rule needs every row of this tile in its detail already in the first pass.
 bool wants_every_row(const CheckTile& tile, const Settings& settings);
 
-/// Whether a tile is suspected of something that only a closer look can decide, after the first pass; the
-/// second pass then takes every row into the detail and looks for all flat F0. On a clean picture there is no
-/// second pass.
+/// Whether the first pass has found signs of a defect that only a second pass can decide on. The second pass
+/// takes every row into the detail and looks for all plateaus of F0. A clean picture needs no second pass.
 bool needs_second_look(const TileEvidence& tile, const PassPlan& plan, const Settings& settings,
                        bool has_gloss);
 

@@ -27,14 +27,14 @@ namespace {
 
 constexpr int ring = RegionAnalysis::rows_kept;
 constexpr int margin = 16;  // codes left and right of a row that repeat its ends
-constexpr int flat = 4;     // codes: the range of a plateau
-constexpr int hue = 24;     // codes: how far neighbours on the plateaus of any_f0 differ in a channel
+constexpr int flat = 4;     // largest range of codes on a plateau
+constexpr int hue = 24;     // largest difference of neighbours in a channel on plateaus of any_f0, in codes
 
 std::size_t slot_of(int y) {
   return static_cast<std::size_t>(y) % ring;
 }
 
-/// A row of codes, filled word by word when asked for.
+/// A row of codes, which are filled in when they are needed, 64 texels (a word) at a time.
 struct CodeRow {
   int y = -1;  // which row; -1: none
   std::vector<std::uint8_t> codes;
@@ -68,7 +68,7 @@ class Plane {
   /// Codes of the whole row from column 0; only the words of texels that were judged are filled.
   const std::uint8_t* row(int y) { return luminance_[slot_of(y)].at(0); }
 
-  /// Bits of `wanted` whose 3x3 range of medians is at most `flat`.
+  /// The bits of `wanted` whose 3x3 range of medians is at most `flat`.
   std::uint64_t flat_texels(int y, std::size_t word, std::uint64_t wanted,
                             const std::function<RowPointers(int)>& rows) {
     const std::size_t first = word == 0 ? 0 : word - 1, last = std::min(words_ - 1, word + 1);
@@ -161,8 +161,9 @@ class Plane {
   std::array<CodeRow, ring> luminance_, median_;
 };
 
-/// Bits of `wanted` whose neighbours across and down have like colours: where two materials of one luminance
-/// meet, the plateaus of any_f0 must not run together. Loose, because these are texels, not medians.
+/// The bits of `wanted` whose neighbours to the left and right, and above and below, have similar colours:
+/// where two materials of one luminance meet, the plateaus of any_f0 must not run together. The limit is
+/// wide, because texels are compared and not medians.
 std::uint64_t like_coloured(int y, std::size_t word, std::uint64_t wanted, const PixelBox& tile,
                             const std::function<RowPointers(int)>& rows) {
   const std::uint8_t *above = rows(std::max(0, y - 1)).b, *here = rows(y).b,
@@ -180,18 +181,18 @@ std::uint64_t like_coloured(int y, std::size_t word, std::uint64_t wanted, const
   return like;
 }
 
-/// Rows of bits, the last few of them.
+/// The latest rows of a mask.
 struct BitRows {
   std::size_t words = 0;
   std::vector<std::uint64_t> bits;
-  std::array<bool, ring> filled{};  // some bit is set
+  std::array<bool, ring> filled{};  // by row: some bit is set
 
   explicit BitRows(std::size_t count) : words(count), bits(count * ring) {}
   std::uint64_t* row(int y) { return bits.data() + slot_of(y) * words; }
   bool any(int y) const { return filled[slot_of(y)]; }
 };
 
-/// Texels whose neighbours to the left and right are in the row too; beyond the ends the end counts on.
+/// Keeps the texels whose neighbours to the left and right are set too; beyond the ends the end is repeated.
 void erode_across(const std::uint64_t* in, std::size_t words, int width, std::uint64_t* out) {
   std::uint64_t left = in[0] & 1;  // the bit that stands left of the word
   const int last = (width - 1) % 64;
@@ -210,7 +211,7 @@ bool and_rows(const std::uint64_t* a, const std::uint64_t* b, const std::uint64_
   return any != 0;
 }
 
-/// One kind in one tile.
+/// The state of one kind in one tile.
 struct KindState {
   RegionKind kind;
   BitRows across, eroded, across2, eroded2;
@@ -228,7 +229,7 @@ struct KindState {
         eroded2(erode == 5 ? words : 0),
         components(k, tile, least_area, erode / 2, tables) {}
 
-  // Row y of the mask counts, and widens the box around all of it.
+  // Counts the texels of row y of the mask, and widens the box around all of them.
   bool add_mask(int y, const std::uint64_t* mask, std::size_t words) {
     std::size_t first = words, last = 0;
     for (std::size_t w = 0; w < words; ++w) {
@@ -264,7 +265,7 @@ struct RegionAnalysis::State {
 
   Plane& plane(RegionKind kind) { return *planes[static_cast<std::size_t>(plane_of(kind))]; }
 
-  // Row `y` of the eroded mask from the rows around it.
+  // Makes row `y` of the eroded mask from the rows around it.
   static void erode_down(BitRows& from, BitRows& to, int y, int height) {
     const int above = std::max(0, y - 1), below = std::min(height - 1, y + 1);
     to.filled[slot_of(y)] = from.any(above) && from.any(y) && from.any(below) &&
@@ -358,7 +359,7 @@ void RegionAnalysis::push(int y, const std::uint64_t* masks, const std::function
         if (e == height - 1) State::erode_down(k.across2, k.eroded2, e, height);
       }
     }
-    // The median of the row below a judged one needs two rows more.
+    // A row is judged three rows late: it needs the medians of the row below, which need two rows more.
     for (int judged = last ? std::max(0, y - 3) : y - 3; judged <= (last ? y : y - 3); ++judged)
       if (judged >= 0) s.judge(i, judged, rows);
   }

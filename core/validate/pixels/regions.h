@@ -13,17 +13,19 @@
 
 namespace etak {
 
-/// Which picture a kind is judged flat on: its luminance (or the metallic channel).
+/// The plane on which regions of a kind must be flat: the luminance of A or B, or the metallic channel.
 enum class RegionPlane { a, b, metallic };
 RegionPlane plane_of(RegionKind kind);
 
-/// Finds the plateaus of masks in one tile, row by row from the top, with a few rows of state.
-///   mask -> eroded with a 3x3 square (what vanishes is a filtered edge) -> of that, where the 3x3 range of
-///   the 5x5-median-filtered luminance code is at most 4 (what vanishes is a soft edge; noise stays) ->
-///   8-connected components of at least the least area.
-/// The tile is judged on its own: beyond its border the nearest texel counts on. Masks are worked on 64
-/// texels at a time; luminance and median are computed only around what erosion leaves: on a clean picture,
-/// nowhere.
+/// Finds the plateaus of masks in one tile, row by row from the top, with a few rows of state, in three
+/// steps:
+///   1. The mask is eroded with a square of 3x3 (or 5x5) texels, by which filtered edges vanish.
+///   2. Of the rest those texels stay where the 3x3 range of the 5x5-median-filtered luminance code is at
+///      most 4, by which soft edges vanish and noise stays.
+///   3. Plateaus are the 8-connected components of at least the least area.
+/// The tile is judged on its own: beyond its border the nearest texel is repeated. Masks are handled 64
+/// texels at a time. Luminance and median are computed only around the texels that erosion leaves: on a clean
+/// picture, nowhere.
 class RegionAnalysis {
  public:
   ///   tile     in the picture
@@ -43,10 +45,10 @@ class RegionAnalysis {
 
   std::size_t word_count() const;
 
-  /// After the last row; one per kind, in their order.
+  /// To be called after the last row: one summary for each kind, in their order.
   std::vector<PlateauSummary> finish();
 
-  /// Told each row's plateau texels, before small components are dropped; for mask pictures.
+  /// Called with the plateau texels of each row, before small components are dropped; for mask pictures.
   using Recorder = std::function<void(std::size_t kind, int y, const std::uint64_t* words)>;
   void record(Recorder recorder);
 
@@ -55,8 +57,8 @@ class RegionAnalysis {
   std::unique_ptr<State> state_;
 };
 
-/// Median of 25 in every texel of 16: `rows` are five rows of codes, of which the texel's neighbourhood is
-/// columns 0..4 to columns 15..19.
+/// The medians of the 5x5 codes around each of 16 texels in a row. `rows` are five rows of 20 codes; the
+/// neighbourhood of texel i are the columns i to i + 4.
 void median_5x5(const std::uint8_t* const rows[5], std::uint8_t out[16]);
 
 }  // namespace etak

@@ -82,7 +82,8 @@ void TileFrame::push_level(Level& level, int y, const RowPointers& row) {
   }
   const int right = tile_.x + tile_.width, below = tile_.y + tile_.height;
   const bool edge_row = top < tile_.y || bottom > below;
-  // Beyond the tile its edge is repeated: the edge rows and columns stand for those too.
+  // For `alone` the tile's edge is repeated beyond the tile: edge rows and columns also get the weight of the
+  // rows and columns outside.
   std::uint64_t row_weight = 0;
   if (y >= tile_.y && y < below)
     row_weight = 1 + static_cast<std::uint64_t>((y == tile_.y ? std::max(0, tile_.y - top) : 0) +
@@ -100,8 +101,8 @@ void TileFrame::push_level(Level& level, int y, const RowPointers& row) {
         weight *= 1 + static_cast<std::uint64_t>((x == tile_.x ? std::max(0, tile_.x - x0) : 0) +
                                                  (x == right - 1 ? std::max(0, x1 - right) : 0));
       for (std::size_t c = 0; c < 8; ++c) {
-        // Chosen, then indexed: of `(p ? a : b)[i]` GCC 12 makes `p ? a[i] : b[i]`, and when it sanitizes for
-        // undefined behaviour it works out c % 4 in the first branch only.
+        // The pointer is chosen in a step of its own: GCC 12 turns `(p ? a : b)[i]` into `p ? a[i] : b[i]`,
+        // and with its sanitizer for undefined behaviour it computes c % 4 in the first branch only.
         const std::uint8_t* texels = c < 4 ? row.a : row.b;
         const std::uint8_t code = texels[4 * x + static_cast<int>(c % 4)];
         const std::uint64_t value = c % 4 == 3 ? code * (linear_one / 255) : linear[code];

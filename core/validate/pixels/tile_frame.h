@@ -8,8 +8,9 @@
 
 namespace etak {
 
-/// What lies around a tile in its atlas, and whether the tile is kept clean of it: gutter (ETK505), mips
-/// (ETK504); and the tile's hash (ETK507). Sees the rows from reach() above the tile to reach() below it.
+/// Checks the surroundings of a tile in its atlas: whether the gutter repeats the tile's edge (ETK505), and
+/// whether the mips are free of the neighbours (ETK504). It also computes the tile's hash (ETK507). It needs
+/// the rows from first_row() to last_row().
 class TileFrame {
  public:
   TileFrame(const CheckTile& tile, int picture_width, int picture_height, const PassPlan& plan);
@@ -27,7 +28,8 @@ class TileFrame {
   struct Level {
     int side = 2;
     int first_x = 0, last_x = 0, first_y = 0, last_y = 0;  // of all blocks with their centre inside
-    std::vector<std::uint64_t> page, alone;                // 8 sums per block of the current block row
+    // 8 sums for each block of the current block row: of the page, and of the tile with its edge repeated.
+    std::vector<std::uint64_t> page, alone;
     double worst = 0;
   };
   void push_level(Level& level, int y, const RowPointers& row);
@@ -39,7 +41,8 @@ class TileFrame {
   int width_, height_, gutter_, reach_;
   const PassPlan& plan_;
   std::vector<Level> levels_;
-  std::vector<std::uint8_t> above_, last_;  // rows of A and B, the gutter's width on both sides
+  // Rows of A and B with the gutter on both sides: those above the tile, and the last one of the tile.
+  std::vector<std::uint8_t> above_, last_;
   std::uint64_t wrong_ = 0;
   int worst_ = 0;
   std::array<int, 2> place_{};

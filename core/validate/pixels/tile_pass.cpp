@@ -22,14 +22,14 @@ void each_bit(std::uint64_t bits, Act act) {
   for (; bits != 0; bits &= bits - 1) act(std::countr_zero(bits));
 }
 
-// Of 64 texels: from which levels of Y on they lie.
+// For each level of Y, which of 64 texels are at or above it.
 struct LevelBits {
   std::uint64_t b_from[ByteLimits::b_levels], a_from[ByteLimits::a_levels];
 };
 
-// In a metal-rough set F0 of whatever is not quite dielectric comes from its base colour, and diffuse is
-// black by the metallic channel: that channel has rules of its own (113, 114), and the others ask dielectrics
-// only.
+// Which of 64 texels have some metallic, are half metal, or metal. In a metal-rough set the F0 of texels that
+// are not quite dielectric comes from the base colour, and metallic makes their diffuse black. Rules 113 and
+// 114 judge metallic; the other rules judge dielectric texels only.
 struct MetallicBits {
   std::uint64_t some = 0, half = 0, full = 0;
 };
@@ -46,7 +46,7 @@ MetallicBits metallic_bits(std::uint64_t opaque, const RowPointers& row, int x0)
   return out;
 }
 
-// The texels of a word that may be part of a region.
+// The texels of a word that meet the condition of a kind.
 std::uint64_t bits_of_kind(RegionKind kind, const MaskWords& m, const LevelBits& y,
                            const MetallicBits& metallic, bool has_b) {
   const std::uint64_t below_zone = ~y.b_from[b_zone];
@@ -74,7 +74,8 @@ std::uint64_t bits_of_kind(RegionKind kind, const MaskWords& m, const LevelBits&
       return metallic.full & below_zone;
     case RegionKind::blue_metal:
       return y.b_from[b_metal] & m.bluish;
-    // Black diffuse is right for metals: only what reflects like a dielectric is asked for its albedo.
+    // Black diffuse is right for metals: only texels that reflect like dielectrics are judged by their
+    // albedo.
     case RegionKind::albedo_dark:
       return ~y.a_from[a_dark] & (has_b ? dielectric : ~std::uint64_t{0});
     case RegionKind::albedo_bright:
@@ -112,7 +113,7 @@ std::uint64_t* TilePass::masks_of_row(int y) {
   return masks_.data() + static_cast<std::size_t>(y % (2 * strip_rows_)) * plan_.kinds.size() * words_;
 }
 
-// A strip is counted before it is followed, and following looks back.
+// Four strips are kept, because a strip is counted before it is followed, and following looks back.
 std::uint64_t* TilePass::invisible_row(int y) {
   return invisible_.data() + static_cast<std::size_t>(y % (4 * strip_rows_)) * words_;
 }
@@ -125,8 +126,8 @@ void TilePass::count_row(unsigned worker, int y, const RowPointers& row) {
   const ByteMasks masks = byte_masks();
   masks(row.a, row.b, whole, ~std::uint64_t{0}, plan_.transparency, plan_.limits, words.data(), counts);
   if (rest != 0) {
-    // The last word is filled up with its last texel, which changes no extreme; with alpha 0 it adds to no
-    // sum.
+    // The rest of the last word repeats the last texel, which changes no extreme, with alpha 0, which adds to
+    // no sum.
     std::uint8_t a[256], b[256];
     for (std::size_t i = 0; i < 64; ++i) {
       std::memcpy(a + 4 * i, row.a + 4 * (64 * whole + std::min(i, rest - 1)), 4);
@@ -144,7 +145,7 @@ void TilePass::count_row(unsigned worker, int y, const RowPointers& row) {
 std::uint64_t TilePass::sum_is_from(std::uint64_t doubt, const std::uint8_t* texels,
                                     std::uint32_t limit) const {
   std::uint64_t from = 0;
-  std::uint32_t before = 0;  // flat colours are common: the sum of a texel's colour is asked for once
+  std::uint32_t before = 0;  // flat colours are common, so that the sum of equal neighbours is computed once
   bool answer = plan_.tables->luminance(reinterpret_cast<const std::uint8_t*>(&before)) >= limit;
   each_bit(doubt, [&](int i) {
     std::uint32_t now;
@@ -166,7 +167,7 @@ void TilePass::count_words(ByteCounts& counts, const std::vector<MaskWords>& wor
     if (invisible != nullptr) invisible[w] = m.alpha_zero;
     if ((m.energy_doubt & opaque) != 0) count_energy(counts, m.energy_doubt & opaque, x0, y, row);
 
-    // Y against the levels: sure from the channels where all agree, else from the sum.
+    // Compares Y with the levels: the channels decide where all of them agree, else the sum.
     LevelBits bits;
     for (std::size_t level = 0; level < ByteLimits::b_levels; ++level)
       if (plan_.zone.metric == ZoneMetric::max && level >= b_zone)
@@ -273,7 +274,7 @@ void TilePass::follow_fringe(int y, const std::function<RowPointers(int)>& rows)
   const int first = std::max(top, y - fringe_reach), last = std::min(bottom, y + fringe_reach);
   for (std::size_t w = 0; w < words_; ++w) {
     if (here[w] == 0) continue;
-    // Somewhere in the 5 rows, in this word or one beside it, must be a visible texel.
+    // The texels that have a visible one within two columns in some of the 5 rows.
     std::uint64_t near = 0;
     for (int other = first; other <= last; ++other) {
       const std::uint64_t* row = invisible_row(other);

@@ -12,20 +12,21 @@
 
 namespace etak {
 
-/// What a pass over the pixels looks for; the same for all tiles but for `every_row`.
+/// What a pass over the pixels looks for, the same for all tiles.
 struct PassPlan {
   const CodeTables* tables = nullptr;
   ByteLimits limits;
-  std::array<std::uint32_t, ByteLimits::b_levels>
-      b_y{};  // the levels' exact limits: Y from here on is at or above
+  // The exact limits of the levels, where 1 is linear_one: a Y of at least the limit is at or above the
+  // level.
+  std::array<std::uint32_t, ByteLimits::b_levels> b_y{};
   std::array<std::uint32_t, ByteLimits::a_levels> a_y{};
-  std::uint64_t energy_limit = 0, energy_far_limit = 0;  // of linear_one
+  std::uint64_t energy_limit = 0, energy_far_limit = 0;  // where 1 is linear_one
   std::vector<RegionKind> kinds;
   ZoneSettings zone;
   bool has_a = false, has_b = false, has_metallic = false;
-  bool transparency = false;  // only alpha 255 is opaque
-  bool fringe = false;
-  bool specular_weighs = false;  // ETK201 of a glTF specular-glossiness material: Kd (1 - max Ks) + Ks
+  bool transparency = false;     // only alpha 255 is opaque
+  bool fringe = false;           // hidden texels are looked at (ETK502)
+  bool specular_weighs = false;  // the shader reduces diffuse: ETK201 tests Kd (1 - max Ks) + Ks
   bool frames = false;           // an atlas: gutters and mips are looked at
   bool check_gutter = false, check_mips = false;
   int gutter = 0, mips = 0;  // of an atlas, where a tile does not say
@@ -41,12 +42,12 @@ struct PassPlan {
   }
 };
 
-/// Levels of Y as byte_masks.h has them.
-enum BLevel { b_low, b_gem, b_zone, b_metal };  // 0.017, 0.0812, zone's ends
+/// Indices of the levels of Y in ByteLimits.
+enum BLevel { b_low, b_gem, b_zone, b_metal };  // by default 0.017, 0.0812, and the ends of the zone
 enum ALevel { a_dark, a_bright };
 
-/// One tile while its rows go by. count_row may run on several threads for different rows; the rest of the
-/// work, which needs rows in order, is follow_row's, and may be a strip behind.
+/// Gathers the evidence of one tile while its rows go by. count_row() may run on several threads for
+/// different rows. follow_row() does the work that needs the rows in their order, and may be a strip behind.
 class TilePass {
  public:
   TilePass(const CheckTile& tile, const PassPlan& plan, int strip_rows, bool every_row);
@@ -59,6 +60,7 @@ class TilePass {
   /// The same row, after it was counted; y ascends. `rows` gives rows of the picture at the tile's left edge.
   void follow_row(int y, const std::function<RowPointers(int)>& rows);
 
+  /// The evidence, after the last row.
   TileEvidence finish();
 
  private:

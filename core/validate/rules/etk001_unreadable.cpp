@@ -9,7 +9,7 @@ void etk001(RuleCheck& check) {
   for (const std::string& message : check.evidence.unreadable) {
     Finding& finding = check.report();
     finding.message = message;
-    // Readers begin with the file they speak of, which the finding names itself.
+    // Messages of readers begin with the name of the file, which the finding has itself.
     for (const TargetFile& file : check.target.files)
       if (message.starts_with(file.label + ": ")) {
         finding.file = file.label;
@@ -30,7 +30,7 @@ constinit const Rule etk001_unreadable{
     {},
     {},
     "glTF-Validator, IO_ERROR and IMAGE_UNEXPECTED_EOS",
-    "A file is missing, empty, truncated, damaged, or in a form that no reader here knows.",
+    "A file is missing, empty, truncated, damaged, or in a format that etak does not read.",
     "What cannot be read was not checked, and must not pass for clean: the run ends with "
     "exit status 2.",
     "A PNG cut short by a full disk; a texture named in a layout that was never exported.",

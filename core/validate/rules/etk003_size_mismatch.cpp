@@ -32,8 +32,8 @@ constinit const Rule etk003_size_mismatch{
     "Schueler 2009: both textures are sampled with the same UVs",
     "Width or height of the diffuse and the specular picture differ. A metal-rough set may "
     "differ: it is resampled.",
-    "Rules that need both texels of a place cannot be asked, and mip levels of the two do "
-    "not match.",
+    "Rules that need the texels of both pictures cannot judge them, and mip levels of the "
+    "two do not match.",
     "Diffuse exported at 2048, specular at 1024.",
     "Export both at one size.",
     &etk003};

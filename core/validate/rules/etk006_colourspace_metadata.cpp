@@ -10,9 +10,9 @@ void etk006(RuleCheck& check) {
     if (picture.header.floating) continue;
     const std::string &curve = picture.header.colour_space, &primaries = picture.header.primaries;
     const std::string role(name(picture.role));
-    // Roughness and metallic never have a curve; PNG's sRGB chunk on them is common and wrong. A colour
-    // profile on them is what an editor of pictures leaves everywhere, and of one whose curves cannot be read
-    // nothing is said.
+    // Roughness and metallic have no curve; an sRGB chunk of PNG on them is common and wrong. Colour profiles
+    // on them are let pass, because editors of pictures put them into all files, and so are profiles whose
+    // curves cannot be read.
     const bool data = picture.role >= FileRole::metal_rough && picture.role <= FileRole::roughness;
     const std::string expected(data ? "linear" : name(check.settings.transfer));
     const bool right_curve = curve.empty() || curve == expected || curve.starts_with("icc") ||

@@ -6,7 +6,7 @@ namespace etak {
 namespace {
 
 void etk009(RuleCheck& check) {
-  // The sides of an atlas's page are what its packer was asked for.
+  // The sides of an atlas page are the choice of its packer.
   if (!check.target.manifest.tiles.empty()) return;
   const auto power_of_two = [](int side) { return side > 0 && (side & (side - 1)) == 0; };
   for (const PictureEvidence& picture : check.evidence.headers) {
@@ -30,7 +30,7 @@ constinit const Rule etk009_npot{
     {Need::header},
     {},
     "glTF-Validator (information); Unity Asset Auditor (fails the asset)",
-    "Width or height is no power of two. Pages of an atlas are not asked.",
+    "Width or height is no power of two. Pages of an atlas are not judged.",
     "Mip levels of odd sides shift, and some hardware and block compressors refuse them.",
     "A decal cropped to 300 x 200.",
     "Resize or pack into an atlas.",

@@ -26,7 +26,7 @@ constinit const Rule etk010_role_guessed{
     {},
     {},
     "etak",
-    "Nobody says what the picture holds; a pattern on its name decided.",
+    "What the picture holds is stated nowhere; its role was taken from its name.",
     "A wrong guess makes every other verdict on the file meaningless.",
     "metal_spec_sheet.png, a picture of a document, taken for a specular map.",
     "Name the role: --role, [roles] in etak.toml, or a layout.",

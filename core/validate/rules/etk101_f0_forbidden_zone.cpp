@@ -10,7 +10,7 @@ constexpr RuleParameter etk101_parameters[] = {
     {"match_bytes", 3, 3, "codes", "distance at which a plateau counts as a material of the library"},
 };
 
-// Half metals are ETK113's: here they count as a warning.
+// Whether a plateau is half metal, which ETK113 reports: ETK101 gives at most a warning for it.
 bool is_half_metal(const RuleCheck& check, const Plateau& plateau) {
   return check.evidence.metal_rough && plateau.metallic > half_metal_above && plateau.metallic < metal_from;
 }
@@ -29,7 +29,8 @@ struct PlateauVerdict {
   const KnownF0* softener = nullptr;  // the common material that makes a warning of it
 };
 
-// A common material of the zone makes a warning of an error; one that the file names lets the plateau pass.
+// The severity of a plateau. A common material of the zone at that colour lowers an error to a warning; a
+// material that the file names lowers it to information.
 PlateauVerdict verdict_on(const RuleCheck& check, const TileEvidence& tile, const Plateau& plateau) {
   if (is_half_metal(check, plateau)) return {check.at_most(Severity::warning)};
   const ZoneSettings& zone = check.settings.zone;
@@ -40,8 +41,8 @@ PlateauVerdict verdict_on(const RuleCheck& check, const TileEvidence& tile, cons
   for (const KnownF0& entry : known.f0()) {
     if (entry.luminance <= zone.low || entry.luminance >= zone.high) continue;
     const bool is_named = !named.empty() && named.front()->id == entry.id;
-    // Of others only common ones, by their preferred dataset: with all of them a fifth of the greys would be
-    // excused.
+    // Of materials that are not named only common ones count, by their preferred dataset: all datasets
+    // together would excuse a fifth of the greys.
     if (!is_named && !(entry.preferred && entry.common)) continue;
     const double distance = code_distance(plateau.specular, entry, check.settings.transfer);
     if (distance > check.parameter("match_bytes")) continue;
@@ -75,7 +76,7 @@ void etk101(RuleCheck& check) {
     } else if (why.cause == Explanation::Cause::doubled && !check.evidence.metal_rough) {
       finding.cause = "matches a dielectric of F0 " + number(why.original, 2) + " (" + why.material +
                       ") sRGB-encoded twice, within " + number(why.distance, 2) + " codes";
-      // Beside dielectrics that are right it is a patch, not a conversion.
+      // Beside ordinary dielectrics it may be a patch instead of a second conversion.
       if (ordinary_share(tile) > 0.1)
         finding.cause = "possible cause: " + finding.cause;
       else

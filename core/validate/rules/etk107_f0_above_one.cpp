@@ -25,7 +25,7 @@ std::string names_of(const std::vector<std::string_view>& channels) {
   return out;
 }
 
-// Codes of a coloured metal: one channel at the end of the scale, or two, and another far from it.
+// Looks for a coloured metal in codes: one or two channels at code 255, and another far from it.
 void check_codes(RuleCheck& check, const TileEvidence& tile) {
   const Detail& d = tile.detail;
   const std::uint64_t least = std::min({d.b[0][255], d.b[1][255], d.b[2][255]});

@@ -39,7 +39,7 @@ constinit const Rule etk108_metal_has_diffuse{
     etk108_parameters,
     "Schueler 2009: diffuse of metals is black; Unity, \"pure metal\"",
     "A plateau with F0 at or above the zone's upper end and a diffuse channel above sRGB "
-    "code 30 (0.013); an error above code 50 (0.032). Metal-rough sets are not asked: there "
+    "code 30 (0.013); an error above code 50 (0.032). Metal-rough sets are not judged: there "
     "the metallic channel decides.",
     "Free electrons absorb what is not reflected: no light comes back out of a metal to be "
     "diffuse.",

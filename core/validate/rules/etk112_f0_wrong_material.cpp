@@ -13,8 +13,8 @@ constexpr RuleParameter etk112_parameters[] = {
     {"distance", 3, 3, "codes", "largest channel difference from the nearest dataset"},
 };
 
-// Whether `found` is `expected` with the curve applied twice or not at all, or with red and blue exchanged,
-// in all three channels.
+// How `found` may have come about from `expected`, in all three channels: by the curve applied twice or not
+// at all, or with red and blue exchanged; empty: in none of these ways.
 std::string cause_of(const CodeTables& tables, const std::array<double, 3>& found,
                      const std::array<double, 3>& expected) {
   double twice = 0, never = 0, exchanged = 0;
@@ -56,8 +56,8 @@ void etk112(RuleCheck& check) {
     finding.message = finding.value + " on " + area_text(area, tile.counts.texels) + ", " +
                       number(shown_distance, 2) + " codes from the nearest dataset of " +
                       datasets.front()->id;
-    // What a metal's value tells of how it came about is little, so a cause is only possible here, where it
-    // is named.
+    // The value of a metal does not tell how it came about. Here the material is named, so that a possible
+    // cause can be given.
     for (const KnownF0* entry : datasets) {
       const auto cause = cause_of(check.tables, shown->specular, entry->linear);
       if (cause.empty()) continue;

@@ -12,7 +12,8 @@ constexpr RuleParameter etk115_parameters[] = {
      "least difference of blue and red, and least distance as it is from a material"},
 };
 
-// The metal that the colour is with red and blue exchanged; null: none, or it is a material as it is.
+// The metal whose colour this is with red and blue exchanged; null: there is none, or the colour is that of a
+// material as it is.
 const KnownF0* exchanged_metal(const RuleCheck& check, const std::array<double, 3>& f0, double& distance) {
   const std::array<double, 3> exchanged{f0[2], f0[1], f0[0]};
   const KnownF0* metal = nullptr;

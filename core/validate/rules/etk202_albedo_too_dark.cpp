@@ -38,7 +38,7 @@ constinit const Rule etk202_albedo_too_dark{
     "Filament, Substance, Godot and DONTNOD charts; strict: 50. 7 to 20 % of measured "
     "materials lie outside of published ranges, so it is never an error",
     "A plateau of dielectric surface with diffuse luminance below sRGB code 30 (strict: 50). "
-    "Metals are not asked: theirs is black.",
+    "Metals are not judged: their diffuse is black.",
     "Charcoal reflects 2 to 4 %. Darker paint swallows bounced light and looks like a hole.",
     "Black plastic painted at code 10.",
     "Brighten to code 30 or more, unless it was measured. Black (code 2 or less) may be glass, or a "

@@ -28,7 +28,7 @@ constinit const Rule etk203_albedo_too_bright{
     Severity::warning,
     {Need::bytes_a, Need::regions},
     etk203_parameters,
-    "The same charts; strict: 240. Fresh snow is 0.85 to 0.95 in Unity's presets",
+    "The charts of ETK202; strict: 240. Fresh snow is 0.85 to 0.95 in Unity's presets",
     "A plateau with diffuse luminance above sRGB code 250 (strict: 240).",
     "Nothing but reference tiles of pressed powder is whiter than snow; light then bounces "
     "almost without loss.",

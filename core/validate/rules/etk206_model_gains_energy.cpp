@@ -13,15 +13,15 @@ constexpr RuleParameter etk206_parameters[] = {
     {"limit", 1.001, 1.001, "", "largest directional albedo"},
 };
 
-// Largest directional albedo of the model over the angles, by F0 (rows) and gloss (columns); what the model
-// gives is recomputed by tests/core/validate/test_rules.cpp.
+// Largest directional albedo of the model over the angles, by F0 (rows) and gloss (columns);
+// tests/core/validate/test_rules.cpp computes it again from the model.
 constexpr double f0_rows[] = {0.02, 0.04, 0.08, 0.2, 0.5, 1.0};
 constexpr double gloss_columns[] = {0, 0.25, 0.5, 0.75, 1};
 constexpr double albedo[6][5] = {{0.033, 0.063, 0.109, 0.167, 0.220}, {0.066, 0.127, 0.217, 0.334, 0.439},
                                  {0.132, 0.249, 0.421, 0.635, 0.848}, {0.287, 0.509, 0.730, 0.890, 0.990},
                                  {0.481, 0.722, 0.833, 0.959, 0.991}, {0.539, 0.741, 0.954, 0.994, 0.999}};
 
-// Bilinear; below the first row proportional to F0.
+// The albedo of the table, bilinear; below the first row it is proportional to F0.
 double specular_albedo(double f0, double gloss) {
   const double g = std::clamp(gloss, 0.0, 1.0) * 4;
   const auto column = static_cast<std::size_t>(std::min(3.0, g));

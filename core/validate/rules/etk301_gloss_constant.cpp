@@ -11,7 +11,7 @@ namespace {
 
 constexpr RuleParameter etk301_parameters[] = {
     {"deviation", 0.5, 0.5, "codes", "standard deviation below which gloss is constant"},
-    {"min_texels", 4096, 4096, "px", "smaller tiles are not asked"},
+    {"min_texels", 4096, 4096, "px", "smaller tiles are not judged"},
 };
 
 void etk301(RuleCheck& check) {
@@ -19,7 +19,7 @@ void etk301(RuleCheck& check) {
   std::size_t large = 0;
   std::vector<std::size_t> constant;
   for (std::size_t i = 0; i < check.evidence.tiles.size(); ++i) {
-    // A number in place of texels is what this rule asks for.
+    // A constant that a layout stores as a number is what this rule advises.
     if (check.evidence.tiles[i].tile.flat[1]) continue;
     const ByteCounts& counts = check.evidence.tiles[i].counts;
     if (static_cast<double>(counts.texels) <= check.parameter("min_texels") || counts.gloss_texels == 0)

@@ -21,7 +21,7 @@ void etk302(RuleCheck& check) {
       const std::uint64_t count = full ? counts.gloss_full : counts.gloss_zero;
       const double share =
           static_cast<double>(count) / static_cast<double>(std::max<std::uint64_t>(1, counts.opaque));
-      // A constant is ETK301's business.
+      // ETK301 reports a constant gloss.
       if (100 * share <= check.parameter("share") || count < least || counts.gloss_least == counts.gloss_most)
         continue;
       Finding& finding = check.report(tile, FileRole::specular_gloss);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr RuleParameter etk304_parameters[] = {
     {"codes", 8, 8, "", "most distinct codes that are reported"},
-    {"min_texels", 65536, 65536, "px", "smaller tiles are not asked"},
+    {"min_texels", 65536, 65536, "px", "smaller tiles are not judged"},
     {"span", 32, 32, "codes", "least distance of the ends"},
 };
 
@@ -19,7 +19,7 @@ void etk304(RuleCheck& check) {
   for (const TileEvidence& tile : check.evidence.tiles) {
     const Detail& d = tile.detail;
     if (!d.every_row || static_cast<double>(d.opaque) <= check.parameter("min_texels")) continue;
-    // Of opaque texels, so that an alpha of 0 all over (ETK503) says nothing of gloss.
+    // Only opaque texels count, so that nothing is judged under an alpha of 0 all over (ETK503).
     int distinct = 0, least = 255, most = 0;
     for (int code = 0; code < 256; ++code) {
       if (d.b[3][static_cast<std::size_t>(code)] == 0) continue;

@@ -54,9 +54,10 @@ constinit const Rule etk401_specular_stored_linear{
     "Leave-one-out over 109 materials with 3 codes of noise: 99 % of dielectrics recognised "
     "(etak)",
     "Of the plateaus with codes up to 84 at least 80 % of the area has codes 4 to 26, and "
-    "codes 36 to 84 have at most a tenth of that (none was asked first, but half metals of a "
-    "public sample lie there when stored linear). Brighter ones are not asked: of metals the "
-    "value does not tell, and stored linear they lie in the zone or just below.",
+    "codes 36 to 84 have at most a tenth of that (not none, because half metals of a public "
+    "sample lie there when stored linear). Brighter plateaus are not judged: the value of a "
+    "metal does not tell how it was stored, and metals stored linear lie in the zone or just "
+    "below it.",
     "F0 0.02 to 0.08 stored linear are codes 5 to 20 and read back as 0.0015 to 0.0072.",
     "A shader graph baked to a linear texture, imported as sRGB.",
     "Export specular with the sRGB curve, or import it as linear.",

@@ -13,7 +13,7 @@ constexpr RuleParameter etk402_parameters[] = {
 };
 
 // Share of the texels darker than metals whose green has the codes of dielectrics encoded twice. A plateau is
-// judged by its mean, and that of a wide gradient is anything.
+// judged by its mean, which tells nothing of a wide gradient.
 double doubled_share(const RuleCheck& check, const TileEvidence& tile) {
   const Histogram& green = tile.detail.b[1];
   const int metal = check.tables.encode(check.settings.zone.high);
@@ -79,8 +79,8 @@ constinit const Rule etk402_specular_double_encoded{
     "and 47 of 77 dielectrics land in the forbidden zone (etak)",
     "At least 80 % of the area of achromatic non-metal plateaus has codes 105 to 155, whose "
     "second decoding is an ordinary dielectric F0 of 0.017 to 0.09, and so have 80 % of the "
-    "texels darker than metals (a wide ramp has their mean only). Over black diffuse "
-    "nothing is said: a grey metal stored linear has the same codes. A warning where there "
+    "texels darker than metals (a wide ramp has their mean only). Plateaus over black diffuse "
+    "are not judged: a grey metal stored linear has the same codes. A warning where there "
     "is no diffuse picture, and where all of it lies below the forbidden zone: F0 0.02 to "
     "0.03 encoded twice has the codes of diamond, 109 to 120.",
     "One conversion too many in the export chain.",

@@ -48,7 +48,7 @@ constinit const Rule etk404_linear8_comb{
     "At least 4,096 values with code 100 or less and at least 8 distinct ones, of which 99.9 "
     "% are among the 33 codes that an 8-bit linear source reaches. A code with more than a "
     "quarter of the dark values is left out: it is a flat area, such as leather of one F0, and "
-    "drowned all others. One finding per picture and tile.",
+    "would outweigh all others. One finding per picture and tile.",
     "Dark tones were quantised before the curve: steps of up to 13 codes, which show as "
     "bands.",
     "A texture converted to linear 8 bits for editing and back.",

@@ -11,7 +11,7 @@ void etk406(RuleCheck& check) {
     if (!d.every_row || d.opaque < 4096) continue;
     for (const bool diffuse : {true, false}) {
       const std::uint64_t smooth = diffuse ? d.smooth_a : d.smooth_b;
-      // The F0 of a metal-rough set is made from the picture that has been asked.
+      // The F0 of a metal-rough set comes from its base colour, which is judged as diffuse.
       if (!(diffuse ? check.evidence.a : check.evidence.b) || (!diffuse && check.evidence.metal_rough) ||
           static_cast<double>(smooth) < 0.8 * static_cast<double>(d.texels))
         continue;

@@ -27,8 +27,8 @@ constinit const Rule etk407_albedo_stored_linear{
     {Need::header},
     {},
     "etak: dark albedo is legal, so brightness alone says nothing",
-    "The diffuse file declares a linear colour space while its codes are taken as sRGB. What "
-    "the histogram gives away is ETK404.",
+    "The diffuse file declares a linear colour space while its codes are taken as sRGB. "
+    "ETK404 judges the histogram.",
     "Codes and curve do not match.",
     "An albedo saved from a linear working space with its tag.",
     "Convert to sRGB on export, or remove a wrong tag.",

@@ -53,7 +53,7 @@ constinit const Rule etk501_premultiplied{
     "correlation within 0.02 (etak). glTF: texels must not be premultiplied",
     "Over at least 256 texels with alpha 9 to 246: max(RGB) is at most alpha + 1 for 99.9 % "
     "of them and the correlation of the two is 0.9 or more. Metals and black diffuse (code 2 or "
-    "less) are not asked: whatever black is multiplied by, it stays.",
+    "less) are not judged: black stays black, whatever it is multiplied by.",
     "The engine multiplies again: dark halos around cut-outs.",
     "A picture saved by a compositor that works premultiplied.",
     "Export with straight alpha.",

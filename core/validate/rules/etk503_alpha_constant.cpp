@@ -14,7 +14,7 @@ void etk503(RuleCheck& check) {
     zero += tile.counts.alpha_zero;
   }
   if (texels == 0 || (full != texels && zero != texels)) return;
-  // A page of an atlas has the channel for all of its materials, needed or not.
+  // A page of an atlas has an alpha channel even where none of its materials needs one.
   if (full == texels && !check.target.manifest.tiles.empty()) return;
   Finding& finding = check.report();
   finding.file = check.file_of(FileRole::diffuse_alpha);
@@ -37,9 +37,8 @@ constinit const Rule etk503_alpha_constant{
     {Need::bytes_a},
     {},
     "OpenImageIO, maketx --opaque-detect",
-    "Alpha is 255 everywhere (information; pages of an atlas are not asked) or 0 everywhere (error). One "
-    "finding "
-    "per file.",
+    "Alpha is 255 everywhere (information; pages of an atlas are not judged) or 0 everywhere "
+    "(error). One finding per file.",
     "Alpha 255 everywhere is a channel for nothing; alpha 0 everywhere is an invisible "
     "object.",
     "Alpha slot left empty on export.",

@@ -11,7 +11,7 @@ namespace {
 void etk507(RuleCheck& check) {
   std::map<std::tuple<std::uint64_t, std::uint64_t, int, int>, const TileEvidence*> seen;
   for (const TileEvidence& tile : check.evidence.tiles) {
-    // Numbers of a layout: nothing is stored twice.
+    // The constants of a layout are no texels, so that none are stored twice.
     if (!tile.hashed || (tile.tile.flat[0] && tile.tile.flat[1])) continue;
     const auto [first, fresh] =
         seen.try_emplace({tile.hash[0], tile.hash[1], tile.tile.box.width, tile.tile.box.height}, &tile);

@@ -20,7 +20,7 @@ void etk601(RuleCheck& check) {
     const bool refused = !covers_enough(held);
     Finding& finding = check.report();
     finding.pointer = rows.pointer;
-    // Nobody gets the colour of another dataset without naming it, and etak f0 refuses it then.
+    // A dataset that is not preferred is used only where it is named, and etak f0 refuses it then.
     if (!refused || !rows.preferred)
       finding.severity = check.at_most(refused ? Severity::warning : Severity::info);
     finding.value = number(first, 5) + " to " + number(last, 5) + " nm";

@@ -34,8 +34,8 @@ constinit const Rule etk605_unit_suspect{
     {Need::material},
     {},
     "etak",
-    "The wavelengths do not reach into 300 to 900 nm. All above 50,000 nm or below 10 nm was "
-    "asked first, and let a table of gold in micrometres pass that runs to 25.",
+    "The wavelengths do not reach into 300 to 900 nm. Wider limits, such as 10 to 50,000 nm, "
+    "would let a table of gold in micrometres pass that runs to 25.",
     "Micrometres taken for nanometres, or the reverse: then nothing lies in the visible "
     "range.",
     "A page in micrometres imported as nanometres.",

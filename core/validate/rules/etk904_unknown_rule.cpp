@@ -14,7 +14,7 @@ constinit const Rule etk904_unknown_rule{
     "etak",
     "An id or prefix in the configuration or on the command line that no rule has. Exit "
     "status 2.",
-    "A misspelt id switches nothing.",
+    "A misspelt id has no effect.",
     "ETK11O with the letter O.",
     "etak validate --list-rules prints all ids.",
     nullptr};

@@ -7,7 +7,7 @@
 
 namespace etak {
 
-/// The range of a table or formula; 0 for a table without rows.
+/// The ends of the range of a table or formula, in nm; 0 for a table without rows.
 inline double first_nm(const SpectralRows& rows) {
   if (rows.is_formula) return rows.first_nm;
   return rows.wavelength_nm.empty() ? 0
@@ -19,7 +19,7 @@ inline double last_nm(const SpectralRows& rows) {
                                     : *std::max_element(rows.wavelength_nm.begin(), rows.wavelength_nm.end());
 }
 
-/// Whether two rows say the same at their wavelengths.
+/// Whether two rows of a table have equal values.
 inline bool equal_rows(const SpectralRows& rows, std::size_t i, std::size_t j) {
   const auto same = [&](const std::vector<double>& values) {
     return i >= values.size() || j >= values.size() || values[i] == values[j];
