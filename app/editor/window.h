@@ -180,7 +180,7 @@ class Window : public QMainWindow {
   TextureView* texture_view_ = nullptr;
   CurvesPanel* curves_ = nullptr;
   QPlainTextEdit* shader_ = nullptr;
-  QTabWidget *tabs_ = nullptr, *inspector_tabs_ = nullptr, *left_tabs_ = nullptr;
+  QTabWidget *tabs_ = nullptr, *inspector_tabs_ = nullptr;
   QLabel *backend_ = nullptr, *patch_ = nullptr;
   PreviewBar* preview_bar_ = nullptr;
   QString previewed_;  // id of the library material in the preview

@@ -32,7 +32,6 @@ class CpuView : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  struct Job;
   void start();
   void take(const QImage& picture, const QString& message, double ms, bool half);
 

@@ -7,25 +7,10 @@
 
 #include "core/base/number.h"
 #include "core/color/luminance.h"
+#include "core/pages/plot_axes.h"
 
 namespace etak {
 namespace {
-
-PlotAxis wavelength_axis() {
-  return {"wavelength, nm", 360, 830, {400, 500, 600, 700, 800}};
-}
-
-struct Extent {
-  double least = INFINITY, most = -INFINITY;
-  void add(const std::vector<double>& values) {
-    for (const double value : values)
-      if (std::isfinite(value)) {
-        least = std::min(least, value);
-        most = std::max(most, value);
-      }
-  }
-  bool empty() const { return least > most; }
-};
 
 // Draws the rows of the published table as dots on a curve. Formulas have no rows and get no dots.
 void add_samples(LinePlot& plot, const PlotCurve& curve, const std::vector<double>& sample_nm,

@@ -9,8 +9,6 @@
 #include "core/base/number.h"
 
 namespace etak::editor {
-namespace {}  // namespace
-
 void PolarPlotWidget::set_plot(PolarPlot plot) {
   plot_ = std::move(plot);
   plot_changed();

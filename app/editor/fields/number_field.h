@@ -8,9 +8,6 @@
 
 #include "app/editor/fields/press_id.h"
 
-class QLabel;
-class QToolButton;
-
 namespace etak::editor {
 
 /// A spin box that shows five significant digits. The wheel edits only while the box has the focus: one step,

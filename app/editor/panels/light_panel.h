@@ -5,7 +5,6 @@
 #include "app/editor/panels/sections.h"
 
 class QCheckBox;
-class QLineEdit;
 
 namespace etak::editor {
 

@@ -7,6 +7,7 @@
 #include "core/color/srgb.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/page_parts.h"
+#include "core/pages/plot_axes.h"
 #include "core/plot/f0_curves.h"
 #include "core/plot/svg_plot.h"
 
@@ -17,19 +18,6 @@ namespace {
 constexpr std::size_t most_dots = 60;
 
 // ---- plots
-
-struct Extent {
-  double least = INFINITY, most = -INFINITY;
-  void add(const std::vector<double>& values) {
-    for (const double value : values)
-      if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
-  }
-  bool empty() const { return least > most; }
-};
-
-PlotAxis wavelength_axis() {
-  return {"wavelength, nm", grid_first_nm, grid_last_nm, {400, 500, 600, 700, 800}};
-}
 
 // The curves of one dataset.
 struct Drawn {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <map>
 #include <sstream>
 
@@ -359,6 +360,7 @@ Image GlRunner::render(const Scene& scene, const TextureUse& use, const Image8& 
   linear.exposure = 1;
   linear.transfer = Transfer::linear;
   linear.lights.environment.clear();
+  state_->context.make_current();
   const Target target(GL_RGBA32F, scene.width, scene.height);
   glClearColor(static_cast<float>(scene.background[0]), static_cast<float>(scene.background[1]),
                static_cast<float>(scene.background[2]), 0);
