@@ -22,6 +22,7 @@
 #include "app/editor/curves/polar_plot_widget.h"
 #include "core/brdf/models.h"
 #include "core/material/library.h"
+#include "tests/gui/gui_test.h"
 
 using namespace etak;
 using namespace etak::editor;
@@ -307,5 +308,5 @@ class Curves : public QObject {
   const char* names_[4] = {"n-k", "reflectance", "angle", "lobe"};
 };
 
-QTEST_MAIN(Curves)
+ETAK_GUI_TEST(Curves, "curves_panel")
 #include "test_curves.moc"

@@ -22,6 +22,7 @@
 #include "core/base/files/file.h"
 #include "core/image/files/png.h"
 #include "tests/gui/editor_support.h"
+#include "tests/gui/gui_test.h"
 #include "tests/gui/watchdog.h"
 
 using namespace etak;
@@ -169,7 +170,7 @@ class EditorFaults : public QObject {
       environment.insert(QStringLiteral("ETAK_TEST_SAVE_FOREVER"), folder.path());
       environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
       child.setProcessEnvironment(environment);
-      child.start(QCoreApplication::applicationFilePath(), {});
+      child.start(QCoreApplication::applicationFilePath(), {QStringLiteral("save_forever")});
       QVERIFY(child.waitForStarted());
       QVERIFY(
           QTest::qWaitFor([&] { return QFile::exists(folder.filePath(QStringLiteral("saving"))); }, 60000));
@@ -314,8 +315,8 @@ class EditorFaults : public QObject {
   }
 };
 
-// The child process of the test of killed runs: it edits and saves until it is killed.
-int save_forever(int argc, char** argv) {
+// The child process of the test of killed runs, in the folder that the environment names: it edits and saves until it is killed.
+static int save_forever(int argc, char** argv) {
   QApplication application(argc, argv);
   const QString folder = qEnvironmentVariable("ETAK_TEST_SAVE_FOREVER");
   WindowOptions options;
@@ -339,11 +340,6 @@ int save_forever(int argc, char** argv) {
   return QApplication::exec();
 }
 
-int main(int argc, char** argv) {
-  if (qEnvironmentVariableIsSet("ETAK_TEST_SAVE_FOREVER")) return save_forever(argc, argv);
-  QApplication application(argc, argv);
-  EditorFaults test;
-  return QTest::qExec(&test, argc, argv);
-}
-
+static const etak::test::GuiTest registered_saving("save_forever", save_forever);
+ETAK_GUI_TEST(EditorFaults, "editor_faults")
 #include "test_editor_faults.moc"

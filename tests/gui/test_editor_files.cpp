@@ -25,6 +25,7 @@
 #include "core/exchange/engine_values.h"
 #include "core/material/json.h"
 #include "tests/gui/editor_hands.h"
+#include "tests/gui/gui_test.h"
 
 using namespace etak;
 using namespace etak::editor;
@@ -455,5 +456,5 @@ class EditorFiles : public QObject {
   }
 };
 
-QTEST_MAIN(EditorFiles)
+ETAK_GUI_TEST(EditorFiles, "editor_files")
 #include "test_editor_files.moc"

@@ -19,6 +19,7 @@
 #include "app/editor/panels/source_section.h"
 #include "app/editor/panels/texture_section.h"
 #include "tests/gui/editor_hands.h"
+#include "tests/gui/gui_test.h"
 
 using namespace etak;
 using namespace etak::editor;
@@ -477,5 +478,5 @@ class EditorHands : public QObject {
   }
 };
 
-QTEST_MAIN(EditorHands)
+ETAK_GUI_TEST(EditorHands, "editor_hands")
 #include "test_editor_hands.moc"

@@ -11,6 +11,7 @@
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/source_section.h"
 #include "tests/gui/editor_support.h"
+#include "tests/gui/gui_test.h"
 
 using namespace etak;
 using namespace etak::editor;
@@ -122,5 +123,5 @@ class EditorLibrary : public QObject {
   }
 };
 
-QTEST_MAIN(EditorLibrary)
+ETAK_GUI_TEST(EditorLibrary, "editor_library")
 #include "test_editor_library.moc"

@@ -7,6 +7,7 @@
 #include "core/base/files/file.h"
 #include "core/image/files/png.h"
 #include "tests/gui/editor_support.h"
+#include "tests/gui/gui_test.h"
 
 using namespace etak;
 using namespace etak::editor;
@@ -118,5 +119,5 @@ class EditorPack : public QObject {
   }
 };
 
-QTEST_MAIN(EditorPack)
+ETAK_GUI_TEST(EditorPack, "editor_pack")
 #include "test_editor_pack.moc"

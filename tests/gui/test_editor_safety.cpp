@@ -24,6 +24,7 @@
 #include "core/base/files/input.h"
 #include "core/exchange/engine_values.h"
 #include "tests/gui/editor_hands.h"
+#include "tests/gui/gui_test.h"
 
 using namespace etak;
 using namespace etak::editor;
@@ -402,5 +403,5 @@ class EditorSafety : public QObject {
   }
 };
 
-QTEST_MAIN(EditorSafety)
+ETAK_GUI_TEST(EditorSafety, "editor_safety")
 #include "test_editor_safety.moc"

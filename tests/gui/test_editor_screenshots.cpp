@@ -15,6 +15,7 @@
 #include "app/editor/options.h"
 #include "app/editor/screenshot.h"
 #include "tests/gui/editor_support.h"
+#include "tests/gui/gui_test.h"
 
 using namespace etak::editor;
 
@@ -132,5 +133,5 @@ class EditorScreenshots : public QObject {
   QTemporaryDir cache_;
 };
 
-QTEST_MAIN(EditorScreenshots)
+ETAK_GUI_TEST(EditorScreenshots, "editor_screenshots")
 #include "test_editor_screenshots.moc"

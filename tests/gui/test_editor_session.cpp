@@ -17,6 +17,7 @@
 #include "app/editor/panels/view_panel.h"
 #include "core/color/srgb.h"
 #include "tests/gui/editor_support.h"
+#include "tests/gui/gui_test.h"
 
 using namespace etak;
 using namespace etak::editor;
@@ -164,5 +165,5 @@ class EditorSession : public QObject {
   }
 };
 
-QTEST_MAIN(EditorSession)
+ETAK_GUI_TEST(EditorSession, "editor_session")
 #include "test_editor_session.moc"

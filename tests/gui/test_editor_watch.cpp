@@ -16,6 +16,7 @@
 #include "app/editor/panels/view_panel.h"
 #include "core/base/files/file.h"
 #include "tests/gui/editor_support.h"
+#include "tests/gui/gui_test.h"
 #include "tests/gui/watchdog.h"
 
 using namespace etak;
@@ -194,5 +195,5 @@ class EditorWatch : public QObject {
   }
 };
 
-QTEST_MAIN(EditorWatch)
+ETAK_GUI_TEST(EditorWatch, "editor_watch")
 #include "test_editor_watch.moc"

@@ -28,6 +28,7 @@
 #include "app/editor/shortcuts.h"
 #include "core/color/srgb.h"
 #include "tests/gui/editor_support.h"
+#include "tests/gui/gui_test.h"
 
 using namespace etak;
 using namespace etak::editor;
@@ -354,5 +355,5 @@ class EditorWidgets : public QObject {
   }
 };
 
-QTEST_MAIN(EditorWidgets)
+ETAK_GUI_TEST(EditorWidgets, "editor_widgets")
 #include "test_editor_widgets.moc"

@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "app/viewport/viewport.h"
+#include "tests/gui/gui_test.h"
 
 using namespace etak;
 
@@ -52,5 +53,5 @@ class ViewportCpu : public QObject {
   }
 };
 
-QTEST_MAIN(ViewportCpu)
+ETAK_GUI_TEST(ViewportCpu, "viewport_cpu")
 #include "test_viewport_cpu.moc"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "tests/gui/gui_test.h"
 #include "tests/gui/view_states.h"
 
 using namespace etak;
@@ -63,5 +64,5 @@ class ViewportFrames : public QObject {
   }
 };
 
-QTEST_MAIN(ViewportFrames)
+ETAK_GUI_TEST(ViewportFrames, "viewport_frames")
 #include "test_viewport_frames.moc"

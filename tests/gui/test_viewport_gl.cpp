@@ -4,6 +4,7 @@
 
 #include "app/viewport/display.h"
 #include "app/viewport/gl_view.h"
+#include "tests/gui/gui_test.h"
 #include "tests/gui/view_states.h"
 
 using namespace etak;
@@ -336,5 +337,5 @@ class ViewportGl : public QObject {
   void cleanupTestCase() { viewport.reset(); }
 };
 
-QTEST_MAIN(ViewportGl)
+ETAK_GUI_TEST(ViewportGl, "viewport_gl")
 #include "test_viewport_gl.moc"

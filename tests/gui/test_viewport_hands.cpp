@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "core/render/view_moves.h"
+#include "tests/gui/gui_test.h"
 #include "tests/gui/view_states.h"
 #include "tests/gui/watchdog.h"
 
@@ -285,5 +286,5 @@ class ViewportHands : public QObject {
   }
 };
 
-QTEST_MAIN(ViewportHands)
+ETAK_GUI_TEST(ViewportHands, "viewport_hands")
 #include "test_viewport_hands.moc"

@@ -21,27 +21,27 @@ def threads(soak, tally, deadline):
             tally.judge(result, (0,))
 
 
-# Programs of tests/gui whose work goes to threads: loading and checking of textures, packing, watching, CPU pictures.
+# Tests of tests/gui whose work goes to threads: loading and checking of textures, packing, watching, CPU pictures.
 EDITOR = ("editor_files", "editor_faults", "editor_library", "editor_widgets", "viewport_cpu")
 
 
 def editor(soak, tally, deadline):
     """The tests of the editor's workers, without a window."""
-    programs = [soak.tsan_folder / name for name in EDITOR if (soak.tsan_folder / name).exists()]
-    if not programs:
+    program = soak.tsan_folder / "etak-gui-tests"
+    if not program.exists():
         tally.note = "skipped: the editor is not built with the thread sanitizer"
         return
     here = Path(__file__).parent
     env = dict(soak.environment, QT_QPA_PLATFORM="offscreen", ETAK_TEST_SANITIZED="1",
                TSAN_OPTIONS=f"suppressions={here}/races.supp halt_on_error=1 exitcode=66 print_suppressions=0 "
                             f"ignore_noninstrumented_modules=1 die_after_fork=0")
-    for turn, program in enumerate(programs):
+    for turn, name in enumerate(EDITOR):
         if turn > 0 and soak.over(deadline):
-            tally.note = f"{turn} of {len(programs)} programs: the time was up"
+            tally.note = f"{turn} of {len(EDITOR)} tests: the time was up"
             break
-        result = run([program], limit=1800, env=env)
+        result = run([program, name], limit=1800, env=env)
         tally.runs += 1
         if result.status == 66:
-            tally.fault("crashes", f"a race in {program.name}", result)
+            tally.fault("crashes", f"a race in {name}", result)
         elif result.status != 0:
-            tally.fault("exits", f"{program.name}: status {result.status}", result)
+            tally.fault("exits", f"{name}: status {result.status}", result)
