@@ -38,9 +38,10 @@ def write_manifest(folder, random, side=64, materials=3):
     folder.mkdir(parents=True, exist_ok=True)
     rows = []
     for i in range(materials):
-        for role, channels in (("d", 3), ("s", 3), ("g", 1)):
-            (folder / f"{role}{i}.png").write_bytes(png(side, side, channels, random))
-        rows.append({"name": f"m{i}", "diffuse": f"d{i}.png", "specular": f"s{i}.png", "gloss": f"g{i}.png"})
+        for role, channels in (("diffuse", 3), ("specular", 3), ("gloss", 1)):
+            (folder / f"m{i}_{role}.png").write_bytes(png(side, side, channels, random))
+        rows.append({"name": f"m{i}", "diffuse": f"m{i}_diffuse.png",
+                     "specular": f"m{i}_specular.png", "gloss": f"m{i}_gloss.png"})
     rows.append({"name": "gold", "specular": "gold", "gloss": 0.8})
     path = folder / "manifest.json"
     path.write_text(json.dumps({"materials": rows}))

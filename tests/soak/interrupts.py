@@ -205,7 +205,7 @@ def shrinking_files(soak, tally, deadline):
     random = soak.random("shrinking")
     work = soak.folder("shrinking")
     write_manifest(work, random, 1200, 1)
-    path = work / "s0.png"
+    path = work / "m0_specular.png"
     whole = png(1200, 1200, 4, random, level=0)
     stop = threading.Event()
 
@@ -222,12 +222,12 @@ def shrinking_files(soak, tally, deadline):
     thread = threading.Thread(target=shrink)
     thread.start()
     commands = [["validate", ".", "--no-config", "--exit-zero", "-q"],
-                ["validate", "s0.png", "--role", "specular", "--no-config", "--exit-zero", "-q"],
+                ["validate", "m0_specular.png", "--role", "specular", "--no-config", "--exit-zero", "-q"],
                 ["pack", "manifest.json", "--out", "../shrinking-atlas", "--report", "none", "--no-validate", "-q"]]
     try:
         while not soak.over(deadline):
             result = run([soak.etak, *random.choice(commands)], cwd=work, env=soak.environment)
-            if tally.judge(result) and result.status == 2 and "s0.png" not in result.err + result.out:
+            if tally.judge(result) and result.status == 2 and "m0_specular.png" not in result.err + result.out:
                 tally.fault("exits", "status 2 does not name the file", result)
             tally.no_leftovers(work.parent, result)
     finally:

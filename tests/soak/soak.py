@@ -76,7 +76,7 @@ def run_harnesses(soak, chosen, minutes, tallies):
         started = time.monotonic()
         try:
             harness(soak, tally, max(until, started + 1))
-        except Exception:
+        except (Exception, SystemExit):
             # A harness that breaks has not shown that etak does not.
             tally.fault("exits", f"the harness itself broke\n{traceback.format_exc()}")
         if soak.loud:
