@@ -22,6 +22,7 @@ std::string settings_hash(const PackOptions& options, const PackInputs& inputs) 
   number(static_cast<int>(inputs.gloss));
   number(options.layout.form ? static_cast<int>(*options.layout.form) : -1);
   number(static_cast<int>(options.output.write.png_level));
+  number(static_cast<int>(options.output.goal));
   number(options.output.write.zstd_level);
   number(options.layout.page);
   number(int{options.layout.rotate} + 2 * int{options.leave_out.islands} + 4 * int{options.output.bleed});

@@ -54,6 +54,10 @@ PngLevel png_level(const std::string& text) {
   return text == "small" ? PngLevel::small : text == "smallest" ? PngLevel::smallest : PngLevel::fast;
 }
 
+PackGoal goal(const std::string& text) {
+  return text == "disk" ? PackGoal::disk : text == "both" ? PackGoal::both : PackGoal::gpu;
+}
+
 std::vector<GltfForm> gltf_forms(const std::string& list) {
   std::vector<GltfForm> out;
   for (const std::string& each : split(list)) {
@@ -125,6 +129,10 @@ PackOptions pack_options(const PackSettings& s) {
   out.output.write.zstd_level = s.zstd;
   out.output.smallest_form = s.gltf_form == "smallest";
   if (!out.output.smallest_form) out.output.forms = gltf_forms(s.gltf_form);
+  out.output.goal = goal(s.goal);
+  if (out.output.goal != PackGoal::gpu && out.output.forms.size() > 1)
+    throw Error::at(setting("goal"), s.goal + " beside two forms in one file",
+                    "one " + setting("gltf-form") + ", or smallest");
   out.output.bleed = s.bleed;
   return out;
 }

@@ -160,8 +160,9 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   std::vector<Learned> learned(source.inputs.materials.size());
   std::optional<MadePages> made;
   for (result.passes = 1;; ++result.passes) {
-    stages.timed("layout",
-                 [&] { decision = decide(options, source, previous ? &*previous : nullptr, found); });
+    std::vector<PackDecision> ways;
+    stages.timed("layout", [&] { ways = decide(options, source, previous ? &*previous : nullptr, found); });
+    decision = lightest(options, source, std::move(ways), stages);
     made = make_pages(options, source, earlier, decision, learned, stages);
     if (made) break;
     if (result.passes == most_passes) throw std::logic_error("the layout does not settle");
@@ -175,7 +176,7 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   });
   if (made->folder) result.files = complete(*made->folder, options, source, earlier, result.layout);
   tell(source, decision, learned, result);
-  if (source.scene) result.forms = source.scene->form_costs();
+  if (source.scene) result.forms = source.scene->form_costs(), result.goal = options.output.goal;
   if (made->folder)
     stages.timed("totals",
                  [&] { result.totals = pack_totals(source, options, result.layout, *made->folder); });

@@ -88,8 +88,8 @@ struct PackLayoutOptions {
 struct PackOutputOptions {
   WriteOptions write;
   std::vector<GltfForm> forms{GltfForm::specular_ior};
-  bool smallest_form =
-      false;  // of the exact ones that whose textures take least on a GPU, in place of `forms`
+  bool smallest_form = false;     // of the exact ones the one whose textures weigh least, in place of `forms`
+  PackGoal goal = PackGoal::gpu;  // what is weighed of a scene; files of PNG are the ones that count
   bool bleed = false;
   bool overwrite = false;
   bool update = false;   // nothing is done when the result in place is of the same input and options
@@ -173,6 +173,7 @@ struct PackResult {
   std::vector<ReducedRegion> reduced;
   std::optional<PackTotals> totals;  // none where nothing was written
   std::vector<FormCost> forms;       // of a scene
+  PackGoal goal = PackGoal::gpu;     // by which they were weighed
   std::string validation;  // JSON of the validator's report on the pages; empty: they were not checked
   GlossForm gloss = GlossForm::schueler;
 };

@@ -70,8 +70,13 @@ constexpr PackSettingRow setting_rows[] = {
     {content, "gltf-form", &S::gltf_form, 0, 0, "", shown,
      "materials of the written glTF: specular-ior (KHR_materials_specular and _ior, lossless), "
      "specular-glossiness or metal-rough; the first is the material, more with ',' between are added; "
-     "smallest: "
-     "of the forms that are exact in this scene the one whose textures take least on a GPU"},
+     "smallest: of the forms that are exact in this scene the one whose textures weigh least"},
+    {content, "goal", &S::goal, 0, 0, "", shown,
+     "what is weighed where a scene's textures can be written in several ways (form, islands, on a page or "
+     "as "
+     "they were): gpu (bytes on a GPU, uncompressed with mips), disk (bytes of the files, which are "
+     "compressed to be weighed) or both (shares of the input's, added)",
+     "gpu disk both"},
     {output, "format", &S::format, 0, 0, "LIST", shown,
      "of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between"},
     {output, "png-level", &S::png_level, 0, 0, "", shown, "fast, small or smallest", "fast small smallest"},

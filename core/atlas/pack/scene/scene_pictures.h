@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,15 @@ struct ScenePictureInput {
   const PackDecision& decision;
   const std::vector<std::string>& read;  // names of the files that the scene reads
   GlossForm gloss;                       // of texture B
+
+  bool reads(const std::string& name) const {
+    return std::find(read.begin(), read.end(), name) != read.end();
+  }
 };
+
+/// Adds to `sizes` what those pictures that the scene reads, and the page's two textures where it reads them,
+/// would take as PNG files.
+void add_scene_picture_sizes(const ScenePictureInput& in, const PngOptions& png, PictureSizes& sizes);
 
 /// Writes those pictures that the scene reads beside the page's two textures, level 0, as PNG files of as few
 /// channels as hold them. Returns the names of the files.
