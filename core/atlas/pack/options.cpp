@@ -50,7 +50,8 @@ std::optional<PageForm> page_form(const std::string& text) {
                             : PageForm::mixed;
 }
 
-PngLevel png_level(const std::string& text) {
+std::optional<PngLevel> png_level(const std::string& text) {
+  if (text == "auto") return std::nullopt;
   return text == "small" ? PngLevel::small : text == "smallest" ? PngLevel::smallest : PngLevel::fast;
 }
 

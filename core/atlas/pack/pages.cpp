@@ -40,7 +40,9 @@ void check_memory(const PackOptions& options, const PlannedPage& page, int level
 // Where pages can be made slab by slab: what else is written of them, and the check, need them whole.
 bool may_be_cut(const PackOptions& options, const PackSource& source) {
   if (options.check.page && (!options.check.written_page || options.output.dry_run)) return false;
-  return !source.scene && options.output.write.formats == std::vector<std::string>{"png"};
+  const WriteOptions& write = options.output.write;
+  if (!write.png_level) return false;  // which samples of the whole page tell
+  return !source.scene && write.formats == std::vector<std::string>{"png"};
 }
 
 // The files of a page that is whole.

@@ -79,7 +79,11 @@ constexpr PackSettingRow setting_rows[] = {
      "gpu disk both"},
     {output, "format", &S::format, 0, 0, "LIST", shown,
      "of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between"},
-    {output, "png-level", &S::png_level, 0, 0, "", shown, "fast, small or smallest", "fast small smallest"},
+    {output, "png-level", &S::png_level, 0, 0, "", shown,
+     "fast, small or smallest; auto: of each picture the level at which compressing it and sending it once "
+     "at 1 "
+     "MB/s takes least, and palettes or grey of fewer bits for those that only a scene reads",
+     "fast small smallest auto"},
     {output, "zstd", &S::zstd, 0, 22, "", shown, "Zstandard level of ktx2; 0: none"},
 };
 

@@ -9,7 +9,10 @@
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/source.h"
 #include "core/base/error.h"
+#include "core/base/files/input.h"
 #include "core/base/files/output_folder.h"
+#include "core/base/files/steady_file.h"
+#include "core/image/files/png.h"
 #include "core/image/load.h"
 #include "core/image/texture_bytes.h"
 #include "core/scene/image_roles.h"
@@ -31,8 +34,17 @@ struct TextureFile {
   bool lossy = false;
 };
 
+// A PNG's first chunk says enough, whatever its form.
+PictureHeader header_of_file(const std::string& path, const PictureDoor& door) {
+  constexpr std::size_t signature_and_first_chunk = 33;
+  const std::string head = read_head(path, signature_and_first_chunk);
+  BytesInMemory bytes(head);
+  const std::optional<PictureHeader> png = png_header(bytes);
+  return png && png->width > 0 ? *png : picture_header(path, door);
+}
+
 TextureFile texture_file(const std::string& path, const PictureDoor& door) {
-  const PictureHeader header = picture_header(path, door);
+  const PictureHeader header = header_of_file(path, door);
   return {{1, std::filesystem::file_size(path), texture_bytes(header, true)}, header.lossy};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -56,7 +57,8 @@ class PngReader {
 };
 
 /// Rows of codes in memory, `stride` bytes apart; samples of 16 bits in the machine's byte order. Of the
-/// header the sides, channels (1 grey, 2 grey + alpha, 3 RGB, 4 RGBA) and bits (8 or 16) count.
+/// header the sides, channels (1 grey, 2 grey + alpha, 3 RGB, 4 RGBA) and bits count: 8 or 16, or of one
+/// channel 1, 2 or 4, the first code of a row in the highest bits of a byte.
 struct PngRows {
   PictureHeader header;
   const std::uint8_t* rows = nullptr;
@@ -74,16 +76,21 @@ struct PngRows {
 
 /// How hard to compress. What a level means is fixed for one build of etak, and so are the bytes for any
 /// thread count.
-/// Row filters are chosen by least sum of absolute differences at every level.
+/// Row filters are chosen by least sum of absolute differences at every level; rows of a palette's codes and
+/// of fewer than 8 bits are not filtered.
 ///   fast       the default: ISA-L level 1 (without it zlib's RLE strategy)
 ///   small      zlib level 6
 ///   smallest   zlib level 9
 enum class PngLevel { fast, small, smallest };
 
+/// RGBA; those whose alpha is not 255 come first.
+using PngPalette = std::vector<std::array<std::uint8_t, 4>>;
+
 struct PngOptions {
   PngLevel level = PngLevel::fast;
   unsigned threads = 1;
-  bool srgb = false;  // write an sRGB chunk (perceptual intent)
+  bool srgb = false;        // write an sRGB chunk (perceptual intent)
+  PngPalette palette = {};  // not empty: the rows hold codes of it, of one channel and up to 8 bits
 };
 
 /// A PNG file, piece by piece and in order to `sink`, which is called by one thread at a time; strips of rows

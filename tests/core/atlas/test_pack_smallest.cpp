@@ -199,6 +199,27 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("where the level of PNG is weighed files are smaller and every texture says the same") {
+  if (!asset("")) return;
+  const std::string name = "wicker_chair/WickerChair.gltf";
+  std::vector<std::uint64_t> disk;
+  for (const bool weighed : {false, true}) {
+    const TempFolder folder;
+    PackOptions options;
+    options.output.forms = {GltfForm::metal_rough};
+    if (weighed) options.output.write.png_level.reset();
+    const PackResult report = pack_scene(*asset(name), folder.file("out"), true, options);
+    disk.push_back(PackTotals::all(report.totals->output).disk);
+    const GltfScene before = read_gltf(*asset(name), {}),
+                    after = read_gltf(folder.file("out/scene.gltf"), {});
+    CHECK(PackTotals::all(report.totals->output).gpu >= report.totals->scene->gpu);
+    CHECK(report.totals->scene->gpu == gpu_bytes(after));
+    CHECK(worst_texture(before, after, &GltfMaterial::base_color_texture, 0, 3) <= uv_rounding);
+    CHECK(worst_texture(before, after, &GltfMaterial::normal_texture, 0, 3) <= uv_rounding);
+  }
+  CHECK(disk[1] < disk[0]);
+}
+
 TEST_CASE("pictures of the same bytes are kept as one file") {
   if (!asset("")) return;
   const TempFolder folder;

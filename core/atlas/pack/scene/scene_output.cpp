@@ -186,9 +186,9 @@ TextureTotals ScenePack::State::totals_of(const std::vector<bool>& images) {
 
 TextureTotals ScenePack::State::scene_totals(const std::vector<GltfForm>& of_forms, const SceneMaps& placed,
                                              const PackDecision& decision) {
-  const SceneOutput written = scene_output(*this, placed, of_forms, decision);
-  TextureTotals out = written.totals(decision);
-  out.add(totals_of(images_kept(scene, written.gltf)));
+  const SceneOutput of_scene = scene_output(*this, placed, of_forms, decision);
+  TextureTotals out = of_scene.totals(decision);
+  out.add(totals_of(images_kept(scene, of_scene.gltf)));
   return out;
 }
 
@@ -247,8 +247,7 @@ void ScenePack::weigh_page(int page, const PagePixels& pixels, PackDecision& dec
     for (const std::string& name : scene_output(s, maps, {form}, decision).gltf.images) read.push_back(name);
   const MapPixels on_page = map_pixels(page, maps, s.inputs, decision, options.threads,
                                        [&](int image) { return s.decoded(image); });
-  add_scene_picture_sizes({page, pixels, on_page, maps, decision, read, s.gloss},
-                          {options.png_level, options.threads}, *decision.sizes);
+  add_scene_picture_sizes({page, pixels, on_page, maps, decision, read, s.gloss}, options, *decision.sizes);
 }
 
 double ScenePack::choose_pictures(const PackDecision& decision) {
@@ -294,8 +293,7 @@ void ScenePack::write_page(OutputFolder& folder, int page, const PagePixels& pix
   const MapPixels maps = map_pixels(page, s.maps, s.inputs, decision, options.threads,
                                     [&](int image) { return s.decoded(image); });
   const ScenePictureInput in{page, pixels, maps, s.maps, decision, s.output.images, s.gloss};
-  for (std::string& name : write_scene_pictures(folder, in, {options.png_level, options.threads}))
-    s.written.insert(std::move(name));
+  for (std::string& name : write_scene_pictures(folder, in, options)) s.written.insert(std::move(name));
 }
 
 std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const AtlasLayout& layout) {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "core/atlas/outputs.h"
 #include "core/color/srgb.h"
+#include "core/image/files/png_choice.h"
 #include "core/scene/gltf_convert.h"
 #include "core/scene/material_texels.h"
 
@@ -84,10 +84,18 @@ Image8 with_fewest_channels(const Image8& rgba) {
   return out;
 }
 
-std::uint64_t png_size(const PngRows& rows, const PngOptions& png) {
-  std::uint64_t out = 0;
-  write_png(rows, png, [&](std::string_view piece) { out += piece.size(); });
+PngOptions png_options(const PngRows& image, const WriteOptions& options) {
+  PngOptions out;
+  out.level = options.png_level ? *options.png_level : png_level_for(image);
+  out.threads = options.threads;
   return out;
+}
+
+// The file of a picture that only the scene reads.
+std::string file_of(const Image8& picture, const WriteOptions& options) {
+  const Image8 out = with_fewest_channels(picture);
+  const PngOptions png = png_options(out, options);
+  return options.png_level ? png_bytes(out, png) : least_png(out, png);
 }
 
 // The pictures of one page.
@@ -210,29 +218,27 @@ std::string occlusion_picture(const std::vector<GltfForm>& forms, bool specular_
   return has_form(forms, GltfForm::specular_ior) && specular_gloss ? "roughness" : "occlusion";
 }
 
-void add_scene_picture_sizes(const ScenePictureInput& in, const PngOptions& png, PictureSizes& sizes) {
-  const ScenePictures pictures{in};
-  pictures.each_read([&](const std::string& name, const Image8& picture) {
-    sizes.files[name] = png_size(with_fewest_channels(picture), png);
+void add_scene_picture_sizes(const ScenePictureInput& in, const WriteOptions& options, PictureSizes& sizes) {
+  ScenePictures{in}.each_read([&](const std::string& name, const Image8& picture) {
+    sizes.files[name] = file_of(picture, options).size();
   });
-  const ScenePictures bare{in, false};
-  bare.each_read([&](const std::string& name, const Image8& picture) {
-    sizes.bare[name] = png_size(with_fewest_channels(picture), png);
+  ScenePictures{in, false}.each_read([&](const std::string& name, const Image8& picture) {
+    sizes.bare[name] = file_of(picture, options).size();
   });
   for (const Texture texture : both_textures)
     if (const std::string name = page_file(in.page, texture, "png"); in.reads(name)) {
       const PixelsView8 view = in.pixels.view(texture);
-      sizes.files[name] = png_size({{view.width, view.height, 4}, view.data, view.stride}, png);
+      const PngRows image{{view.width, view.height, 4}, view.data, view.stride};
+      std::uint64_t& size = sizes.files[name] = 0;
+      write_png(image, png_options(image, options), [&](std::string_view piece) { size += piece.size(); });
     }
 }
 
 std::vector<std::string> write_scene_pictures(OutputFolder& folder, const ScenePictureInput& in,
-                                              const PngOptions& png) {
+                                              const WriteOptions& options) {
   std::vector<std::string> names;
   ScenePictures{in}.each_read([&](const std::string& name, const Image8& picture) {
-    const Image8 out = with_fewest_channels(picture);
-    folder.write(names.emplace_back(name),
-                 [&](const std::function<void(std::string_view)>& sink) { write_png(out, png, sink); });
+    folder.write(names.emplace_back(name), file_of(picture, options));
   });
   return names;
 }
