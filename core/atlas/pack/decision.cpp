@@ -113,6 +113,7 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source,
                          const std::vector<Region>& regions) {
   PlanOptions out;
   out.rects.form = options.layout.form.value_or(PageForm::mixed);
+  out.rects.multiple = options.layout.multiple;
   out.rects.side = options.layout.page;
   out.rects.largest_side = options.layout.page;
   out.rects.rotate = options.layout.rotate;

@@ -26,6 +26,7 @@ std::string settings_hash(const PackOptions& options, const PackInputs& inputs) 
   number(static_cast<int>(options.output.goal));
   number(options.output.write.zstd_level);
   number(options.layout.page);
+  number(options.layout.multiple);
   number(int{options.layout.rotate} + 2 * int{options.leave_out.islands} + 4 * int{options.output.bleed});
   number(options.layout.effort);
   number(options.layout.max_seconds);

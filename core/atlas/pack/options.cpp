@@ -47,6 +47,7 @@ std::optional<PageForm> page_form(const std::string& text) {
          : text == "square" ? PageForm::square
          : text == "pot"    ? PageForm::power_of_two
          : text == "free"   ? PageForm::free
+         : text == "mult4"  ? PageForm::free
                             : PageForm::mixed;
 }
 
@@ -94,6 +95,7 @@ PackLayoutOptions layout_options(const PackSettings& s) {
   PackLayoutOptions out;
   out.page = s.page;
   out.form = page_form(s.page_form);
+  if (s.page_form == "mult4") out.multiple = 4;
   out.rotate = s.rotate;
   out.effort = s.effort;
   out.max_seconds = s.max_seconds;

@@ -75,6 +75,7 @@ struct PackLeaveOutOptions : LeaveOutOptions {
 struct PackLayoutOptions {
   int page = 4096;
   std::optional<PageForm> form;  // none: mixed; for scenes one free page where that holds everything
+  int multiple = 1;              // of which the sides of pages are, but for those whose edges wrap
   bool rotate = false;
   int effort = 100;
   double max_seconds = 0;
@@ -167,6 +168,9 @@ struct PackResult {
   int tries = 0, levels = 1;
   bool cut_by_time = false, kept_previous = false, inset = false;
   std::size_t moved = 0;
+  // Of a scene whose samplers read mips: the level from which on mips that a viewer makes of whole pages mix
+  // the texels of neighbours. None where no region has a neighbour.
+  std::optional<int> mixed_from;
   int passes = 1;  // 2: what the texels taught changed the layout
   std::vector<std::string> files, remarks;
   std::vector<PackStage> stages;

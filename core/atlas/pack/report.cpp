@@ -2,6 +2,7 @@
 #include "core/atlas/pack/pack.h"
 #include "core/base/json_text.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 
 namespace etak {
@@ -178,6 +179,10 @@ std::string report_text(const PackResult& r, bool stages) {
   out += "\nregions " + count(r.region_texels) + " texels, gutters " + count(r.gutter_texels) +
          ", page waste " + count(r.waste_texels) + "; gloss is " + std::string(name(r.gloss)) + "\n";
   if (r.inset) out += "no gutters: UVs must stay inside by each region's inset (layout.json)\n";
+  if (r.mixed_from)
+    out += "gutters keep regions apart below level " + std::to_string(*r.mixed_from) +
+           "; viewers that make mips from PNG mix them from there on (" + setting("gutter") + " " +
+           std::to_string(1 << *r.mixed_from) + " keeps one level more)\n";
   if (!r.left_out.lines.empty()) {
     out += "\n" + padded("left out", 12) + right("texels", 10) + right("channels", 11) + right("bytes", 10) +
            right("error", 7) + "  what\n";
@@ -216,11 +221,12 @@ std::string report_json(const PackResult& r, bool stages) {
       {"texels", "{\"regions\": " + json(r.region_texels) + ", \"gutters\": " + json(r.gutter_texels) +
                      ", \"waste\": " + json(r.waste_texels) + "}"},
       {"gloss", json(name(r.gloss))},
-      {"layout", "{\"method\": " + json(r.method) + ", \"tries\": " + std::to_string(r.tries) +
-                     ", \"cut_by_time\": " + json(r.cut_by_time) +
-                     ", \"kept_previous\": " + json(r.kept_previous) + ", \"moved\": " + json(r.moved) +
-                     ", \"inset\": " + json(r.inset) + ", \"levels\": " + std::to_string(r.levels) +
-                     ", \"passes\": " + std::to_string(r.passes) + "}"},
+      {"layout",
+       "{\"method\": " + json(r.method) + ", \"tries\": " + std::to_string(r.tries) +
+           ", \"cut_by_time\": " + json(r.cut_by_time) + ", \"kept_previous\": " + json(r.kept_previous) +
+           ", \"moved\": " + json(r.moved) + ", \"inset\": " + json(r.inset) +
+           (r.mixed_from ? ", \"mixed_from\": " + std::to_string(*r.mixed_from) : "") +
+           ", \"levels\": " + std::to_string(r.levels) + ", \"passes\": " + std::to_string(r.passes) + "}"},
       {"left_out", list_json(r.left_out.lines, line_json)},
       {"reduced", list_json(r.reduced, reduced_json)},
       {"before", account_json(r.left_out.before)},

@@ -19,9 +19,12 @@ constexpr std::string_view layout = "Layout", less = "Leaving out", content = "C
 constexpr PackSettingRow setting_rows[] = {
     {layout, "page", &S::page, 1, max_image_side, "N", shown, "largest side of a page"},
     {layout, "page-form", &S::page_form, 0, 0, "", shown,
-     "mixed (powers of two up to {page}, least area), pages (all {page}), square, pot or free (one page); "
-     "auto: free for a scene that fits one page, else mixed",
-     "auto mixed pages square pot free"},
+     "mixed (powers of two up to {page}, least area), pages (all {page}), square, pot, free or mult4 (one "
+     "page; "
+     "of mult4 the sides are multiples of 4, as block compression wants them); auto: free for a scene that "
+     "fits "
+     "one page, else mixed",
+     "auto mixed pages square pot free mult4"},
     {layout, "rotate", &S::rotate, 0, 0, "0|1", shown, "1: regions may be turned by 90 degrees"},
     {layout, "effort", &S::effort, 1, 1000000, "N", shown,
      "layouts to try; the same number gives the same layout everywhere"},

@@ -210,6 +210,9 @@ TEST_CASE("where the level of PNG is weighed files are smaller and every texture
     if (weighed) options.output.write.png_level.reset();
     const PackResult report = pack_scene(*asset(name), folder.file("out"), true, options);
     disk.push_back(PackTotals::all(report.totals->output).disk);
+    // Its samplers read mips, and small islands keep one level clean.
+    CHECK(report.mixed_from == 1);
+    CHECK(report_text(report, false).find("keep regions apart below level 1;") != std::string::npos);
     const GltfScene before = read_gltf(*asset(name), {}),
                     after = read_gltf(folder.file("out/scene.gltf"), {});
     CHECK(PackTotals::all(report.totals->output).gpu >= report.totals->scene->gpu);
@@ -233,6 +236,7 @@ TEST_CASE("pictures of the same bytes are kept as one file") {
   REQUIRE(after.materials[0].metallic_roughness_texture);
   CHECK(after.materials[0].occlusion_texture->image == after.materials[0].metallic_roughness_texture->image);
   CHECK(report.totals->lossy.files == 3);
+  CHECK_FALSE(report.mixed_from);  // its only region has no neighbour
   CHECK(report_text(report, false).find("lost detail to compression") != std::string::npos);
 }
 
