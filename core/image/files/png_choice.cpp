@@ -11,7 +11,7 @@ namespace {
 
 constexpr double sent_per_second = 1e6;  // bytes
 constexpr std::size_t most_sample_bytes = std::size_t{1} << 20;
-constexpr int samples = 4;
+constexpr int sample_bands = 4;
 
 // Bytes of pixels that a level compresses in a second on one core, of pages of photographs' grain.
 struct LevelSpeed {
@@ -107,12 +107,12 @@ PngLevel png_level_for(const PngRows& image) {
   const PictureHeader& info = image.header;
   const std::size_t row_bytes =
       static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.channels * info.bits / 8);
-  const auto rows = static_cast<int>(std::clamp<std::size_t>(most_sample_bytes / samples / row_bytes, 1,
+  const auto rows = static_cast<int>(std::clamp<std::size_t>(most_sample_bytes / sample_bands / row_bytes, 1,
                                                              static_cast<std::size_t>(info.height)));
   std::array<std::uint64_t, speeds.size()> bytes{};
   std::uint64_t sampled = 0;
-  for (int s = 0; s < samples; ++s) {
-    const int first = static_cast<int>(static_cast<long long>(info.height - rows) * s / (samples - 1));
+  for (int s = 0; s < sample_bands; ++s) {
+    const int first = static_cast<int>(static_cast<long long>(info.height - rows) * s / (sample_bands - 1));
     PngRows part = image;
     part.header.height = rows;
     part.rows = image.rows + static_cast<std::size_t>(first) * image.stride;
