@@ -6,6 +6,7 @@
 #include "core/atlas/texels/page_pixels.h"
 #include "core/base/files/output_folder.h"
 #include "core/image/files/containers.h"
+#include "core/image/files/png_choice.h"
 #include "core/image/files/png_strips.h"
 
 namespace etak {
@@ -29,11 +30,12 @@ void write_pngs(OutputFolder& folder, int page, Texture texture, const PagePixel
                 const WriteOptions& options) {
   for (int l = 0; l < pixels.levels(); ++l) {
     const PixelsView8 view = pixels.view(texture, l);
+    const PictureHeader info{view.width, view.height, 4, 8};
+    const PngRows image{info, view.data, view.stride};
     PngOptions png;
-    png.level = options.png_level;
+    png.level = options.png_level ? *options.png_level : png_level_for(image);
     png.threads = options.threads;
     folder.write(page_file(page, texture, "png", l), [&](const std::function<void(std::string_view)>& sink) {
-      const PictureHeader info{view.width, view.height, 4, 8};
       // The file's header comes first, then a strip of rows with each call, then the end of the file.
       int calls = 0, rows = 0;
       const auto telling = [&](std::string_view bytes) {
@@ -43,7 +45,7 @@ void write_pngs(OutputFolder& folder, int page, Texture texture, const PagePixel
         rows += more;
         options.written(static_cast<std::size_t>(more) * static_cast<std::size_t>(info.width));
       };
-      write_png({info, view.data, view.stride}, png, telling);
+      write_png(image, png, telling);
     });
   }
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +25,8 @@ constexpr bool holds_floats(std::string_view format) {
 
 struct WriteOptions {
   std::vector<std::string> formats{"png"};
-  PngLevel png_level = PngLevel::fast;
-  int zstd_level = 0;  // of ktx2
+  std::optional<PngLevel> png_level = PngLevel::fast;  // none: weighed for each picture (png_level_for())
+  int zstd_level = 0;                                  // of ktx2
   unsigned threads = 1;
   // Called from any thread with the number of texels of level 0 that were just written as PNG.
   std::function<void(std::size_t texels)> written = {};

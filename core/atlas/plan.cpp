@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -25,6 +26,19 @@ int log2_floor(int value) {
 
 int rounded_up(int value, int multiple) {
   return (value + multiple - 1) / multiple * multiple;
+}
+
+// Blocks that hardware compresses have so many texels a side.
+constexpr int block = 4;
+// Pages whose sides are free become whole blocks where that takes less than this share more of their area.
+constexpr double most_block_area = 1.02;
+
+// The sides of a page that may grow, as whole blocks where these cost next to nothing.
+RectSize in_blocks(const RectSize& page, int largest_side) {
+  const RectSize out{rounded_up(page.width, block), rounded_up(page.height, block)};
+  const auto area = [](const RectSize& s) { return static_cast<double>(s.width) * s.height; };
+  return std::max(out.width, out.height) <= largest_side && area(out) < most_block_area * area(page) ? out
+                                                                                                     : page;
 }
 
 struct Cells {
@@ -77,6 +91,7 @@ std::optional<RectPlace> old_place(const AtlasRect& rect, const Cells& cells, in
 // The regions that are planned, and where they were in an earlier layout.
 struct Planning {
   const std::vector<Region>& regions;
+  const std::vector<std::string>& names;  // of the materials
   const PlanOptions& options;
   const AtlasLayout* previous = nullptr;    // null: none, or not to be looked at
   std::vector<const AtlasRect*> earlier{};  // by region; null: it is new
@@ -105,6 +120,65 @@ std::vector<const AtlasRect*> earlier_rects(const std::vector<Region>& regions,
     out.push_back(same ? old : nullptr);
   }
   return out;
+}
+
+// The side that no region of a page may exceed.
+int largest_cell(const RectOptions& options) {
+  if (options.form == PageForm::pages) return options.side;
+  if (options.form != PageForm::mixed) return options.largest_side;
+  int out = 1;
+  while (out <= options.side / 2) out *= 2;
+  return out;
+}
+
+std::string text_of(const RectSize& size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+// The region's material, and its texels with their gutter.
+std::string place_of(const Planning& in, const Cells& cells, std::size_t region) {
+  const Region& of = in.regions[region];
+  std::string out = in.names[of.material] + ": " + text_of({of.width(), of.height()}) + " texels";
+  if (cells.gutters[region] > 0)
+    out += ", " + text_of(cells.sizes[region]) + " with a gutter of " + std::to_string(cells.gutters[region]);
+  return out;
+}
+
+// Throws Error for the first region that no page can hold, and says what would hold it.
+void check_sizes(const Planning& in, const Cells& cells, const RectOptions& options) {
+  const int most = largest_cell(options);
+  for (std::size_t i = 0; i < in.regions.size(); ++i) {
+    const Region& region = in.regions[i];
+    const int side = std::max(cells.sizes[i].width, cells.sizes[i].height);
+    if (region.own_page || side <= most) continue;
+    std::string help = setting("page") + " " + std::to_string(side);
+    if (side <= options.largest_side)
+      help = setting("page-form") + " free";
+    else if (std::max(region.width(), region.height()) <= most)
+      help += " or " + setting("gutter") + " 0";
+    throw Error(place_of(in, cells, i) + "; expected at most " + std::to_string(most) + " a side (" + help +
+                " would do)");
+  }
+}
+
+// One page holds each region, but not all of them.
+[[noreturn]] void refuse_too_many(const Planning& in, const Cells& cells,
+                                  const std::vector<std::size_t>& which, const RectOptions& options) {
+  const auto area = [&](std::size_t i) {
+    return static_cast<std::uint64_t>(cells.sizes[i].width) *
+           static_cast<std::uint64_t>(cells.sizes[i].height);
+  };
+  std::uint64_t all = 0;
+  std::size_t largest = which.front();
+  for (const std::size_t i : which) {
+    all += area(i);
+    if (area(i) > area(largest)) largest = i;
+  }
+  const std::string side = std::to_string(options.largest_side);
+  throw Error(std::to_string(which.size()) + " regions, the largest of " + place_of(in, cells, largest) +
+              ", of together " + std::to_string(all) + " texels do not fit one page; expected at most " +
+              side + " x " + side + " (" + setting("page-form") + " mixed or a larger " + setting("page") +
+              " would do)");
 }
 
 bool fits(const Planning& in, const Cells& cells) {
@@ -190,17 +264,32 @@ std::optional<PreviousRects> previous_rects(const Planning& in, const Cells& cel
   return out;
 }
 
+// Packs as `options` say, and where that is not possible says why.
+RectLayout packed_as_said(const Planning& in, const Cells& cells, const std::vector<std::size_t>& which,
+                          const std::vector<RectSize>& sizes, const RectOptions& options,
+                          const PreviousRects* previous) {
+  check_sizes(in, cells, options);
+  if (options.form == PageForm::pages || options.form == PageForm::mixed)
+    return pack_rects(sizes, options, previous);
+  try {
+    return pack_rects(sizes, options, previous);
+  } catch (const Error&) {
+    refuse_too_many(in, cells, which, options);
+  }
+}
+
 // Packs onto one page of any sides where that was asked for and is possible, else as `options` say.
-RectLayout packed(const std::vector<RectSize>& sizes, const RectOptions& options, bool free_first,
+RectLayout packed(const Planning& in, const Cells& cells, const std::vector<std::size_t>& which,
+                  const std::vector<RectSize>& sizes, const RectOptions& options,
                   const PreviousRects* previous) {
-  if (!free_first) return pack_rects(sizes, options, previous);
+  if (!in.options.free_first) return packed_as_said(in, cells, which, sizes, options, previous);
   RectOptions free = options;
   free.form = PageForm::free;
-  free.multiple = std::max(options.multiple, 4);
+  free.multiple = std::max(options.multiple, block);
   try {
     return pack_rects(sizes, free, previous);
   } catch (const Error&) {
-    return pack_rects(sizes, options, previous);
+    return packed_as_said(in, cells, which, sizes, options, previous);
   }
 }
 
@@ -214,9 +303,13 @@ void add_pages(const Planning& in, const Cells& cells, const std::vector<std::si
   if (cells.align > 1 && options.form != PageForm::strip)
     options.multiple = std::max(options.multiple, cells.align);
   const std::optional<PreviousRects> previous = previous_rects(in, cells, which, has);
-  const RectLayout layout = packed(sizes, options, in.options.free_first, previous ? &*previous : nullptr);
+  const RectLayout layout = packed(in, cells, which, sizes, options, previous ? &*previous : nullptr);
   const int first = static_cast<int>(plan.pages.size());
-  for (const RectSize& page : layout.pages) plan.pages.push_back({page.width, page.height, has});
+  for (RectSize page : layout.pages) {
+    if (options.form == PageForm::free || options.form == PageForm::square)
+      page = in_blocks(page, options.largest_side);
+    plan.pages.push_back({page.width, page.height, has});
+  }
   for (std::size_t k = 0; k < which.size(); ++k) {
     const std::size_t i = which[k];
     const RectPlace& at = layout.places[k];
@@ -262,8 +355,9 @@ PackingPlan least_plan(const Planning& in) {
   const PlanOptions& options = in.options;
   if (in.regions.empty()) return {};
   // A region by itself needs no gutter when the page is of just its size.
+  const auto whole = [&](int side) { return side % options.rects.multiple == 0; };
   if (in.regions.size() == 1 && !options.may_inset && options.bare_alone && !options.gutter &&
-      !in.regions[0].own_page) {
+      !in.regions[0].own_page && whole(in.regions[0].width()) && whole(in.regions[0].height())) {
     PackingPlan plan = empty_plan(in);
     add_own_page(in, 0, plan);
     return plan;
@@ -332,9 +426,9 @@ int default_clean_levels(int width, int height) {
 
 PackingPlan plan_pages(const std::vector<Region>& regions, const std::vector<std::string>& names,
                        const PlanOptions& options, const AtlasLayout* previous) {
-  PackingPlan fresh = least_plan({regions, options});
+  PackingPlan fresh = least_plan({regions, names, options});
   if (previous == nullptr) return fresh;
-  return steadiest_plan({regions, options, previous, earlier_rects(regions, names, *previous)},
+  return steadiest_plan({regions, names, options, previous, earlier_rects(regions, names, *previous)},
                         std::move(fresh));
 }
 

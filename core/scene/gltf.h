@@ -234,6 +234,9 @@ struct GltfOutput {
   // KHR_materials_specular may not stand beside the other two in one material: that takes two files.
   std::vector<GltfForm> forms{GltfForm::specular_ior};
   std::string buffer_name = "scene.bin";
+  // For each image of the document the one that stands for it: first_of_same_images() of image_roles.h. Empty:
+  // each stands for itself.
+  std::vector<int> stands_for;
   // The names that are taken in the folder of the written document. The files to which that still refers are
   // copied there; a number is put before a name that is taken, so that a picture of the scene does not
   // replace a page of the atlas of the same name. None: the files keep their URIs, and no name in `images`

@@ -57,6 +57,16 @@ std::map<std::string, std::string> names_beside(const GltfRewrite& rewrite) {
   return out;
 }
 
+/// Lets textures read the first of images that have the same bytes.
+void share_images(GltfRewrite& rewrite) {
+  const std::vector<int>& first = rewrite.output.stands_for;
+  if (first.empty() || !rewrite.root.contains("textures")) return;
+  each_key(rewrite.root["textures"], [&](const std::string& key, Json& value) {
+    if (key == "source" && value.is_number_integer() && value >= 0 && value < first.size())
+      value = first[value.get<std::size_t>()];
+  });
+}
+
 }  // namespace
 
 int GltfRewrite::append(const char* array, Json element) {
@@ -89,6 +99,7 @@ WrittenGltf written(const GltfScene& scene, const GltfOutput& output) {
     each_file(rewrite.root, [&](Json& uri, bool) { uri = uri_of_file(names[uri.get<std::string>()]); });
   }
   const JsonDocument before(rewrite.root);
+  share_images(rewrite);
   remove_compression(rewrite.root);
   if (!scene.options.variants) remove_variants(rewrite.root);
   for (const AtlasMaterial& material : output.materials) {

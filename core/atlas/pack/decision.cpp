@@ -113,6 +113,7 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source,
                          const std::vector<Region>& regions) {
   PlanOptions out;
   out.rects.form = options.layout.form.value_or(PageForm::mixed);
+  out.rects.multiple = options.layout.multiple;
   out.rects.side = options.layout.page;
   out.rects.largest_side = options.layout.page;
   out.rects.rotate = options.layout.rotate;
@@ -192,18 +193,25 @@ PackDecision decided(bool islands, const PackOptions& options, const PackSource&
 
 }  // namespace
 
-PackDecision decide(const PackOptions& options, const PackSource& source, const AtlasLayout* previous,
-                    FoundResolutions& found) {
-  if (!options.leave_out.islands) return decided(false, options, source, previous, found);
-  PackDecision split = decided(true, options, source, previous, found);
-  // Gutters around many islands can take more than what lies between them.
+bool weighs_files(const PackOptions& options, const PackSource& source) {
+  return options.output.goal != PackGoal::gpu && source.scene && source.scene->writes_scene();
+}
+
+std::vector<PackDecision> decide(const PackOptions& options, const PackSource& source,
+                                 const AtlasLayout* previous, FoundResolutions& found) {
+  std::vector<PackDecision> out;
+  if (options.leave_out.islands) out.push_back(decided(true, options, source, previous, found));
   try {
-    PackDecision whole = decided(false, options, source, previous, found);
-    if (whole.plan.page_texels() <= split.plan.page_texels()) return whole;
+    out.push_back(decided(false, options, source, previous, found));
   } catch (const Error&) {
-    // A whole box may fit no page where its islands do.
+    if (out.empty()) throw;
+    return out;  // a whole box may fit no page where its islands do
   }
-  return split;
+  if (out.size() < 2 || weighs_files(options, source)) return out;
+  // Gutters around many islands can take more than what lies between them.
+  const bool whole = out[1].plan.page_texels() <= out[0].plan.page_texels();
+  out.erase(out.begin() + (whole ? 0 : 1));
+  return out;
 }
 
 bool learn(const std::vector<Learned>& learned, const PackOptions& options, PackSource& source,

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/atlas/layout.h"
@@ -22,6 +25,13 @@ struct PageLevels {
   int kept = 1;     // of those the ones that a sampler reads, and in which some region has a texel of its own
 };
 
+/// Bytes of the PNG files that the pictures of a decision's pages would become, by their names, in every form
+/// that may be written.
+///   bare   the same without occlusion, of pictures that have it in their red channel
+struct PictureSizes {
+  std::map<std::string, std::uint64_t> files, bare;
+};
+
 /// What an atlas is to hold and where it goes.
 struct PackDecision {
   bool islands = false;                 // texels between islands are left out; see decide()
@@ -30,18 +40,24 @@ struct PackDecision {
   std::vector<Resolution> resolutions;  // by region: with how many texels it is stored
   PackingPlan plan;                     // its places: by region
   std::vector<PageLevels> levels;       // by page
+  std::optional<PictureSizes> sizes;    // none where files are not weighed
 };
 
 /// Resolutions that were found, by all that they depend on: looking for one takes the material's texels.
 using FoundResolutions = std::map<std::array<int, 7>, Resolution>;
 
 /// Decides of all materials together, from the facts that are known of them: what is left out, which regions
-/// the other texels are, with how many texels those are stored, and where they lie. Where islands are asked for,
-/// they are taken only if the pages get smaller by them. Throws Error for a region that fits no page.
+/// the other texels are, with how many texels those are stored, and where they lie. Throws Error for a region
+/// that fits no page.
 ///   previous   null: none
 ///   found      is looked up and added to
-PackDecision decide(const PackOptions& options, const PackSource& source, const AtlasLayout* previous,
-                    FoundResolutions& found);
+///   returns    one decision, with the islands that are asked for only if the pages get smaller by them;
+///              where files are to be weighed, those with and without islands
+std::vector<PackDecision> decide(const PackOptions& options, const PackSource& source,
+                                 const AtlasLayout* previous, FoundResolutions& found);
+
+/// Whether the files are to be weighed that a scene's pages would become, and not their texels alone.
+bool weighs_files(const PackOptions& options, const PackSource& source);
 
 /// Takes what the texels taught into the facts of the materials, and into the decision what is left out by
 /// these facts. False where other regions are needed by them: then decide() must be called again.

@@ -21,9 +21,12 @@ std::string settings_hash(const PackOptions& options, const PackInputs& inputs) 
   const auto number = [&](auto value) { text += std::to_string(value) + '|'; };
   number(static_cast<int>(inputs.gloss));
   number(options.layout.form ? static_cast<int>(*options.layout.form) : -1);
-  number(static_cast<int>(options.output.write.png_level));
+  const auto& level = options.output.write.png_level;
+  number(level ? static_cast<int>(*level) : -1);
+  number(static_cast<int>(options.output.goal));
   number(options.output.write.zstd_level);
   number(options.layout.page);
+  number(options.layout.multiple);
   number(int{options.layout.rotate} + 2 * int{options.leave_out.islands} + 4 * int{options.output.bleed});
   number(options.layout.effort);
   number(options.layout.max_seconds);

@@ -47,11 +47,17 @@ std::optional<PageForm> page_form(const std::string& text) {
          : text == "square" ? PageForm::square
          : text == "pot"    ? PageForm::power_of_two
          : text == "free"   ? PageForm::free
+         : text == "mult4"  ? PageForm::free
                             : PageForm::mixed;
 }
 
-PngLevel png_level(const std::string& text) {
+std::optional<PngLevel> png_level(const std::string& text) {
+  if (text == "auto") return std::nullopt;
   return text == "small" ? PngLevel::small : text == "smallest" ? PngLevel::smallest : PngLevel::fast;
+}
+
+PackGoal goal(const std::string& text) {
+  return text == "disk" ? PackGoal::disk : text == "both" ? PackGoal::both : PackGoal::gpu;
 }
 
 std::vector<GltfForm> gltf_forms(const std::string& list) {
@@ -89,6 +95,7 @@ PackLayoutOptions layout_options(const PackSettings& s) {
   PackLayoutOptions out;
   out.page = s.page;
   out.form = page_form(s.page_form);
+  if (s.page_form == "mult4") out.multiple = 4;
   out.rotate = s.rotate;
   out.effort = s.effort;
   out.max_seconds = s.max_seconds;
@@ -125,6 +132,10 @@ PackOptions pack_options(const PackSettings& s) {
   out.output.write.zstd_level = s.zstd;
   out.output.smallest_form = s.gltf_form == "smallest";
   if (!out.output.smallest_form) out.output.forms = gltf_forms(s.gltf_form);
+  out.output.goal = goal(s.goal);
+  if (out.output.goal != PackGoal::gpu && out.output.forms.size() > 1)
+    throw Error::at(setting("goal"), s.goal + " beside two forms in one file",
+                    "one " + setting("gltf-form") + ", or smallest");
   out.output.bleed = s.bleed;
   return out;
 }

@@ -91,6 +91,17 @@ void tell_clamped(const PackInputs& inputs, const std::vector<Learned>& learned,
       }
 }
 
+// The clean levels of the region that has the fewest, of those that share a page; none where none does.
+std::optional<int> least_clean_levels(const PackingPlan& plan) {
+  std::vector<std::size_t> regions(plan.pages.size());
+  for (const PlannedPlace& place : plan.places) ++regions[static_cast<std::size_t>(place.page)];
+  std::optional<int> out;
+  for (const PlannedPlace& place : plan.places)
+    if (regions[static_cast<std::size_t>(place.page)] > 1)
+      out = std::min(out.value_or(place.clean_levels), place.clean_levels);
+  return out;
+}
+
 // Puts what was decided into the result.
 void tell(const PackSource& source, const PackDecision& decision, const std::vector<Learned>& learned,
           PackResult& result) {
@@ -103,6 +114,7 @@ void tell(const PackSource& source, const PackDecision& decision, const std::vec
   result.kept_previous = plan.kept_previous;
   result.moved = plan.moved;
   result.inset = plan.inset;
+  if (source.scene && source.scene->sampled_levels(1) > 1) result.mixed_from = least_clean_levels(plan);
   if (plan.clean_limit > 0)
     result.remarks.push_back("new regions have at most " + std::to_string(plan.clean_limit) +
                              " mips free of neighbours, so that the others could stay where they were");
@@ -160,8 +172,9 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   std::vector<Learned> learned(source.inputs.materials.size());
   std::optional<MadePages> made;
   for (result.passes = 1;; ++result.passes) {
-    stages.timed("layout",
-                 [&] { decision = decide(options, source, previous ? &*previous : nullptr, found); });
+    std::vector<PackDecision> ways;
+    stages.timed("layout", [&] { ways = decide(options, source, previous ? &*previous : nullptr, found); });
+    decision = lightest(options, source, std::move(ways), stages);
     made = make_pages(options, source, earlier, decision, learned, stages);
     if (made) break;
     if (result.passes == most_passes) throw std::logic_error("the layout does not settle");
@@ -175,7 +188,7 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   });
   if (made->folder) result.files = complete(*made->folder, options, source, earlier, result.layout);
   tell(source, decision, learned, result);
-  if (source.scene) result.forms = source.scene->form_costs();
+  if (source.scene) result.forms = source.scene->form_costs(), result.goal = options.output.goal;
   if (made->folder)
     stages.timed("totals",
                  [&] { result.totals = pack_totals(source, options, result.layout, *made->folder); });

@@ -75,6 +75,7 @@ struct PackLeaveOutOptions : LeaveOutOptions {
 struct PackLayoutOptions {
   int page = 4096;
   std::optional<PageForm> form;  // none: mixed; for scenes one free page where that holds everything
+  int multiple = 1;              // of which the sides of pages are, but for those whose edges wrap
   bool rotate = false;
   int effort = 100;
   double max_seconds = 0;
@@ -88,8 +89,8 @@ struct PackLayoutOptions {
 struct PackOutputOptions {
   WriteOptions write;
   std::vector<GltfForm> forms{GltfForm::specular_ior};
-  bool smallest_form =
-      false;  // of the exact ones that whose textures take least on a GPU, in place of `forms`
+  bool smallest_form = false;     // of the exact ones the one whose textures weigh least, in place of `forms`
+  PackGoal goal = PackGoal::gpu;  // what is weighed of a scene; files of PNG are the ones that count
   bool bleed = false;
   bool overwrite = false;
   bool update = false;   // nothing is done when the result in place is of the same input and options
@@ -167,12 +168,16 @@ struct PackResult {
   int tries = 0, levels = 1;
   bool cut_by_time = false, kept_previous = false, inset = false;
   std::size_t moved = 0;
+  // Of a scene whose samplers read mips: the level from which on mips that a viewer makes of whole pages mix
+  // the texels of neighbours. None where no region has a neighbour.
+  std::optional<int> mixed_from;
   int passes = 1;  // 2: what the texels taught changed the layout
   std::vector<std::string> files, remarks;
   std::vector<PackStage> stages;
   std::vector<ReducedRegion> reduced;
   std::optional<PackTotals> totals;  // none where nothing was written
   std::vector<FormCost> forms;       // of a scene
+  PackGoal goal = PackGoal::gpu;     // by which they were weighed
   std::string validation;  // JSON of the validator's report on the pages; empty: they were not checked
   GlossForm gloss = GlossForm::schueler;
 };

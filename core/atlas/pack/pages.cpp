@@ -2,6 +2,7 @@
 #include "core/atlas/pack/pages.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/progress.h"
@@ -39,7 +40,9 @@ void check_memory(const PackOptions& options, const PlannedPage& page, int level
 // Where pages can be made slab by slab: what else is written of them, and the check, need them whole.
 bool may_be_cut(const PackOptions& options, const PackSource& source) {
   if (options.check.page && (!options.check.written_page || options.output.dry_run)) return false;
-  return !source.scene && options.output.write.formats == std::vector<std::string>{"png"};
+  const WriteOptions& write = options.output.write;
+  if (!write.png_level) return false;  // which samples of the whole page tell
+  return !source.scene && write.formats == std::vector<std::string>{"png"};
 }
 
 // The files of a page that is whole.
@@ -68,7 +71,46 @@ WriteOptions write_options(const PackOptions& options, const PackStages& stages,
   return out;
 }
 
+// What the files of all pages would take.
+void weigh_pages(const PackOptions& options, PackSource& source, PackDecision& decision,
+                 const PackStages& stages) {
+  const ComposeOptions compose{options.run.threads, source.inputs.gloss, options.output.bleed};
+  Composer composer(source.inputs.materials, decision.regions, decision.plan, compose);
+  std::vector<Learned> learned(source.inputs.materials.size());
+  PagePixels pixels;
+  PackProgress progress(options.run.progress, decision.plan, decision.regions.size(), options.output.write,
+                        true);
+  const WriteOptions write = write_options(options, stages, progress);
+  for (int p = 0; p < static_cast<int>(decision.plan.pages.size()); ++p) {
+    const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(p)];
+    check_memory(options, page, 1);
+    pixels.start(page, 1);
+    composer.texels(p, pixels, learned, [&] {
+      stages.stop_if_cancelled();
+      progress.region();
+    });
+    composer.mips(p, pixels);
+    source.scene->weigh_page(p, pixels, decision, write);
+    progress.written(2 * PackProgress::texels_of(page));
+  }
+}
+
 }  // namespace
+
+PackDecision lightest(const PackOptions& options, PackSource& source, std::vector<PackDecision> ways,
+                      PackStages& stages) {
+  if (!weighs_files(options, source)) return std::move(ways.front());
+  std::optional<std::pair<double, std::uint64_t>> least;
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    stages.timed("weighing", [&] {
+      ways[i].sizes.emplace();
+      weigh_pages(options, source, ways[i], stages);
+      const std::pair weight(source.scene->choose_pictures(ways[i]), ways[i].plan.page_texels());
+      if (!least || weight < *least) least = weight, best = i;
+    });
+  return std::move(ways[best]);
+}
 
 std::optional<MadePages> make_pages(const PackOptions& options, PackSource& source,
                                     const EarlierAtlas& earlier, PackDecision& decision,

@@ -19,6 +19,14 @@ struct MadePages {
   bool good = true;                      // what the check says of all pages
 };
 
+/// Of the ways to pack the one whose textures weigh least: of a scene, where files are weighed
+/// (weighs_files()), what scene.gltf reads, and where that is equal the area of the pages. All of its pages are
+/// composed and their pictures compressed for that; the decision keeps the sizes.
+///   ways   as decide() gives them
+/// Throws Error and PackCancelled.
+PackDecision lightest(const PackOptions& options, PackSource& source, std::vector<PackDecision> ways,
+                      PackStages& stages);
+
 /// Composes, checks and writes every page of a decision. None where what the texels taught changes the
 /// layout: then nothing was kept.
 ///   source     its facts, and what the decision leaves out, get what the texels taught

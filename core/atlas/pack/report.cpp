@@ -2,6 +2,7 @@
 #include "core/atlas/pack/pack.h"
 #include "core/base/json_text.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 
 namespace etak {
@@ -74,6 +75,7 @@ std::string side_json(const std::vector<RoleTotals>& roles) {
 
 std::string totals_json(const PackTotals& totals) {
   std::string out = "{\"input\": " + side_json(totals.input) + ", \"output\": " + side_json(totals.output);
+  out += ", \"lossy_input\": " + totals_json(totals.lossy);
   if (totals.scene) out += ", \"scene\": " + totals_json(*totals.scene);
   return out + "}";
 }
@@ -109,6 +111,12 @@ std::string totals_text(const PackTotals& totals) {
     out += "the pair's pages alone, which is what an engine loads with layout.json: " +
            fixed(percent(pair.gpu, before.gpu), 0) +
            " % of the input's colour and material textures on the GPU\n";
+  if (totals.lossy.files > 0)
+    out +=
+        std::to_string(totals.lossy.files) + (totals.lossy.files == 1 ? " file" : " files") + " of " +
+        megabytes(totals.lossy.disk) +
+        " of the input lost detail to compression (JPEG, ...); what is made of them is lossless PNG, which "
+        "mostly takes more\n";
   return out;
 }
 
@@ -123,19 +131,29 @@ FormText text_of(GltfForm form) {
 
 std::string form_json(const FormCost& form) {
   return "{\"form\": " + json(text_of(form.form).name) + ", \"gpu\": " + json(form.gpu) +
-         ", \"exact\": " + json(form.exact) + ", \"written\": " + json(form.written) + "}";
+         (form.disk ? ", \"disk\": " + json(*form.disk) : "") + ", \"exact\": " + json(form.exact) +
+         ", \"written\": " + json(form.written) + "}";
 }
 
-// What the scene's textures take on a GPU in each form that glTF has for them.
+// What the scene's textures take in each form that glTF has for them.
 std::string forms_text(const PackResult& r) {
   if (r.forms.empty()) return "";
-  std::string out = "\nscene.gltf in each form: its textures on the GPU\n";
-  const std::uint64_t input = r.totals ? PackTotals::all(r.totals->input).gpu : 0;
+  const bool disk = r.goal != PackGoal::gpu;
+  std::string out = "\nscene.gltf in each form: its textures ";
+  out += disk ? "on disk and on the GPU" : "on the GPU";
+  out += r.goal == PackGoal::gpu ? "\n" : " (weighed: " + std::string(name(r.goal)) + ")\n";
+  const TextureTotals input = r.totals ? PackTotals::all(r.totals->input) : TextureTotals{};
+  const auto share = [](std::uint64_t part, std::uint64_t whole) {
+    return whole == 0 ? "" : right(fixed(percent(part, whole), 0) + " %", 7);
+  };
   for (const FormCost& each : r.forms) {
     const FormText text = text_of(each.form);
-    out += padded(each.written ? "* " + std::string(text.name) : "  " + std::string(text.name), 34) +
-           right(megabytes(each.gpu), 13);
-    if (input > 0) out += right(fixed(percent(each.gpu, input), 0) + " %", 7) + " of the input";
+    out += padded(each.written ? "* " + std::string(text.name) : "  " + std::string(text.name), 34);
+    if (disk)
+      out += each.disk ? right(megabytes(*each.disk), 13) + share(*each.disk, input.disk)
+                       : right("not weighed", input.disk > 0 ? 20 : 13);
+    out += right(megabytes(each.gpu), 13) + share(each.gpu, input.gpu);
+    if (input.gpu > 0) out += " of the input";
     out += std::string("; ") + text.remark + (each.exact ? "" : "; not exact in this scene") + "\n";
   }
   return out;
@@ -161,6 +179,10 @@ std::string report_text(const PackResult& r, bool stages) {
   out += "\nregions " + count(r.region_texels) + " texels, gutters " + count(r.gutter_texels) +
          ", page waste " + count(r.waste_texels) + "; gloss is " + std::string(name(r.gloss)) + "\n";
   if (r.inset) out += "no gutters: UVs must stay inside by each region's inset (layout.json)\n";
+  if (r.mixed_from)
+    out += "gutters keep regions apart below level " + std::to_string(*r.mixed_from) +
+           "; viewers that make mips from PNG mix them from there on (" + setting("gutter") + " " +
+           std::to_string(1 << *r.mixed_from) + " keeps one level more)\n";
   if (!r.left_out.lines.empty()) {
     out += "\n" + padded("left out", 12) + right("texels", 10) + right("channels", 11) + right("bytes", 10) +
            right("error", 7) + "  what\n";
@@ -199,11 +221,12 @@ std::string report_json(const PackResult& r, bool stages) {
       {"texels", "{\"regions\": " + json(r.region_texels) + ", \"gutters\": " + json(r.gutter_texels) +
                      ", \"waste\": " + json(r.waste_texels) + "}"},
       {"gloss", json(name(r.gloss))},
-      {"layout", "{\"method\": " + json(r.method) + ", \"tries\": " + std::to_string(r.tries) +
-                     ", \"cut_by_time\": " + json(r.cut_by_time) +
-                     ", \"kept_previous\": " + json(r.kept_previous) + ", \"moved\": " + json(r.moved) +
-                     ", \"inset\": " + json(r.inset) + ", \"levels\": " + std::to_string(r.levels) +
-                     ", \"passes\": " + std::to_string(r.passes) + "}"},
+      {"layout",
+       "{\"method\": " + json(r.method) + ", \"tries\": " + std::to_string(r.tries) +
+           ", \"cut_by_time\": " + json(r.cut_by_time) + ", \"kept_previous\": " + json(r.kept_previous) +
+           ", \"moved\": " + json(r.moved) + ", \"inset\": " + json(r.inset) +
+           (r.mixed_from ? ", \"mixed_from\": " + std::to_string(*r.mixed_from) : "") +
+           ", \"levels\": " + std::to_string(r.levels) + ", \"passes\": " + std::to_string(r.passes) + "}"},
       {"left_out", list_json(r.left_out.lines, line_json)},
       {"reduced", list_json(r.reduced, reduced_json)},
       {"before", account_json(r.left_out.before)},
@@ -211,7 +234,10 @@ std::string report_json(const PackResult& r, bool stages) {
       {"files", json_array_of(r.files)},
       {"remarks", json_array_of(r.remarks)},
   };
-  if (!r.forms.empty()) members.push_back({"forms", list_json(r.forms, form_json)});
+  if (!r.forms.empty()) {
+    members.push_back({"goal", json(name(r.goal))});
+    members.push_back({"forms", list_json(r.forms, form_json)});
+  }
   if (r.totals) members.push_back({"totals", totals_json(*r.totals)});
   if (!r.validation.empty()) members.push_back({"validation", r.validation});
   if (stages)

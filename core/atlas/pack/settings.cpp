@@ -19,9 +19,12 @@ constexpr std::string_view layout = "Layout", less = "Leaving out", content = "C
 constexpr PackSettingRow setting_rows[] = {
     {layout, "page", &S::page, 1, max_image_side, "N", shown, "largest side of a page"},
     {layout, "page-form", &S::page_form, 0, 0, "", shown,
-     "mixed (powers of two up to {page}, least area), pages (all {page}), square, pot or free (one page); "
-     "auto: free for a scene that fits one page, else mixed",
-     "auto mixed pages square pot free"},
+     "mixed (powers of two up to {page}, least area), pages (all {page}), square, pot, free or mult4 (one "
+     "page; "
+     "of mult4 the sides are multiples of 4, as block compression wants them); auto: free for a scene that "
+     "fits "
+     "one page, else mixed",
+     "auto mixed pages square pot free mult4"},
     {layout, "rotate", &S::rotate, 0, 0, "0|1", shown, "1: regions may be turned by 90 degrees"},
     {layout, "effort", &S::effort, 1, 1000000, "N", shown,
      "layouts to try; the same number gives the same layout everywhere"},
@@ -70,11 +73,20 @@ constexpr PackSettingRow setting_rows[] = {
     {content, "gltf-form", &S::gltf_form, 0, 0, "", shown,
      "materials of the written glTF: specular-ior (KHR_materials_specular and _ior, lossless), "
      "specular-glossiness or metal-rough; the first is the material, more with ',' between are added; "
-     "smallest: "
-     "of the forms that are exact in this scene the one whose textures take least on a GPU"},
+     "smallest: of the forms that are exact in this scene the one whose textures weigh least"},
+    {content, "goal", &S::goal, 0, 0, "", shown,
+     "what is weighed where a scene's textures can be written in several ways (form, islands, on a page or "
+     "as "
+     "they were): gpu (bytes on a GPU, uncompressed with mips), disk (bytes of the files, which are "
+     "compressed to be weighed) or both (shares of the input's, added)",
+     "gpu disk both"},
     {output, "format", &S::format, 0, 0, "LIST", shown,
      "of the textures: png, ktx2, dds, and in floats tiff, exr; with ',' between"},
-    {output, "png-level", &S::png_level, 0, 0, "", shown, "fast, small or smallest", "fast small smallest"},
+    {output, "png-level", &S::png_level, 0, 0, "", shown,
+     "fast, small or smallest; auto: of each picture the level at which compressing it and sending it once "
+     "at 1 "
+     "MB/s takes least, and palettes or grey of fewer bits for those that only a scene reads",
+     "fast small smallest auto"},
     {output, "zstd", &S::zstd, 0, 22, "", shown, "Zstandard level of ktx2; 0: none"},
 };
 

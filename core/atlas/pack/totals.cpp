@@ -9,7 +9,10 @@
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/source.h"
 #include "core/base/error.h"
+#include "core/base/files/input.h"
 #include "core/base/files/output_folder.h"
+#include "core/base/files/steady_file.h"
+#include "core/image/files/png.h"
 #include "core/image/load.h"
 #include "core/image/texture_bytes.h"
 #include "core/scene/image_roles.h"
@@ -25,17 +28,34 @@ void add(std::vector<RoleTotals>& to, const std::string& role, bool material, co
     to.push_back({role, material, totals});
 }
 
-TextureTotals file_totals(const std::string& path, const PictureDoor& door) {
-  return {1, std::filesystem::file_size(path), texture_bytes(picture_header(path, door), true)};
+// A texture file, and whether compressing changed its values.
+struct TextureFile {
+  TextureTotals totals;
+  bool lossy = false;
+};
+
+// A PNG's first chunk says enough, whatever its form.
+PictureHeader header_of_file(const std::string& path, const PictureDoor& door) {
+  constexpr std::size_t signature_and_first_chunk = 33;
+  const std::string head = read_head(path, signature_and_first_chunk);
+  BytesInMemory bytes(head);
+  const std::optional<PictureHeader> png = png_header(bytes);
+  return png && png->width > 0 ? *png : picture_header(path, door);
+}
+
+TextureFile texture_file(const std::string& path, const PictureDoor& door) {
+  const PictureHeader header = header_of_file(path, door);
+  return {{1, std::filesystem::file_size(path), texture_bytes(header, true)}, header.lossy};
 }
 
 // What a manifest or a folder of pictures names: a file that serves several roles counts for the first.
-std::vector<RoleTotals> of_manifest(const PackInputs& inputs, const PictureDoor& door) {
-  std::vector<RoleTotals> out;
+void add_manifest(PackTotals& to, const PackInputs& inputs, const PictureDoor& door) {
   std::set<std::string> seen;
   const auto count = [&](const PlaneSource& plane, const char* role, bool material) {
-    if (plane.is_image() && seen.insert(plane.path).second)
-      add(out, role, material, file_totals(plane.path, door));
+    if (!plane.is_image() || !seen.insert(plane.path).second) return;
+    const TextureFile file = texture_file(plane.path, door);
+    add(to.input, role, material, file.totals);
+    if (file.lossy) to.lossy.add(file.totals);
   };
   for (const PackInput& m : inputs.materials) {
     count(m.color[index_of(Texture::diffuse_alpha)], "diffuse", true);
@@ -44,7 +64,6 @@ std::vector<RoleTotals> of_manifest(const PackInputs& inputs, const PictureDoor&
     count(m.grey[index_of(Texture::specular_gloss)], "gloss", true);
     count(m.normal, "normal", false);
   }
-  return out;
 }
 
 // The pages' two textures, in every format that was written.
@@ -64,16 +83,18 @@ void add_pages(std::vector<RoleTotals>& to, const AtlasLayout& layout, const Out
 }
 
 // A picture that nothing reads may be broken or missing: it takes what its file takes.
-TextureTotals picture_totals(const PictureFile& picture, bool unused, const PictureDoor& door) {
-  TextureTotals out{1, picture.bytes.size(), 0};
+TextureFile texture_file(const PictureFile& picture, bool unused, const PictureDoor& door) {
+  TextureFile out{{1, picture.bytes.size(), 0}};
   try {
-    if (!picture.path.empty()) return file_totals(picture.path, door);
-    out.gpu = texture_bytes(open_picture(picture, door)->header(), true);
+    if (!picture.path.empty()) return texture_file(picture.path, door);
+    const PictureHeader header = open_picture(picture, door)->header();
+    out.totals.gpu = texture_bytes(header, true);
+    out.lossy = header.lossy;
   } catch (const Error&) {
     if (!unused) throw;
   } catch (const std::filesystem::filesystem_error&) {
     if (!unused) throw;
-    out.files = 0;
+    out.totals.files = 0;
   }
   return out;
 }
@@ -85,15 +106,14 @@ void each_image(const GltfScene& scene, const PictureDoor& door, const See& see)
   const std::vector<ImageRole> roles = image_roles(*scene.json, scene.path);
   for (std::size_t i = 0; i < roles.size(); ++i)
     if (roles[i].file.empty() || seen.insert(roles[i].file).second)
-      see(roles[i], picture_totals(scene.images[i], roles[i].is_unused(), door));
+      see(roles[i], texture_file(scene.images[i], roles[i].is_unused(), door));
 }
 
-std::vector<RoleTotals> of_scene(const GltfScene& scene, const PictureDoor& door) {
-  std::vector<RoleTotals> out;
-  each_image(scene, door, [&](const ImageRole& image, const TextureTotals& totals) {
-    add(out, image.role, image.material, totals);
+void add_input_scene(PackTotals& to, const GltfScene& scene, const PictureDoor& door) {
+  each_image(scene, door, [&](const ImageRole& image, const TextureFile& file) {
+    add(to.input, image.role, image.material, file.totals);
+    if (file.lossy) to.lossy.add(file.totals);
   });
-  return out;
 }
 
 // What the scene reads beside the pages: pictures made of them, and those that stayed as they were.
@@ -104,7 +124,8 @@ void add_scene(PackTotals& to, const AtlasLayout& layout, const OutputFolder& fo
     for (const auto& files : page.files) pages.insert(files.begin(), files.end());
   to.scene.emplace();
   const GltfScene scene = read_gltf(folder.path_until_commit("scene.gltf"), {});
-  each_image(scene, door, [&](const ImageRole& image, const TextureTotals& totals) {
+  each_image(scene, door, [&](const ImageRole& image, const TextureFile& file) {
+    const TextureTotals& totals = file.totals;
     to.scene->add(totals);
     if (!pages.contains(image.file)) add(to.output, image.role, false, totals);
   });
@@ -129,7 +150,10 @@ PackTotals pack_totals(const PackSource& source, const PackOptions& options, con
                        const OutputFolder& folder) {
   const PictureDoor& door = options.input.pictures.door;
   PackTotals out;
-  out.input = source.scene ? of_scene(source.scene->scene(), door) : of_manifest(source.inputs, door);
+  if (source.scene)
+    add_input_scene(out, source.scene->scene(), door);
+  else
+    add_manifest(out, source.inputs, door);
   add_pages(out.output, layout, folder);
   const auto& others = layout.other_files;
   if (std::find(others.begin(), others.end(), "scene.gltf") != others.end())

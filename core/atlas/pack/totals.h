@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -32,6 +33,37 @@ struct TextureTotals {
   friend bool operator==(const TextureTotals&, const TextureTotals&) = default;
 };
 
+/// What is weighed where the same can be written in several ways.
+///   gpu    bytes on a GPU
+///   disk   bytes of the files
+///   both   the two as shares of what the input takes, added
+enum class PackGoal { gpu, disk, both };
+
+/// "gpu", "disk" or "both".
+constexpr const char* name(PackGoal goal) {
+  return goal == PackGoal::gpu ? "gpu" : goal == PackGoal::disk ? "disk" : "both";
+}
+
+/// What textures weigh: of two ways to write them the lighter one is taken.
+class TextureWeight {
+ public:
+  ///   input   all textures that were read
+  TextureWeight(PackGoal goal, const TextureTotals& input) : goal_(goal), input_(input) {}
+
+  double operator()(const TextureTotals& totals) const {
+    if (goal_ == PackGoal::both) return share(totals.disk, input_.disk) + share(totals.gpu, input_.gpu);
+    return static_cast<double>(goal_ == PackGoal::gpu ? totals.gpu : totals.disk);
+  }
+
+ private:
+  static double share(std::uint64_t part, std::uint64_t whole) {
+    return static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
+  }
+
+  PackGoal goal_;
+  TextureTotals input_;
+};
+
 /// The textures of one role: "base colour", "normal", "diffuse and alpha", "roughness of the scene", ...
 struct RoleTotals {
   std::string role;
@@ -43,6 +75,7 @@ struct RoleTotals {
 /// All textures of the input and of the folder that was written, each file once, by role.
 struct PackTotals {
   std::vector<RoleTotals> input, output;
+  TextureTotals lossy;                 // those of the input that compressing has changed: JPEG, ...
   std::optional<TextureTotals> scene;  // what scene.gltf reads, where one was written
 
   static TextureTotals all(const std::vector<RoleTotals>& roles);
@@ -54,11 +87,13 @@ struct PackTotals {
 
 /// What a form of the written scene costs.
 ///   gpu       bytes of all textures that scene.gltf reads, uncompressed with all mips
+///   disk      bytes of their files; none where files were not weighed
 ///   exact     the form says what was read, but for the rounding of the pair's codes
 ///   written   it is the one that was asked for, or found to be the smallest
 struct FormCost {
   GltfForm form = GltfForm::specular_ior;
   std::uint64_t gpu = 0;
+  std::optional<std::uint64_t> disk;
   bool exact = true, written = false;
   friend bool operator==(const FormCost&, const FormCost&) = default;
 };

@@ -107,7 +107,7 @@ class LevelFiles {
         if (of_.size().has[index_of(texture)])
           files_.push_back(std::make_unique<LevelFile>(
               *of_.folder, of_.page, texture, l, pixels.view(texture, l), std::max(1, of_.size().height >> l),
-              of_.write.png_level, scratch_));
+              *of_.write.png_level, scratch_));
   }
   // The pieces of work that compress the rows in `from`.
   std::vector<Strip> strips(const PagePixels& from) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -58,7 +59,8 @@ class PngReader {
 };
 
 /// Rows of codes in memory, `stride` bytes apart, 16-bit samples in the machine's byte order. Of the header,
-/// the sides, the channels (1 grey, 2 grey + alpha, 3 RGB, 4 RGBA) and the bits (8 or 16) are used.
+/// the sides, the channels (1 grey, 2 grey + alpha, 3 RGB, 4 RGBA) and the bits are used: 8 or 16, and with one
+/// channel also 1, 2 or 4, where the first code of a row stands in the highest bits of a byte.
 struct PngRows {
   PictureHeader header;
   const std::uint8_t* rows = nullptr;
@@ -75,16 +77,21 @@ struct PngRows {
 };
 
 /// How hard to compress. In one build of etak a level always makes the same bytes, with any number of
-/// threads. Every level chooses the filter of each row by the least sum of absolute differences.
+/// threads. Every level chooses the filter of each row by the least sum of absolute differences; rows of a
+/// palette's codes and of fewer than 8 bits are not filtered.
 ///   fast       the default: ISA-L level 1 (without it zlib's RLE strategy)
 ///   small      zlib level 6
 ///   smallest   zlib level 9
 enum class PngLevel { fast, small, smallest };
 
+/// RGBA; those whose alpha is not 255 come first.
+using PngPalette = std::vector<std::array<std::uint8_t, 4>>;
+
 struct PngOptions {
   PngLevel level = PngLevel::fast;
   unsigned threads = 1;
-  bool srgb = false;  // write an sRGB chunk (perceptual intent)
+  bool srgb = false;        // write an sRGB chunk (perceptual intent)
+  PngPalette palette = {};  // not empty: the rows hold codes of it, of one channel and up to 8 bits
 };
 
 /// Writes a PNG file to `sink`, piece by piece and in order; `sink` is called by one thread at a time. Strips

@@ -62,7 +62,12 @@ void append_chunk(Bytes& out, std::string_view type, std::span<const std::uint8_
   end_chunk(out, start, crc32_of(0, std::span(out).subspan(start + 4)));
 }
 
-Bytes head(const PictureHeader& info, bool srgb) {
+std::size_t bytes_of_row(const PictureHeader& info) {
+  const auto codes = static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.channels);
+  return (codes * static_cast<std::size_t>(info.bits) + 7) / 8;
+}
+
+Bytes head(const PictureHeader& info, const PngOptions& options) {
   static constexpr std::array<std::uint8_t, 5> colour_type{0, 0, 4, 2, 6};  // by the number of channels
   Bytes out;
   append_text(out, png_signature);
@@ -70,10 +75,19 @@ Bytes head(const PictureHeader& info, bool srgb) {
   append_big_endian(header, static_cast<std::uint32_t>(info.width));
   append_big_endian(header, static_cast<std::uint32_t>(info.height));
   header.push_back(static_cast<std::uint8_t>(info.bits));
-  header.push_back(colour_type[static_cast<std::size_t>(info.channels)]);
+  constexpr std::uint8_t indexed = 3;
+  header.push_back(options.palette.empty() ? colour_type[static_cast<std::size_t>(info.channels)] : indexed);
   header.insert(header.end(), {0, 0, 0});  // deflate, the five filters, not interlaced
   append_chunk(out, "IHDR", header);
-  if (srgb) append_chunk(out, "sRGB", std::array<std::uint8_t, 1>{0});
+  if (options.srgb) append_chunk(out, "sRGB", std::array<std::uint8_t, 1>{0});
+  if (options.palette.empty()) return out;
+  Bytes colours, alphas;
+  for (const auto& [red, green, blue, alpha] : options.palette) {
+    colours.insert(colours.end(), {red, green, blue});
+    if (alpha != 255) alphas.push_back(alpha);
+  }
+  append_chunk(out, "PLTE", colours);
+  if (!alphas.empty()) append_chunk(out, "tRNS", alphas);
   return out;
 }
 
@@ -138,6 +152,7 @@ struct PngBands::State {
   std::function<void(std::string_view)> sink;
   std::shared_ptr<Scratch> scratch;
   std::size_t pixel = 0, row_bytes = 0;
+  bool filtered_rows = true;
   int strip_rows = 1;
   const PngFilters& filters = png_filters();
 
@@ -164,7 +179,7 @@ struct PngBands::State {
   void copy_row(int y, Bytes& to) const {
     const std::uint8_t* from = row(y);
     std::uint8_t* out = to.data() + png_row_lead;
-    if (info.bits == 8 || std::endian::native == std::endian::big) {
+    if (info.bits != 16 || std::endian::native == std::endian::big) {
       std::copy_n(from, row_bytes, out);
       return;
     }
@@ -189,8 +204,13 @@ struct PngBands::State {
     std::uint8_t* at = tools.filtered.data();
     for (int y = begin; y < stop; ++y, at += row_bytes + 1) {
       copy_row(y, tools.row);
-      filters.filter(tools.row.data() + png_row_lead, tools.above.data() + png_row_lead, row_bytes, pixel,
-                     at);
+      if (filtered_rows) {
+        filters.filter(tools.row.data() + png_row_lead, tools.above.data() + png_row_lead, row_bytes, pixel,
+                       at);
+      } else {
+        *at = 0;
+        std::copy_n(tools.row.data() + png_row_lead, row_bytes, at + 1);
+      }
       tools.row.swap(tools.above);
     }
     const std::span filtered = std::span(tools.filtered).first(out.filtered_size);
@@ -245,17 +265,19 @@ PngBands::PngBands(const PictureHeader& info, const PngOptions& options,
                    std::function<void(std::string_view)> sink, std::shared_ptr<Scratch> scratch)
     : state_(std::make_unique<State>()) {
   assert(info.width >= 1 && info.height >= 1 && info.channels >= 1 && info.channels <= 4);
-  assert(info.bits == 8 || info.bits == 16);
+  assert(info.bits == 8 || info.bits == 16 || (info.channels == 1 && info.bits < 8));
+  assert(options.palette.empty() || (info.channels == 1 && info.bits <= 8));
   State& s = *state_;
   s.info = info;
   s.options = options;
   s.sink = std::move(sink);
   s.scratch = std::move(scratch);
   s.pixel = static_cast<std::size_t>(info.channels * info.bits / 8);
-  s.row_bytes = static_cast<std::size_t>(info.width) * s.pixel;
+  s.row_bytes = bytes_of_row(info);
+  s.filtered_rows = info.bits >= 8 && options.palette.empty();
   s.strip_rows = png_strip_rows(info, options.level);
   s.carried.resize(s.row_bytes);
-  s.sink(characters(head(info, options.srgb)));
+  s.sink(characters(head(info, options)));
 }
 
 PngBands::~PngBands() = default;
@@ -304,9 +326,7 @@ void PngBands::finish() {
 }
 
 int png_strip_rows(const PictureHeader& info, PngLevel level) {
-  const std::size_t row_bytes =
-      static_cast<std::size_t>(info.width) * static_cast<std::size_t>(info.channels * info.bits / 8);
-  return static_cast<int>(std::clamp<std::size_t>(strip_bytes(level) / (row_bytes + 1), 1,
+  return static_cast<int>(std::clamp<std::size_t>(strip_bytes(level) / (bytes_of_row(info) + 1), 1,
                                                   static_cast<std::size_t>(info.height)));
 }
 

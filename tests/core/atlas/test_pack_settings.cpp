@@ -47,7 +47,7 @@ TEST_CASE("every setting of a job is read into its own place, and what is for th
     std::visit([&](auto member) { plain.*member = jobs[0].*member; }, row.value);
     CHECK(jobs[0] == plain);
   }
-  CHECK(names.size() == 27);
+  CHECK(names.size() == 28);
 }
 
 TEST_CASE("a job's numbers and words keep to the ranges and words of the table") {
@@ -74,6 +74,10 @@ TEST_CASE("faults of settings, and the help, name settings without dashes where 
   };
   CHECK(fault_of([](PackSettings& s) { s.keep = {"nothing"}; }).starts_with("keep: nothing; expected "));
   CHECK(fault_of([](PackSettings& s) { s.gltf_form = "x"; }).starts_with("gltf form: x; expected "));
+  CHECK(fault_of([](PackSettings& s) {
+          s.goal = "disk";
+          s.gltf_form = "metal-rough,specular-glossiness";
+        }) == "goal: disk beside two forms in one file; expected one gltf form, or smallest");
   CHECK(fault_of([](PackSettings& s) { s.space_of = {"gloss=srgb"}; }).starts_with("space of: gloss=srgb;"));
   CHECK(fault_of([](PackSettings& s) { s.gutter = "-1"; }) == "gutter: -1; expected auto, or 0 to 4096");
   CHECK(fault_of([](PackSettings& s) { s.format = "gif"; }).starts_with("format: gif; expected png"));

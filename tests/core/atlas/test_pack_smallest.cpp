@@ -150,6 +150,96 @@ TEST_CASE("the smallest form of real scenes takes less than they do, and every t
   CHECK(shares <= 0.8);
 }
 
+TEST_CASE("what textures weigh: bytes of one kind, or shares of the input's") {
+  const TextureTotals input{4, 1000, 8000}, small{1, 100, 4000};
+  CHECK(TextureWeight(PackGoal::gpu, input)(small) == 4000);
+  CHECK(TextureWeight(PackGoal::disk, input)(small) == 100);
+  CHECK(TextureWeight(PackGoal::both, input)(small) == Approx(0.1 + 0.5));
+  CHECK(TextureWeight(PackGoal::both, {})(small) > 0);
+}
+
+TEST_CASE(
+    "the goal disk leaves no more bytes of textures than were given, and says so before they are written") {
+  if (!asset("")) return;
+  for (const std::string& name : real_models) {
+    INFO(name);
+    std::map<PackGoal, TextureTotals> scene;
+    TextureTotals input;
+    for (const PackGoal goal : {PackGoal::gpu, PackGoal::disk, PackGoal::both}) {
+      const TempFolder folder;
+      PackOptions options;
+      options.output.smallest_form = true;
+      options.output.goal = goal;
+      const PackResult report = pack_scene(*asset(name), folder.file("out"), true, options);
+      REQUIRE(report.totals);
+      scene[goal] = *report.totals->scene;
+      input = PackTotals::all(report.totals->input);
+      const auto written = std::find_if(report.forms.begin(), report.forms.end(),
+                                        [](const FormCost& form) { return form.written; });
+      REQUIRE(written != report.forms.end());
+      CHECK(written->gpu == scene[goal].gpu);
+      CHECK(written->disk.has_value() == (goal != PackGoal::gpu));
+      if (written->disk) CHECK(*written->disk == scene[goal].disk);
+      if (goal != PackGoal::disk) continue;
+      if (has_validator())
+        CHECK(validator_errors(folder.file("out/scene.gltf"), {folder.file("out")}).empty());
+      const GltfScene before = read_gltf(*asset(name), {}),
+                      after = read_gltf(folder.file("out/scene.gltf"), {});
+      CHECK(worst_texture(before, after, &GltfMaterial::occlusion_texture, 0, 1) <= uv_rounding);
+      CHECK(worst_texture(before, after, &GltfMaterial::normal_texture, 0, 3) <= uv_rounding);
+      if (written->form != GltfForm::metal_rough) continue;
+      CHECK(worst_texture(before, after, &GltfMaterial::base_color_texture, 0, 3) <= uv_rounding);
+      CHECK(worst_texture(before, after, &GltfMaterial::metallic_roughness_texture, 1, 2) <= uv_rounding);
+    }
+    CHECK(scene[PackGoal::disk].disk <= input.disk);
+    CHECK(scene[PackGoal::disk].disk <= scene[PackGoal::gpu].disk);
+    const TextureWeight both(PackGoal::both, input);
+    CHECK(both(scene[PackGoal::both]) <= both(scene[PackGoal::gpu]));
+    CHECK(both(scene[PackGoal::both]) <= both(scene[PackGoal::disk]));
+  }
+}
+
+TEST_CASE("where the level of PNG is weighed files are smaller and every texture says the same") {
+  if (!asset("")) return;
+  const std::string name = "wicker_chair/WickerChair.gltf";
+  std::vector<std::uint64_t> disk;
+  for (const bool weighed : {false, true}) {
+    const TempFolder folder;
+    PackOptions options;
+    options.output.forms = {GltfForm::metal_rough};
+    if (weighed) options.output.write.png_level.reset();
+    const PackResult report = pack_scene(*asset(name), folder.file("out"), true, options);
+    disk.push_back(PackTotals::all(report.totals->output).disk);
+    // Its samplers read mips, and small islands keep one level clean.
+    CHECK(report.mixed_from == 1);
+    CHECK(report_text(report, false).find("keep regions apart below level 1;") != std::string::npos);
+    const GltfScene before = read_gltf(*asset(name), {}),
+                    after = read_gltf(folder.file("out/scene.gltf"), {});
+    CHECK(PackTotals::all(report.totals->output).gpu >= report.totals->scene->gpu);
+    CHECK(report.totals->scene->gpu == gpu_bytes(after));
+    CHECK(worst_texture(before, after, &GltfMaterial::base_color_texture, 0, 3) <= uv_rounding);
+    CHECK(worst_texture(before, after, &GltfMaterial::normal_texture, 0, 3) <= uv_rounding);
+  }
+  CHECK(disk[1] < disk[0]);
+}
+
+TEST_CASE("pictures of the same bytes are kept as one file") {
+  if (!asset("")) return;
+  const TempFolder folder;
+  PackOptions options;
+  options.output.smallest_form = true;
+  options.output.goal = PackGoal::disk;
+  // The mixer has its metal and roughness a second time as its occlusion, as JPEG.
+  const PackResult report = pack_scene(*asset("mixer/Mixer.gltf"), folder.file("out"), true, options);
+  const GltfScene after = read_gltf(folder.file("out/scene.gltf"), {});
+  REQUIRE(after.materials[0].occlusion_texture);
+  REQUIRE(after.materials[0].metallic_roughness_texture);
+  CHECK(after.materials[0].occlusion_texture->image == after.materials[0].metallic_roughness_texture->image);
+  CHECK(report.totals->lossy.files == 3);
+  CHECK_FALSE(report.mixed_from);  // its only region has no neighbour
+  CHECK(report_text(report, false).find("lost detail to compression") != std::string::npos);
+}
+
 TEST_CASE("normal maps and occlusion of every form lie where the pair lies") {
   if (!asset("")) return;
   for (const GltfForm form : {GltfForm::specular_ior, GltfForm::specular_glossiness, GltfForm::metal_rough}) {

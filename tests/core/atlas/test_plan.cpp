@@ -123,9 +123,53 @@ TEST_CASE("a tiling region has a page of just its size to itself") {
   CHECK(plan.places[0].page == 1);
 }
 
-TEST_CASE("a region larger than any page is refused") {
-  CHECK_FALSE(
-      error_of([] { (void)plan_pages({region(0, 300, 10)}, region_names(1), plan_options(256)); }).empty());
+TEST_CASE("what fits no page is named with its gutter, and with what would hold it") {
+  const auto fault = [](const std::vector<Region>& regions, const PlanOptions& options) {
+    return error_of([&] { (void)plan_pages(regions, region_names(regions.size()), options); });
+  };
+  CHECK(fault({region(0, 300, 10)}, plan_options(256)) ==
+        "m0: 300 x 10 texels; expected at most 256 a side (page 300 would do)");
+  // Powers of two up to 300 end at 256.
+  CHECK(fault({region(0, 20, 20), region(1, 280, 10)}, plan_options(300)) ==
+        "m1: 280 x 10 texels, 282 x 12 with a gutter of 1; expected at most 256 a side (page form free would "
+        "do)");
+  PlanOptions one = plan_options(64);
+  one.rects.form = PageForm::free;
+  one.gutter = 8;
+  CHECK(fault({region(0, 60, 10)}, one) ==
+        "m0: 60 x 10 texels, 76 x 26 with a gutter of 8; expected at most 64 a side (page 76 or gutter 0 "
+        "would do)");
+  one.gutter = 0;
+  CHECK(fault({region(0, 50, 50), region(1, 50, 51), region(2, 50, 50)}, one) ==
+        "3 regions, the largest of m1: 50 x 51 texels, of together 7550 texels do not fit one page; expected "
+        "at "
+        "most 64 x 64 (page form mixed or a larger page would do)");
+}
+
+TEST_CASE("pages of free sides are whole blocks of 4 texels where that takes less than 2 percent more") {
+  PlanOptions options = plan_options(512);
+  options.gutter = 0;
+  for (const PageForm form : {PageForm::free, PageForm::square}) {
+    options.rects.form = form;
+    const PackingPlan large = plan_pages({region(0, 509, 509)}, region_names(1), options);
+    CHECK(large.pages.at(0) == PlannedPage{512, 512, {true, true}});
+    const PackingPlan small = plan_pages({region(0, 30, 30)}, region_names(1), options);
+    CHECK(small.pages.at(0) == PlannedPage{30, 30, {true, true}});
+  }
+  // No page grows beyond the largest.
+  options.rects.side = options.rects.largest_side = 510;
+  CHECK(plan_pages({region(0, 509, 509)}, region_names(1), options).pages.at(0).width == 509);
+  options.rects.form = PageForm::free;
+  options.rects.multiple = 4;
+  options.rects.side = options.rects.largest_side = 512;
+  CHECK(plan_pages({region(0, 30, 31)}, region_names(1), options).pages.at(0) ==
+        PlannedPage{32, 32, {true, true}});
+  // As a scene's only region, too: no page of just its size.
+  options.gutter.reset();
+  options.may_inset = false;
+  const PlannedPage page = plan_pages({region(0, 30, 31)}, region_names(1), options).pages.at(0);
+  CHECK(page.width % 4 == 0);
+  CHECK(page.height % 4 == 0);
 }
 
 namespace {

@@ -15,6 +15,7 @@
 #include "core/base/setting.h"
 #include "core/image/load.h"
 #include "core/scene/gltf_convert.h"
+#include "core/scene/image_roles.h"
 #include "core/scene/texel_scale.h"
 
 namespace etak {
@@ -219,6 +220,7 @@ ScenePack::ScenePack(const std::string& path, const PackOptions& options)
     : state_(std::make_unique<State>(options)) {
   State& s = *state_;
   s.scene = read_gltf(path, options.input.gltf);
+  s.stands_for = first_of_same_images(s.scene);
   s.uses.emplace(s.scene);
   s.inputs.gloss = s.gloss;
   if (s.gloss == GlossForm::roughness)

@@ -37,9 +37,16 @@ class ScenePack {
   void add_files(std::vector<std::string>& files) const;
   void add_remarks(std::vector<std::string>& remarks) const;
 
+  /// Whether scene.gltf is among the files that are asked for.
+  bool writes_scene() const;
+
+  /// Adds to the decision's sizes, which are there, what the scene's pictures of a page would take as files.
+  void weigh_page(int page, const PagePixels& pixels, PackDecision& decision, const WriteOptions& options);
+
   /// Which of the scene's other textures are placed on the pages, what each form would take, and where the
   /// smallest is asked for, which it is. Before pages are written, of the decision they are written by.
-  void choose_pictures(const PackDecision& decision);
+  /// Returns the weight of what scene.gltf will read; 0 where none is written.
+  double choose_pictures(const PackDecision& decision);
   /// What the textures that scene.gltf reads would take in each form. Empty before choose_pictures(), and where
   /// no scene is written.
   const std::vector<FormCost>& form_costs() const;

@@ -119,6 +119,62 @@ void compose(int page, const MappedPage& on, const SceneMaps& maps, const PackIn
   composer.mips(page, pixels);
 }
 
+std::set<std::size_t> owners_on(int page, const PackDecision& decision) {
+  std::set<std::size_t> out;
+  for (std::size_t r = 0; r < decision.regions.size(); ++r)
+    if (decision.plan.places[r].page == page) out.insert(decision.regions[r].material);
+  return out;
+}
+
+// The textures that may be placed on a page, and what they weigh there and as they are.
+struct PageOfMaps {
+  int number;
+  const PackDecision& decision;
+  const MapWeights& weights;
+  SceneMaps& maps;
+  std::set<std::size_t> owners;
+
+  // Takes kinds of textures off the page where they weigh no less in its picture `what` than as they are.
+  void weigh(const std::string& what, std::initializer_list<ImageOf> kinds, int channels) {
+    const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(number)];
+    keep_lighter(kinds, {1, size(what, &PictureSizes::files),
+                         texture_bytes({page.width, page.height, channels}, true)});
+  }
+
+  // The same of occlusion in the red channel of a picture that is there anyhow.
+  void weigh_occlusion_in(const std::string& what) {
+    const std::uint64_t with = size(what, &PictureSizes::files), bare = size(what, &PictureSizes::bare);
+    keep_lighter({&MaterialMaps::occlusion}, {0, with - std::min(with, bare), 0});
+  }
+
+ private:
+  std::uint64_t size(const std::string& what,
+                     std::map<std::string, std::uint64_t> PictureSizes::*which) const {
+    if (!decision.sizes) return 0;
+    const auto& sizes = (*decision.sizes).*which;
+    const auto found = sizes.find(scene_picture(number, what));
+    return found == sizes.end() ? 0 : found->second;
+  }
+
+  void keep_lighter(std::initializer_list<ImageOf> kinds, const TextureTotals& placed) {
+    std::set<int> images;
+    each(kinds, [&](std::optional<int>& image) {
+      if (image) images.insert(*image);
+    });
+    TextureTotals kept;
+    for (const int image : images) kept.add(weights.kept(image));
+    if (weights.weight(placed) >= weights.weight(kept))
+      each(kinds, [](std::optional<int>& image) { image.reset(); });
+  }
+
+  template <class Act>
+  void each(std::initializer_list<ImageOf> kinds, const Act& act) {
+    for (const std::size_t owner : owners)
+      if (const auto found = maps.find(owner); found != maps.end())
+        for (const ImageOf kind : kinds) act(found->second.*kind);
+  }
+};
+
 }  // namespace
 
 bool is_plain_metal_rough(const GltfMaterial& m) {
@@ -157,44 +213,40 @@ SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, 
   return out;
 }
 
+SceneMaps none_placed(SceneMaps maps) {
+  for (auto& [owner, of] : maps) {
+    const bool exact = of.exact;
+    of = {};
+    of.exact = exact;
+  }
+  return maps;
+}
+
 SceneMaps worthwhile(const SceneMaps& maps, const std::vector<GltfForm>& forms, const PackDecision& decision,
-                     const std::function<PictureHeader(int image)>& header) {
+                     const MapWeights& weights) {
   SceneMaps out = maps;
   // Beside another form the factors of a material are those of its constants.
   if (forms.size() > 1)
     for (auto& [owner, of] : out) of.exact = false;
   for (int p = 0; p < static_cast<int>(decision.plan.pages.size()); ++p) {
-    const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(p)];
-    std::set<std::size_t> owners;
-    for (std::size_t r = 0; r < decision.regions.size(); ++r)
-      if (decision.plan.places[r].page == p) owners.insert(decision.regions[r].material);
-    // Takes kinds of textures off the page where they take no less there than as they are.
-    const auto weigh = [&](std::initializer_list<ImageOf> kinds, int channels) {
-      std::set<int> images;
-      for (const std::size_t owner : owners)
-        if (const auto found = out.find(owner); found != out.end())
-          for (const ImageOf kind : kinds)
-            if (const auto& image = found->second.*kind) images.insert(*image);
-      std::uint64_t kept = 0;
-      for (const int image : images) kept += texture_bytes(header(image), true);
-      if (texture_bytes({page.width, page.height, channels}, true) < kept) return;
-      for (const std::size_t owner : owners)
-        if (const auto found = out.find(owner); found != out.end())
-          for (const ImageOf kind : kinds) (found->second.*kind).reset();
-    };
-    weigh({&MaterialMaps::normal}, 3);
-    weigh({&MaterialMaps::emissive}, 3);
+    PageOfMaps page{p, decision, weights, out, owners_on(p, decision)};
+    page.weigh("normal", {&MaterialMaps::normal}, 3);
+    page.weigh("emissive", {&MaterialMaps::emissive}, 3);
     const auto is_exact = [&](std::size_t owner) {
       const auto found = out.find(owner);
       return found != out.end() && found->second.exact;
     };
     // Materials that are solved from the pair need both of the pages anyhow.
-    const bool needed = !std::all_of(owners.begin(), owners.end(), is_exact);
-    if (!has_form(forms, GltfForm::metal_rough)) {
-      if (occlusion_picture(forms, page.has[1]) == "occlusion") weigh({&MaterialMaps::occlusion}, 1);
-    } else if (!needed) {
-      weigh({&MaterialMaps::base_color}, 4);
-      weigh({&MaterialMaps::metal_rough, &MaterialMaps::occlusion}, 3);
+    const bool needed = !std::all_of(page.owners.begin(), page.owners.end(), is_exact);
+    const std::string holder =
+        occlusion_picture(forms, decision.plan.pages[static_cast<std::size_t>(p)].has[1]);
+    if (holder == "occlusion") {
+      page.weigh(holder, {&MaterialMaps::occlusion}, 1);
+    } else if (!has_form(forms, GltfForm::metal_rough) || needed) {
+      page.weigh_occlusion_in(holder);
+    } else {
+      page.weigh("base_color", {&MaterialMaps::base_color}, 4);
+      page.weigh(holder, {&MaterialMaps::metal_rough, &MaterialMaps::occlusion}, 3);
     }
   }
   return out;

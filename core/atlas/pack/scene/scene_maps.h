@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/atlas/pack/decision.h"
+#include "core/atlas/pack/totals.h"
 #include "core/atlas/sources/sources.h"
 #include "core/atlas/texels/page_pixels.h"
 #include "core/image/picture.h"
@@ -38,11 +39,21 @@ using SceneMaps = std::map<std::size_t, MaterialMaps>;
 SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, const PackInputs& inputs,
                      const PackDecision& decision, const std::function<PictureHeader(int image)>& header);
 
-/// Those of `maps` that are worth their place in a scene of these forms: where they would take more bytes on a
-/// GPU than the textures that they replace, these stay files of their own. `exact` is kept for metal_rough
-/// alone, beside which no other form stands.
+/// How textures are weighed.
+///   kept   what an image of the document takes as it is
+struct MapWeights {
+  TextureWeight weight;
+  std::function<TextureTotals(int image)> kept;
+};
+
+/// Those of `maps` that are worth their place in a scene of these forms: where they would weigh no less than
+/// the textures that they replace, these stay files of their own. `exact` is kept for metal_rough alone,
+/// beside which no other form stands.
 SceneMaps worthwhile(const SceneMaps& maps, const std::vector<GltfForm>& forms, const PackDecision& decision,
-                     const std::function<PictureHeader(int image)>& header);
+                     const MapWeights& weights);
+
+/// The same with none of the textures placed that may stay as they are.
+SceneMaps none_placed(SceneMaps maps);
 
 /// Level 0 of a page of such textures, gutters included.
 ///   color      base colour and alpha (A); occlusion, roughness, metal (B)

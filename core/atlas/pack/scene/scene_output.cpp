@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the packer writes of a scene: its pictures, its document, and what each form of it would take.
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <map>
 
 #include "core/atlas/pack/scene/scene_facts.h"
@@ -13,11 +15,14 @@
 namespace etak {
 namespace {
 
+constexpr std::array all_forms{GltfForm::specular_ior, GltfForm::specular_glossiness, GltfForm::metal_rough};
+
 // The files of a scene's pages, each once, in the order in which they were first asked for.
 struct ImageList {
   std::vector<std::string> names;
   std::vector<PictureHeader> headers;
   std::map<std::string, int> numbers;
+  std::set<std::string> occluded;  // those whose red channel holds occlusion
   int number_of(const std::string& file, const PlannedPage& page, int channels) {
     const auto [found, fresh] = numbers.try_emplace(file, static_cast<int>(names.size()));
     if (fresh) {
@@ -75,9 +80,18 @@ struct ImagesOfMaterial {
     if (maps->occlusion && m.occlusion_texture) {
       const std::string what = occlusion_picture(forms, size.has[1]);
       to.occlusion_image = picture(what.c_str(), what == "occlusion" ? 1 : 3);
+      images.occluded.insert(scene_picture(page, what));
     }
   }
 };
+
+// A material that keeps all of its textures keeps its UVs too.
+bool reads_pages(const AtlasMaterial& m) {
+  const std::array images{
+      m.diffuse_alpha_image,      m.specular_gloss_image, m.roughness_image, m.base_color_image,
+      m.metallic_roughness_image, m.normal_image,         m.occlusion_image, m.emissive_image};
+  return std::any_of(images.begin(), images.end(), [](const auto& image) { return image.has_value(); });
+}
 
 AtlasMaterial atlas_material(const ScenePack::State& s, const SceneMaps& scene_maps, std::size_t i,
                              const std::vector<GltfForm>& forms, const PackDecision& decision,
@@ -109,24 +123,41 @@ AtlasMaterial atlas_material(const ScenePack::State& s, const SceneMaps& scene_m
   ImagesOfMaterial{forms, decision, images}.set(m, fate, maps == scene_maps.end() ? nullptr : &maps->second,
                                                 on.page, to);
   if (on.own_page && lead != nullptr) to.sampler = lead->sampler;
+  if (!reads_pages(to)) to.islands.clear(), to.region = {};
   return to;
 }
 
-// The output of these forms, and the headers of its images.
+// The output of these forms, and the images that it names.
 struct SceneOutput {
   GltfOutput gltf;
-  std::vector<PictureHeader> headers;
+  ImageList images;
+
+  // What the images that it names take.
+  TextureTotals totals(const PackDecision& decision) const {
+    TextureTotals out;
+    for (std::size_t i = 0; i < images.names.size(); ++i)
+      out.add({1, disk(images.names[i], decision), texture_bytes(images.headers[i], true)});
+    return out;
+  }
+
+ private:
+  std::uint64_t disk(const std::string& name, const PackDecision& decision) const {
+    if (!decision.sizes) return 0;
+    const auto& bare = decision.sizes->bare;
+    const auto& sizes = bare.contains(name) && !images.occluded.contains(name) ? bare : decision.sizes->files;
+    const auto found = sizes.find(name);
+    return found == sizes.end() ? 0 : found->second;
+  }
 };
 SceneOutput scene_output(const ScenePack::State& s, const SceneMaps& maps, const std::vector<GltfForm>& forms,
                          const PackDecision& decision) {
   SceneOutput out;
   out.gltf.forms = forms;
-  ImageList images;
+  out.gltf.stands_for = s.stands_for;
   for (std::size_t i = 0; i < s.entries.size(); ++i)
     if (s.scene.material_used[static_cast<std::size_t>(s.entries[i].material)])
-      out.gltf.materials.push_back(atlas_material(s, maps, i, forms, decision, images));
-  out.gltf.images = std::move(images.names);
-  out.headers = std::move(images.headers);
+      out.gltf.materials.push_back(atlas_material(s, maps, i, forms, decision, out.images));
+  out.gltf.images = out.images.names;
   return out;
 }
 
@@ -137,19 +168,28 @@ bool ScenePack::State::writes_scene() const {
   return std::find(formats.begin(), formats.end(), "png") != formats.end();
 }
 
-std::uint64_t ScenePack::State::scene_bytes(GltfForm form, const SceneMaps& of_form,
-                                            const PackDecision& decision) {
-  const SceneOutput output = scene_output(*this, of_form, {form}, decision);
-  std::uint64_t bytes = 0;
-  for (const PictureHeader& each : output.headers) bytes += texture_bytes(each, true);
-  const std::vector<bool> kept = images_kept(scene, output.gltf);
+TextureTotals ScenePack::State::image_totals(int index) {
+  const PictureFile& image = scene.images[static_cast<std::size_t>(index)];
+  const std::uint64_t gpu = texture_bytes(header(index), true);
+  return {1, image.path.empty() ? image.bytes.size() : std::filesystem::file_size(image.path), gpu};
+}
+
+TextureTotals ScenePack::State::totals_of(const std::vector<bool>& images) {
+  TextureTotals out;
   std::set<std::string> seen;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
+  for (std::size_t i = 0; i < images.size(); ++i) {
     const std::string& path = scene.images[i].path;
-    if (kept[i] && (path.empty() || seen.insert(path).second))
-      bytes += texture_bytes(header(static_cast<int>(i)), true);
+    if (images[i] && (path.empty() || seen.insert(path).second)) out.add(image_totals(static_cast<int>(i)));
   }
-  return bytes;
+  return out;
+}
+
+TextureTotals ScenePack::State::scene_totals(const std::vector<GltfForm>& of_forms, const SceneMaps& placed,
+                                             const PackDecision& decision) {
+  const SceneOutput of_scene = scene_output(*this, placed, of_forms, decision);
+  TextureTotals out = of_scene.totals(decision);
+  out.add(totals_of(images_kept(scene, of_scene.gltf)));
+  return out;
 }
 
 // Whether what is written of the form is what was read, but for the rounding of the pair's codes.
@@ -168,27 +208,78 @@ bool ScenePack::State::is_exact(GltfForm form, const SceneMaps& of_form, const P
   return true;
 }
 
-void ScenePack::choose_pictures(const PackDecision& decision) {
-  State& s = *state_;
-  if (!s.writes_scene()) return;
+SceneMaps ScenePack::State::placeable(const PackDecision& decision) {
   std::vector<int> materials;
-  for (const State::Entry& entry : s.entries) materials.push_back(entry.material);
-  const auto header = [&](int image) { return s.header(image); };
-  const SceneMaps maps = scene_maps(s.scene, materials, s.inputs, decision, header);
+  for (const Entry& entry : entries) materials.push_back(entry.material);
+  SceneMaps out = scene_maps(scene, materials, inputs, decision, [&](int image) { return header(image); });
+  for (auto& [owner, maps_] : out)
+    for (std::optional<int>* image :
+         {&maps_.base_color, &maps_.metal_rough, &maps_.occlusion, &maps_.normal, &maps_.emissive})
+      if (*image) *image = stands_for[static_cast<std::size_t>(**image)];
+  return out;
+}
+
+std::vector<GltfForm> ScenePack::State::forms_to_weigh(const SceneMaps& maps_,
+                                                       const PackDecision& decision) const {
+  if (!options.output.smallest_form) return options.output.forms;
+  std::vector<GltfForm> out;
+  for (const GltfForm form : all_forms)
+    if (is_exact(form, maps_, decision)) out.push_back(form);
+  return out;
+}
+
+SceneMaps ScenePack::State::placed(const SceneMaps& maps_, const std::vector<GltfForm>& of_forms,
+                                   const PackDecision& decision, const TextureWeight& weight) {
+  SceneMaps out =
+      worthwhile(maps_, of_forms, decision, {weight, [&](int image) { return image_totals(image); }});
+  // Pages were judged one by one; a texture that stays for one of them stays for all.
+  SceneMaps none = none_placed(out);
+  const auto weighed = [&](const SceneMaps& of) { return weight(scene_totals(of_forms, of, decision)); };
+  return weighed(none) < weighed(out) ? none : out;
+}
+
+void ScenePack::weigh_page(int page, const PagePixels& pixels, PackDecision& decision,
+                           const WriteOptions& options) {
+  State& s = *state_;
+  const SceneMaps maps = s.placeable(decision);
+  std::vector<std::string> read;
+  for (const GltfForm form : s.forms_to_weigh(maps, decision))
+    for (const std::string& name : scene_output(s, maps, {form}, decision).gltf.images) read.push_back(name);
+  const MapPixels on_page = map_pixels(page, maps, s.inputs, decision, options.threads,
+                                       [&](int image) { return s.decoded(image); });
+  add_scene_picture_sizes({page, pixels, on_page, maps, decision, read, s.gloss}, options, *decision.sizes);
+}
+
+double ScenePack::choose_pictures(const PackDecision& decision) {
+  State& s = *state_;
+  if (!s.writes_scene()) return 0;
+  const SceneMaps maps = s.placeable(decision);
+  const PackGoal goal = s.options.output.goal;
+  const TextureWeight weight(goal,
+                             goal == PackGoal::both ? s.totals_of(s.scene.image_used) : TextureTotals{});
+  const std::vector<GltfForm> weighed = s.forms_to_weigh(maps, decision);
   s.costs.clear();
-  for (const GltfForm form : {GltfForm::specular_ior, GltfForm::specular_glossiness, GltfForm::metal_rough}) {
-    const SceneMaps placed = worthwhile(maps, {form}, decision, header);
-    s.costs.push_back({form, s.scene_bytes(form, placed, decision), s.is_exact(form, maps, decision), false});
+  const FormCost* best = nullptr;
+  double least = 0;
+  s.costs.reserve(all_forms.size());
+  for (const GltfForm form : all_forms) {
+    const SceneMaps on_pages = s.placed(maps, {form}, decision, weight);
+    const TextureTotals totals = s.scene_totals({form}, on_pages, decision);
+    FormCost& cost = s.costs.emplace_back(
+        FormCost{form, totals.gpu, std::nullopt, s.is_exact(form, maps, decision), false});
+    if (!has_form(weighed, form)) continue;
+    if (decision.sizes) cost.disk = totals.disk;
+    if (best == nullptr || weight(totals) < least) best = &cost, least = weight(totals);
   }
-  if (s.options.output.smallest_form) {
-    const FormCost* best = nullptr;
-    for (const FormCost& each : s.costs)
-      if (each.exact && (best == nullptr || each.gpu < best->gpu)) best = &each;
-    s.forms = {best->form};
-  }
+  s.forms = s.options.output.smallest_form ? std::vector{best->form} : s.options.output.forms;
   for (FormCost& each : s.costs) each.written = has_form(s.forms, each.form);
-  s.maps = worthwhile(maps, s.forms, decision, header);
+  s.maps = s.placed(maps, s.forms, decision, weight);
   s.output = scene_output(s, s.maps, s.forms, decision).gltf;
+  return weight(s.scene_totals(s.forms, s.maps, decision));
+}
+
+bool ScenePack::writes_scene() const {
+  return state_->writes_scene();
 }
 
 const std::vector<FormCost>& ScenePack::form_costs() const {
@@ -202,8 +293,7 @@ void ScenePack::write_page(OutputFolder& folder, int page, const PagePixels& pix
   const MapPixels maps = map_pixels(page, s.maps, s.inputs, decision, options.threads,
                                     [&](int image) { return s.decoded(image); });
   const ScenePictureInput in{page, pixels, maps, s.maps, decision, s.output.images, s.gloss};
-  for (std::string& name : write_scene_pictures(folder, in, {options.png_level, options.threads}))
-    s.written.insert(std::move(name));
+  for (std::string& name : write_scene_pictures(folder, in, options)) s.written.insert(std::move(name));
 }
 
 std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const AtlasLayout& layout) {

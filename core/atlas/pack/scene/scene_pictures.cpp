@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "core/color/srgb.h"
+#include "core/image/files/png_choice.h"
 #include "core/scene/gltf_convert.h"
 #include "core/scene/material_texels.h"
 
@@ -83,16 +84,48 @@ Image8 with_fewest_channels(const Image8& rgba) {
   return out;
 }
 
+PngOptions png_options(const PngRows& image, const WriteOptions& options) {
+  PngOptions out;
+  out.level = options.png_level ? *options.png_level : png_level_for(image);
+  out.threads = options.threads;
+  return out;
+}
+
+// The file of a picture that only the scene reads.
+std::string file_of(const Image8& picture, const WriteOptions& options) {
+  const Image8 out = with_fewest_channels(picture);
+  const PngOptions png = png_options(out, options);
+  return options.png_level ? png_bytes(out, png) : least_png(out, png);
+}
+
 // The pictures of one page.
 struct ScenePictures {
   const ScenePictureInput& in;
+  bool occluded = true;  // with occlusion in the red channel of others
   std::array<std::uint8_t, 256> roughness = roughness_codes(in.gloss);
 
+  // Calls see(name, picture) for those that the scene reads; where they are not occluded, for those alone
+  // that occlusion is a part of.
+  template <class See>
+  void each_read(const See& see) const {
+    const auto where_read = [&](const char* what, const auto& picture) {
+      if (const std::string name = scene_picture(in.page, what); in.reads(name)) see(name, picture());
+    };
+    where_read("roughness", [&] { return roughness_picture(); });
+    where_read("metal_rough", [&] { return metal_rough(); });
+    if (!occluded) return;
+    where_read("occlusion", [&] { return occlusion_alone(); });
+    where_read("base_color", [&] { return base_color(); });
+    where_read("normal", [&] { return other(&MaterialMaps::normal, true, {128, 128, 255, 255}); });
+    where_read("emissive", [&] { return other(&MaterialMaps::emissive, false, {0, 0, 0, 255}); });
+  }
+
+ private:
   Image8 roughness_picture() const {
     Image8 out = mapped(in, [&](const std::uint8_t*, const std::uint8_t* sg) {
       return Texel{255, roughness[sg[3]], 0, 255};
     });
-    put_maps(in, in.maps.color, occlusion, out);
+    if (occluded) put_maps(in, in.maps.color, occlusion, out);
     return out;
   }
   Image8 occlusion_alone() const {
@@ -133,9 +166,9 @@ struct ScenePictures {
         all_exact());
     put_maps(
         in, in.maps.color,
-        [](const MaterialMaps& of, const std::uint8_t* a, const std::uint8_t* b, Texel& to) {
+        [&](const MaterialMaps& of, const std::uint8_t* a, const std::uint8_t* b, Texel& to) {
           if (of.exact && of.metal_rough) to = {255, b[1], b[2], 255};
-          occlusion(of, a, b, to);
+          if (occluded) occlusion(of, a, b, to);
         },
         out);
     return out;
@@ -153,7 +186,6 @@ struct ScenePictures {
     return out;
   }
 
- private:
   // Whether no texel of the page that is read has to be solved from the pair.
   bool all_exact() const {
     const PackDecision& decision = in.decision;
@@ -186,28 +218,27 @@ std::string occlusion_picture(const std::vector<GltfForm>& forms, bool specular_
   return has_form(forms, GltfForm::specular_ior) && specular_gloss ? "roughness" : "occlusion";
 }
 
-std::vector<std::string> write_scene_pictures(OutputFolder& folder, const ScenePictureInput& in,
-                                              const PngOptions& png) {
-  std::vector<std::string> names;
-  const auto write = [&](const char* what, const Image8& picture) {
-    const Image8 out = with_fewest_channels(picture);
-    folder.write(names.emplace_back(scene_picture(in.page, what)),
-                 [&](const std::function<void(std::string_view)>& sink) { write_png(out, png, sink); });
-  };
-  const ScenePictures pictures{in};
-  const auto write_where_read = [&](const char* what, const auto& picture) {
-    const std::string name = scene_picture(in.page, what);
-    if (std::find(in.read.begin(), in.read.end(), name) != in.read.end()) write(what, picture());
-  };
-  write_where_read("roughness", [&] { return pictures.roughness_picture(); });
-  write_where_read("occlusion", [&] { return pictures.occlusion_alone(); });
-  write_where_read("base_color", [&] { return pictures.base_color(); });
-  write_where_read("metal_rough", [&] { return pictures.metal_rough(); });
-  write_where_read("normal", [&] {
-    return pictures.other(&MaterialMaps::normal, true, {128, 128, 255, 255});
+void add_scene_picture_sizes(const ScenePictureInput& in, const WriteOptions& options, PictureSizes& sizes) {
+  ScenePictures{in}.each_read([&](const std::string& name, const Image8& picture) {
+    sizes.files[name] = file_of(picture, options).size();
   });
-  write_where_read("emissive", [&] {
-    return pictures.other(&MaterialMaps::emissive, false, {0, 0, 0, 255});
+  ScenePictures{in, false}.each_read([&](const std::string& name, const Image8& picture) {
+    sizes.bare[name] = file_of(picture, options).size();
+  });
+  for (const Texture texture : both_textures)
+    if (const std::string name = page_file(in.page, texture, "png"); in.reads(name)) {
+      const PixelsView8 view = in.pixels.view(texture);
+      const PngRows image{{view.width, view.height, 4}, view.data, view.stride};
+      std::uint64_t& size = sizes.files[name] = 0;
+      write_png(image, png_options(image, options), [&](std::string_view piece) { size += piece.size(); });
+    }
+}
+
+std::vector<std::string> write_scene_pictures(OutputFolder& folder, const ScenePictureInput& in,
+                                              const WriteOptions& options) {
+  std::vector<std::string> names;
+  ScenePictures{in}.each_read([&](const std::string& name, const Image8& picture) {
+    folder.write(names.emplace_back(name), file_of(picture, options));
   });
   return names;
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
+#include "core/atlas/outputs.h"
 #include "core/atlas/pack/scene/scene_maps.h"
 #include "core/atlas/texels/page_pixels.h"
 #include "core/base/files/output_folder.h"
 #include "core/color/gloss.h"
-#include "core/image/files/png.h"
 #include "core/scene/gltf.h"
 
 namespace etak {
@@ -30,11 +31,20 @@ struct ScenePictureInput {
   const PackDecision& decision;
   const std::vector<std::string>& read;  // names of the files that the scene reads
   GlossForm gloss;                       // of texture B
+
+  bool reads(const std::string& name) const {
+    return std::find(read.begin(), read.end(), name) != read.end();
+  }
 };
 
+/// Adds to `sizes` what those pictures that the scene reads, and the page's two textures where it reads them,
+/// would take as PNG files.
+void add_scene_picture_sizes(const ScenePictureInput& in, const WriteOptions& options, PictureSizes& sizes);
+
 /// Writes those pictures that the scene reads beside the page's two textures, level 0, as PNG files of as few
-/// channels as hold them. Returns the names of the files.
+/// channels as hold them; where the level is weighed, in the form of fewest bytes (least_png()). Returns the
+/// names of the files.
 std::vector<std::string> write_scene_pictures(OutputFolder& folder, const ScenePictureInput& in,
-                                              const PngOptions& png);
+                                              const WriteOptions& options);
 
 }  // namespace etak

@@ -40,6 +40,7 @@ struct ScenePack::State {
   std::map<int, int> pictures_awaited;  // by image: lookups in learn() that are still to come
   std::mutex pictures_lock;
   std::map<int, PictureHeader> headers;  // by image, of those that were asked for
+  std::vector<int> stands_for;           // by image: the first of the same bytes
   // Of the decision that is being written.
   std::vector<GltfForm> forms;
   SceneMaps maps;
@@ -68,8 +69,19 @@ struct ScenePack::State {
 
   // Writing.
   bool writes_scene() const;
-  /// Of all textures that scene.gltf would read.
-  std::uint64_t scene_bytes(GltfForm form, const SceneMaps& of_form, const PackDecision& decision);
+  TextureTotals image_totals(int image);
+  /// Of images of the document, each file once.
+  TextureTotals totals_of(const std::vector<bool>& images);
+  /// Of all textures that scene.gltf would read, with these on its pages.
+  TextureTotals scene_totals(const std::vector<GltfForm>& of_forms, const SceneMaps& placed,
+                             const PackDecision& decision);
+  /// Which of the scene's other textures may be placed.
+  SceneMaps placeable(const PackDecision& decision);
+  /// Those of `maps` that are placed in these forms.
+  SceneMaps placed(const SceneMaps& maps, const std::vector<GltfForm>& of_forms, const PackDecision& decision,
+                   const TextureWeight& weight);
+  /// The forms one of which is written.
+  std::vector<GltfForm> forms_to_weigh(const SceneMaps& maps, const PackDecision& decision) const;
   bool is_exact(GltfForm form, const SceneMaps& of_form, const PackDecision& decision) const;
 };
 
