@@ -27,8 +27,9 @@ struct LoadedEnvironment {
 LoadedEnvironment load(const std::string& name, double scale) {
   LoadedEnvironment out;
   try {
-    const Image picture = name == "studio" ? studio_environment() : read_image(name);
-    out.environment = std::make_shared<const Environment>(picture, scale, name, 2);
+    out.environment = find_studio(name) != nullptr
+                          ? studio_environment(name, scale, 2)
+                          : std::make_shared<const Environment>(read_image(name), scale, name, 2);
   } catch (const Error& error) {
     out.error = QString::fromUtf8(error.what());
   } catch (const std::bad_alloc&) {

@@ -47,11 +47,15 @@ struct Hemispheres {
 struct LightSetup {
   std::vector<Light> lights;
   std::optional<Hemispheres> hemispheres;
-  std::string environment;  // file of a lat-long HDR image; empty: none
+  std::string environment;  // file of a lat-long HDR image, or a name of core/light/studio.h; empty: none
   double environment_scale = 1;
   bool pi_scaled = false;
   friend bool operator==(const LightSetup&, const LightSetup&) = default;
 };
+
+/// The unit vector to a place above the horizon and to the right of the camera, as the object sees them: 0, 0 is
+/// the camera's own direction, +z.
+Vec3 direction_of_angles(double elevation_deg, double azimuth_deg);
 
 /// `v` with length 1; straight away from the viewer where it has none.
 Vec3 normalised_direction(const Vec3& v);
@@ -67,8 +71,8 @@ LightSetup parse_lights(std::string_view text, std::string_view file);
 ///   indent   blanks before the closing brace
 std::string format_lights(const LightSetup& setup, int indent = 0);
 
-/// Three directional lights (key, fill, rim) and two hemispheres: what pictures are made with when nothing is
-/// said.
+/// Three directional lights (key, fill, rim) and two hemispheres: light as the sources have it. Pictures are made
+/// with studio_lights() (core/light/studio.h) when nothing is said.
 LightSetup default_lights();
 
 /// `count` directional lights of white, spread over the half space before the object.

@@ -6,6 +6,7 @@
 #include "core/atlas/material_nodes_json.h"
 #include "core/base/json_text.h"
 #include "core/image/image.h"
+#include "core/light/studio.h"
 #include "core/material/json.h"
 #include "core/material/material_node_json.h"
 #include "core/project/project.h"
@@ -61,7 +62,7 @@ class Reader {
     if (node.has("lights")) {
       const JsonNode lights = node.at("lights");
       out.lights = parse_lights(lights.value.dump(), std::string(node.file) + '#' + lights.pointer);
-      if (!out.lights.environment.empty() && out.lights.environment != "studio")
+      if (!out.lights.environment.empty() && find_studio(out.lights.environment) == nullptr)
         out.lights.environment = path_beside(folder_.string(), out.lights.environment);
     }
     if (node.has("environment_turn_deg"))
@@ -230,7 +231,7 @@ class Writer {
 
   std::string view(const ProjectView& view) const {
     LightSetup lights = view.lights;
-    if (!lights.environment.empty() && lights.environment != "studio")
+    if (!lights.environment.empty() && find_studio(lights.environment) == nullptr)
       lights.environment = path(lights.environment);
     std::vector<JsonMember> members{{"shape", json(view.shape == Shape::quad ? "quad" : "sphere")},
                                     {"lights", format_lights(lights, 4)},

@@ -13,7 +13,7 @@ using namespace etak::test;
 namespace {
 
 const Environment& sky() {
-  static const Environment environment(studio_environment(128), 1, "studio", 2);
+  static const Environment environment(environment_picture(*find_studio("studio"), 128), 1, "studio", 2);
   return environment;
 }
 

@@ -276,11 +276,12 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.option("--lights", arguments.lights, "light setup; default three lights and two hemispheres")
       .reads_file()
       .value_name("FILE");
-  verb.option("--env", arguments.environment,
-              "environment: lat-long HDR or EXR picture, or studio (etak's own); without "
-              "--lights the only light")
+  verb.option(
+          "--env", arguments.environment,
+          "environment: lat-long HDR or EXR picture, or etak's own: studio, rim, overcast, sunset or night; "
+          "without --lights the only light")
       .reads_file()
-      .value_name("FILE|studio");
+      .value_name("FILE|NAME");
   verb.option("--size", arguments.size, "of the picture in pixels").value_name("N|WxH").show_default();
   verb.flag("--quad", arguments.quad, "a flat square instead of the sphere");
   verb.flag("--perspective", arguments.perspective, "perspective camera instead of an orthographic one");

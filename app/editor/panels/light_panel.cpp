@@ -14,6 +14,7 @@
 #include "app/editor/panels/sections.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
+#include "core/light/studio.h"
 
 namespace etak::editor {
 namespace {
@@ -232,7 +233,8 @@ Section* LightPanel::make_environment() {
   auto* out = new Section(tr("Environment"), this);
   environment_ = new QuietComboBox(tr("Environment picture"), out);
   environment_->addItem(tr("none"), QString());
-  environment_->addItem(tr("studio"), QStringLiteral("studio"));
+  for (const NamedStudio& each : named_studios())
+    environment_->addItem(qt_text(each.name), qt_text(each.name));
   scale_ = new NumberField(tr("Environment scale"), 0, 4, 1, out);
   environment_->setToolTip(tr("A lat-long picture of light from all sides"));
   scale_->setToolTip(tr("Factor of the picture's values"));
