@@ -7,7 +7,7 @@
 namespace etak {
 
 /// What a row is about that is not a reflectance model.
-enum class LightRowKind { light, hemispheres, environment, transfer, transparency };
+enum class LightRowKind { light, hemispheres, environment, tone, transfer, transparency };
 std::string_view name(LightRowKind kind);
 
 /// A choice of light, transfer or transparency as the sources name it: the rest of the registry, for lists

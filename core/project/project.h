@@ -82,13 +82,14 @@ struct Wedge {
 
 /// How the materials are looked at.
 ///   exposure                linear factor
-///   config, display, view   of OpenColorIO; all empty: the sRGB curve alone
+///   config, display, view   of OpenColorIO; all empty: the tone curve and sRGB
 struct ProjectView {
   Shape shape = Shape::sphere;
   LightSetup lights = default_lights();
   double environment_turn_deg = 0;
   double exposure = 1;
   std::string config, display, view;
+  Tone tone = Tone::plain;
   Comparison compare;
   Wedge wedge;
   friend bool operator==(const ProjectView&, const ProjectView&) = default;

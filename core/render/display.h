@@ -14,12 +14,16 @@ namespace etak {
 std::string_view name(Transfer transfer);  // "srgb", "power-0.45", "sqrt", "linear"
 std::optional<Transfer> transfer_named(std::string_view text);
 
-/// Codes of the first three channels of `picture`: transfer of exposure x value, clamped to [0, 1], rounded
-/// to nearest; the sRGB codes are those of srgb_u8 (core/color/srgb.h). NaN becomes 0.
-Image8 to_codes(const Image& picture, double exposure, Transfer transfer);
+std::string_view name(Tone tone);  // "plain", "neutral", "agx-like"
+std::optional<Tone> tone_named(std::string_view text);
+
+/// Codes of the first three channels of `picture`: transfer of tone of exposure x value, clamped to [0, 1],
+/// rounded to nearest; the sRGB codes are those of srgb_u8 (core/color/srgb.h). NaN becomes 0.
+Image8 to_codes(const Image& picture, double exposure, Transfer transfer, Tone tone = Tone::plain);
 
 /// The same for a row of pixels with four channels each; `codes` gets three for each.
-void to_codes(std::span<const float> pixels, double exposure, Transfer transfer, std::uint8_t* codes);
+void to_codes(std::span<const float> pixels, double exposure, Transfer transfer, Tone tone,
+              std::uint8_t* codes);
 
 /// `picture` with three channels, times exposure.
 Image exposed(const Image& picture, double exposure);

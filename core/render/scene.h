@@ -103,6 +103,8 @@ struct SurfaceTextures {
 
 enum class Shape { sphere, quad };
 enum class Transfer { srgb, power_045, square_root, linear };
+/// What is done to exposed light before the transfer: core/light/tone.glsl.
+enum class Tone { plain, neutral, agx_like };
 
 /// A picture's contents: one object, its models, the light, the camera. Same for CPU and GL:
 ///   pixel         (i, j) with rows from the top lies at x = (i + 1/2 - width/2) s,
@@ -122,7 +124,7 @@ enum class Transfer { srgb, power_045, square_root, linear };
 ///   stripes       over the object, 6 pixels wide at 45 degrees, 0.6 of which is magenta (zone) or, slanted
 ///                 the other way, yellow (energy), as if lit so that they show under the exposure. With
 ///                 textures both are decided per pixel, and energy is diffuse colour plus F0 above 1
-///   output        transfer(clamp to >= 0 of exposure * mix(background, object, coverage)), alpha 1
+///   output        transfer(clamp to >= 0 of tone(exposure * mix(background, object, coverage))), alpha 1
 struct Scene {
   Shape shape = Shape::sphere;
   SurfaceValues surface;
@@ -140,6 +142,7 @@ struct Scene {
   bool perspective = false;         // orthographic otherwise
   double field_of_view_deg = 30;    // perspective: vertical
   double exposure = 1;              // linear factor
+  Tone tone = Tone::plain;
   Transfer transfer = Transfer::srgb;
   Vec3 background{0.18, 0.18, 0.18};  // linear
   int width = 512, height = 512;

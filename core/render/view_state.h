@@ -38,7 +38,8 @@ struct ViewState {
   double environment_turn_deg = 0;
   View camera;
   double exposure = 1;                               // linear factor
-  std::string ocio_config, ocio_display, ocio_view;  // all three empty: plain sRGB
+  std::string ocio_config, ocio_display, ocio_view;  // all three empty: the tone curve, then sRGB
+  Tone tone = Tone::plain;
   bool zone_overlay = false, energy_overlay = false;
   Vec3 background{0.18, 0.18, 0.18};  // linear
   friend bool operator==(const ViewState&, const ViewState&) = default;

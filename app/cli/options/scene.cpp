@@ -234,6 +234,9 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   if (!transfer)
     throw Error::at("--transfer", printable(arguments.transfer), "srgb, power-0.45, sqrt or linear");
   scene.transfer = *transfer;
+  const auto tone = tone_named(arguments.tone);
+  if (!tone) throw Error::at("--tone", printable(arguments.tone), "plain, neutral or agx-like");
+  scene.tone = *tone;
   scene.exposure = arguments.exposure;
   scene.shape = arguments.quad ? Shape::quad : Shape::sphere;
   scene.perspective = arguments.perspective;
@@ -289,6 +292,9 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   rgb("--background", arguments.background, "linear; default 0.18 grey");
   verb.option("--exposure", arguments.exposure, "linear factor").show_default();
   verb.option("--transfer", arguments.transfer, "display curve: srgb, power-0.45, sqrt or linear")
+      .show_default();
+  verb.option("--tone", arguments.tone,
+              "tone curve before --transfer: plain (none), neutral (Khronos PBR Neutral) or agx-like")
       .show_default();
   add_library_options(verb, arguments.library);
 }

@@ -69,7 +69,7 @@ void write_picture(const RenderArguments& arguments, const Scene& scene, const I
     return write_exr(arguments.picture, linear, !arguments.half, arguments.stats.force);
   const bool by_ocio = !arguments.display.empty() || !arguments.view.empty() || !arguments.ocio.empty();
   if (!by_ocio)
-    return write_png(arguments.picture, to_codes(picture, scene.exposure, scene.transfer),
+    return write_png(arguments.picture, to_codes(picture, scene.exposure, scene.transfer, scene.tone),
                      arguments.stats.force);
   Image shown = linear;
   OcioDisplay::open(arguments.ocio, arguments.display, arguments.view)

@@ -31,7 +31,7 @@ void add_render(CommandLine& line) {
       .show_default();
   verb.flag("--sheet", arguments->sheet, "contact sheet: eight materials under every model (no SUBJECT)");
   verb.option("--display", arguments->display,
-              "OpenColorIO display for the 8-bit picture, in place of --transfer");
+              "OpenColorIO display for the 8-bit picture, in place of --tone and --transfer");
   verb.option("--view", arguments->view, "OpenColorIO view of the display");
   verb.option("--ocio", arguments->ocio,
               "OpenColorIO config of --display and --view (else $OCIO, else etak's own)")
