@@ -142,7 +142,7 @@ void Window::refresh() {
 
 void Window::set_environment(const QString& path) {
   ProjectView view = document_.project().view;
-  view.lights.environment = path.toStdString();
+  choose_environment(view.lights, path.toStdString());
   document_.edit_view(view, tr("environment"), next_press_id());
 }
 

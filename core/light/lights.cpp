@@ -101,6 +101,11 @@ LightSetup default_lights() {
   return setup;
 }
 
+void choose_environment(LightSetup& setup, const std::string& environment) {
+  setup.environment = environment;
+  if (!environment.empty()) setup.hemispheres.reset();
+}
+
 Vec3 direction_of_angles(double elevation_deg, double azimuth_deg) {
   const double degree = std::numbers::pi / 180;
   const double up = elevation_deg * degree, right = azimuth_deg * degree;

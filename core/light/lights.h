@@ -53,8 +53,8 @@ struct LightSetup {
   friend bool operator==(const LightSetup&, const LightSetup&) = default;
 };
 
-/// The unit vector to a place above the horizon and to the right of the camera, as the object sees them: 0, 0 is
-/// the camera's own direction, +z.
+/// The unit vector to a place above the horizon and to the right of the camera, as the object sees them: 0, 0
+/// is the camera's own direction, +z.
 Vec3 direction_of_angles(double elevation_deg, double azimuth_deg);
 
 /// `v` with length 1; straight away from the viewer where it has none.
@@ -71,9 +71,13 @@ LightSetup parse_lights(std::string_view text, std::string_view file);
 ///   indent   blanks before the closing brace
 std::string format_lights(const LightSetup& setup, int indent = 0);
 
-/// Three directional lights (key, fill, rim) and two hemispheres: light as the sources have it. Pictures are made
-/// with studio_lights() (core/light/studio.h) when nothing is said.
+/// Three directional lights (key, fill, rim) and two hemispheres: light as the sources have it. Pictures are
+/// made with studio_lights() (core/light/studio.h) when nothing is said.
 LightSetup default_lights();
+
+/// Sets the environment, empty for none. One takes the place of the hemispheres, which stand for the same
+/// light.
+void choose_environment(LightSetup& setup, const std::string& environment);
 
 /// `count` directional lights of white, spread over the half space before the object.
 std::vector<Light> spread_lights(int count);

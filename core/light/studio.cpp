@@ -68,7 +68,8 @@ Vec3 grey(double value) {
   return {value, value, value};
 }
 
-// A key box and a large fill before the object, a box overhead, two strips behind; a dark floor that rises to the wall.
+// A key box and a large fill before the object, a box overhead, two strips behind; a dark floor that rises to
+// the wall.
 Studio soft_boxes() {
   return {grey(0.025),
           grey(0.55),
@@ -90,8 +91,8 @@ Studio strips() {
            box({30, -8}, 26, 20, 0.7, 1.6)}};
 }
 
-// The overcast sky of the CIE (ISO 15469, type 16): (1 + 2 y) / 3 of the zenith. The ground reflects 20 % of its
-// irradiance on it, 7 pi / 9.
+// The overcast sky of the CIE (ISO 15469, type 16): (1 + 2 y) / 3 of the zenith. The ground reflects 20 % of
+// its irradiance on it, 7 pi / 9.
 Studio overcast() {
   return {grey(0.2 * 7 / 9), grey(1.0 / 3), grey(1), 1, 0.03, {}};
 }
@@ -139,8 +140,8 @@ Vec3 radiance(const Studio& studio, const Vec3& d) {
 }
 
 Vec3 irradiance_before_camera(const Studio& studio) {
-  // Nusselt's analogue: over the unit disc that the half sphere throws on the plane, an area is a solid angle times
-  // its cosine.
+  // Nusselt's analogue: over the unit disc that the half sphere throws on the plane, an area is a solid angle
+  // times its cosine.
   constexpr int side = 128;
   Vec3 sum{};
   int inside = 0;

@@ -23,8 +23,8 @@ struct Lamp {
   friend bool operator==(const Lamp&, const Lamp&) = default;
 };
 
-/// Surroundings made by arithmetic: a floor, a wall or sky that changes with height, and area lights before them.
-/// All colours are radiances in linear sRGB, at least 0.
+/// Surroundings made by arithmetic: a floor, a wall or sky that changes with height, and area lights before
+/// them. All colours are radiances in linear sRGB, at least 0.
 ///   horizon, top   of the wall: top + (horizon - top) (1 - y)^fall at height y of the direction, [0, 1]
 ///   skirting       height, up and down, within which floor and wall pass into each other
 struct Studio {
@@ -54,10 +54,10 @@ const std::vector<NamedStudio>& named_studios();
 /// The one of that name; null where there is none, and the name is that of a file.
 const Studio* find_studio(std::string_view name);
 
-/// What pictures are made with when nothing is said: the environment "studio" and two directional lights, a bare
-/// flash before its key light and one before a strip behind the object. The flashes are what shading models are
-/// told apart by, as an environment is the same for all of them. Of the irradiance on a plane that faces the
-/// camera the key flash gives a fifth; all of it is pi.
+/// What pictures are made with when nothing is said: the environment "studio" and two directional lights, a
+/// bare flash before its key light and one before a strip behind the object. The flashes are what shading
+/// models are told apart by, as an environment is the same for all of them. Of the irradiance on a plane that
+/// faces the camera the key flash gives a fifth; all of it is pi.
 LightSetup studio_lights();
 
 }  // namespace etak

@@ -18,7 +18,8 @@
 //   scene.lights = etak::studio_lights();
 //   scene.width = scene.height = 64;            // pixels
 //
-//   const auto studio = etak::studio_environment(scene.lights.environment, scene.lights.environment_scale, 2);
+//   const auto studio =
+//       etak::studio_environment(scene.lights.environment, scene.lights.environment_scale, 2);
 //   etak::Image picture;                        // linear light: red, green, blue, coverage
 //   etak::render_cpu(scene, studio.get(), 2, etak::Precision::f32, picture);
 //   const etak::Image8 codes = etak::to_codes(picture, scene.exposure, scene.transfer);
