@@ -86,7 +86,7 @@ class Window : public QMainWindow {
   /// it is empty). Returns whether one was: its end is told by opened().
   bool offer_recovery(const std::function<RecoveryChoice(const Recovery&)>& ask = {});
   /// Files are read or written, or a picture is being drawn.
-  bool is_busy() const { return busy_ > 0 || viewport_->is_drawing(); }
+  bool is_busy() const { return busy_ > 0 || environment_coming_ || viewport_->is_drawing(); }
 
  signals:
   void opened(bool well);
@@ -187,6 +187,7 @@ class Window : public QMainWindow {
   // The environment that is shown, and the one that is wanted.
   std::shared_ptr<const Environment> environment_;
   std::string environment_key_;
+  bool environment_coming_ = false;
 };
 
 }  // namespace etak::editor

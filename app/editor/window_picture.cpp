@@ -136,6 +136,10 @@ void Window::look_changed() {
 
 void Window::refresh() {
   load_environment();
+  // A studio is there soon: rather the last picture until then than one in the dark.
+  if (environment_coming_ && !environment_ &&
+      find_studio(document_.project().view.lights.environment) != nullptr)
+    return;
   viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures()));
   show_curves();
 }
@@ -152,17 +156,21 @@ void Window::load_environment() {
       lights.environment.empty() ? "" : lights.environment + '|' + std::to_string(lights.environment_scale);
   if (key == environment_key_) return;
   environment_key_ = key;
-  if (key.empty()) {
-    environment_.reset();
+  environment_coming_ = false;
+  auto known = known_studio_environment(lights.environment, lights.environment_scale);
+  if (key.empty() || known) {
+    environment_ = std::move(known);
     return;
   }
   // The old one stays until the new one is there; of several asked for in a row the last one counts.
   heavy_.clear();
+  environment_coming_ = true;
   in_background(
       heavy_, this,
       [name = lights.environment, scale = lights.environment_scale] { return load(name, scale); },
       [this, key](const LoadedEnvironment& loaded) {
         if (key != environment_key_) return;
+        environment_coming_ = false;
         environment_ = loaded.environment;
         if (!loaded.error.isEmpty()) tell(loaded.error);
         refresh_timer_.start();

@@ -14,8 +14,8 @@ namespace etak {
 /// While a view moves, it is drawn at half its size where a whole picture takes longer than this, in ms.
 inline constexpr double fluid_ms = 33;
 
-/// How a state's pictures come to the screen: by OpenColorIO for both devices, or (both null) by a tone curve and
-/// sRGB.
+/// How a state's pictures come to the screen: by OpenColorIO for both devices, or (both null) by a tone curve
+/// and sRGB.
 struct ViewDisplay {
   std::string config, display, view;  // as the state names them
   std::shared_ptr<const OcioDisplay> cpu;

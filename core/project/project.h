@@ -11,7 +11,7 @@
 
 #include "core/atlas/manifest.h"
 #include "core/exchange/export_surface.h"
-#include "core/light/lights.h"
+#include "core/light/studio.h"
 #include "core/material/find.h"
 #include "core/render/scene.h"
 
@@ -85,7 +85,7 @@ struct Wedge {
 ///   config, display, view   of OpenColorIO; all empty: the tone curve and sRGB
 struct ProjectView {
   Shape shape = Shape::sphere;
-  LightSetup lights = default_lights();
+  LightSetup lights = studio_lights();
   double environment_turn_deg = 0;
   double exposure = 1;
   std::string config, display, view;

@@ -302,24 +302,44 @@ Image environment_picture(const Studio& studio, int width, unsigned threads) {
   return filled(width, threads, [&](const Vec3& d) { return etak::radiance(studio, d); });
 }
 
+namespace {
+
+// Those of the studios that somebody holds, and the one of the standard light.
+struct KnownEnvironments {
+  std::mutex guard;
+  std::map<std::pair<std::string, double>, std::weak_ptr<const Environment>> made;
+  std::shared_ptr<const Environment> standard;
+};
+KnownEnvironments& known_environments() {
+  static KnownEnvironments known;
+  return known;
+}
+
+}  // namespace
+
+std::shared_ptr<const Environment> known_studio_environment(const std::string& name, double scale) {
+  KnownEnvironments& known = known_environments();
+  const std::lock_guard lock(known.guard);
+  const auto found = known.made.find({name, scale});
+  return found == known.made.end() ? nullptr : found->second.lock();
+}
+
 std::shared_ptr<const Environment> studio_environment(const std::string& name, double scale,
                                                       unsigned threads) {
   const Studio* studio = find_studio(name);
   if (studio == nullptr)
     throw Error::at(printable(name), "no studio", joined(named_studios(), ", ", &NamedStudio::name));
-  static std::mutex busy;
-  static std::map<std::pair<std::string, double>, std::weak_ptr<const Environment>> made;
-  static std::shared_ptr<const Environment> kept;
+  static std::mutex making;
   // Whoever asks for the same one meanwhile gets this one.
-  const std::lock_guard lock(busy);
-  std::weak_ptr<const Environment>& known = made[{name, scale}];
-  std::shared_ptr<const Environment> out = known.lock();
-  if (out) return out;
-  out =
+  const std::lock_guard one_at_a_time(making);
+  if (auto out = known_studio_environment(name, scale)) return out;
+  const auto out =
       std::make_shared<const Environment>(environment_picture(*studio, 1024, threads), scale, name, threads);
-  known = out;
+  KnownEnvironments& known = known_environments();
+  const std::lock_guard lock(known.guard);
+  known.made[{name, scale}] = out;
   const LightSetup standard = studio_lights();
-  if (name == standard.environment && scale == standard.environment_scale) kept = out;
+  if (name == standard.environment && scale == standard.environment_scale) known.standard = out;
   return out;
 }
 

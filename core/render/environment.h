@@ -91,4 +91,7 @@ Image environment_picture(const Studio& studio, int width = 1024, unsigned threa
 std::shared_ptr<const Environment> studio_environment(const std::string& name, double scale,
                                                       unsigned threads);
 
+/// The same where it has been made; null, at once, where it has not.
+std::shared_ptr<const Environment> known_studio_environment(const std::string& name, double scale);
+
 }  // namespace etak

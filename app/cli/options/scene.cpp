@@ -245,10 +245,12 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
     scene.background = {arguments.background[0], arguments.background[1], arguments.background[2]};
   scene.surface = surface_from(arguments, notes);
   choose_models(scene, arguments.model, arguments.diffuse_model, read_set(arguments.set), notes.remarks);
-  if (!arguments.lights.empty())
+  if (arguments.lights == "sources")
+    scene.lights = default_lights();
+  else if (!arguments.lights.empty())
     scene.lights = parse_lights(read_file(arguments.lights), arguments.lights);
   else if (arguments.environment.empty())
-    scene.lights = default_lights();
+    scene.lights = arguments.standard_lights();
   if (!arguments.environment.empty()) scene.lights.environment = arguments.environment;
   validate(scene);
   return scene;
@@ -276,9 +278,10 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   rgb("--diffuse", arguments.diffuse, "diffuse colour, linear; conductors and semiconductors stay black");
   add_roughness_options(verb, arguments.rough, "of the surface");
   verb.option("--opacity", arguments.opacity, "of the body, 0 to 1").show_default();
-  verb.option("--lights", arguments.lights, "light setup; default three lights and two hemispheres")
+  verb.option("--lights", arguments.lights,
+              "light setup, or sources: three lights and two hemispheres; default the studio and two flashes")
       .reads_file()
-      .value_name("FILE");
+      .value_name("FILE|sources");
   verb.option(
           "--env", arguments.environment,
           "environment: lat-long HDR or EXR picture, or etak's own: studio, rim, overcast, sunset or night; "

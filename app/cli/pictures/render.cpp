@@ -55,14 +55,6 @@ bool ends_with(const std::string& path, std::string_view ending) {
   return path.ends_with(ending);
 }
 
-std::shared_ptr<const Environment> environment_of(const Scene& scene, unsigned threads) {
-  const std::string& name = scene.lights.environment;
-  const double scale = scene.lights.environment_scale;
-  if (name.empty()) return nullptr;
-  if (find_studio(name) != nullptr) return studio_environment(name, scale, threads);
-  return std::make_shared<const Environment>(read_image(name), scale, name, threads);
-}
-
 void write_picture(const RenderArguments& arguments, const Scene& scene, const Image& picture) {
   const Image linear = exposed(picture, scene.exposure);
   if (ends_with(arguments.picture, ".exr"))
@@ -253,6 +245,14 @@ int draw_within_memory(RenderArguments& arguments) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Environment> environment_of(const Scene& scene, unsigned threads) {
+  const std::string& name = scene.lights.environment;
+  const double scale = scene.lights.environment_scale;
+  if (name.empty()) return nullptr;
+  if (find_studio(name) != nullptr) return studio_environment(name, scale, threads);
+  return std::make_shared<const Environment>(read_image(name), scale, name, threads);
+}
 
 int draw(RenderArguments& arguments) {
   arguments.stats.force = may_replace(arguments.stats.force);
