@@ -87,8 +87,8 @@ class Window : public QMainWindow {
   /// whether one is: opened() is then emitted at the end.
   ///   ask   decides for each copy; empty: the user is asked
   bool offer_recovery(const std::function<RecoveryChoice(const Recovery&)>& ask = {});
-  /// Whether files are read or written, or a picture is in work.
-  bool is_busy() const { return busy_ > 0 || viewport_->is_drawing(); }
+  /// Whether files are read or written, an environment is computed, or a picture is in work.
+  bool is_busy() const { return busy_ > 0 || environment_coming_ || viewport_->is_drawing(); }
 
  signals:
   void opened(bool well);
@@ -190,6 +190,7 @@ class Window : public QMainWindow {
   // The environment that is shown, and the key of the one that is wanted.
   std::shared_ptr<const Environment> environment_;
   std::string environment_key_;
+  bool environment_coming_ = false;
 };
 
 }  // namespace etak::editor

@@ -27,8 +27,9 @@ struct LoadedEnvironment {
 LoadedEnvironment load(const std::string& name, double scale) {
   LoadedEnvironment out;
   try {
-    const Image picture = name == "studio" ? studio_environment() : read_image(name);
-    out.environment = std::make_shared<const Environment>(picture, scale, name, 2);
+    out.environment = find_studio(name) != nullptr
+                          ? studio_environment(name, scale, 2)
+                          : std::make_shared<const Environment>(read_image(name), scale, name, 2);
   } catch (const Error& error) {
     out.error = QString::fromUtf8(error.what());
   } catch (const std::bad_alloc&) {
@@ -135,13 +136,17 @@ void Window::look_changed() {
 
 void Window::refresh() {
   load_environment();
+  // A studio is there soon: rather the last picture until then than one in the dark.
+  if (environment_coming_ && !environment_ &&
+      find_studio(document_.project().view.lights.environment) != nullptr)
+    return;
   viewport_->set_state(view_state_of(document_, look_, environment_, texture_view_->textures()));
   show_curves();
 }
 
 void Window::set_environment(const QString& path) {
   ProjectView view = document_.project().view;
-  view.lights.environment = path.toStdString();
+  choose_environment(view.lights, path.toStdString());
   document_.edit_view(view, tr("environment"), next_press_id());
 }
 
@@ -151,17 +156,21 @@ void Window::load_environment() {
       lights.environment.empty() ? "" : lights.environment + '|' + std::to_string(lights.environment_scale);
   if (key == environment_key_) return;
   environment_key_ = key;
-  if (key.empty()) {
-    environment_.reset();
+  environment_coming_ = false;
+  auto known = known_studio_environment(lights.environment, lights.environment_scale);
+  if (key.empty() || known) {
+    environment_ = std::move(known);
     return;
   }
   // The old environment stays until the new one is loaded. Of several requests in a row, the last one counts.
   heavy_.clear();
+  environment_coming_ = true;
   in_background(
       heavy_, this,
       [name = lights.environment, scale = lights.environment_scale] { return load(name, scale); },
       [this, key](const LoadedEnvironment& loaded) {
         if (key != environment_key_) return;
+        environment_coming_ = false;
         environment_ = loaded.environment;
         if (!loaded.error.isEmpty()) tell(loaded.error);
         refresh_timer_.start();

@@ -9,9 +9,13 @@
 
 namespace etak {
 
-ViewDisplay open_display(const std::string& config, const std::string& display, const std::string& view) {
-  ViewDisplay out{config, display, view, nullptr, nullptr};
-  if (config.empty() && display.empty() && view.empty()) return out;
+ViewDisplay open_display(const std::string& config, const std::string& display, const std::string& view,
+                         Tone tone) {
+  ViewDisplay out{config, display, view, nullptr, nullptr, Tone::plain};
+  if (config.empty() && display.empty() && view.empty()) {
+    out.tone = tone;
+    return out;
+  }
   out.cpu = std::make_shared<const OcioDisplay>(OcioDisplay::open(config, display, view));
   out.gpu = std::make_shared<const OcioShader>(out.cpu->shader());
   return out;
@@ -28,7 +32,7 @@ QImage shown(const Image& linear, const ViewDisplay& display, unsigned threads) 
       std::transform(row.values.begin(), row.values.end(), codes, to_code);
       return;
     }
-    to_codes(pixels, 1, Transfer::srgb, codes);
+    to_codes(pixels, 1, Transfer::srgb, display.tone, codes);
   };
   std::vector<std::uint8_t*>
       lines;  // found before the threads start, because scanLine() may copy the picture

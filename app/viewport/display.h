@@ -14,21 +14,25 @@ namespace etak {
 /// Milliseconds. While the user drags, a view whose whole picture takes longer is drawn at half its size.
 inline constexpr double fluid_ms = 33;
 
-/// The transform from linear light to the screen: an OpenColorIO display for the CPU and for OpenGL, or plain
-/// sRGB where `cpu` and `gpu` are null.
+/// The transform from linear light to the screen: an OpenColorIO display for the CPU and for OpenGL, or a tone
+/// curve and sRGB where `cpu` and `gpu` are null.
 struct ViewDisplay {
   std::string config, display, view;  // the names in the state
   std::shared_ptr<const OcioDisplay> cpu;
   std::shared_ptr<const OcioShader> gpu;
+  Tone tone = Tone::plain;  // where no names are given
 
   bool is_of(const ViewState& state) const {
-    return config == state.ocio_config && display == state.ocio_display && view == state.ocio_view;
+    return config == state.ocio_config && display == state.ocio_display && view == state.ocio_view &&
+           (tone == state.tone || !state.plain_display());
   }
 };
 
-/// Opens the display. The user-interface thread should not call it, because it reads the config. Throws
-/// Error.
-ViewDisplay open_display(const std::string& config, const std::string& display, const std::string& view);
+/// Opens the display. The user-interface thread should call it only where all three names are empty, because
+/// otherwise it reads the config. Throws Error.
+///   tone   of the display where all three names are empty
+ViewDisplay open_display(const std::string& config, const std::string& display, const std::string& view,
+                         Tone tone = Tone::plain);
 
 /// The 8-bit codes of a picture in linear light (4 channels), which must be multiplied by the exposure
 /// already.

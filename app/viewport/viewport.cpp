@@ -103,7 +103,7 @@ ViewState Viewport::Private::shown_state() const {
 
 void Viewport::Private::refresh() {
   if (state.plain_display()) {
-    display = {};
+    display = etak::open_display("", "", "", state.tone);
     display_failure.clear();
   } else if (!display.is_of(state)) {
     open_display();
@@ -127,7 +127,7 @@ void Viewport::Private::open_display() {
   in_background(
       openers, &q,
       [config = state.ocio_config, name = state.ocio_display, view = state.ocio_view] {
-        Opened out{{config, name, view, nullptr, nullptr}, {}};
+        Opened out{{config, name, view, nullptr, nullptr, Tone::plain}, {}};
         try {
           out.display = etak::open_display(config, name, view);
         } catch (const Error& error) {
@@ -179,7 +179,7 @@ QImage Viewport::grab_picture() {
     if (!d_->display.is_of(d_->state)) {
       const ViewState& s = d_->state;
       d_->openers.waitForDone();
-      d_->display = etak::open_display(s.ocio_config, s.ocio_display, s.ocio_view);
+      d_->display = etak::open_display(s.ocio_config, s.ocio_display, s.ocio_view, s.tone);
     }
     if (d_->gl != nullptr) return d_->gl->picture(d_->shown_state(), d_->display, size);
     return cpu_picture(d_->shown_state(), d_->display, size,

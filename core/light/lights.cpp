@@ -50,17 +50,9 @@ struct Checker {
   }
 };
 
-// The unit vector at an elevation above the horizon and at an azimuth that counts from +z (the camera)
-// towards +x (the right).
-Vec3 towards(double elevation_deg, double azimuth_deg) {
-  const double degree = 3.14159265358979323846 / 180;
-  const double up = elevation_deg * degree, right = azimuth_deg * degree;
-  return {std::cos(up) * std::sin(right), std::sin(up), std::cos(up) * std::cos(right)};
-}
-
 Light directional_from(double elevation_deg, double azimuth_deg, const Vec3& color, double irradiance) {
   Light light;
-  const Vec3 to = towards(elevation_deg, azimuth_deg);
+  const Vec3 to = direction_of_angles(elevation_deg, azimuth_deg);
   light.direction = {-to[0], -to[1], -to[2]};
   light.color = color;
   light.intensity = irradiance;
@@ -107,6 +99,17 @@ LightSetup default_lights() {
                   directional_from(10, -60, {0.85, 0.92, 1}, 0.8), directional_from(30, 165, {1, 1, 1}, 2.0)};
   setup.hemispheres = Hemispheres{};
   return setup;
+}
+
+void choose_environment(LightSetup& setup, const std::string& environment) {
+  setup.environment = environment;
+  if (!environment.empty()) setup.hemispheres.reset();
+}
+
+Vec3 direction_of_angles(double elevation_deg, double azimuth_deg) {
+  const double degree = std::numbers::pi / 180;
+  const double up = elevation_deg * degree, right = azimuth_deg * degree;
+  return {std::cos(up) * std::sin(right), std::sin(up), std::cos(up) * std::cos(right)};
 }
 
 Vec3 normalised_direction(const Vec3& v) {

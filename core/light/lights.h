@@ -52,11 +52,16 @@ struct Hemispheres {
 struct LightSetup {
   std::vector<Light> lights;
   std::optional<Hemispheres> hemispheres;
-  std::string environment;  // file of a latitude-longitude HDR picture; empty: none
+  std::string environment;  // file of a latitude-longitude HDR picture, or a name of core/light/studio.h;
+                            // empty: none
   double environment_scale = 1;
   bool pi_scaled = false;
   friend bool operator==(const LightSetup&, const LightSetup&) = default;
 };
+
+/// The unit vector at an elevation above the horizon and at an azimuth that counts from +z (the camera)
+/// towards +x (the right).
+Vec3 direction_of_angles(double elevation_deg, double azimuth_deg);
 
 /// `v` scaled to length 1; (0, 0, -1), away from the viewer, where its length is 0 or not finite.
 Vec3 normalised_direction(const Vec3& v);
@@ -73,9 +78,13 @@ LightSetup parse_lights(std::string_view text, std::string_view file);
 ///   indent   how many blanks there are before the closing brace
 std::string format_lights(const LightSetup& setup, int indent = 0);
 
-/// The light of pictures for which the user names none: three directional lights (key, fill, rim) and two
-/// hemispheres.
+/// The light of the sources: three directional lights (key, fill, rim) and two hemispheres. Pictures for which
+/// the user names no light are made with studio_lights() (core/light/studio.h).
 LightSetup default_lights();
+
+/// Sets the environment; an empty name removes it. An environment removes the hemispheres, which stand for the
+/// same light.
+void choose_environment(LightSetup& setup, const std::string& environment);
 
 /// `count` white directional lights, spread over the half space in front of the object.
 std::vector<Light> spread_lights(int count);

@@ -5,7 +5,8 @@ namespace etak {
 namespace {
 
 constexpr std::string_view lights = "light/lights.glsl", hemispheres = "light/hemispheres.glsl",
-                           transfer = "light/transfer.glsl", transparency = "light/transparency.glsl";
+                           tone = "light/tone.glsl", transfer = "light/transfer.glsl",
+                           transparency = "light/transparency.glsl";
 using Kind = LightRowKind;
 
 constexpr LightRow rows[] = {
@@ -31,6 +32,13 @@ constexpr LightRow rows[] = {
      "negative below the horizon, F too high by up to 0.99 on rough surfaces"},
     {"environment", "lat-long image", "Schueler 2009, possible extensions", Kind::environment, "file, scale",
      "", "", "diffuse irradiance and specular levels per gloss; error stated against the sampled reference"},
+    {"plain", "no tone curve", "", Kind::tone, "", "", "",
+     "18 % grey is code 118; what is above 1 is clipped", true},
+    {"neutral", "Khronos PBR Neutral", "Khronos 2024, PBR Neutral Tone Mapper", Kind::tone, "", tone,
+     "tone_neutral",
+     "18 % grey is code 105; colours below 0.76 stay, less the 0.04 of a dielectric's surface"},
+    {"agx-like", "a curve like AgX", "etak, after Sobotka 2022", Kind::tone, "", tone, "tone_agx_like",
+     "18 % grey is code 118; white 6.5 stops above it, bright colours fade to white"},
     {"srgb", "exact sRGB curve", "IEC 61966-2-1", Kind::transfer, "", transfer, "srgb_encode",
      "all 256 codes come back", true},
     {"power-0.45", "powers 2.2 in, 0.45 out", "Schueler 2009", Kind::transfer, "", transfer,
@@ -46,7 +54,8 @@ constexpr LightRow rows[] = {
 }  // namespace
 
 std::string_view name(LightRowKind kind) {
-  constexpr std::string_view names[] = {"light", "hemispheres", "environment", "transfer", "transparency"};
+  constexpr std::string_view names[] = {"light", "hemispheres", "environment",
+                                        "tone",  "transfer",    "transparency"};
   return names[static_cast<int>(kind)];
 }
 

@@ -7,7 +7,7 @@
 namespace etak {
 
 /// The subject of a registry row that is not about a reflectance model.
-enum class LightRowKind { light, hemispheres, environment, transfer, transparency };
+enum class LightRowKind { light, hemispheres, environment, tone, transfer, transparency };
 std::string_view name(LightRowKind kind);
 
 /// A kind of light, transfer curve or transparency, named as in its source. These rows are the part of the

@@ -8,6 +8,7 @@
 #include "core/light/hemispheres.glsl"
 #include "core/light/transparency.glsl"
 #include "core/light/transfer.glsl"
+#include "core/light/tone.glsl"
 #include "core/light/marks.glsl"
 // clang-format on
 #pragma GCC diagnostic pop

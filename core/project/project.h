@@ -11,7 +11,7 @@
 
 #include "core/atlas/manifest.h"
 #include "core/exchange/export_surface.h"
-#include "core/light/lights.h"
+#include "core/light/studio.h"
 #include "core/material/find.h"
 #include "core/render/scene.h"
 
@@ -84,13 +84,14 @@ struct Wedge {
 
 /// How the materials are shown.
 ///   exposure                linear factor
-///   config, display, view   of OpenColorIO; all empty: the sRGB curve alone
+///   config, display, view   of OpenColorIO; all empty: the tone curve and sRGB
 struct ProjectView {
   Shape shape = Shape::sphere;
-  LightSetup lights = default_lights();
+  LightSetup lights = studio_lights();
   double environment_turn_deg = 0;
   double exposure = 1;
   std::string config, display, view;
+  Tone tone = Tone::plain;
   Comparison compare;
   Wedge wedge;
   friend bool operator==(const ProjectView&, const ProjectView&) = default;

@@ -6,9 +6,11 @@
 #include "core/atlas/material_nodes_json.h"
 #include "core/base/json_text.h"
 #include "core/image/image.h"
+#include "core/light/studio.h"
 #include "core/material/json.h"
 #include "core/material/material_node_json.h"
 #include "core/project/project.h"
+#include "core/render/display.h"
 
 namespace etak {
 namespace {
@@ -51,7 +53,8 @@ class Reader {
 
  private:
   ProjectView view(const JsonNode& node) const {
-    node.expect_object({"shape", "lights", "environment_turn_deg", "exposure", "ocio", "compare", "wedge"});
+    node.expect_object(
+        {"shape", "lights", "environment_turn_deg", "exposure", "ocio", "tone", "compare", "wedge"});
     ProjectView out;
     if (node.has("shape")) {
       const std::string shape = node.at("shape").text();
@@ -61,7 +64,7 @@ class Reader {
     if (node.has("lights")) {
       const JsonNode lights = node.at("lights");
       out.lights = parse_lights(lights.value.dump(), std::string(node.file) + '#' + lights.pointer);
-      if (!out.lights.environment.empty() && out.lights.environment != "studio")
+      if (!out.lights.environment.empty() && find_studio(out.lights.environment) == nullptr)
         out.lights.environment = path_beside(folder_.string(), out.lights.environment);
     }
     if (node.has("environment_turn_deg"))
@@ -73,6 +76,11 @@ class Reader {
       out.config = ocio.text_or_empty("config");
       out.display = ocio.text_or_empty("display");
       out.view = ocio.text_or_empty("view");
+    }
+    if (node.has("tone")) {
+      const auto tone = tone_named(node.at("tone").text());
+      if (!tone) node.at("tone").fail_type("plain, neutral or agx-like");
+      out.tone = *tone;
     }
     if (node.has("compare")) out.compare = comparison(node.at("compare"));
     if (node.has("wedge")) out.wedge = wedge(node.at("wedge"));
@@ -230,7 +238,7 @@ class Writer {
 
   std::string view(const ProjectView& view) const {
     LightSetup lights = view.lights;
-    if (!lights.environment.empty() && lights.environment != "studio")
+    if (!lights.environment.empty() && find_studio(lights.environment) == nullptr)
       lights.environment = path(lights.environment);
     std::vector<JsonMember> members{{"shape", json(view.shape == Shape::quad ? "quad" : "sphere")},
                                     {"lights", format_lights(lights, 4)},
@@ -241,6 +249,7 @@ class Writer {
                                      std::pair("view", &view.view)})
       if (!value->empty()) ocio.push_back({key, json(*value)});
     if (!ocio.empty()) members.push_back({"ocio", json_object(ocio, -1)});
+    if (view.tone != Tone::plain) members.push_back({"tone", json(name(view.tone))});
     if (view.compare != Comparison{}) members.push_back({"compare", comparison(view.compare)});
     if (view.wedge != Wedge{}) {
       const std::vector<JsonMember> wedge{{"on", json(view.wedge.on)},

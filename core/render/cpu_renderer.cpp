@@ -53,13 +53,14 @@ struct PictureCodes {
   Image8& picture;
   double exposure;
   Transfer transfer;
+  Tone tone;
   std::array<std::uint8_t, 3> empty;
 
   PictureCodes(const Scene& scene, Image8& picture_)
-      : picture(picture_), exposure(scene.exposure), transfer(scene.transfer) {
+      : picture(picture_), exposure(scene.exposure), transfer(scene.transfer), tone(scene.tone) {
     const float background[4] = {float(scene.background[0]), float(scene.background[1]),
                                  float(scene.background[2]), 0};
-    to_codes(background, exposure, transfer, empty.data());
+    to_codes(background, exposure, transfer, tone, empty.data());
   }
 
   void clear(int first, int last, int row) const {
@@ -76,7 +77,7 @@ struct PictureCodes {
   void put(int first, int row, std::size_t count, Store store) const {
     alignas(64) float pixels[4 * chunk_size];
     store(pixels);
-    to_codes({pixels, 4 * count}, exposure, transfer, picture.at(first, row).data());
+    to_codes({pixels, 4 * count}, exposure, transfer, tone, picture.at(first, row).data());
   }
 };
 

@@ -16,6 +16,22 @@ constexpr std::array<std::pair<Transfer, std::string_view>, 4> names{{{Transfer:
                                                                       {Transfer::power_045, "power-0.45"},
                                                                       {Transfer::square_root, "sqrt"},
                                                                       {Transfer::linear, "linear"}}};
+constexpr std::array<std::pair<Tone, std::string_view>, 3> tone_names{
+    {{Tone::plain, "plain"}, {Tone::neutral, "neutral"}, {Tone::agx_like, "agx-like"}}};
+
+template <class Names, class Value>
+std::string_view name_in(const Names& list, Value value) {
+  for (const auto& [each, text] : list)
+    if (each == value) return text;
+  return {};
+}
+template <class Value, std::size_t size>
+std::optional<Value> named_in(const std::array<std::pair<Value, std::string_view>, size>& list,
+                              std::string_view text) {
+  for (const auto& [each, known] : list)
+    if (known == text) return each;
+  return std::nullopt;
+}
 
 namespace f64 {
 #include "core/math/real_f64.h"
@@ -51,6 +67,27 @@ real decode(Transfer transfer, real y) {
   return y;
 }
 }  // namespace f64
+
+namespace f32 {
+#include "core/math/real_f32.h"
+
+#include "core/light/transfer.glsl"
+
+#include "core/light/tone.glsl"
+// A pixel of four channels, exposed: what the display is to emit.
+vec3 toned(Tone tone, const float* pixel, float exposure) {
+  const vec3 scene(pixel[0] * exposure, pixel[1] * exposure, pixel[2] * exposure);
+  switch (tone) {
+    case Tone::neutral:
+      return tone_neutral(scene);
+    case Tone::agx_like:
+      return tone_agx_like(scene);
+    case Tone::plain:
+      break;
+  }
+  return scene;
+}
+}  // namespace f32
 
 // Finds the code of a value by one look-up, because computing a power for each channel would cost more than
 // the shading. Values between 2^-21 and 1 fall into buckets by the leading 16 bits of the float; a bucket is
@@ -112,15 +149,16 @@ const CodeTable& table_of(Transfer transfer) {
 }  // namespace
 
 std::string_view name(Transfer transfer) {
-  for (const auto& [each, text] : names)
-    if (each == transfer) return text;
-  return {};
+  return name_in(names, transfer);
 }
-
 std::optional<Transfer> transfer_named(std::string_view text) {
-  for (const auto& [each, known] : names)
-    if (known == text) return each;
-  return std::nullopt;
+  return named_in(names, text);
+}
+std::string_view name(Tone tone) {
+  return name_in(tone_names, tone);
+}
+std::optional<Tone> tone_named(std::string_view text) {
+  return named_in(tone_names, text);
 }
 
 Image exposed(const Image& picture, double exposure) {
@@ -132,9 +170,19 @@ Image exposed(const Image& picture, double exposure) {
   return out;
 }
 
-void to_codes(std::span<const float> pixels, double exposure, Transfer transfer, std::uint8_t* codes) {
+void to_codes(std::span<const float> pixels, double exposure, Transfer transfer, Tone tone,
+              std::uint8_t* codes) {
   const CodeTable& table = table_of(transfer);
   const auto factor = static_cast<float>(exposure);
+  if (tone != Tone::plain) {
+    for (std::size_t i = 0; i + 4 <= pixels.size(); i += 4, codes += 3) {
+      const f32::vec3 seen = f32::toned(tone, &pixels[i], factor);
+      codes[0] = table.of(seen.x);
+      codes[1] = table.of(seen.y);
+      codes[2] = table.of(seen.z);
+    }
+    return;
+  }
   for (std::size_t i = 0; i + 4 <= pixels.size(); i += 4, codes += 3) {
     // All three are computed before the first is written, because for the compiler a byte may alias the
     // pixels.
@@ -146,18 +194,18 @@ void to_codes(std::span<const float> pixels, double exposure, Transfer transfer,
   }
 }
 
-Image8 to_codes(const Image& picture, double exposure, Transfer transfer) {
+Image8 to_codes(const Image& picture, double exposure, Transfer transfer, Tone tone) {
   Image8 out(picture.width, picture.height, 3);
   if (picture.channels == 4) {
-    to_codes(picture.values, exposure, transfer, out.values.data());
+    to_codes(picture.values, exposure, transfer, tone, out.values.data());
     return out;
   }
-  const CodeTable& table = table_of(transfer);
-  const auto factor = static_cast<float>(exposure);
   const auto channels = static_cast<std::size_t>(picture.channels);
-  for (std::size_t i = 0; i < picture.pixel_count(); ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      out.values[3 * i + c] = table.of(picture.values[channels * i + c] * factor);
+  for (std::size_t i = 0; i < picture.pixel_count(); ++i) {
+    const float* const from = &picture.values[channels * i];
+    const std::array<float, 4> pixel{from[0], from[1], from[2], 1};
+    to_codes(pixel, exposure, transfer, tone, &out.values[3 * i]);
+  }
   return out;
 }
 

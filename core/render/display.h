@@ -14,14 +14,18 @@ namespace etak {
 std::string_view name(Transfer transfer);  // "srgb", "power-0.45", "sqrt", "linear"
 std::optional<Transfer> transfer_named(std::string_view text);
 
-/// The 8-bit codes of the first three channels of `picture`: the transfer curve of exposure x value, clamped
-/// to [0, 1] and rounded to nearest. For sRGB they are the codes of srgb_u8() (core/color/srgb.h). NaN gives
-/// code 0.
-Image8 to_codes(const Image& picture, double exposure, Transfer transfer);
+std::string_view name(Tone tone);  // "plain", "neutral", "agx-like"
+std::optional<Tone> tone_named(std::string_view text);
+
+/// The 8-bit codes of the first three channels of `picture`: the transfer curve of the tone curve of exposure x
+/// value, clamped to [0, 1] and rounded to nearest. For sRGB without a tone curve they are the codes of
+/// srgb_u8() (core/color/srgb.h). NaN gives code 0.
+Image8 to_codes(const Image& picture, double exposure, Transfer transfer, Tone tone = Tone::plain);
 
 /// The same for a row of pixels with four channels each.
 ///   codes   room for three codes for each pixel
-void to_codes(std::span<const float> pixels, double exposure, Transfer transfer, std::uint8_t* codes);
+void to_codes(std::span<const float> pixels, double exposure, Transfer transfer, Tone tone,
+              std::uint8_t* codes);
 
 /// The first three channels of `picture`, multiplied by the exposure.
 Image exposed(const Image& picture, double exposure);

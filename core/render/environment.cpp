@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
 
@@ -296,26 +300,49 @@ EnvironmentTurn::EnvironmentTurn(double degrees) {
   sin_ = std::sin(degrees * (pi / 180));
 }
 
-Image studio_environment(int width) {
-  const Vec3 sun{0.4924, 0.6428, 0.5868};  // 40 degrees up
-  const double sun_cosine = 1 - 0.02 / (2 * pi);
-  return filled(width, 1, [&](const Vec3& d) {
-    Vec3 out{};
-    if (d[1] < 0) {
-      const double depth = -d[1];
-      out = {0.22 - 0.10 * depth, 0.19 - 0.09 * depth, 0.16 - 0.08 * depth};
-    } else {
-      const double rise = std::pow(1 - d[1], 4);
-      out = {0.25 + 0.55 * rise, 0.42 + 0.45 * rise, 0.80 + 0.15 * rise};
-    }
-    if (dot(d, sun) > sun_cosine) out = {60, 54, 45};
-    // The softbox: a square of side 1 on the plane x = -1.5, turned towards the object.
-    if (d[0] < -0.1) {
-      const double y = d[1] / -d[0] * 1.5, z = d[2] / -d[0] * 1.5;
-      if (y > 0.1 && y < 1.1 && z > -0.1 && z < 0.9) out = {6, 6, 6};
-    }
-    return out;
-  });
+Image environment_picture(const Studio& studio, int width, unsigned threads) {
+  return filled(width, threads, [&](const Vec3& d) { return etak::radiance(studio, d); });
+}
+
+namespace {
+
+// Those of the studios that somebody holds, and the one of the standard light.
+struct KnownEnvironments {
+  std::mutex guard;
+  std::map<std::pair<std::string, double>, std::weak_ptr<const Environment>> made;
+  std::shared_ptr<const Environment> standard;
+};
+KnownEnvironments& known_environments() {
+  static KnownEnvironments known;
+  return known;
+}
+
+}  // namespace
+
+std::shared_ptr<const Environment> known_studio_environment(const std::string& name, double scale) {
+  KnownEnvironments& known = known_environments();
+  const std::lock_guard lock(known.guard);
+  const auto found = known.made.find({name, scale});
+  return found == known.made.end() ? nullptr : found->second.lock();
+}
+
+std::shared_ptr<const Environment> studio_environment(const std::string& name, double scale,
+                                                      unsigned threads) {
+  const Studio* studio = find_studio(name);
+  if (studio == nullptr)
+    throw Error::at(printable(name), "no studio", joined(named_studios(), ", ", &NamedStudio::name));
+  static std::mutex making;
+  // Whoever asks for the same one meanwhile gets this one.
+  const std::lock_guard one_at_a_time(making);
+  if (auto out = known_studio_environment(name, scale)) return out;
+  const auto out =
+      std::make_shared<const Environment>(environment_picture(*studio, 1024, threads), scale, name, threads);
+  KnownEnvironments& known = known_environments();
+  const std::lock_guard lock(known.guard);
+  known.made[{name, scale}] = out;
+  const LightSetup standard = studio_lights();
+  if (name == standard.environment && scale == standard.environment_scale) known.standard = out;
+  return out;
 }
 
 }  // namespace etak

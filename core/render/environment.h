@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/light/studio.h"
 #include "core/math/mat3.h"
 
 namespace etak {
@@ -84,10 +86,16 @@ class EnvironmentTurn {
   double cos_ = 1, sin_ = 0;
 };
 
-/// etak's own environment, which is computed: a sky that darkens upwards from a bright horizon, brown ground,
-/// a sun (0.02 sr, 40 degrees above the horizon, behind the camera on the right) and a square softbox on the
-/// left.
-///   width   of the picture, 64 to 4096; the height is half of it
-Image studio_environment(int width = 512);
+/// The lat-long picture of a studio, for an Environment.
+///   width   of the picture, even, 2 to 8192; its height is half of that
+Image environment_picture(const Studio& studio, int width = 1024, unsigned threads = 1);
+
+/// The environment of etak's studio `name` (core/light/studio.h), made once in a process for each scale while
+/// somebody holds it; the one of studio_lights() stays. Throws Error for a name that is none.
+std::shared_ptr<const Environment> studio_environment(const std::string& name, double scale,
+                                                      unsigned threads);
+
+/// The same where it has been made; null, at once, where it has not.
+std::shared_ptr<const Environment> known_studio_environment(const std::string& name, double scale);
 
 }  // namespace etak

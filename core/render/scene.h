@@ -111,6 +111,8 @@ struct SurfaceTextures {
 
 enum class Shape { sphere, quad };
 enum class Transfer { srgb, power_045, square_root, linear };
+/// What is done to exposed light before the transfer: core/light/tone.glsl.
+enum class Tone { plain, neutral, agx_like };
 
 /// The contents of a picture: one object, its models, the light and the camera. The CPU and OpenGL draw it by
 /// the same rules:
@@ -132,8 +134,8 @@ enum class Transfer { srgb, power_045, square_root, linear };
 ///                 with the other slant, yellow (energy), bright enough to show under the exposure. With
 ///                 textures both are decided for each pixel, and energy stripes show where diffuse colour
 ///                 plus F0 is above 1
-///   output        transfer(max(exposure * mix(background, object, coverage), 0)); the fourth channel is the
-///                 coverage
+///   output        transfer(max(tone(exposure * mix(background, object, coverage)), 0)); the fourth channel is
+///                 the coverage
 struct Scene {
   Shape shape = Shape::sphere;
   SurfaceValues surface;
@@ -151,6 +153,7 @@ struct Scene {
   bool perspective = false;         // orthographic otherwise
   double field_of_view_deg = 30;    // perspective: vertical
   double exposure = 1;              // linear factor
+  Tone tone = Tone::plain;
   Transfer transfer = Transfer::srgb;
   Vec3 background{0.18, 0.18, 0.18};  // linear
   int width = 512, height = 512;

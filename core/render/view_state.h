@@ -38,7 +38,8 @@ struct ViewState {
   double environment_turn_deg = 0;
   View camera;
   double exposure = 1;                               // linear factor
-  std::string ocio_config, ocio_display, ocio_view;  // of OpenColorIO; all three empty: sRGB
+  std::string ocio_config, ocio_display, ocio_view;  // of OpenColorIO; all three empty: `tone`, then sRGB
+  Tone tone = Tone::plain;
   bool zone_overlay = false, energy_overlay = false;
   Vec3 background{0.18, 0.18, 0.18};  // linear
   friend bool operator==(const ViewState&, const ViewState&) = default;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/gl/scenes.h"
 
+#include "core/render/display.h"
+
 namespace etak::test {
 namespace {
 
@@ -123,6 +125,10 @@ std::vector<Variant> variants(const Model& model) {
   for (const Transfer transfer : {Transfer::power_045, Transfer::square_root}) {
     out.push_back({transfer == Transfer::power_045 ? "power-0.45" : "square-root", full_scene(model)});
     out.back().scene.transfer = transfer;
+  }
+  for (const Tone tone : {Tone::neutral, Tone::agx_like}) {
+    out.push_back({"tone-" + std::string(name(tone)), full_scene(model)});
+    out.back().scene.tone = tone;
   }
   return out;
 }

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/color/srgb.h"
 #include "core/render/cpu_renderer.h"
+#include "core/render/display.h"
 #include "tests/gl/gl_here.h"
 #include "tests/gl/scenes.h"
 
@@ -13,7 +15,7 @@ using namespace etak::test;
 namespace {
 
 const Environment& sky() {
-  static const Environment environment(studio_environment(128), 1, "studio", 2);
+  static const Environment environment(environment_picture(*find_studio("studio"), 128), 1, "studio", 2);
   return environment;
 }
 
@@ -72,6 +74,28 @@ TEST_CASE("GL draws the CPU's picture: every model") {
     INFO(model.id << ": column " << found.x << " row " << found.y << " channel " << found.channel);
     CHECK(found.most < 1e-3);
   }
+}
+
+TEST_CASE("GL's tone curves show the CPU's codes") {
+  GlRunner* gl = gl_here();
+  if (gl == nullptr) return;
+  for (const Vec3& color : {Vec3{0.18, 0.18, 0.18}, Vec3{0.03, 0.5, 0.2}, Vec3{1.02, 0.78, 0.34},
+                            Vec3{9, 2, 0.1}, Vec3{0, 0, 0.004}})
+    for (const Tone tone : {Tone::neutral, Tone::agx_like}) {
+      const std::string function = tone == Tone::neutral ? "tone_neutral" : "tone_agx_like";
+      Image pixel(1, 1, 4);
+      std::string arguments;
+      for (std::size_t c = 0; c < 3; ++c) {
+        pixel.values[c] = static_cast<float>(color[c]);
+        arguments += (c == 0 ? "real(" : ", real(") + std::to_string(color[c]) + ")";
+      }
+      const Image8 codes = to_codes(pixel, 1, Transfer::srgb, tone);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::string call = function + "(vec3(" + arguments + "))." + "xyz"[c];
+        INFO(call);
+        CHECK(255 * srgb_encode(double{gl->evaluate(call)}) == Approx(codes.values[c]).margin(0.6));
+      }
+    }
 }
 
 TEST_CASE("the GL's own clock runs while it draws, and stays within the time of the whole call") {

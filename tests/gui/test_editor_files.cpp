@@ -249,14 +249,18 @@ class EditorFiles : public QObject {
     QByteArray hdr("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n");
     for (int i = 0; i < 8; ++i) hdr += QByteArray("\x80\x90\xa0\x81", 4);
     write(file, hdr);
+    const LightSetup before = window->document().project().view.lights;
+    const auto seen = [&] { return window->viewport().state().environment; };
+    QVERIFY(QTest::qWaitFor([&] { return seen() != nullptr; }, 20000));
+    const auto standard = seen();
     for (QWidget* target :
          {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {
       QVERIFY(drop(*target, {file}));
       QCOMPARE(window->document().project().view.lights.environment, file.toStdString());
-      QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().environment != nullptr; }, 20000));
+      QVERIFY(QTest::qWaitFor([&] { return seen() != nullptr && seen() != standard; }, 20000));
       window->document().undo_stack().undo();
-      QVERIFY(window->document().project().view.lights.environment.empty());
-      QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().environment == nullptr; }, 20000));
+      QVERIFY(window->document().project().view.lights == before);
+      QVERIFY(QTest::qWaitFor([&] { return seen() == standard; }, 20000));
     }
   }
 

@@ -81,7 +81,7 @@ class EditorSession : public QObject {
     const int steps = window->document().undo_stack().count();
     drag(viewport, middle, middle + QPoint(-40, 25), Qt::ShiftModifier);
     QCOMPARE(window->document().undo_stack().count(), steps + 1);
-    QVERIFY(!(window->document().project().view.lights == default_lights()));
+    QVERIFY(!(window->document().project().view.lights == studio_lights()));
 
     // Compare A and B.
     emit window->view_panel().pin_asked();

@@ -132,7 +132,7 @@ class EditorWatch : public QObject {
   void an_environment() {
     watch("environment", [this] {
       ProjectView view = w().document().project().view;
-      view.lights.environment = "studio";
+      view.lights.environment = "overcast";
       w().document().edit_view(view, QStringLiteral("environment"), next_press_id());
       QTest::qWait(50);
     });

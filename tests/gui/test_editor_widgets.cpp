@@ -33,10 +33,76 @@
 using namespace etak;
 using namespace etak::editor;
 
+namespace {
+
+template <class Widget>
+Widget& called(const TestWindow& window, const char* name) {
+  for (Widget* each : window.window->findChildren<Widget*>())
+    if (each->accessibleName() == QLatin1String(name)) return *each;
+  qFatal("no widget is called %s", name);
+}
+
+QAbstractButton* button_called(const TestWindow& window, const char* name) {
+  return &called<QAbstractButton>(window, name);
+}
+
+QComboBox& combo_called(const TestWindow& window, const char* name) {
+  return called<QComboBox>(window, name);
+}
+
+// As a person chooses it.
+void choose(QComboBox& box, const QString& text) {
+  const int row = box.findText(text);
+  QVERIFY2(row >= 0, qPrintable(text));
+  box.setCurrentIndex(row);
+  emit box.activated(row);
+}
+
+}  // namespace
+
 class EditorWidgets : public QObject {
   Q_OBJECT
 
  private slots:
+  void choosing_an_environment_switches_the_hemispheres_off_in_the_same_step() {
+    TestWindow window(true);
+    window->show();
+    const auto lights = [&] { return window->document().project().view.lights; };
+    QUndoStack& steps = window->document().undo_stack();
+    QVERIFY(lights() == studio_lights());
+    button_called(window, "Lights of the sources")->click();
+    QVERIFY(lights() == default_lights());
+    QCOMPARE(steps.count(), 1);
+    choose(combo_called(window, "Environment picture"), QStringLiteral("sunset"));
+    QCOMPARE(steps.count(), 2);
+    QCOMPARE(lights().environment, std::string("sunset"));
+    QVERIFY(!lights().hemispheres.has_value());
+    QVERIFY(lights().lights == default_lights().lights);
+    steps.undo();
+    QVERIFY(lights() == default_lights());
+    button_called(window, "Studio light")->click();
+    QVERIFY(lights() == studio_lights());
+  }
+
+  void the_srgb_curve_has_the_tone_curves_as_its_views() {
+    TestWindow window(true);
+    window->show();
+    QComboBox& view = combo_called(window, "View of the display");
+    QCOMPARE(view.count(), 3);
+    QVERIFY(view.isEnabled());
+    choose(view, QStringLiteral("Khronos PBR Neutral"));
+    QVERIFY(window->document().project().view.tone == Tone::neutral);
+    QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().tone == Tone::neutral; }, 20000));
+    // A display of the config has views of its own.
+    choose(combo_called(window, "Display"), QStringLiteral("sRGB - Display"));
+    QVERIFY(view.findText(QStringLiteral("Khronos PBR Neutral")) < 0);
+    window->document().undo_stack().undo();
+    QCOMPARE(view.currentText(), QStringLiteral("Khronos PBR Neutral"));
+    window->document().undo_stack().undo();
+    QVERIFY(window->document().project().view.tone == Tone::plain);
+    QCOMPARE(view.currentIndex(), 0);
+  }
+
   void every_control_has_a_name() {
     TestWindow window(true);
     QVERIFY(window->use_library_material(QStringLiteral("gold")));

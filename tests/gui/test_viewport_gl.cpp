@@ -24,7 +24,7 @@ class ViewportGl : public QObject {
   QImage on_screen() { return drawn() ? viewport->findChild<GlView*>()->grabFramebuffer() : QImage(); }
 
   std::shared_ptr<const Environment> environment =
-      std::make_shared<const Environment>(studio_environment(128), 1, "studio", 2);
+      std::make_shared<const Environment>(environment_picture(*find_studio("studio"), 128), 1, "studio", 2);
 
   static std::shared_ptr<const SurfaceTextures> textures_of(const SurfaceValues& surface) {
     Image body(8, 8, 4), gloss(8, 4, 4);

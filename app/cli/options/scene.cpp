@@ -234,6 +234,9 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
   if (!transfer)
     throw Error::at("--transfer", printable(arguments.transfer), "srgb, power-0.45, sqrt or linear");
   scene.transfer = *transfer;
+  const auto tone = tone_named(arguments.tone);
+  if (!tone) throw Error::at("--tone", printable(arguments.tone), "plain, neutral or agx-like");
+  scene.tone = *tone;
   scene.exposure = arguments.exposure;
   scene.shape = arguments.quad ? Shape::quad : Shape::sphere;
   scene.perspective = arguments.perspective;
@@ -242,10 +245,12 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
     scene.background = {arguments.background[0], arguments.background[1], arguments.background[2]};
   scene.surface = surface_from(arguments, notes);
   choose_models(scene, arguments.model, arguments.diffuse_model, read_set(arguments.set), notes.remarks);
-  if (!arguments.lights.empty())
+  if (arguments.lights == "sources")
+    scene.lights = default_lights();
+  else if (!arguments.lights.empty())
     scene.lights = parse_lights(read_file(arguments.lights), arguments.lights);
   else if (arguments.environment.empty())
-    scene.lights = default_lights();
+    scene.lights = arguments.standard_lights();
   if (!arguments.environment.empty()) scene.lights.environment = arguments.environment;
   validate(scene);
   return scene;
@@ -275,14 +280,16 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   rgb("--diffuse", arguments.diffuse, "diffuse colour, linear; conductors and semiconductors stay black");
   add_roughness_options(verb, arguments.rough, "of the surface");
   verb.option("--opacity", arguments.opacity, "of the body, 0 to 1").show_default();
-  verb.option("--lights", arguments.lights, "light setup; default three lights and two hemispheres")
+  verb.option("--lights", arguments.lights,
+              "light setup, or sources: three lights and two hemispheres; default the studio and two flashes")
       .reads_file()
-      .value_name("FILE");
-  verb.option("--env", arguments.environment,
-              "environment: lat-long HDR or EXR picture, or studio (etak's own); without "
-              "--lights the only light")
+      .value_name("FILE|sources");
+  verb.option(
+          "--env", arguments.environment,
+          "environment: lat-long HDR or EXR picture, or etak's own: studio, rim, overcast, sunset or night; "
+          "without --lights the only light")
       .reads_file()
-      .value_name("FILE|studio");
+      .value_name("FILE|NAME");
   verb.option("--size", arguments.size, "of the picture in pixels").value_name("N|WxH").show_default();
   verb.flag("--quad", arguments.quad, "a flat square instead of the sphere");
   verb.flag("--perspective", arguments.perspective, "perspective camera instead of an orthographic one");
@@ -291,6 +298,9 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.option("--exposure", arguments.exposure, "linear factor").show_default();
   verb.option("--transfer", arguments.transfer, "display curve")
       .words({"srgb", "power-0.45", "sqrt", "linear"})
+      .show_default();
+  verb.option("--tone", arguments.tone,
+              "tone curve before --transfer: plain (none), neutral (Khronos PBR Neutral) or agx-like")
       .show_default();
   add_library_options(verb, arguments.library);
 }

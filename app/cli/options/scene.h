@@ -20,8 +20,9 @@ struct SceneArguments {
   std::vector<double> diffuse, background;
   RoughnessArguments rough;
   double opacity = 1, exposure = 1, field_of_view = 30;
-  std::string lights, environment, transfer = "srgb", size = "512";
+  std::string lights, environment, tone = "plain", transfer = "srgb", size = "512";
   bool quad = false, perspective = false;
+  LightSetup (*standard_lights)() = default_lights;  // where nothing is said
   Library library;
 };
 void add_scene_options(Command verb, SceneArguments& arguments);

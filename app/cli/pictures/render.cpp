@@ -55,20 +55,13 @@ bool ends_with(const std::string& path, std::string_view ending) {
   return path.ends_with(ending);
 }
 
-std::optional<Environment> environment_of(const Scene& scene, unsigned threads) {
-  const std::string& name = scene.lights.environment;
-  if (name.empty()) return std::nullopt;
-  return Environment(name == "studio" ? studio_environment() : read_image(name),
-                     scene.lights.environment_scale, name, threads);
-}
-
 void write_picture(const RenderArguments& arguments, const Scene& scene, const Image& picture) {
   const Image linear = exposed(picture, scene.exposure);
   if (ends_with(arguments.picture, ".exr"))
     return write_exr(arguments.picture, linear, !arguments.half, arguments.stats.force);
   const bool by_ocio = !arguments.display.empty() || !arguments.view.empty() || !arguments.ocio.empty();
   if (!by_ocio)
-    return write_png(arguments.picture, to_codes(picture, scene.exposure, scene.transfer),
+    return write_png(arguments.picture, to_codes(picture, scene.exposure, scene.transfer, scene.tone),
                      arguments.stats.force);
   Image shown = linear;
   OcioDisplay::open(arguments.ocio, arguments.display, arguments.view)
@@ -238,11 +231,11 @@ int draw_within_memory(RenderArguments& arguments) {
   tell_held_gloss(scene, notes);
   stats.subject = notes.subject;
   const auto begin = Clock::now();
-  const std::optional<Environment> environment = with_memory_for(
+  const std::shared_ptr<const Environment> environment = with_memory_for(
       scene.lights.environment, [] { return "the light of its texels"; },
       [&] { return environment_of(scene, threads); });
   stats.prepare_ms = ms_since(begin);
-  const Environment* light = environment ? &*environment : nullptr;
+  const Environment* light = environment.get();
   const Image picture = arguments.reference        ? draw_reference(arguments, scene, light, threads, stats)
                         : arguments.device == "gl" ? draw_gl(scene, light, arguments.frames, stats)
                                                    : draw_cpu(arguments, scene, light, threads, stats);
@@ -252,6 +245,14 @@ int draw_within_memory(RenderArguments& arguments) {
 }
 
 }  // namespace
+
+std::shared_ptr<const Environment> environment_of(const Scene& scene, unsigned threads) {
+  const std::string& name = scene.lights.environment;
+  const double scale = scene.lights.environment_scale;
+  if (name.empty()) return nullptr;
+  if (find_studio(name) != nullptr) return studio_environment(name, scale, threads);
+  return std::make_shared<const Environment>(read_image(name), scale, name, threads);
+}
 
 int draw(RenderArguments& arguments) {
   arguments.stats.force = may_replace(arguments.stats.force);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "app/cli/options/scene.h"
 #include "app/cli/output/output.h"
+#include "core/render/environment.h"
 
 namespace etak::cli {
 
@@ -19,6 +21,9 @@ struct RenderArguments {
   int samples = 16, light_samples = 16, frames = 1;
   unsigned threads = 0;
 };
+
+/// The light from all around of a scene: null, one of etak's studios, or a picture's. Throws Error.
+std::shared_ptr<const Environment> environment_of(const Scene& scene, unsigned threads);
 
 /// Does the work of the verb, in the module of pictures.h. Returns the exit status; throws Error.
 int draw(RenderArguments& arguments);

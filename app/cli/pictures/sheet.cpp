@@ -48,7 +48,10 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
   // All columns have the same roughness, so that they can be compared: the given one, else the gloss of
   // metals.
   const Gloss gloss = given_gloss(typed.rough).value_or(Gloss(0.75));
-  const Environment studio(studio_environment(), 1, "studio", threads);
+  const auto around = environment_of(scene, threads);
+  LightSetup alone;
+  alone.environment = studio_lights().environment;
+  const auto studio = studio_environment(alone.environment, alone.environment_scale, threads);
 
   Sheet sheet;
   std::vector<SurfaceValues> surfaces;
@@ -73,16 +76,16 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
   for (const Model& model : models()) {
     const std::string id(model.id);
     add_row(id, model.kind == ModelKind::diffuse ? "" : id, model.kind == ModelKind::diffuse ? id : "",
-            scene.lights, nullptr);
+            scene.lights, around.get());
   }
   LightSetup hemispheres;
   hemispheres.hemispheres =
       scene.lights.hemispheres ? scene.lights.hemispheres : default_lights().hemispheres;
   add_row("hemispheres alone", "", "", hemispheres, nullptr);
-  add_row("environment alone", "", "", {}, &studio);
+  add_row("environment alone", "", "", alone, studio.get());
   for (const double row_gloss : {0.25, 0.5, 1.0}) {
     for (SurfaceValues& each : surfaces) each.gloss = row_gloss;
-    add_row("gloss " + number(row_gloss, 3), "", "", scene.lights, nullptr);
+    add_row("gloss " + number(row_gloss, 3), "", "", scene.lights, around.get());
   }
   return laid_out(sheet);
 }

@@ -5,11 +5,13 @@
 #include "app/cli/pictures/pictures.h"
 #include "app/cli/pictures/render.h"
 #include "app/cli/verbs.h"
+#include "core/light/studio.h"
 
 namespace etak::cli {
 
 void add_render(CommandLine& line) {
   const auto arguments = std::make_shared<RenderArguments>();
+  arguments->scene.standard_lights = studio_lights;
   Command verb = line.verb("render", "a picture of a material on a sphere or quad");
   add_scene_options(verb, arguments->scene);
   verb.option("-o,--output", arguments->picture, "picture to write: .png (8 bit) or .exr (linear)")
@@ -31,7 +33,7 @@ void add_render(CommandLine& line) {
       .show_default();
   verb.flag("--sheet", arguments->sheet, "contact sheet: eight materials under every model (no SUBJECT)");
   verb.option("--display", arguments->display,
-              "OpenColorIO display for the 8-bit picture, in place of --transfer");
+              "OpenColorIO display for the 8-bit picture, in place of --tone and --transfer");
   verb.option("--view", arguments->view, "OpenColorIO view of the display");
   verb.option("--ocio", arguments->ocio,
               "OpenColorIO config of --display and --view (else $OCIO, else etak's own)")

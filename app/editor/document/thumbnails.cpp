@@ -14,7 +14,7 @@ namespace etak::editor {
 namespace {
 
 // Part of the names of the files. It changes when the pictures change, so that older files are not used.
-constexpr const char* make = "etak-thumbnail-1";
+constexpr const char* make = "etak-thumbnail-2";
 constexpr int most_pictures = 4000;
 
 QImage drawn(const SurfaceValues& surface, Shape shape, int side) {
@@ -22,14 +22,15 @@ QImage drawn(const SurfaceValues& surface, Shape shape, int side) {
   scene.shape = shape;
   scene.surface = surface;
   scene.width = scene.height = side;
-  scene.lights = default_lights();
+  scene.lights = studio_lights();
+  const auto environment = studio_environment(scene.lights.environment, scene.lights.environment_scale, 1);
   scene.background = {0.05, 0.05, 0.05};
   scene.specular = find_model(default_specular);
   scene.diffuse = find_model(default_diffuse);
   scene.specular_values = model_values(*scene.specular, surface, {});
   scene.diffuse_values = model_values(*scene.diffuse, surface, {});
   Image8 codes;
-  render_cpu_codes(scene, nullptr, 1, codes);
+  render_cpu_codes(scene, environment.get(), 1, codes);
   QImage out(side, side, QImage::Format_RGB888);
   for (int y = 0; y < side; ++y)
     std::copy_n(codes.at(0, y).data(), std::size_t{3} * codes.width, out.scanLine(y));

@@ -14,6 +14,7 @@
 #include "app/editor/panels/sections.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
+#include "core/light/studio.h"
 
 namespace etak::editor {
 namespace {
@@ -60,16 +61,23 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
   pi_scaled_->setToolTip(
       tr("Lights are given so that a white diffuse surface has their colour, as the articles have it"));
   column->addWidget(pi_scaled_);
-  auto* standard = new QPushButton(tr("Default lights"), page);
-  standard->setAccessibleName(tr("Default lights"));
-  column->addWidget(standard);
+  const auto preset = [&](const QString& label, const QString& tip, LightSetup (*setup)()) {
+    auto* button = new QPushButton(label, page);
+    button->setAccessibleName(label);
+    button->setToolTip(tip);
+    column->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, label, setup] {
+      edit_lights(label, next_press_id(), [setup](LightSetup& l) { l = setup(); });
+    });
+  };
+  preset(tr("Studio light"), tr("The computed studio and two flashes, as in new projects"), studio_lights);
+  preset(tr("Lights of the sources"),
+         tr("Three directional lights and two hemispheres, as the articles light their pictures"),
+         default_lights);
   column->addStretch(1);
   setWidget(page);
   connect(pi_scaled_, &QCheckBox::clicked, this, [this](bool on) {
     edit_lights(tr("light unit"), next_press_id(), [&](LightSetup& l) { l.pi_scaled = on; });
-  });
-  connect(standard, &QPushButton::clicked, this, [this] {
-    edit_lights(tr("default lights"), next_press_id(), [](LightSetup& l) { l = default_lights(); });
   });
   connect(&document, &Document::view_changed, this, &LightPanel::show_view);
   connect(&document, &Document::replaced, this, &LightPanel::show_view);
@@ -232,9 +240,11 @@ Section* LightPanel::make_environment() {
   auto* out = new Section(tr("Environment"), this);
   environment_ = new QuietComboBox(tr("Environment picture"), out);
   environment_->addItem(tr("none"), QString());
-  environment_->addItem(tr("studio"), QStringLiteral("studio"));
+  for (const NamedStudio& each : named_studios())
+    environment_->addItem(qt_text(each.name), qt_text(each.name));
   scale_ = new NumberField(tr("Environment scale"), 0, 4, 1, out);
-  environment_->setToolTip(tr("A lat-long picture of light from all sides"));
+  environment_->setToolTip(
+      tr("A lat-long picture of light from all sides; choosing one switches the two hemispheres off"));
   scale_->setToolTip(tr("Factor of the picture's values"));
   scale_->box().setRange(0, 1e6);
   turn_ = new NumberField(tr("Environment turn"), -180, 180, 0, out);
@@ -246,15 +256,16 @@ Section* LightPanel::make_environment() {
   out->add(tr("Scale"), scale_);
   out->add(tr("Turn \u00b0"), turn_);
   connect(environment_, &QComboBox::activated, this, [this] {
-    edit_lights(tr("environment"), next_press_id(),
-                [&](LightSetup& l) { l.environment = environment_->currentData().toString().toStdString(); });
+    edit_lights(tr("environment"), next_press_id(), [&](LightSetup& l) {
+      choose_environment(l, environment_->currentData().toString().toStdString());
+    });
   });
   connect(open, &QPushButton::clicked, this, [this] {
     const QString file = QFileDialog::getOpenFileName(this, tr("Environment"), document_.folder(),
                                                       tr("Lat-long pictures (*.hdr *.exr);;All files (*)"));
     if (!file.isEmpty())
       edit_lights(tr("environment"), next_press_id(),
-                  [&](LightSetup& l) { l.environment = file.toStdString(); });
+                  [&](LightSetup& l) { choose_environment(l, file.toStdString()); });
   });
   connect(scale_, &NumberField::edited, this, [this](double value, int press) {
     edit_lights(tr("environment scale"), press, [&](LightSetup& l) { l.environment_scale = value; });

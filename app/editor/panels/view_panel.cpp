@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/path_edit.h"
@@ -14,9 +15,22 @@
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/color/ocio.h"
+#include "core/light/rows.h"
+#include "core/render/display.h"
 
 namespace etak::editor {
 namespace {
+
+constexpr std::array tones{Tone::plain, Tone::neutral, Tone::agx_like};
+
+// As the registry calls them.
+QStringList tone_titles() {
+  QStringList out;
+  for (const Tone tone : tones)
+    for (const LightRow& row : light_rows())
+      if (row.kind == LightRowKind::tone && row.id == name(tone)) out << qt_text(row.title);
+  return out;
+}
 
 QCheckBox* check(const QString& label, const QString& tip, QWidget* parent) {
   auto* out = new QCheckBox(label, parent);
@@ -72,7 +86,10 @@ Section* ViewPanel::make_display() {
   view_ = new QuietComboBox(tr("View of the display"), out);
   display_->setToolTip(
       tr("What kind of screen the picture is made for: the plain sRGB curve, or a display of the config"));
-  view_->setToolTip(tr("How the config brings scene colours to that screen"));
+  view_->setToolTip(
+      tr("How scene colours are brought to that screen: a tone curve before the one of sRGB, or the config's "
+         "own "
+         "views"));
   config_ = quiet_label(tr("OpenColorIO config"), out);
   auto* buttons = new QWidget(out);
   buttons->setAccessibleName(tr("OpenColorIO config, choice"));
@@ -123,6 +140,7 @@ void ViewPanel::take_display() {
   const bool plain = display_->currentIndex() <= 0;
   view.display = plain ? "" : display_->currentText().toStdString();
   view.view = plain ? "" : view_->currentText().toStdString();
+  if (plain) view.tone = tones[static_cast<std::size_t>(std::max(0, view_->currentIndex()))];
   document_.edit_view(view, tr("display"), next_press_id());
 }
 
@@ -148,7 +166,7 @@ void ViewPanel::fill_displays() {
 
 void ViewPanel::show_displays(const ReadDisplays& read) {
   display_->clear();
-  display_->addItem(tr("sRGB curve"), QStringList{});
+  display_->addItem(tr("sRGB curve"), tone_titles());
   for (const OcioDisplayInfo& each : read.displays) {
     QStringList views;
     for (const std::string& view : each.views) views << qt_text(view);
@@ -270,6 +288,8 @@ void ViewPanel::show_look() {
   view_->clear();
   view_->addItems(views);
   if (!view.view.empty()) view_->setCurrentText(qt_text(view.view));
+  if (view.display.empty())
+    view_->setCurrentIndex(static_cast<int>(std::ranges::find(tones, view.tone) - tones.begin()));
   view_->setEnabled(!views.isEmpty());
   shape_->setCurrentIndex(view.wedge.on ? 2 : view.shape == etak::Shape::quad ? 1 : 0);
   QStringList parameters{QStringLiteral("gloss"), QStringLiteral("opacity")};

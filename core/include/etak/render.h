@@ -15,12 +15,13 @@
 //   etak::complete_from_f0(scene.surface);
 //   scene.specular = etak::find_model(etak::default_specular);
 //   scene.specular_values = etak::model_values(*scene.specular, scene.surface, {});
-//   scene.lights = etak::default_lights();
+//   scene.lights = etak::studio_lights();
 //   scene.width = scene.height = 64;            // pixels
 //
-//   const etak::Environment sky(etak::studio_environment(), 1, "studio", 2);
+//   const auto studio =
+//       etak::studio_environment(scene.lights.environment, scene.lights.environment_scale, 2);
 //   etak::Image picture;                        // linear light: red, green, blue, coverage
-//   etak::render_cpu(scene, &sky, 2, etak::Precision::f32, picture);
+//   etak::render_cpu(scene, studio.get(), 2, etak::Precision::f32, picture);
 //   const etak::Image8 codes = etak::to_codes(picture, scene.exposure, scene.transfer);
 //   const std::string png = etak::png_bytes(codes, {});
 //   std::printf("%d x %d, a PNG file of %zu bytes\n", codes.width, codes.height, png.size());

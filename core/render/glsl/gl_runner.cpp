@@ -337,6 +337,7 @@ std::optional<std::string> GlRunner::compile_error(const std::string& vertex, co
 Image GlRunner::render(const Scene& scene, const Environment* environment, std::optional<double>* gpu_ms) {
   Scene linear = scene;
   linear.exposure = 1;
+  linear.tone = Tone::plain;
   linear.transfer = Transfer::linear;
   state_->context.make_current();
   const Target target(GL_RGBA32F, scene.width, scene.height);
@@ -358,6 +359,7 @@ Image GlRunner::render(const Scene& scene, const TextureUse& use, const Image8& 
   validate(scene);
   Scene linear = scene;
   linear.exposure = 1;
+  linear.tone = Tone::plain;
   linear.transfer = Transfer::linear;
   linear.lights.environment.clear();
   state_->context.make_current();

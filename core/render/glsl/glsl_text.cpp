@@ -306,6 +306,7 @@ class SceneText {
       glue_.line("  color = " + display_->function + "(color);");
       return glue_.use("transfer", display_->name);
     }
+    tone();
     const char* curve = nullptr;
     switch (scene_.transfer) {
       case Transfer::srgb:
@@ -325,6 +326,24 @@ class SceneText {
     glue_.line("  color = max(color, vec3(0.0));");
     glue_.line("  color = vec3(" + call + "(color.x), " + call + "(color.y), " + call + "(color.z));");
     glue_.use("transfer", call);
+  }
+
+  void tone() {
+    const char* function = nullptr;
+    switch (scene_.tone) {
+      case Tone::neutral:
+        function = "tone_neutral";
+        break;
+      case Tone::agx_like:
+        function = "tone_agx_like";
+        break;
+      case Tone::plain:
+        break;
+    }
+    // Most scenes have none: no use telling everybody.
+    if (function == nullptr) return;
+    glue_.line("  color = " + std::string(function) + "(color);");
+    glue_.use("tone", function);
   }
 
   const Scene& scene_;

@@ -116,6 +116,20 @@ TEST_CASE("setups made by hand are held to the same") {
   CHECK_THROWS_AS(validate(setup, "x"), Error);
 }
 
+TEST_CASE("an environment takes the place of the hemispheres, none brings none back") {
+  LightSetup setup = default_lights();
+  choose_environment(setup, "sky.hdr");
+  CHECK(setup.environment == "sky.hdr");
+  CHECK(!setup.hemispheres);
+  CHECK(setup.lights == default_lights().lights);
+  choose_environment(setup, "");
+  CHECK(setup.environment.empty());
+  CHECK(!setup.hemispheres);
+  setup = default_lights();
+  choose_environment(setup, "");
+  CHECK(setup == default_lights());
+}
+
 TEST_CASE("names of kinds and forms come back") {
   for (const LightKind kind : {LightKind::point, LightKind::directional, LightKind::spot})
     CHECK(light_kind_named(name(kind)) == kind);
@@ -123,5 +137,5 @@ TEST_CASE("names of kinds and forms come back") {
     CHECK(hemisphere_form_named(name(form)) == form);
   CHECK(!light_kind_named("area"));
   CHECK(!hemisphere_form_named(""));
-  CHECK(light_rows().size() == 13);
+  CHECK(light_rows().size() == 16);
 }

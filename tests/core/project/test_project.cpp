@@ -41,12 +41,14 @@ Project full() {
   glass.datasets.push_back({"one", etak::test::glass(1.7), Origin::measured, "", {}, "", {}, {}, "", ""});
   out.spectra.push_back(glass);
   out.view.shape = Shape::quad;
+  out.view.lights = default_lights();
   out.view.lights.hemispheres->form = HemisphereForm::wide;
   out.view.lights.lights[0].kind = LightKind::spot;
   out.view.lights.environment = "studio";
   out.view.environment_turn_deg = 30;
   out.view.exposure = 1.5;
   out.view.display = "sRGB - Display";
+  out.view.tone = Tone::neutral;
   out.view.compare = {true, m, "ggx-f82"};
   out.view.compare.pinned->texture(Channel::gloss).reset();
   out.view.wedge = {true, "opacity", 5};

@@ -56,6 +56,69 @@ TEST_CASE("what no display shows becomes black or white") {
   CHECK(to_codes(picture, 1, Transfer::srgb).values == std::vector<std::uint8_t>{0, 0, 255});
 }
 
+TEST_CASE("18 % grey has its stated code under every tone curve, and grey stays grey") {
+  Image picture(1, 1, 3);
+  picture.values = {0.18f, 0.18f, 0.18f};
+  const auto codes = [&](Tone tone) { return to_codes(picture, 1, Transfer::srgb, tone).values; };
+  CHECK(codes(Tone::plain) == std::vector<std::uint8_t>{118, 118, 118});
+  CHECK(codes(Tone::neutral) == std::vector<std::uint8_t>{105, 105, 105});
+  CHECK(codes(Tone::agx_like) == std::vector<std::uint8_t>{118, 118, 118});
+  for (const Tone tone : {Tone::neutral, Tone::agx_like}) {
+    int before = 0;
+    for (float value = 1e-6f; value < 40; value *= 1.01f) {
+      picture.values = {value, value, value};
+      const auto seen = codes(tone);
+      REQUIRE(seen[0] == seen[1]);
+      REQUIRE(seen[0] == seen[2]);
+      REQUIRE(int{seen[0]} >= before);
+      before = seen[0];
+    }
+    CHECK(before >= 252);
+  }
+}
+
+TEST_CASE("Khronos PBR Neutral is what its specification computes") {
+  Image picture(1, 1, 4);
+  const auto linear = [&](float r, float g, float b) {
+    picture.values = {r, g, b, 1};
+    return to_codes(picture, 1, Transfer::linear, Tone::neutral).values;
+  };
+  const auto code = [](double value) { return static_cast<std::uint8_t>(std::lround(255 * value)); };
+  // Below 0.08 the square of the least channel is left of it: 6.25 x^2.
+  CHECK(linear(0.06f, 0.06f, 0.06f)[0] == code(6.25 * 0.06 * 0.06));
+  CHECK(linear(0.5f, 0.3f, 0.2f) == std::vector<std::uint8_t>{code(0.46), code(0.26), code(0.16)});
+  CHECK(linear(1, 1, 1)[0] == code(1 - 0.24 * 0.24 / (0.96 - 0.52)));
+  // Of (2, 0, 0): the peak becomes 0.961081, and 0.134827 of it is drawn to white.
+  CHECK(linear(2, 0, 0) == std::vector<std::uint8_t>{code(0.961081), code(0.129580), code(0.129580)});
+}
+
+TEST_CASE(
+    "the curve like AgX is sRGB's contrast at middle grey, white 6.5 stops above, and fades colours to "
+    "white") {
+  Image picture(1, 1, 4);
+  const auto srgb = [&](double r, double g, double b) {
+    picture.values = {float(r), float(g), float(b), 1};
+    return to_codes(picture, 1, Transfer::srgb, Tone::agx_like).values;
+  };
+  const auto grey = [&](double stops) {
+    return int{srgb(0.18 * std::exp2(stops), 0.18 * std::exp2(stops), 0.18 * std::exp2(stops))[0]};
+  };
+  // A stop about middle grey: 37 codes, of sRGB alone 38.
+  CHECK(grey(0.5) - grey(-0.5) == Approx(37).margin(1));
+  CHECK(grey(6.5) == 255);
+  CHECK(grey(5) < 255);
+  CHECK(grey(-10) == 0);
+  CHECK(grey(-6) > 0);
+  CHECK(srgb(50, 0, 0)[1] > 150);
+  CHECK(srgb(0.3, 0.02, 0.02)[1] < 60);
+  CHECK(srgb(-1, -1, -1)[0] == 0);
+}
+
+TEST_CASE("tone curves are found by their names") {
+  for (const Tone each : {Tone::plain, Tone::neutral, Tone::agx_like}) CHECK(tone_named(name(each)) == each);
+  CHECK_FALSE(tone_named("aces"));
+}
+
 TEST_CASE("transfers are found by their names") {
   for (const Transfer each : {Transfer::srgb, Transfer::power_045, Transfer::square_root, Transfer::linear})
     CHECK(transfer_named(name(each)) == each);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/render/environment.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "core/color/luminance.h"
+#include "core/color/srgb.h"
+#include "core/render/cpu_renderer.h"
 #include "core/render/reference.h"
 #include "tests/support.h"
 
@@ -55,7 +59,7 @@ TEST_CASE("the irradiance under a sky of one hemisphere is the closed form") {
 }
 
 TEST_CASE("sampling by luminance: the density integrates to 1 and its samples estimate the integral") {
-  const Environment studio(studio_environment(128), 1, "studio", 2);
+  const Environment studio(environment_picture(*find_studio("studio"), 128), 1, "studio", 2);
   double mass = 0, flux = 0, estimate = 0;
   const int rows = 256, columns = 512;
   for (int y = 0; y < rows; ++y)
@@ -79,7 +83,7 @@ TEST_CASE("sampling by luminance: the density integrates to 1 and its samples es
 }
 
 TEST_CASE("maps are the same for any number of threads") {
-  const Image map = studio_environment(128);
+  const Image map = environment_picture(*find_studio("studio"), 128);
   const Environment one(map, 1, "studio", 1), three(map, 1, "studio", 3);
   CHECK(one.irradiance_map() == three.irradiance_map());
   REQUIRE(one.levels().size() == three.levels().size());
@@ -108,8 +112,45 @@ TEST_CASE("broken environments are refused by name") {
   CHECK(test::contains(message(map), "radiance"));
 }
 
+TEST_CASE("a flat patch of 18 % that faces the camera shows 118 in every studio and in the standard light") {
+  Scene scene;
+  scene.shape = Shape::quad;
+  scene.width = scene.height = 16;
+  scene.diffuse = find_model("lambert");
+  scene.surface.diffuse = {0.18, 0.18, 0.18};
+  scene.diffuse_values = model_values(*scene.diffuse, scene.surface, {});
+  const auto patch = [&](const Environment& environment) {
+    Image picture;
+    render_cpu(scene, &environment, 1, Precision::f32, picture);
+    const float* const at = picture.at(8, 8).data();
+    return std::array<double, 4>{double{at[0]}, double{at[1]}, double{at[2]},
+                                 luminance_of<double>(at[0], at[1], at[2])};
+  };
+  const auto code = [](double linear) { return 255 * srgb_encode(linear); };
+  for (const NamedStudio& each : named_studios()) {
+    const std::array<double, 4> seen =
+        patch(Environment(environment_picture(each.studio, 512, 2), 1, std::string(each.name), 2));
+    CAPTURE(std::string(each.name), seen[0], seen[1], seen[2]);
+    CHECK(code(seen[3]) == Approx(118).margin(3));
+    // The sunset alone has a colour.
+    if (each.name == "sunset") continue;
+    for (std::size_t c = 0; c < 3; ++c) CHECK(code(seen[c]) == Approx(118).margin(3));
+  }
+  scene.lights = studio_lights();
+  const auto standard = studio_environment(scene.lights.environment, scene.lights.environment_scale, 2);
+  for (std::size_t c = 0; c < 3; ++c) CHECK(code(patch(*standard)[c]) == Approx(118).margin(3));
+}
+
+TEST_CASE("a studio's environment is made once, and one of another name is refused") {
+  const LightSetup standard = studio_lights();
+  const auto one = studio_environment(standard.environment, standard.environment_scale, 2);
+  CHECK(one == studio_environment(standard.environment, standard.environment_scale, 1));
+  CHECK(one->map().width == 1024);
+  CHECK(test::contains(test::error_of([] { (void)studio_environment("sky.hdr", 1, 1); }), "overcast"));
+}
+
 TEST_CASE("the prefiltered light is near the sampled one, nearer for sharper lobes") {
-  const Environment studio(studio_environment(256), 1, "studio", 2);
+  const Environment studio(environment_picture(*find_studio("studio"), 256), 1, "studio", 2);
   Scene scene;
   scene.width = scene.height = 40;
   scene.surface.f0 = {0.9, 0.9, 0.9};

@@ -84,7 +84,7 @@ TEST_CASE("turning the camera is turning all lights the other way") {
 }
 
 TEST_CASE("turning the environment is turning its map") {
-  const Image map = studio_environment(64);
+  const Image map = environment_picture(*find_studio("studio"), 64);
   Image moved = map;
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
