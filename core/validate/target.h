@@ -73,6 +73,7 @@ struct CheckTile {
   // the same all over the tile.
   std::array<std::optional<std::array<std::uint8_t, 4>>, 2> flat;
   std::string island_of;  // the material whose texels lie in several tiles; empty: the tile is no island
+  int own_around = 0;     // so many texels around the tile are what its picture has there, and no other's
   friend bool operator==(const CheckTile&, const CheckTile&) = default;
 };
 

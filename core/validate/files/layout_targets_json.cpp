@@ -49,7 +49,7 @@ std::string tile_name(const std::string& material, int island) {
 }
 
 // Only what the rules ask for is read: layouts of other programs may hold less and more than etak's.
-LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int levels) {
+LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int levels, int common_gutter) {
   node.expect_object();
   LayoutFacts::Place out{node.at("name").text(), {}};
   CheckTile& tile = out.tile;
@@ -64,7 +64,10 @@ LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int level
   if (node.has("gloss")) tile.typical_gloss = node.at("gloss").number();
   if (node.has("gutter")) tile.gutter = node.at("gutter").integer(0, max_image_side);
   // What is no copy of the edge cannot be held against it.
-  if (node.has("source_gutter") && node.at("source_gutter").boolean()) tile.gutter = 0;
+  if (node.has("source_gutter") && node.at("source_gutter").boolean()) {
+    tile.own_around = tile.gutter.value_or(common_gutter);
+    tile.gutter = 0;
+  }
   if (node.has("mips")) tile.mips = mips_of_tile(node.at("mips").integer(1, 16), levels);
   return out;
 }
@@ -132,7 +135,7 @@ LayoutFacts read_facts(const JsonNode& root) {
     for (std::size_t i = 0; i < materials.size(); ++i) out.materials.push_back(read_row(materials.at(i)));
   }
   for (std::size_t i = 0; i < rects.size(); ++i)
-    out.places.push_back(read_place(rects.at(i), pages.size(), levels));
+    out.places.push_back(read_place(rects.at(i), pages.size(), levels, out.common.gutter));
   return out;
 }
 
@@ -159,6 +162,7 @@ LayoutFacts facts_of(const AtlasLayout& layout) {
     tile.page = rect.page;
     tile.box = {rect.x, rect.y, rect.width, rect.height};
     tile.gutter = rect.source_gutter ? 0 : rect.gutter;
+    tile.own_around = rect.source_gutter ? rect.gutter : 0;
     tile.mips = mips_of_tile(rect.mips, layout.levels);
   }
   return out;
