@@ -37,7 +37,8 @@ void judge(const CheckTarget& target, const Evidence& evidence, const Settings& 
 /// What is known of the file before anything is opened: path, companions, roles.
 CheckedFile checked_file_of(const CheckTarget& target);
 
-/// The transfer function that holds for a target: its own statement, else that of the settings.
+/// The settings that hold for a target: its transfer function is its own statement, else that of the
+/// settings; of pages that are judged with their scene only the rules about layouts are on.
 Settings settings_for(const CheckTarget& target, const Settings& settings);
 
 /// Checks pictures in memory. Files of the target are not opened; their labels and roles go into the report.

@@ -26,17 +26,22 @@ struct NearestMaterial {
   friend bool operator==(const NearestMaterial&, const NearestMaterial&) = default;
 };
 
+/// A box in UVs: left, top, right and bottom in the whole texture, [0,1].
+using UvBox = std::array<double, 4>;
+
 /// One of the islands of an atlas that a finding is about.
 struct FindingIsland {
-  std::string tile;  // the island's own
+  std::string tile;  // the island's own; of a scene its material
   std::optional<PixelBox> box;
   std::size_t area_px = 0;
+  std::optional<UvBox> uv = {};  // as of a finding
   friend bool operator==(const FindingIsland&, const FindingIsland&) = default;
 };
 
 /// What a rule has to say of one place. Never more than one per rule, file and tile. Where the texels of a
 /// material lie in several islands, they are one tile of the material's name: values, box and area are those of the
-/// worst island, `islands` has all that the rule found something in.
+/// worst island (while a scene is packed the area is that of all), `islands` has all that the rule found
+/// something in.
 struct Finding {
   std::string rule;  // "ETK101"
   std::string slug;  // "f0-forbidden-zone"
@@ -47,6 +52,7 @@ struct Finding {
   std::string material;                // when named
   std::string pointer;                 // JSON pointer, for materials and scenes
   std::optional<PixelBox> box;
+  std::optional<UvBox> uv;  // of a scene's material: the box in its own textures, also where they were packed
   std::size_t area_px = 0;
   double area_share = 0;                        // of the tile
   std::optional<std::array<double, 3>> linear;  // the value found

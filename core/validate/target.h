@@ -87,6 +87,10 @@ struct Manifest {
   bool linear8_f0 = false;              // F0 is declared to be 8-bit linear (ETK405)
   bool transparent = false;             // alpha is transparency
   bool one_texture = false;             // the other texture was left out on purpose: its values are constant
+  // Of pages: the path of the scene that reads them, where that is judged too. What the pages show is judged
+  // with it, and here what their layout alone can break.
+  std::string scene;
+  bool packed = false;  // of a scene: its pictures are pages, whose sides their packer chose
   // The shader multiplies diffuse by 1 - max F0, as glTF's does (ETK201).
   bool specular_weighs_diffuse = false;
   friend bool operator==(const Manifest&, const Manifest&) = default;

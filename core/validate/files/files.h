@@ -16,6 +16,7 @@
 namespace etak {
 
 struct AtlasLayout;
+struct Evidence;
 
 // One target at a time: the parts that validate() (core/validate/validate.h) and PackCheck (check_pack.h) are
 // made of.
@@ -24,6 +25,19 @@ struct AtlasLayout;
 /// a rule ETK901, and the file is marked `unreadable`.
 CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                   unsigned threads = 1);
+
+/// Adds evidence of a target to what is there, and what it found to `file`. May throw.
+using EvidenceGatherer = std::function<void(const Settings&, Evidence&, CheckedFile& file)>;
+
+/// Judges the evidence that is gathered under the settings that hold for the target. What goes wrong while
+/// it is gathered is a finding, as of check().
+CheckedFile check_by(const CheckTarget& target, const Settings& settings, const EvidenceGatherer& look);
+
+/// Brings the findings of parts of a file into the order that judge() leaves.
+void sort_findings(CheckedFile& file);
+
+/// Adds the counts and costs of one part of a file to those of the file.
+void add_sums(const CheckedFile& one, CheckedFile& file);
 
 /// What was found of the tiles of a UDIM set, at least one, as one file: findings name their tiles.
 CheckedFile joined_tiles(std::vector<CheckedFile> tiles);

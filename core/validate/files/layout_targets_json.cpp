@@ -48,6 +48,11 @@ std::string tile_name(const std::string& material, int island) {
   return material + '#' + std::to_string(island);
 }
 
+// A scene among the files beside the pages.
+void add_other_file(const std::string& name, const std::string& path, Manifest& to) {
+  if (name.ends_with(".gltf")) to.scene = beside(path, name);
+}
+
 // Only what the rules ask for is read: layouts of other programs may hold less and more than etak's.
 LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int levels, int common_gutter) {
   node.expect_object();
@@ -111,7 +116,7 @@ LayoutFacts::Page read_page(const JsonNode& node) {
   return out;
 }
 
-LayoutFacts read_facts(const JsonNode& root) {
+LayoutFacts read_facts(const JsonNode& root, const std::string& path) {
   root.expect_object();
   const JsonNode pages = root.at("pages"), rects = root.at("rects");
   pages.expect_array();
@@ -129,6 +134,9 @@ LayoutFacts read_facts(const JsonNode& root) {
   }
   out.common.specular_weighs_diffuse =
       root.has("diffuse") && root.at("diffuse").text() == "reduced_when_shading" && !out.pages.empty();
+  if (root.has("other_files"))
+    for (const Json& name : root.at("other_files").value)
+      if (name.is_string()) add_other_file(name.get<std::string>(), path, out.common);
   if (root.has("materials")) {
     const JsonNode materials = root.at("materials");
     materials.expect_array();
@@ -140,8 +148,9 @@ LayoutFacts read_facts(const JsonNode& root) {
 }
 
 // The same of a layout in memory: what read_facts() finds in layout_json() of it.
-LayoutFacts facts_of(const AtlasLayout& layout) {
+LayoutFacts facts_of(const AtlasLayout& layout, const std::string& path) {
   LayoutFacts out;
+  for (const std::string& name : layout.other_files) add_other_file(name, path, out.common);
   for (const AtlasPage& page : layout.pages) {
     LayoutFacts::Page& to = out.pages.emplace_back();
     for (const auto& [texture, role] : {std::pair(Texture::diffuse_alpha, FileRole::diffuse_alpha),
@@ -182,6 +191,7 @@ CheckTarget target_of_numbers(const LayoutFacts& facts, const std::string& label
   place_flat_tiles(out.manifest);
   out.manifest.transfer = facts.common.transfer;
   out.manifest.specular_weighs_diffuse = facts.common.specular_weighs_diffuse;
+  out.manifest.scene = facts.common.scene;
   return out;
 }
 
@@ -222,12 +232,12 @@ std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::s
 std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const std::string& path,
                                                 const std::string& label) {
   const JsonDocument document = parse_json_strictly(text, label, 16, "an atlas layout");
-  return targets_of(read_facts(JsonNode{document, label, {}}), path, label);
+  return targets_of(read_facts(JsonNode{document, label, {}}, path), path, label);
 }
 
 std::vector<CheckTarget> targets_of_layout(const AtlasLayout& layout, const std::string& path,
                                            const std::string& label) {
-  return targets_of(facts_of(layout), path, label);
+  return targets_of(facts_of(layout, path), path, label);
 }
 
 }  // namespace etak

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/scene/material_uses.h"
+#include "core/scene/uv_use.h"
 #include "core/validate/files/files.h"
 #include "core/validate/pixels/evidence.h"
 
@@ -30,6 +32,8 @@ class MaterialLooks {
 /// understands, numbers instead of textures.
 std::vector<std::uint8_t> texels_in_use(const MaterialUses& uses, const std::vector<int>& materials,
                                         int width, int height);
+/// The same of uses that are known, of pictures of one size; null: not known.
+std::vector<std::uint8_t> texels_in_use(std::span<const TexelUse* const> uses);
 
 /// Hides the texels that are not in use from the rules: alpha 0, and beside visible ones
 /// their colour, so that no fringe is seen where nobody looks. Returns how many.
