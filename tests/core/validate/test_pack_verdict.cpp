@@ -190,7 +190,7 @@ TEST_CASE("a finding has its place on the page, of every island, and in UVs of t
         if (p != 0 || layout.pages.empty()) return true;
         const PixelsView8 view = pixels.view(Texture::specular_gloss);
         page = Image8(view.width, view.height, 4);
-        for (int y = 0; y < view.height; ++y) std::copy_n(view.row(y), 4 * view.width, page.at(0, y).begin());
+        for (int y = 0; y < view.height; ++y) std::copy_n(view.row(y), 4 * view.width, page.at(0, y).data());
         return true;
       };
       const ValidationReport packed = said_while_packing(scene, folder.file("out"), options, keep);
