@@ -337,6 +337,23 @@ PairOf<Value> scene_material_pair(const GltfMaterial& material, const SceneImage
   return Converter<Value>(material, images, gloss, keep_alpha, clamped).run();
 }
 
+Image8 scene_metallic(const GltfMaterial& material, const SceneImages<std::uint8_t>& images, int width,
+                      int height) {
+  if (material.specular_glossiness) return {};
+  Image8 out(width, height, 1, plain_u8(material.metallic));
+  if (!material.metallic_roughness_texture) return out;
+  const Image8& source = images(material.metallic_roughness_texture->image);
+  const std::size_t channel = source.channels >= 3 ? 2 : 0;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto texel =
+          source.at(texel_under(x, width, source.width), texel_under(y, height, source.height));
+      const double value = texel[channel] * material.metallic;
+      out.at(x, y)[0] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+    }
+  return out;
+}
+
 template MaterialPair scene_material_pair(const GltfMaterial&, const SceneImages<std::uint8_t>&, GlossForm,
                                           bool, std::size_t&);
 template FloatPair scene_material_pair(const GltfMaterial&, const SceneImages<float>&, GlossForm, bool,

@@ -28,6 +28,17 @@ template <class Value>
 PairOf<Value> scene_material_pair(const GltfMaterial& material, const SceneImages<Value>& images,
                                   GlossForm gloss, bool keep_alpha, std::size_t& clamped);
 
+/// The texel of a picture of `source` texels on a side that lies under the centre of texel x of `width`.
+constexpr int texel_under(int x, int width, int source) {
+  return static_cast<int>((2LL * x + 1) * source / (2LL * width));
+}
+
+/// How much of each texel of a material's pair is metal, as codes of one channel. A smaller texture is not
+/// filtered: a mask of metal stays one. Empty (0 x 0) for the specular-glossiness model.
+///   width, height   of the pair
+Image8 scene_metallic(const GltfMaterial& material, const SceneImages<std::uint8_t>& images, int width,
+                      int height);
+
 /// Where the texels of one texture of a material lie on another.
 struct TextureOnTexture {
   UvMatrix to_map{1, 0, 0, 0, 1, 0};  // from [0,1]^2 over the first texture's picture to UVs of the other

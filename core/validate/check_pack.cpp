@@ -9,6 +9,7 @@
 #include "core/validate/engine.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/find_targets.h"
+#include "core/validate/files/scene_on_pages.h"
 #include "core/validate/output/formats.h"
 
 namespace etak {
@@ -24,6 +25,8 @@ PictureHeader header_of_page() {
 
 }  // namespace
 
+PackCheck::~PackCheck() = default;
+
 PackCheck::PackCheck(const std::string& output, PackCheckOptions options)
     : options_(std::move(options)),
       path_(output + "/layout.json"),
@@ -37,36 +40,58 @@ void PackCheck::attach(PackOptions& options) {
     options.check.settings += "never";
   else if (settings.fail_on != Severity::error)
     options.check.settings += name(settings.fail_on);
+  door_ = options.input.pictures.door;
+  options.check.scene = [this](const PackedScene& packed) {
+    const std::string& path = packed.uses->scene().path;
+    scene_ =
+        std::make_unique<SceneOnPages>(packed, label_, relative_label(path, options_.config.root), door_);
+  };
   options.check.page = [this](const AtlasLayout& layout, int page, const PagePixels& pixels) {
-    return check_page(layout, page,
-                      [&](Texture texture) { return rows_of(pixels.view(texture), header_of_page()); });
+    return check_page(
+        layout, page, [&](Texture texture) { return rows_of(pixels.view(texture), header_of_page()); },
+        &pixels);
   };
   options.check.written_page = [this](const AtlasLayout& layout, int page,
                                       const std::function<std::string(Texture)>& path) {
-    return check_page(layout, page, [&](Texture texture) { return open_picture(path(texture), {}); });
+    return check_page(
+        layout, page, [&](Texture texture) { return open_picture(path(texture), {}); }, nullptr);
   };
 }
 
 bool PackCheck::check_page(const AtlasLayout& layout, int page,
-                           const std::function<std::unique_ptr<RowSource>(Texture)>& rows) {
-  // Pages come from the first one on each time the layout has changed.
-  if (page == 0) files_.clear();
-  const std::vector<CheckTarget> targets = targets_of_layout(layout, path_, label_);
+                           const std::function<std::unique_ptr<RowSource>(Texture)>& rows,
+                           const PagePixels* pixels) {
+  const Settings& settings = options_.config.settings;
+  std::vector<CheckTarget> targets = targets_of_layout(layout, path_, label_);
   const auto index = static_cast<std::size_t>(page);
-  if (index >= targets.size()) return true;  // no material that is on no page
-  const CheckTarget& target = targets[index];
-  const auto open = [&](const TargetFile& file) {
-    return rows(file.role == FileRole::diffuse_alpha ? Texture::diffuse_alpha : Texture::specular_gloss);
-  };
-  const CheckedFile& file = files_[target.label] =
-      check_opened(target, open, options_.config.settings, options_.threads);
-  return report_of_run({file}, options_.config, {}).passed || options_.never_fails;
+  const bool is_page = index < layout.pages.size();
+  // Pages come from the first one on each time the layout has changed.
+  if (page == 0) {
+    files_.clear();
+    if (scene_) scene_->start(layout);
+  }
+  std::vector<CheckedFile> found;
+  if (scene_) {
+    scene_->judge(page, is_page ? pixels : nullptr, settings, options_.threads);
+    found.push_back(scene_->found());
+  }
+  // No target where no material is on no page; and those of a scene were judged.
+  if (index < targets.size() && (is_page || !scene_)) {
+    CheckTarget& target = targets[index];
+    if (scene_) target.manifest.scene = scene_->path();
+    const auto open = [&](const TargetFile& file) {
+      return rows(file.role == FileRole::diffuse_alpha ? Texture::diffuse_alpha : Texture::specular_gloss);
+    };
+    found.push_back(files_[target.label] = check_opened(target, open, settings, options_.threads));
+  }
+  return report_of_run(std::move(found), options_.config, {}).passed || options_.never_fails;
 }
 
 const ValidationReport& PackCheck::finish(PackResult& report) {
   finished_ = true;
   std::vector<CheckedFile> files;
   for (auto& [label, file] : files_) files.push_back(std::move(file));
+  if (scene_) files.push_back(scene_->found());
   report_ = report_of_run(std::move(files), options_.config, {});
   report.validation = validation_json(report_, {options_.config.settings.fail_on, options_.version});
   return report_;

@@ -13,6 +13,8 @@
 
 namespace etak {
 
+class SceneOnPages;  // files/scene_on_pages.h
+
 /// How an atlas is judged.
 ///   never_fails   findings are told, but make no atlas bad
 ///   version       of the program, for the report as JSON
@@ -23,12 +25,15 @@ struct PackCheckOptions {
   std::string version;
 };
 
-/// What the validator says of an atlas that is packed (target etak::validate_files): what validate() says of
-/// the layout on the disk, looked at while the pages are in memory. One check for each call of pack().
+/// What the validator says of an atlas that is packed (target etak::validate_files), looked at while the
+/// pages are in memory: what validate() says of the layout on the disk. Of a scene it is what validate() says
+/// of the scene itself, by what its pages hold and with places on them (SceneOnPages), and of the pages what
+/// their layout alone can break. One check for each call of pack().
 class PackCheck {
  public:
   ///   output   the folder that the atlas goes to
   PackCheck(const std::string& output, PackCheckOptions options);
+  ~PackCheck();
 
   /// Has every page checked before it is put in place; this must live until pack() returns.
   void attach(PackOptions& options);
@@ -44,11 +49,13 @@ class PackCheck {
 
  private:
   bool check_page(const AtlasLayout& layout, int page,
-                  const std::function<std::unique_ptr<RowSource>(Texture)>& rows);
+                  const std::function<std::unique_ptr<RowSource>(Texture)>& rows, const PagePixels* pixels);
 
   PackCheckOptions options_;
   std::string path_, label_;                  // of the layout
   std::map<std::string, CheckedFile> files_;  // by label
+  PictureDoor door_;
+  std::unique_ptr<SceneOnPages> scene_;  // null: no scene is packed
   ValidationReport report_;
   bool finished_ = false;
 };

@@ -10,6 +10,7 @@
 #include "core/validate/pixels/pixel_pass.h"
 #include "core/validate/pixels/plan.h"
 #include "core/validate/rule_check.h"
+#include "core/validate/rules.h"
 
 namespace etak {
 
@@ -154,6 +155,9 @@ CheckedFile checked_file_of(const CheckTarget& target) {
 Settings settings_for(const CheckTarget& target, const Settings& settings) {
   Settings own = settings;
   if (target.manifest.transfer) own.transfer = *target.manifest.transfer;
+  if (!target.manifest.scene.empty())
+    for (const Rule* rule : rules())
+      if (!rule->needs.has(Need::layout)) own.rules[std::string(rule->id)].severity = Severity::off;
   return own;
 }
 

@@ -38,7 +38,8 @@ void judge(const CheckTarget& target, const Evidence& evidence, const Settings& 
 /// A CheckedFile with what is known before anything is opened: path, companions, roles.
 CheckedFile checked_file_of(const CheckTarget& target);
 
-/// The settings for one target: the transfer function that its manifest states replaces that of `settings`.
+/// The settings for one target: the transfer function that its manifest states replaces that of `settings`. For
+/// pages that are judged with their scene, only the rules about layouts are on.
 Settings settings_for(const CheckTarget& target, const Settings& settings);
 
 /// Checks pictures in memory. Files of the target are not opened; their labels and roles go into the report.

@@ -26,18 +26,22 @@ struct NearestMaterial {
   friend bool operator==(const NearestMaterial&, const NearestMaterial&) = default;
 };
 
+/// A box in UVs: left, top, right and bottom in the whole texture, [0,1].
+using UvBox = std::array<double, 4>;
+
 /// One of the islands of an atlas that a finding is about.
 struct FindingIsland {
-  std::string tile;  // name of the island's own tile
+  std::string tile;  // name of the island's own tile; of a scene, of its material
   std::optional<PixelBox> box;
   std::size_t area_px = 0;
+  std::optional<UvBox> uv = {};  // as of a finding
   friend bool operator==(const FindingIsland&, const FindingIsland&) = default;
 };
 
 /// A defect that a rule has found. A rule sums up the places in one picture and tile in one finding. Where
 /// the texels of a material lie in several islands, the finding is one for all of them: `tile` is the name of
-/// the material, values, box and area are those of the worst island, and `islands` lists all islands with the
-/// defect.
+/// the material, values, box and area are those of the worst island (while a scene is packed, the area is that
+/// of all islands), and `islands` lists all islands with the defect.
 struct Finding {
   std::string rule;  // "ETK101"
   std::string slug;  // "f0-forbidden-zone"
@@ -48,6 +52,7 @@ struct Finding {
   std::string material;                // where it is named
   std::string pointer;                 // JSON pointer, for materials and scenes
   std::optional<PixelBox> box;
+  std::optional<UvBox> uv;  // of a scene's material: the box in its own textures, also where they were packed
   std::size_t area_px = 0;
   double area_share = 0;                        // of the tile
   std::optional<std::array<double, 3>> linear;  // the value found

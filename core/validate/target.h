@@ -75,6 +75,7 @@ struct CheckTile {
   // constant over the tile.
   std::array<std::optional<std::array<std::uint8_t, 4>>, 2> flat;
   std::string island_of;  // material of an atlas whose texels may lie in several tiles; empty: no atlas
+  int own_around = 0;     // width of the frame around the tile that holds texels of the tile's own picture
   friend bool operator==(const CheckTile&, const CheckTile&) = default;
 };
 
@@ -88,6 +89,10 @@ struct Manifest {
   bool linear8_f0 = false;              // F0 is declared to be 8-bit linear (ETK405)
   bool transparent = false;             // alpha is transparency
   bool one_texture = false;             // the other texture was left out on purpose: its values are constant
+  // Of pages: the path of the scene that reads them, where that is judged too. What the pages show is judged
+  // with it, and here what their layout alone can break.
+  std::string scene;
+  bool packed = false;  // of a scene: its pictures are pages, whose sides their packer chose
   // The shader multiplies diffuse by 1 - max F0, as glTF's does (ETK201).
   bool specular_weighs_diffuse = false;
   friend bool operator==(const Manifest&, const Manifest&) = default;

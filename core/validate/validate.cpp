@@ -124,6 +124,22 @@ std::vector<CheckedFile> with_tiles_joined(std::vector<CheckedFile> files) {
   return out;
 }
 
+// Pages of an atlas are judged with the scene that reads them where that is checked too.
+void join_scenes(std::vector<FoundTarget>& targets) {
+  std::map<std::string, Manifest*> scenes;  // by path
+  for (FoundTarget& found : targets)
+    for (const TargetFile& file : found.target.files)
+      if (file.role == FileRole::scene) scenes.emplace(file.path, &found.target.manifest);
+  for (FoundTarget& found : targets) {
+    std::string& scene = found.target.manifest.scene;
+    const auto read = scenes.find(scene);
+    if (read == scenes.end())
+      scene.clear();
+    else
+      read->second->packed = true;
+  }
+}
+
 bool names_whole_tree(const ValidationRequest& request) {
   std::error_code failure;
   return std::ranges::any_of(request.paths, [&](const std::string& path) {
@@ -146,6 +162,7 @@ ValidationReport validate(ValidationRequest request) {
     FoundTarget& added = found.targets.emplace_back(FoundTarget{target, {}});
     for (const TargetFile& file : target.files) added.depends.push_back(file.path);
   }
+  join_scenes(found.targets);
   Checks checks(request, found.targets);
   checks.run();
   const RunCounts run{found.files, found.skipped, found.failed.size(),

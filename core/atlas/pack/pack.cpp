@@ -167,6 +167,7 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   if (const std::string& file = options.layout.previous; !file.empty())
     previous = parse_layout(read_file(file), file);
 
+  if (source.scene && options.check.scene) options.check.scene(source.scene->packed());
   PackDecision decision;
   FoundResolutions found;
   std::vector<Learned> learned(source.inputs.materials.size());

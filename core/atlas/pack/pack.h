@@ -28,6 +28,7 @@ namespace etak {
 class Output;        // core/base/files/output.h
 class OutputFolder;  // core/base/files/output_folder.h
 class PagePixels;    // core/atlas/texels/page_pixels.h
+struct PackedScene;  // core/atlas/pack/scene/gltf_pack.h
 
 // From a list of materials to an atlas on disk. The target is etak::pack, which is no part of etak::core
 // because it reads and writes picture files.
@@ -108,6 +109,8 @@ struct PackRunOptions {
 
 /// Functions that check the result before it is in place.
 struct PackCheckHooks {
+  // Told of a glTF scene before its first page.
+  std::function<void(const PackedScene&)> scene;
   // Called with every page when its pixels are whole, before they are written; says whether they are good
   // enough. Pages begin again at 0 when what later ones teach changes the layout, whose hashes are not known
   // yet. Last comes the number of pages, for materials that are on none. An atlas with a page that is not

@@ -19,6 +19,7 @@
 #include "core/validate/engine.h"
 #include "core/validate/files/material_evidence.h"
 #include "core/validate/files/metal_rough.h"
+#include "core/validate/files/scene_check.h"
 #include "core/validate/files/scene_use.h"
 #include "core/validate/pixels/flat_rows.h"
 #include "core/validate/rules.h"
@@ -110,32 +111,42 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
       if (header.label == base->label) evidence.a->header.channels = header.header.channels;
 }
 
-// The label of a file that a scene names, relative to the same folder as the label of the scene.
-std::string label_beside(const TargetFile& scene, const std::string& path) {
-  const std::filesystem::path folder = std::filesystem::path(scene.path).parent_path();
-  const std::filesystem::path relative =
-      std::filesystem::path(path).lexically_relative(folder.empty() ? "." : folder);
-  if (relative.empty()) return path;
-  return (std::filesystem::path(scene.label).parent_path() / relative).generic_string();
+// Judges every used material on its own, on the texels that triangles read.
+void check_scene(const TargetFile& of_scene, const CheckTarget& target, const PictureDoor& door,
+                 const Settings& settings, unsigned threads, CheckedFile& file) {
+  const GltfScene scene = read_gltf(of_scene.path, GltfOptions{});
+  const MaterialUses uses(scene);
+  SceneCheck check(uses, of_scene, door);
+  const bool wants_pixels = needs_of(target, settings).pixels();
+  if (wants_pixels)
+    for (const SceneLook& look : check.looks()) {
+      LoadedPictures pictures = check.pictures_of(look);
+      const auto use = texels_in_use(uses, look.materials, pictures.a.width, pictures.a.height);
+      add_look(check.judge(look, std::move(pictures), use, check.labels_of(look), target.manifest, settings,
+                           threads),
+               file);
+    }
+  const std::size_t decoded = wants_pixels ? check.textures() : 0;
+  file.stats.pictures_decoded += decoded;
+  file.stats.pictures_left_out += scene.images.size() - decoded;
+  check.judge_headers(target.manifest, settings, file);
 }
 
-std::string image_label(const TargetFile& of_scene, const GltfScene& scene, int image) {
-  const std::string& path = scene.images[static_cast<std::size_t>(image)].path;
-  return path.empty() ? of_scene.label + "#/images/" + std::to_string(image) : label_beside(of_scene, path);
+void check_material(const TargetFile& part, Evidence& evidence) {
+  const std::string text = read_file(part.path);
+  evidence.material = part.role == FileRole::material ? evidence_of_material(text, part.label)
+                                                      : evidence_of_spectrum(text, part.path, part.label);
 }
 
-// The two textures of a material that are judged.
-struct JudgedTextures {
-  const std::optional<GltfTexture>& first;
-  const std::optional<GltfTexture>& second;
-  FileRole first_role, second_role;
-};
-JudgedTextures textures_of(const GltfMaterial& m) {
-  if (m.specular_glossiness)
-    return {m.diffuse_texture, m.specular_glossiness_texture, FileRole::diffuse_alpha,
-            FileRole::specular_gloss};
-  return {m.base_color_texture, m.metallic_roughness_texture, FileRole::base_color, FileRole::metal_rough};
+std::string relabelled(std::string message, const CheckTarget& target) {
+  // Readers name the path they were given; reports name the label.
+  for (const TargetFile& file : target.files)
+    if (!file.path.empty() && file.path != file.label && message.starts_with(file.path))
+      return file.label + message.substr(file.path.size());
+  return message;
 }
+
+}  // namespace
 
 void add_sums(const CheckedFile& one, CheckedFile& file) {
   file.unreadable = file.unreadable || one.unreadable;
@@ -158,115 +169,13 @@ void add_sums(const CheckedFile& one, CheckedFile& file) {
   }
 }
 
-// Adds the findings and counts of one material to those of the scene.
-void add_material(const std::string& names, int index, CheckedFile one, CheckedFile& file) {
-  for (Finding& finding : one.findings) {
-    finding.material = names;
-    finding.pointer = "/materials/" + std::to_string(index);
-    file.findings.push_back(std::move(finding));
-  }
-  add_sums(one, file);
-}
-
-// Judges the header of each texture of a scene once.
-void check_headers(const TargetFile& of_scene, const GltfScene& scene, const std::map<int, FileRole>& roles,
-                   ScenePictures& pictures, const Settings& settings, CheckedFile& file) {
-  Evidence headers;
-  CheckTarget textures;
-  textures.label = of_scene.label;
-  for (const auto& [image, role] : roles) {
-    const std::string label = image_label(of_scene, scene, image);
-    headers.headers.push_back({pictures.header(image), label, role, {}});
-    file.companions.push_back(label);
-    file.roles.emplace_back(label, name(role));
-  }
-  judge(textures, headers, settings, file);
-}
-
-// Judges every used material on its own, on the texels that triangles read. The header of a texture is judged
-// once, however many materials use it.
-void check_scene(const TargetFile& of_scene, const CheckTarget& target, const PictureDoor& door,
-                 const Settings& settings, unsigned threads, CheckedFile& file) {
-  const GltfScene scene = read_gltf(of_scene.path, GltfOptions{});
-  const MaterialUses uses(scene);
-  const MaterialLooks looks(scene);
-  ScenePictures pictures(scene.images, door);
-  const auto label_of = [&](const std::optional<GltfTexture>& texture) {
-    return texture ? image_label(of_scene, scene, texture->image) : of_scene.label;
-  };
-  const bool wants_pixels = needs_of(target, settings).pixels();
-  std::map<int, FileRole> roles;  // by image
-  std::vector<bool> done(scene.materials.size());
-  for (const GltfMaterial& material : scene.materials) {
-    const auto index = static_cast<std::size_t>(material.index);
-    if (!scene.material_used[index] || done[index]) continue;
-    // Materials of one look are judged once, under all their names.
-    const std::vector<int>& users = looks.of(material.index);
-    std::string names;
-    for (const int user : users) {
-      done[static_cast<std::size_t>(user)] = true;
-      names += (names.empty() ? "" : ", ") + scene.materials[static_cast<std::size_t>(user)].name;
-    }
-    const auto [color, second, first_role, second_role] = textures_of(material);
-    if (color) roles.emplace(color->image, first_role);
-    if (second) roles.emplace(second->image, second_role);
-    if (!wants_pixels) continue;
-
-    CheckTarget part;
-    part.label = of_scene.label;
-    part.files = {{first_role, "", label_of(color), false}, {second_role, "", label_of(second), false}};
-    part.manifest = target.manifest;
-    part.manifest.tiles.clear();
-    part.manifest.specular_weighs_diffuse = true;
-    Evidence evidence;
-    evidence.metal_rough = !material.specular_glossiness;
-    CheckedFile one;
-    LoadedPictures converted = convert_material(material, pictures);
-    const std::size_t hidden =
-        hide_unused(converted, texels_in_use(uses, users, converted.a.width, converted.a.height));
-    look_at_pixels(
-        part, [&](Needs) { return converted.in_memory().rows(); }, settings, threads, evidence, one);
-    forget_unused(evidence, hidden);
-    // The alpha of an opaque material has no effect, so that its picture counts as one without alpha.
-    if (evidence.a) evidence.a->header.channels = material.alpha_mode == AlphaMode::opaque || !color ? 3 : 4;
-    if (evidence.b && !second) evidence.b->header.channels = evidence.metal_rough ? 3 : 4;
-    judge(part, evidence, settings, one);
-    add_material(names, material.index, std::move(one), file);
-  }
-  const std::size_t decoded = wants_pixels ? roles.size() : 0;
-  file.stats.pictures_decoded += decoded;
-  file.stats.pictures_left_out += scene.images.size() - decoded;
-  check_headers(of_scene, scene, roles, pictures, settings, file);
-}
-
-void check_material(const TargetFile& part, Evidence& evidence) {
-  const std::string text = read_file(part.path);
-  evidence.material = part.role == FileRole::material ? evidence_of_material(text, part.label)
-                                                      : evidence_of_spectrum(text, part.path, part.label);
-}
-
-// Puts findings into the order in which judge() leaves them.
 void sort_findings(CheckedFile& file) {
   std::stable_sort(file.findings.begin(), file.findings.end(), [](const Finding& a, const Finding& b) {
     return std::tie(a.rule, a.tile, a.pointer) < std::tie(b.rule, b.tile, b.pointer);
   });
 }
 
-std::string relabelled(std::string message, const CheckTarget& target) {
-  // Readers name the path they were given; reports name the label.
-  for (const TargetFile& file : target.files)
-    if (!file.path.empty() && file.path != file.label && message.starts_with(file.path))
-      return file.label + message.substr(file.path.size());
-  return message;
-}
-
-}  // namespace
-
-namespace {
-
-// Gathers evidence by look(settings, evidence, file) and judges it. Errors of `look` become findings.
-template <class Look>
-CheckedFile checked(const CheckTarget& target, const Settings& settings, Look look) {
+CheckedFile check_by(const CheckTarget& target, const Settings& settings, const EvidenceGatherer& look) {
   const Settings own = settings_for(target, settings);
   CheckedFile file = checked_file_of(target);
   Evidence evidence;
@@ -296,11 +205,9 @@ CheckedFile checked(const CheckTarget& target, const Settings& settings, Look lo
   return file;
 }
 
-}  // namespace
-
 CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                   unsigned threads) {
-  return checked(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
+  return check_by(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
     if (const TargetFile* scene = with_role(target, {FileRole::scene}))
       return check_scene(*scene, target, door, own, threads, file);
     if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
@@ -313,7 +220,7 @@ CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Sett
 
 CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
                          unsigned threads) {
-  return checked(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
+  return check_by(target, settings, [&](const Settings& own, Evidence& evidence, CheckedFile& file) {
     check_pair(target, open, own, threads, evidence, file);
   });
 }

@@ -16,6 +16,7 @@
 namespace etak {
 
 struct AtlasLayout;
+struct Evidence;
 
 // Checks of one target: the parts that validate() (core/validate/validate.h) and PackCheck (check_pack.h) are
 // made of.
@@ -24,6 +25,19 @@ struct AtlasLayout;
 /// a rule ETK901, and the file is marked `unreadable`.
 CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
                   unsigned threads = 1);
+
+/// Adds evidence of a target to what is there, and what was found meanwhile to `file`. May throw.
+using EvidenceGatherer = std::function<void(const Settings&, Evidence&, CheckedFile& file)>;
+
+/// Gathers the evidence under the settings for the target and judges it. An error of `look` becomes a finding,
+/// as in check().
+CheckedFile check_by(const CheckTarget& target, const Settings& settings, const EvidenceGatherer& look);
+
+/// Puts findings into the order in which judge() leaves them.
+void sort_findings(CheckedFile& file);
+
+/// Adds the counts and costs of one part of a file to those of the file.
+void add_sums(const CheckedFile& one, CheckedFile& file);
 
 /// Joins the results of the tiles of a UDIM set, at least one, to one result, whose findings name their
 /// tiles.

@@ -49,9 +49,14 @@ std::string tile_name(const std::string& material, int island) {
   return material + '#' + std::to_string(island);
 }
 
+// A scene among the files beside the pages.
+void add_other_file(const std::string& name, const std::string& path, Manifest& to) {
+  if (name.ends_with(".gltf")) to.scene = beside(path, name);
+}
+
 // Reads only what the rules need, because layouts of other programs may hold less and more than those of
 // etak.
-LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int levels) {
+LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int levels, int common_gutter) {
   node.expect_object();
   LayoutFacts::Place out{node.at("name").text(), {}};
   CheckTile& tile = out.tile;
@@ -66,7 +71,10 @@ LayoutFacts::Place read_place(const JsonNode& node, std::size_t pages, int level
   if (node.has("gloss")) tile.typical_gloss = node.at("gloss").number();
   if (node.has("gutter")) tile.gutter = node.at("gutter").integer(0, max_image_side);
   // A gutter from the picture itself is no copy of the edge and cannot be compared with it.
-  if (node.has("source_gutter") && node.at("source_gutter").boolean()) tile.gutter = 0;
+  if (node.has("source_gutter") && node.at("source_gutter").boolean()) {
+    tile.own_around = tile.gutter.value_or(common_gutter);
+    tile.gutter = 0;
+  }
   if (node.has("mips")) tile.mips = mips_of_tile(node.at("mips").integer(1, 16), levels);
   return out;
 }
@@ -110,7 +118,7 @@ LayoutFacts::Page read_page(const JsonNode& node) {
   return out;
 }
 
-LayoutFacts read_facts(const JsonNode& root) {
+LayoutFacts read_facts(const JsonNode& root, const std::string& path) {
   root.expect_object();
   const JsonNode pages = root.at("pages"), rects = root.at("rects");
   pages.expect_array();
@@ -128,19 +136,23 @@ LayoutFacts read_facts(const JsonNode& root) {
   }
   out.common.specular_weighs_diffuse =
       root.has("diffuse") && root.at("diffuse").text() == "reduced_when_shading" && !out.pages.empty();
+  if (root.has("other_files"))
+    for (const Json& name : root.at("other_files").value)
+      if (name.is_string()) add_other_file(name.get<std::string>(), path, out.common);
   if (root.has("materials")) {
     const JsonNode materials = root.at("materials");
     materials.expect_array();
     for (std::size_t i = 0; i < materials.size(); ++i) out.materials.push_back(read_row(materials.at(i)));
   }
   for (std::size_t i = 0; i < rects.size(); ++i)
-    out.places.push_back(read_place(rects.at(i), pages.size(), levels));
+    out.places.push_back(read_place(rects.at(i), pages.size(), levels, out.common.gutter));
   return out;
 }
 
 // The facts of a layout in memory, equal to those that read_facts() finds in its JSON.
-LayoutFacts facts_of(const AtlasLayout& layout) {
+LayoutFacts facts_of(const AtlasLayout& layout, const std::string& path) {
   LayoutFacts out;
+  for (const std::string& name : layout.other_files) add_other_file(name, path, out.common);
   for (const AtlasPage& page : layout.pages) {
     LayoutFacts::Page& to = out.pages.emplace_back();
     for (const auto& [texture, role] : {std::pair(Texture::diffuse_alpha, FileRole::diffuse_alpha),
@@ -161,6 +173,7 @@ LayoutFacts facts_of(const AtlasLayout& layout) {
     tile.page = rect.page;
     tile.box = {rect.x, rect.y, rect.width, rect.height};
     tile.gutter = rect.source_gutter ? 0 : rect.gutter;
+    tile.own_around = rect.source_gutter ? rect.gutter : 0;
     tile.mips = mips_of_tile(rect.mips, layout.levels);
   }
   return out;
@@ -180,6 +193,7 @@ CheckTarget target_of_numbers(const LayoutFacts& facts, const std::string& label
   place_flat_tiles(out.manifest);
   out.manifest.transfer = facts.common.transfer;
   out.manifest.specular_weighs_diffuse = facts.common.specular_weighs_diffuse;
+  out.manifest.scene = facts.common.scene;
   return out;
 }
 
@@ -220,12 +234,12 @@ std::vector<CheckTarget> targets_of_layout(const std::string& path, const std::s
 std::vector<CheckTarget> targets_of_layout_text(const std::string& text, const std::string& path,
                                                 const std::string& label) {
   const JsonDocument document = parse_json_strictly(text, label, 16, "an atlas layout");
-  return targets_of(read_facts(JsonNode{document, label, {}}), path, label);
+  return targets_of(read_facts(JsonNode{document, label, {}}, path), path, label);
 }
 
 std::vector<CheckTarget> targets_of_layout(const AtlasLayout& layout, const std::string& path,
                                            const std::string& label) {
-  return targets_of(facts_of(layout), path, label);
+  return targets_of(facts_of(layout, path), path, label);
 }
 
 }  // namespace etak

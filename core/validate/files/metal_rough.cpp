@@ -2,25 +2,14 @@
 #include "core/validate/files/metal_rough.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <memory>
 #include <mutex>
 
-#include "core/color/srgb.h"
 #include "core/image/load.h"
 #include "core/scene/gltf_convert.h"
 
 namespace etak {
-
-namespace {
-
-// The texel of a picture of `source` texels on a side that lies under the centre of texel x of `width`.
-int under(int x, int width, int source) {
-  return static_cast<int>((2LL * x + 1) * source / (2LL * width));
-}
-
-}  // namespace
 
 ScenePictures::ScenePictures(const std::vector<PictureFile>& images, const PictureDoor& door)
     : images_(&images), door_(&door), codes_(images.size()), headers_(images.size()) {}
@@ -50,25 +39,13 @@ const PictureHeader& ScenePictures::header(int image) {
 
 LoadedPictures convert_material(const GltfMaterial& material, ScenePictures& pictures) {
   std::size_t clamped = 0;
-  MaterialPair pair = scene_material_pair<std::uint8_t>(
-      material, [&](int image) -> const Image8& { return pictures.codes(image); },
-      GlossForm::one_minus_roughness, material.alpha_mode != AlphaMode::opaque, clamped);
+  const SceneImages<std::uint8_t> images = [&](int image) -> const Image8& { return pictures.codes(image); };
+  MaterialPair pair = scene_material_pair(material, images, GlossForm::one_minus_roughness,
+                                          material.alpha_mode != AlphaMode::opaque, clamped);
   LoadedPictures out;
+  out.metallic = scene_metallic(material, images, pair.diffuse_alpha.width, pair.diffuse_alpha.height);
   out.a = std::move(pair.diffuse_alpha);
   out.b = std::move(pair.specular_gloss);
-  if (material.specular_glossiness) return out;
-  out.metallic = Image8(out.a.width, out.a.height, 1, plain_u8(material.metallic));
-  if (!material.metallic_roughness_texture) return out;
-  const Image8& source = pictures.codes(material.metallic_roughness_texture->image);
-  const std::size_t channel = source.channels >= 3 ? 2 : 0;
-  for (int y = 0; y < out.metallic.height; ++y)
-    for (int x = 0; x < out.metallic.width; ++x) {
-      // The texel under the centre: a mask of metal is not smoothed.
-      const int u = under(x, out.metallic.width, source.width),
-                v = under(y, out.metallic.height, source.height);
-      const double value = source.at(u, v)[channel] * material.metallic;
-      out.metallic.at(x, y)[0] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
-    }
   return out;
 }
 
@@ -146,7 +123,7 @@ Image8 MetalRoughSet::joined(ScenePictures& pictures) const {
     const Image8& from = pictures.codes(image);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
-        const auto texel = from.at(under(x, width, from.width), under(y, height, from.height));
+        const auto texel = from.at(texel_under(x, width, from.width), texel_under(y, height, from.height));
         put(out.at(x, y), four_channels(texel.data(), texel.size(), std::uint8_t{255}));
       }
   };

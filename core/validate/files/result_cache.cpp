@@ -22,7 +22,7 @@
 namespace etak {
 namespace {
 
-constexpr std::string_view format_name = "etak-result/2 ";
+constexpr std::string_view format_name = "etak-result/3 ";
 constexpr std::size_t largest_entry = std::size_t{64} << 20;
 constexpr std::size_t shortest_key = 16, longest_key = 4096;
 
@@ -71,7 +71,8 @@ std::optional<std::string> read_entry(const Descriptor& file) {
 void add_manifest(std::string& text, const Manifest& manifest) {
   text += std::to_string(manifest.gutter) + ' ' + std::to_string(manifest.mips.value_or(-1)) + ' ' +
           (manifest.transfer ? std::string(name(*manifest.transfer)) : "-") + ' ' +
-          (manifest.linear8_f0 ? '1' : '0') + (manifest.transparent ? '1' : '0') + '\n' + manifest.material +
+          (manifest.linear8_f0 ? '1' : '0') + (manifest.transparent ? '1' : '0') +
+          (manifest.packed ? '1' : '0') + (manifest.scene.empty() ? '0' : '1') + '\n' + manifest.material +
           '\n' + manifest.surface_class + '\n';
   for (const CheckTile& tile : manifest.tiles)
     text += tile.name + '\n' + tile.material + '\n' + tile.surface_class + '\n' + std::to_string(tile.box.x) +

@@ -53,7 +53,8 @@ Json finding_json(const Finding& f) {
                       f.cause,
                       f.fix,
                       f.source,
-                      islands});
+                      islands,
+                      optional_json(f.uv)});
 }
 
 Finding read_finding(const Json& json) {
@@ -88,6 +89,7 @@ Finding read_finding(const Json& json) {
   for (const Json& island : next())
     f.islands.push_back(
         {island.at(0).get<std::string>(), read_box(island.at(1)), island.at(2).get<std::size_t>()});
+  read_optional(next(), f.uv);
   return f;
 }
 

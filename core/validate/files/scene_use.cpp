@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "core/base/error.h"
-#include "core/scene/uv_use.h"
 
 namespace etak {
 
@@ -30,6 +29,29 @@ void take_color(Image8& picture, const std::vector<std::uint8_t>& use, int x, in
       from = picture.at(u, v).data();
     }
   if (from != nullptr) std::memcpy(picture.at(x, y).data(), from, 3);
+}
+
+// Adds the texels that one material reads; false where it is not known that it reads any.
+bool add_use(const TexelUse& use, std::vector<std::uint8_t>& texels) {
+  if (use.touched == 0) return false;
+  if (texels.empty()) texels.resize(use.mask.size());
+  for (std::size_t i = 0; i < texels.size(); ++i) texels[i] |= use.mask[i];
+  return true;
+}
+
+// Marks the texels of row y that lie so near to a texel in use that take_color() may find it. Most hidden
+// texels lie farther away, and the search around them is saved.
+void mark_near(const std::vector<std::uint8_t>& use, int width, int height, int y,
+               std::vector<std::uint8_t>& near) {
+  const auto columns = static_cast<std::size_t>(width);
+  std::vector<std::uint8_t> column(columns + 2 * fringe_reach, 0);
+  for (int v = std::max(0, y - fringe_reach); v <= std::min(height - 1, y + fringe_reach); ++v) {
+    const std::uint8_t* row = use.data() + static_cast<std::size_t>(v) * columns;
+    for (std::size_t x = 0; x < columns; ++x) column[x + fringe_reach] |= row[x];
+  }
+  near.assign(columns, 0);
+  for (std::size_t shift = 0; shift <= 2 * fringe_reach; ++shift)
+    for (std::size_t x = 0; x < columns; ++x) near[x] |= column[x + shift];
 }
 
 // Everything that decides the pictures of a material: name, normal map, sides and UVs do not.
@@ -68,10 +90,7 @@ std::vector<std::uint8_t> texels_in_use(const MaterialUses& uses, const std::vec
     const GltfTexture* lead = leading_texture(material);
     if (lead == nullptr || !textures_agree(material)) return {};
     try {
-      const TexelUse use = texel_use(uses, index, *lead, width, height);
-      if (use.tiles || use.touched == 0 || use.mask.empty()) return {};
-      if (out.empty()) out.resize(use.mask.size());
-      for (std::size_t i = 0; i < out.size(); ++i) out[i] |= use.mask[i];
+      if (!add_use(texel_use(uses, index, *lead, width, height), out)) return {};
     } catch (const Error&) {
       return {};  // some UVs are not finite
     }
@@ -79,19 +98,29 @@ std::vector<std::uint8_t> texels_in_use(const MaterialUses& uses, const std::vec
   return out;
 }
 
+std::vector<std::uint8_t> texels_in_use(std::span<const TexelUse* const> uses) {
+  std::vector<std::uint8_t> out;
+  for (const TexelUse* use : uses)
+    if (use == nullptr || !add_use(*use, out)) return {};
+  return out;
+}
+
 std::size_t hide_unused(LoadedPictures& pictures, const std::vector<std::uint8_t>& use) {
   if (use.empty()) return 0;
   std::size_t hidden = 0;
   Image8& a = pictures.a;
-  for (int y = 0; y < a.height; ++y)
+  std::vector<std::uint8_t> near;
+  for (int y = 0; y < a.height; ++y) {
+    mark_near(use, a.width, a.height, y, near);
     for (int x = 0; x < a.width; ++x) {
       if (use[static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) +
               static_cast<std::size_t>(x)] != 0)
         continue;
-      take_color(a, use, x, y);
+      if (near[static_cast<std::size_t>(x)] != 0) take_color(a, use, x, y);
       a.at(x, y)[3] = 0;
       ++hidden;
     }
+  }
   return hidden;
 }
 

@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/scene/material_uses.h"
+#include "core/scene/uv_use.h"
 #include "core/validate/files/files.h"
 #include "core/validate/pixels/evidence.h"
 
@@ -31,6 +33,8 @@ class MaterialLooks {
 /// be evaluated, constants instead of textures.
 std::vector<std::uint8_t> texels_in_use(const MaterialUses& uses, const std::vector<int>& materials,
                                         int width, int height);
+/// The same of uses that are known, of pictures of one size; null: not known.
+std::vector<std::uint8_t> texels_in_use(std::span<const TexelUse* const> uses);
 
 /// Hides the texels that are not in use from the rules by an alpha of 0. Beside visible texels they also get
 /// the colour of these, so that ETK502 finds no fringe there. Returns the number of hidden texels.

@@ -23,6 +23,16 @@ Json box_json(const std::optional<PixelBox>& box) {
   return box ? Json::array({box->x, box->y, box->width, box->height}) : Json(nullptr);
 }
 
+Json uv_json(const UvBox& uv) {
+  return Json::array({uv[0], uv[1], uv[2], uv[3]});
+}
+
+Json island_json(const FindingIsland& island) {
+  Json out = {{"tile", island.tile}, {"bbox", box_json(island.box)}, {"areaPx", island.area_px}};
+  if (island.uv) out["uv"] = uv_json(*island.uv);
+  return out;
+}
+
 Json finding_json(const Finding& finding) {
   Json out = Json::object();
   out["id"] = finding.rule;
@@ -36,10 +46,9 @@ Json finding_json(const Finding& finding) {
   out["bbox"] = box_json(finding.box);
   if (!finding.islands.empty()) {
     out["islands"] = Json::array();
-    for (const FindingIsland& island : finding.islands)
-      out["islands"].push_back(
-          {{"tile", island.tile}, {"bbox", box_json(island.box)}, {"areaPx", island.area_px}});
+    for (const FindingIsland& island : finding.islands) out["islands"].push_back(island_json(island));
   }
+  if (finding.uv) out["uv"] = uv_json(*finding.uv);
   out["areaPx"] = finding.area_px;
   out["areaShare"] = finding.area_share;
   out["value"] = value_json(finding);

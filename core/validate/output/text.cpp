@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/files/input.h"
+#include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/validate/output/formats.h"
 
@@ -47,6 +48,12 @@ std::string place_of(const Finding& finding, const std::string& file) {
   if (finding.box)
     out += " [" + std::to_string(finding.box->x) + ',' + std::to_string(finding.box->y) + ' ' +
            std::to_string(finding.box->width) + 'x' + std::to_string(finding.box->height) + ']';
+  // Of a page the place in the material's own textures, where it can be mended.
+  if (!finding.tile.empty() && finding.uv) {
+    const UvBox& uv = *finding.uv;
+    out += " (UV " + number(uv[0], 3) + ' ' + number(uv[1], 3) + " to " + number(uv[2], 3) + ' ' +
+           number(uv[3], 3) + ')';
+  }
   if (!finding.islands.empty()) {
     const std::size_t more = finding.islands.size() - 1;
     out += " and " + grouped(more) + (more == 1 ? " more island" : " more islands");

@@ -29,10 +29,18 @@ void mix(std::array<std::uint64_t, 2>& hash, const std::uint8_t* bytes, std::siz
   }
 }
 
+// The box with `around` more texels on every side, inside a picture.
+PixelBox grown_inside(const PixelBox& box, int around, int width, int height) {
+  const int x = std::max(0, box.x - around), y = std::max(0, box.y - around);
+  return {x, y, std::min(width, box.x + box.width + around) - x,
+          std::min(height, box.y + box.height + around) - y};
+}
+
 }  // namespace
 
 TileFrame::TileFrame(const CheckTile& whole, int picture_width, int picture_height, const PassPlan& plan)
     : tile_(whole.box),
+      own_(grown_inside(whole.box, whole.own_around, picture_width, picture_height)),
       width_(picture_width),
       height_(picture_height),
       gutter_(plan.gutter_of(whole)),
@@ -80,13 +88,13 @@ void TileFrame::push_level(Level& level, int y, const RowPointers& row) {
     std::fill(level.page.begin(), level.page.end(), 0);
     std::fill(level.alone.begin(), level.alone.end(), 0);
   }
-  const int right = tile_.x + tile_.width, below = tile_.y + tile_.height;
-  const bool edge_row = top < tile_.y || bottom > below;
-  // For `alone` the tile's edge is repeated beyond the tile: edge rows and columns also get the weight of the
-  // rows and columns outside.
+  const int right = own_.x + own_.width, below = own_.y + own_.height;
+  const bool edge_row = top < own_.y || bottom > below;
+  // For `alone` the edge is repeated beyond what is the tile's own: edge rows and columns also get the weight of
+  // the rows and columns outside.
   std::uint64_t row_weight = 0;
-  if (y >= tile_.y && y < below)
-    row_weight = 1 + static_cast<std::uint64_t>((y == tile_.y ? std::max(0, tile_.y - top) : 0) +
+  if (y >= own_.y && y < below)
+    row_weight = 1 + static_cast<std::uint64_t>((y == own_.y ? std::max(0, own_.y - top) : 0) +
                                                 (y == below - 1 ? std::max(0, bottom - below) : 0));
   const auto& linear = plan_.tables->linear;
   const auto add_block = [&](int block_x) {
@@ -95,10 +103,10 @@ void TileFrame::push_level(Level& level, int y, const RowPointers& row) {
     std::uint64_t* alone = level.alone.data() + 8 * static_cast<std::size_t>(block_x - level.first_x);
     for (int x = x0; x < x1; ++x) {
       std::uint64_t weight = row_weight;
-      if (x < tile_.x || x >= right)
+      if (x < own_.x || x >= right)
         weight = 0;
       else if (weight != 0)
-        weight *= 1 + static_cast<std::uint64_t>((x == tile_.x ? std::max(0, tile_.x - x0) : 0) +
+        weight *= 1 + static_cast<std::uint64_t>((x == own_.x ? std::max(0, own_.x - x0) : 0) +
                                                  (x == right - 1 ? std::max(0, x1 - right) : 0));
       for (std::size_t c = 0; c < 8; ++c) {
         // The pointer is chosen in a step of its own: GCC 12 turns `(p ? a : b)[i]` into `p ? a[i] : b[i]`,
@@ -114,9 +122,9 @@ void TileFrame::push_level(Level& level, int y, const RowPointers& row) {
   if (edge_row) {
     for (int block = level.first_x; block <= level.last_x; ++block) add_block(block);
   } else {
-    if (level.first_x * level.side < tile_.x) add_block(level.first_x);
+    if (level.first_x * level.side < own_.x) add_block(level.first_x);
     const bool right_edge = (level.last_x + 1) * level.side > right;
-    if (right_edge && (level.last_x != level.first_x || level.first_x * level.side >= tile_.x))
+    if (right_edge && (level.last_x != level.first_x || level.first_x * level.side >= own_.x))
       add_block(level.last_x);
   }
   if (y == bottom - 1) judge_row(level, block_y);

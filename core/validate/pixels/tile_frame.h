@@ -24,7 +24,8 @@ class TileFrame {
   void finish(TileEvidence& evidence) const;
 
  private:
-  /// The blocks of one mip level that lie partly outside the tile but whose centre is inside.
+  /// The blocks of one mip level that lie partly outside of what is the tile's own but whose centre is in
+  /// the tile.
   struct Level {
     int side = 2;
     int first_x = 0, last_x = 0, first_y = 0, last_y = 0;  // of all blocks with their centre inside
@@ -38,6 +39,7 @@ class TileFrame {
   void compare_gutter(const std::uint8_t* texel, const std::uint8_t* inner, int x, int y);
 
   PixelBox tile_;
+  PixelBox own_;  // with what is its own around it
   int width_, height_, gutter_, reach_;
   const PassPlan& plan_;
   std::vector<Level> levels_;

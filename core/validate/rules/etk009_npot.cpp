@@ -7,7 +7,7 @@ namespace {
 
 void etk009(RuleCheck& check) {
   // The sides of an atlas page are the choice of its packer.
-  if (!check.target.manifest.tiles.empty()) return;
+  if (!check.target.manifest.tiles.empty() || check.target.manifest.packed) return;
   const auto power_of_two = [](int side) { return side > 0 && (side & (side - 1)) == 0; };
   for (const PictureEvidence& picture : check.evidence.headers) {
     const PictureHeader& h = picture.header;

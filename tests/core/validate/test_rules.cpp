@@ -319,6 +319,18 @@ TEST_CASE("unaligned tiles with a gutter of g stay clean up to level log2(g) + 1
     CHECK(!found(check_set(set), "ETK505"));
     set.manifest.mips = clean + 2;
     CHECK(found(check_set(set), "ETK504"));
+    // A gutter that is no copy of the edge is taken for a neighbour's, unless it is said to be its own.
+    TextureSet source = set;
+    fill(source.b, {tile.x - gutter, tile.y - gutter, tile.width + 2 * gutter, tile.height + 2 * gutter},
+         {150, 150, 150});
+    fill(source.b, tile, {56, 56, 56});
+    source.manifest.gutter = 0;
+    source.manifest.mips = clean;
+    CHECK(found(check_set(source), "ETK504"));
+    source.manifest.tiles[0].own_around = gutter;
+    CHECK(!found(check_set(source), "ETK504"));
+    source.manifest.mips = clean + 2;
+    CHECK(found(check_set(source), "ETK504"));
     set.b.at(tile.x - 1, tile.y + 3)[1] = 80;
     const CheckedFile broken = check_set(set);
     REQUIRE(find(broken, "ETK505") != nullptr);

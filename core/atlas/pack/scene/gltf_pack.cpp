@@ -140,6 +140,8 @@ void ScenePack::State::learn(std::size_t i) {
   std::size_t outside = 0;
   auto pair = std::make_shared<MaterialPair>(
       scene_material_pair(m, images, gloss, options.leave_out.keep.contains("alpha"), outside));
+  if (options.check.scene)
+    entry.metallic = scene_metallic(m, images, pair->diffuse_alpha.width, pair->diffuse_alpha.height);
   give_back_pictures(m);
   in.width = in.facts.width = pair->diffuse_alpha.width;
   in.height = in.facts.height = pair->diffuse_alpha.height;
@@ -254,6 +256,18 @@ const GltfScene& ScenePack::scene() const {
 
 PackInputs ScenePack::inputs() {
   return state_->inputs;
+}
+
+PackedScene ScenePack::packed() const {
+  PackedScene out;
+  out.uses = &*state_->uses;
+  for (std::size_t i = 0; i < state_->entries.size(); ++i) {
+    const State::Entry& entry = state_->entries[i];
+    out.materials.emplace(entry.material,
+                          PackedScene::Material{state_->inputs.materials[i].name, entry.pair.get(),
+                                                entry.use ? &*entry.use : nullptr, &entry.metallic});
+  }
+  return out;
 }
 
 int ScenePack::sampled_levels(int levels) const {

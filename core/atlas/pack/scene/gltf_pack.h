@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,11 +13,24 @@
 #include "core/atlas/texels/compose.h"
 #include "core/base/files/output_folder.h"
 #include "core/scene/gltf.h"
+#include "core/scene/uv_use.h"
 
 namespace etak {
 
 struct PackDecision;
 struct PackOptions;
+
+/// A scene that is packed, as a check of its pages sees it. Lives until pack() returns.
+struct PackedScene {
+  struct Material {
+    std::string name;                    // in the layout
+    const MaterialPair* pair = nullptr;  // as the scene's own files give it, whole
+    const TexelUse* use = nullptr;       // of the pair's texels; null: not known
+    const Image8* metallic = nullptr;    // beside the pair, as of scene_metallic()
+  };
+  const MaterialUses* uses = nullptr;
+  std::map<int, Material> materials;  // those that are packed, by their index in the document
+};
 
 /// A glTF scene as input and output of the packer.
 class ScenePack {
@@ -30,6 +44,9 @@ class ScenePack {
 
   /// The materials that are packed.
   PackInputs inputs();
+
+  /// What PackCheckHooks::scene is told; where that is not set, metallic is empty.
+  PackedScene packed() const;
 
   /// Mips that the scene's samplers read, where pages hold `levels` (0: all).
   int sampled_levels(int levels) const;

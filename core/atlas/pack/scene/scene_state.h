@@ -24,6 +24,7 @@ struct ScenePack::State {
     int material = -1;  // in the document
     std::optional<TexelUse> use;
     std::shared_ptr<const MaterialPair> pair;
+    Image8 metallic;                   // for a check that asks for it
     bool tiles = false;                // on a page of its own
     double clamped = 0;                // percent of the texels whose gloss was brought back to 0..1
     std::vector<std::string> remarks;  // from the thread that learned it
