@@ -33,9 +33,11 @@ class RuleCheck {
   Severity at_least(Severity severity) const;
   Severity at_most(Severity severity) const;
 
-  /// A finding with the rule's facts filled in, about the whole target; about a picture; about a tile.
+  /// A finding with the rule's facts filled in, about the whole target; about a picture; about a map; about a
+  /// tile.
   Finding& report();
   Finding& report(const PictureEvidence& picture);
+  Finding& report(const MapEvidence& map);
   Finding& report(const TileEvidence& tile, FileRole role);
 
   /// A finding about plateaus: box around all, their area, colour of the largest.
@@ -70,6 +72,13 @@ void for_each_region(RuleCheck& check, RegionKind kind, Act act) {
   for (const TileEvidence& tile : check.evidence.tiles)
     if (const PlateauSummary* found = tile.region(kind); found != nullptr && found->regions != 0)
       act(tile, *found);
+}
+
+/// act(map) for every map of this role.
+template <class Act>
+void for_each_map(const RuleCheck& check, FileRole role, Act act) {
+  for (const MapEvidence& map : check.evidence.maps)
+    if (map.role == role) act(map);
 }
 
 /// "2,914 px (0.07 %)".

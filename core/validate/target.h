@@ -30,11 +30,12 @@ enum class FileRole {
   scene,     // glTF
   material,  // material JSON
   spectrum,  // page or table of n,k or reflectance
-  // What names tell and no rule judges.
+  // Maps beside a material's colours, which the 7xx rules judge.
   normal,
   height,
   occlusion,
   emissive,
+  // What names tell and no rule judges.
   opacity,
   other,    // cavity, masks, translucency, ...
   ignored,  // left out by [names] of etak.toml
@@ -48,6 +49,10 @@ std::optional<FileRole> picture_role_named(std::string_view text);
 // What a person may say that a picture is.
 inline constexpr std::string_view picture_roles = "diffuse, specular, f0, base-color or metal-rough";
 
+/// Which way the green channel of a normal map points: up or down in the picture.
+enum class GreenAxis { unsaid, opengl, directx };
+std::string_view name(GreenAxis green);  // "opengl", "directx"; empty: unsaid
+
 struct TargetFile {
   FileRole role = FileRole::specular_gloss;
   std::string path;      // to open
@@ -55,6 +60,7 @@ struct TargetFile {
   bool guessed = false;  // the role comes from the file's name (ETK010)
   // What R, G, B and A hold, a letter each (channel_word of names.h); empty: the role's own layout.
   std::string channels = {};
+  GreenAxis green = GreenAxis::unsaid;  // of a normal map, by its name
   friend bool operator==(const TargetFile&, const TargetFile&) = default;
 };
 
@@ -99,6 +105,8 @@ struct CheckTarget {
   Manifest manifest;
   std::string udim = {};  // of a tile: the label with <UDIM> in the place of its number, equal for all tiles
   std::string tile = {};  // "1001"
+  // Files of other targets that the maps of this one are held against: base colour, roughness, gloss.
+  std::vector<TargetFile> beside = {};
   friend bool operator==(const CheckTarget&, const CheckTarget&) = default;
 };
 

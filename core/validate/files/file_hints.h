@@ -24,4 +24,7 @@ bool looks_like_spectrum(const std::string& path);
 /// Throws Error where a link leads from `folder` out to `path`, which was found there and which nobody named.
 void check_links(const std::string& folder, const std::string& path);
 
+/// `path` relative to `root` (empty: the working folder) as text alone (links are not looked at), with '/'.
+std::string relative_label(const std::string& path, const std::string& root);
+
 }  // namespace etak

@@ -17,6 +17,7 @@
 #include "core/image/picture_endings.h"
 #include "core/scene/gltf.h"
 #include "core/validate/engine.h"
+#include "core/validate/files/check_maps.h"
 #include "core/validate/files/material_evidence.h"
 #include "core/validate/files/metal_rough.h"
 #include "core/validate/files/scene_use.h"
@@ -168,9 +169,10 @@ void add_material(const std::string& names, int index, CheckedFile one, CheckedF
   add_sums(one, file);
 }
 
-// The headers of a scene's textures, each once.
+// The headers of a scene's textures and its normal maps, each once.
 void check_headers(const TargetFile& of_scene, const GltfScene& scene, const std::map<int, FileRole>& roles,
-                   ScenePictures& pictures, const Settings& settings, CheckedFile& file) {
+                   ScenePictures& pictures, std::vector<MapEvidence> maps, const Settings& settings,
+                   CheckedFile& file) {
   Evidence headers;
   CheckTarget textures;
   textures.label = of_scene.label;
@@ -180,6 +182,11 @@ void check_headers(const TargetFile& of_scene, const GltfScene& scene, const std
     file.companions.push_back(label);
     file.roles.emplace_back(label, name(role));
   }
+  for (const MapEvidence& map : maps) {
+    file.companions.push_back(map.label);
+    file.roles.emplace_back(map.label, name(map.role));
+  }
+  headers.maps = std::move(maps);
   judge(textures, headers, settings, file);
 }
 
@@ -194,7 +201,8 @@ void check_scene(const TargetFile& of_scene, const CheckTarget& target, const Pi
   const auto label_of = [&](const std::optional<GltfTexture>& texture) {
     return texture ? image_label(of_scene, scene, texture->image) : of_scene.label;
   };
-  const bool wants_pixels = needs_of(target, settings).pixels();
+  const Needs needs = needs_of(target, settings);
+  const bool wants_pixels = needs.pixels();
   std::map<int, FileRole> roles;  // by image
   std::vector<bool> done(scene.materials.size());
   for (const GltfMaterial& material : scene.materials) {
@@ -233,10 +241,26 @@ void check_scene(const TargetFile& of_scene, const CheckTarget& target, const Pi
     judge(part, evidence, settings, one);
     add_material(names, material.index, std::move(one), file);
   }
-  const std::size_t decoded = wants_pixels ? roles.size() : 0;
+  std::vector<MapEvidence> maps;
+  if (needs.has(Need::maps))
+    maps = normal_maps_of(scene, door, [&](int image) { return image_label(of_scene, scene, image); });
+  const std::size_t decoded = (wants_pixels ? roles.size() : 0) + maps.size();
   file.stats.pictures_decoded += decoded;
-  file.stats.pictures_left_out += scene.images.size() - decoded;
-  check_headers(of_scene, scene, roles, pictures, settings, file);
+  file.stats.pictures_left_out += scene.images.size() - std::min(decoded, scene.images.size());
+  check_headers(of_scene, scene, roles, pictures, std::move(maps), settings, file);
+}
+
+void check_map_set(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
+                   Evidence& evidence, CheckedFile& file) {
+  if (!needs_of(target, settings).has(Need::maps)) {
+    file.stats.pictures_left_out += target.files.size();
+    return;
+  }
+  evidence.maps = maps_of(target, door);
+  file.stats.pictures_decoded += evidence.maps.size();
+  if (evidence.maps.empty()) return;
+  file.width = evidence.maps.front().width;
+  file.height = evidence.maps.front().height;
 }
 
 void check_material(const TargetFile& part, Evidence& evidence) {
@@ -305,6 +329,7 @@ CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Sett
       return check_scene(*scene, target, door, own, threads, file);
     if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
       return check_material(*material, evidence);
+    if (is_map_set(target)) return check_map_set(target, door, own, evidence, file);
     if (MetalRoughSet::is_set(target)) return check_metal_rough(target, door, own, threads, evidence, file);
     const auto open = [&](const TargetFile& part) { return open_picture(part.path, door); };
     check_pair(target, open, own, threads, evidence, file);
