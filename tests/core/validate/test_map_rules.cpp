@@ -303,7 +303,7 @@ TEST_CASE("defects of normal maps are found from the stated strength on, and cle
       grey.normals = clean.height;
       plant("ETK710", grey, kind, seed);
       MapSet shiny = clean;
-      shiny.normals = normals_of(heights, 2);
+      shiny.normals = normals_of(heights, 4);
       shiny.gloss = Image8(side, side, 1, 60);
       plant("ETK709", shiny, kind, seed);
     }
@@ -373,9 +373,9 @@ TEST_CASE("flat areas in two codes, constant maps and maps of two channels are t
 }
 
 TEST_CASE("rough relief asks for wide highlights, and gloss that answers is left alone") {
-  MapSet set{normals_of(surface(2, 5, side), 2), {}, Image8(side, side, 1, 60)};
+  MapSet set{normals_of(surface(2, 5, side), 4), {}, Image8(side, side, 1, 60)};
   CHECK(find(judged(set), "ETK709") != nullptr);
-  set.gloss = Image8(side, side, 1, 200);
+  set.gloss = Image8(side, side, 1, 230);
   CHECK(find(judged(set), "ETK709") == nullptr);
   set.gloss = Image8(side, side, 1, 60);
   set.normals = normals_of(surface(2, 5, side), 0.1);
