@@ -91,7 +91,7 @@ JpegComb JpegCombSearch::comb_of(const Grid& grid) {
 }
 
 std::optional<JpegComb> JpegCombSearch::finish() const {
-  constexpr double least_score = 0.5, least_lead = 0.25;
+  constexpr double least_score = 0.3, least_lead = 0.2;
   const JpegComb aligned = comb_of(grids_[0]), aside = comb_of(grids_[1]);
   if (aligned.score < least_score || aligned.score < aside.score + least_lead) return std::nullopt;
   return aligned;

@@ -14,7 +14,7 @@ namespace etak {
 
 namespace {
 
-constexpr std::int64_t texels_looked_at = std::int64_t{1} << 22;
+constexpr std::int64_t texels_looked_at = std::int64_t{1} << 20;
 
 // Every how many bands one is looked at.
 int band_step(const PictureHeader& map) {

@@ -9,11 +9,11 @@
 
 namespace etak {
 
-// Maps are looked at in bands of rows: all of them up to 4 million texels, evenly spread ones of larger maps.
+// Maps are looked at in bands of rows: all of them up to a million texels, evenly spread ones of larger maps.
 // A defect of a share of the texels is found in such a sample as well, and the cost stays below that of
 // decoding.
 
-inline constexpr int map_band_rows = 32;
+inline constexpr int map_band_rows = 16;
 
 /// Where the channel of gloss or roughness lies in the picture beside a normal map.
 struct GlossPlace {

@@ -51,8 +51,8 @@ constinit const Rule etk701_normal_not_unit{
     "glTF 2.0, 3.9.3: normals are unit vectors; rounding to 8 bits makes at most 0.9 codes",
     "The length of 2 % of the texels is more than 2.5 codes of 127.5 away from 1: found for lengths off by 4 "
     "codes on 5 % of the texels. Not where another rule says why (ETK704, ETK706, ETK708, ETK710), nor where "
-    "z is left to the shader (blue all 0, or all 255). Of maps above 4 million texels evenly spread bands of "
-    "32 rows are looked at, by all 7xx rules.",
+    "z is left to the shader (blue all 0, or all 255). Of maps above a million texels evenly spread bands of "
+    "16 rows are looked at, by all 7xx rules.",
     "Programs that do not normalise shade such texels too dark or too bright, and those that do not store z "
     "get another normal.",
     "Two normal maps blended by a layer mode for colours.",
