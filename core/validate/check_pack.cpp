@@ -7,6 +7,7 @@
 #include "core/atlas/texels/page_pixels.h"
 #include "core/image/load.h"
 #include "core/validate/engine.h"
+#include "core/validate/files/file_hints.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/find_targets.h"
 #include "core/validate/files/scene_on_pages.h"

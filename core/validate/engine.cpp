@@ -7,6 +7,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "core/validate/names/names.h"
 #include "core/validate/pixels/pixel_pass.h"
 #include "core/validate/pixels/plan.h"
 #include "core/validate/rule_check.h"
@@ -117,10 +118,11 @@ Needs needs_of(const Settings& settings) {
 }
 
 Needs needs_of(const CheckTarget& target, const Settings& settings) {
-  bool metal_rough = false, pictures = false, materials = false;
+  bool metal_rough = false, pictures = false, materials = false, maps = false;
   for (const TargetFile& file : target.files) {
     metal_rough = metal_rough || file.role == FileRole::metal_rough || file.role == FileRole::metallic ||
                   file.role == FileRole::scene;
+    maps = maps || file.role == FileRole::scene || is_map(file.role);
     materials = materials || file.role == FileRole::material || file.role == FileRole::spectrum;
     pictures = pictures || file.role <= FileRole::roughness || file.role == FileRole::scene;
   }
@@ -133,6 +135,7 @@ Needs needs_of(const CheckTarget& target, const Settings& settings) {
   for (const Rule* rule : rules()) {
     if (severity_of(*rule, settings) == Severity::off) continue;
     if (rule->needs.has(Need::metal_rough) && !metal_rough) continue;
+    if (rule->needs.has(Need::maps) && !maps) continue;
     if (rule->needs.has(Need::layout) && !atlas) continue;
     if (rule->needs.has(Need::named) && !named) continue;
     if (rule->needs.has(Need::material) && !materials) continue;

@@ -25,6 +25,7 @@ enum class Need : std::uint32_t {
   scene = 1u << 7,        // a glTF document
   material = 1u << 8,     // material files and spectra
   named = 1u << 9,        // the name of the material
+  maps = 1u << 10,        // normal, occlusion and emissive maps, which have a pass of their own
 };
 
 /// A set of needs.

@@ -97,6 +97,12 @@ Finding& RuleCheck::report(const PictureEvidence& picture) {
   return finding;
 }
 
+Finding& RuleCheck::report(const MapEvidence& map) {
+  Finding& finding = report();
+  finding.file = map.label;
+  return finding;
+}
+
 Finding& RuleCheck::report(const TileEvidence& tile, FileRole role) {
   Finding& finding = report();
   finding.file = label_of(target, role);

@@ -34,10 +34,11 @@ class RuleCheck {
   Severity at_least(Severity severity) const;
   Severity at_most(Severity severity) const;
 
-  /// Adds a finding with the rule's facts filled in, about the whole target, a picture or a tile. The
+  /// Adds a finding with the rule's facts filled in, about the whole target, a picture, a map or a tile. The
   /// reference holds until the next finding is added.
   Finding& report();
   Finding& report(const PictureEvidence& picture);
+  Finding& report(const MapEvidence& map);
   Finding& report(const TileEvidence& tile, FileRole role);
 
   /// Adds a finding about plateaus, with the box around all of them, their whole area, and the colour of one.
@@ -73,6 +74,13 @@ void for_each_region(RuleCheck& check, RegionKind kind, Act act) {
   for (const TileEvidence& tile : check.evidence.tiles)
     if (const PlateauSummary* found = tile.region(kind); found != nullptr && found->regions != 0)
       act(tile, *found);
+}
+
+/// act(map) for every map of this role.
+template <class Act>
+void for_each_map(const RuleCheck& check, FileRole role, Act act) {
+  for (const MapEvidence& map : check.evidence.maps)
+    if (map.role == role) act(map);
 }
 
 /// "2,914 px (0.07 %)".

@@ -39,7 +39,7 @@ std::string_view Rule::family() const {
                                            "Encoding and precision",
                                            "Alpha, mips and atlas",
                                            "Material and spectral data",
-                                           "",
+                                           "Normal, occlusion and emissive maps",
                                            "",
                                            "Tool"};
   return families[static_cast<std::size_t>(id[3] - '0')];

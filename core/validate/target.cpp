@@ -43,6 +43,18 @@ std::string_view name(FileRole role) {
   return "";
 }
 
+std::string_view name(GreenAxis green) {
+  switch (green) {
+    case GreenAxis::opengl:
+      return "opengl";
+    case GreenAxis::directx:
+      return "directx";
+    case GreenAxis::unsaid:
+      break;
+  }
+  return "";
+}
+
 std::optional<FileRole> role_named(std::string_view text) {
   return role_in(text, [](FileRole role) { return role <= FileRole::spectrum && role != FileRole::gloss; });
 }

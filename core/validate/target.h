@@ -30,11 +30,12 @@ enum class FileRole {
   scene,     // glTF
   material,  // material JSON
   spectrum,  // page or table of n,k or reflectance
-  // Roles that names tell, and that no rule judges.
+  // Maps beside the colours of a material, which the rules 7xx judge.
   normal,
   height,
   occlusion,
   emissive,
+  // What names tell and no rule judges.
   opacity,
   other,    // cavity, masks, translucency, ...
   ignored,  // left out by [names] of etak.toml
@@ -48,6 +49,10 @@ std::optional<FileRole> picture_role_named(std::string_view text);
 // The roles that a user may give to a picture, for messages.
 inline constexpr std::string_view picture_roles = "diffuse, specular, f0, base-color or metal-rough";
 
+/// The direction in the picture in which the green channel of a normal map points: up (OpenGL) or down (DirectX).
+enum class GreenAxis { unsaid, opengl, directx };
+std::string_view name(GreenAxis green);  // "opengl", "directx"; empty: unsaid
+
 /// A file of a target.
 struct TargetFile {
   FileRole role = FileRole::specular_gloss;
@@ -57,6 +62,7 @@ struct TargetFile {
   // What R, G, B and A hold, a letter for each (channel_word of names.h); empty: the usual channels of the
   // role.
   std::string channels = {};
+  GreenAxis green = GreenAxis::unsaid;  // of a normal map, by its name
   friend bool operator==(const TargetFile&, const TargetFile&) = default;
 };
 
@@ -106,6 +112,8 @@ struct CheckTarget {
   Manifest manifest;
   std::string udim = {};  // of a tile: the label with <UDIM> in the place of its number, equal for all tiles
   std::string tile = {};  // "1001"
+  // Files of other targets that the maps of this one are held against: base colour, roughness, gloss.
+  std::vector<TargetFile> beside = {};
   friend bool operator==(const CheckTarget&, const CheckTarget&) = default;
 };
 

@@ -57,4 +57,12 @@ void check_links(const std::string& folder, const std::string& path) {
   (void)path_beside(folder, fs::path(path).lexically_relative(folder.empty() ? "." : folder).string());
 }
 
+std::string relative_label(const std::string& path, const std::string& root) {
+  std::error_code failure;
+  const fs::path whole = fs::absolute(path, failure).lexically_normal();
+  const fs::path relative =
+      whole.lexically_relative(root.empty() ? fs::current_path(failure) : fs::path(root));
+  return relative.empty() ? whole.filename().string() : relative.generic_string();
+}
+
 }  // namespace etak

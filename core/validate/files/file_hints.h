@@ -26,4 +26,7 @@ bool looks_like_spectrum(const std::string& path);
 /// Throws Error where `path`, which a search of `folder` has found, leads out of the folder by a link.
 void check_links(const std::string& folder, const std::string& path);
 
+/// `path` relative to `root` (empty: the working folder) as text alone (links are not looked at), with '/'.
+std::string relative_label(const std::string& path, const std::string& root);
+
 }  // namespace etak

@@ -17,6 +17,7 @@
 #include "core/image/picture_endings.h"
 #include "core/scene/gltf.h"
 #include "core/validate/engine.h"
+#include "core/validate/files/check_maps.h"
 #include "core/validate/files/material_evidence.h"
 #include "core/validate/files/metal_rough.h"
 #include "core/validate/files/scene_check.h"
@@ -169,6 +170,25 @@ void add_sums(const CheckedFile& one, CheckedFile& file) {
   }
 }
 
+void check_map_set(const CheckTarget& target, const PictureDoor& door, const Settings& settings,
+                   Evidence& evidence, CheckedFile& file) {
+  if (!needs_of(target, settings).has(Need::maps)) {
+    file.stats.pictures_left_out += target.files.size();
+    return;
+  }
+  evidence.maps = maps_of(target, door);
+  file.stats.pictures_decoded += evidence.maps.size();
+  if (evidence.maps.empty()) return;
+  file.width = evidence.maps.front().width;
+  file.height = evidence.maps.front().height;
+}
+
+void check_material(const TargetFile& part, Evidence& evidence) {
+  const std::string text = read_file(part.path);
+  evidence.material = part.role == FileRole::material ? evidence_of_material(text, part.label)
+                                                      : evidence_of_spectrum(text, part.path, part.label);
+}
+
 void sort_findings(CheckedFile& file) {
   std::stable_sort(file.findings.begin(), file.findings.end(), [](const Finding& a, const Finding& b) {
     return std::tie(a.rule, a.tile, a.pointer) < std::tie(b.rule, b.tile, b.pointer);
@@ -212,6 +232,7 @@ CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Sett
       return check_scene(*scene, target, door, own, threads, file);
     if (const TargetFile* material = with_role(target, {FileRole::material, FileRole::spectrum}))
       return check_material(*material, evidence);
+    if (is_map_set(target)) return check_map_set(target, door, own, evidence, file);
     if (MetalRoughSet::is_set(target)) return check_metal_rough(target, door, own, threads, evidence, file);
     const auto open = [&](const TargetFile& part) { return open_picture(part.path, door); };
     check_pair(target, open, own, threads, evidence, file);

@@ -29,8 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string_view folder_of(std::string_view path) {
-  const auto slash = path.rfind('/');
-  return slash == path.npos ? std::string_view() : path.substr(0, slash + 1);
+  return path.substr(0, path.rfind('/') + 1);  // npos + 1 is 0
 }
 
 // So many names of a list that lead to no file are reported one by one, and the others counted: a list of a
@@ -308,11 +307,12 @@ class Finder {
   // Adds possible companions from the folders of the run's pictures. Each folder is listed once.
   void add_companions() {
     if (request_.role) return;
-    std::unordered_set<std::string> have, keys;
+    std::unordered_set<std::string> have, keys, keys_of_maps;
     std::set<std::string> folders;
     for (const NamedPicture& picture : pictures_) {
       have.insert(picture.path);
       keys.insert(picture.key);
+      if (is_map(picture.name.role)) keys_of_maps.insert(picture.key);
       folders.insert(std::string(folder_of(picture.path)));
     }
     for (const std::string& folder : folders) {
@@ -322,7 +322,9 @@ class Finder {
         const std::string path = folder + at->path().filename().string();
         if (have.contains(path) || claimed_.contains(path)) continue;
         auto picture = named_picture(path);
-        if (!picture || !is_judged(picture->name.role) || !keys.contains(picture->key)) continue;
+        if (!picture || !(is_judged(picture->name.role) ? keys : keys_of_maps).contains(picture->key) ||
+            !(is_judged(picture->name.role) || is_map(picture->name.role)))
+          continue;
         std::error_code gone;
         if (path.ends_with(".json") || (at->exists(gone) && !at->is_regular_file(gone))) continue;
         const auto kind = role_of_file(path);
@@ -378,12 +380,14 @@ class Finder {
   void add_set(const PictureSet& set) {
     FoundTarget found;
     found.target.manifest = request_.manifest;
-    for (const NamedPicture* member : set.members) {
-      found.target.files.push_back(
-          {member->name.role, member->path, label(member->path), member->guessed, member->name.channels});
-      found.depends.push_back(member->path);
-    }
     CheckTarget& target = found.target;
+    for (auto [pictures, files] :
+         {std::pair(&set.members, &target.files), std::pair(&set.beside, &target.beside)})
+      for (const NamedPicture* member : *pictures) {
+        files->push_back({member->name.role, member->path, label(member->path), member->guessed,
+                          member->name.channels, member->name.green});
+        found.depends.push_back(member->path);
+      }
     target.label = target.files.front().label;
     if (!set.missing.empty()) return add_lone(target, set.missing);
     const ParsedName& name = set.members.front()->name;
@@ -434,14 +438,6 @@ class Finder {
 };
 
 }  // namespace
-
-std::string relative_label(const std::string& path, const std::string& root) {
-  std::error_code failure;
-  const fs::path whole = fs::absolute(path, failure).lexically_normal();
-  const fs::path relative =
-      whole.lexically_relative(root.empty() ? fs::current_path(failure) : fs::path(root));
-  return relative.empty() ? whole.filename().string() : relative.generic_string();
-}
 
 FoundTargets find_targets(ValidationRequest& request) {
   return Finder(request).find();

@@ -46,7 +46,4 @@ struct FoundTargets {
 /// because there may be a million of them.
 FoundTargets find_targets(ValidationRequest& request);
 
-/// `path` relative to `root` (empty: the working folder) as text alone (links are not looked at), with '/'.
-std::string relative_label(const std::string& path, const std::string& root);
-
 }  // namespace etak

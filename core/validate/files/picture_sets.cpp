@@ -46,6 +46,7 @@ class SetMaker {
 
   std::vector<PictureSet> run() {
     settle_roles();
+    PictureSet maps = take_maps();
     take_f0();
     const bool metal = has(FileRole::metal_rough) || has(FileRole::metallic);
     if (has(FileRole::base_color) && (metal || !has(FileRole::specular_gloss)))
@@ -54,6 +55,7 @@ class SetMaker {
       rename(FileRole::base_color, FileRole::diffuse_alpha);
     take_pairs();
     take_lone_parts();
+    if (!maps.members.empty()) judge_together(std::move(maps));
     return std::move(sets_);
   }
 
@@ -98,7 +100,23 @@ class SetMaker {
             "masks in an order that its name does not tell; metallic only beside a roughness file";
       }
     }
-    std::erase_if(left_, [](const NamedPicture* p) { return !is_judged(p->name.role); });
+    std::erase_if(left_,
+                  [](const NamedPicture* p) { return !is_judged(p->name.role) && !is_map(p->name.role); });
+  }
+
+  // Normal, occlusion and emissive maps, with height where there are normals that it can be held against.
+  PictureSet take_maps() {
+    PictureSet set;
+    const bool has_normals = has(FileRole::normal);
+    for (NamedPicture* picture : left_)
+      if (is_map(picture->name.role)) {
+        if (picture->name.role != FileRole::height || has_normals) set.members.push_back(picture);
+      } else {
+        set.beside.push_back(picture);
+      }
+    std::erase_if(left_, [](const NamedPicture* p) { return is_map(p->name.role); });
+    std::ranges::stable_sort(set.members, {}, [](const NamedPicture* p) { return p->name.role; });
+    return set;
   }
 
   void judge_together(PictureSet set) {

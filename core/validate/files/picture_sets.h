@@ -25,15 +25,17 @@ struct NamedPicture {
 /// Pictures that are judged together, or that would be if their companion were there.
 ///   missing   what is missing, for ETK002: "a base colour without roughness"; empty: the set is whole, or
 ///             the rule itself sees what is missing
+///   beside    of a set of maps: what they are held against, and what is judged with another set
 struct PictureSet {
   std::vector<NamedPicture*> members;
   std::string missing;
+  std::vector<NamedPicture*> beside = {};
 };
 
 /// Puts the pictures of one key together: diffuse with specular (and gloss), base colour with metallic and
-/// roughness or with a packed picture, F0 alone. Two resolutions or formats of one set are two sets. The
-/// other pictures decide what an ambiguous word means: "diffuse" beside roughness is a base colour, "albedo"
-/// beside F0 is diffuse.
+/// roughness or with a packed picture, F0 alone; normal, height, occlusion and emissive maps are a set of their
+/// own, the last. Two resolutions or formats of one set are two sets. The other pictures decide what an
+/// ambiguous word means: "diffuse" beside roughness is a base colour, "albedo" beside F0 is diffuse.
 std::vector<PictureSet> sets_of(std::span<NamedPicture> same);
 
 }  // namespace etak

@@ -106,9 +106,10 @@ CacheKey ResultCache::key_of(const FoundTarget& found) const {
   // changed.
   out.stamps = stamps_of(found.depends);
   std::string text = settings_ + '\n' + found.target.label + '\n';
-  for (const TargetFile& file : found.target.files)
-    text += file.label + '\n' + std::string(name(file.role)) + (file.guessed ? " guessed " : " ") +
-            file.channels + '\n';
+  for (const auto* files : {&found.target.files, &found.target.beside})
+    for (const TargetFile& file : *files)
+      text += file.label + '\n' + std::string(name(file.role)) + (file.guessed ? " guessed " : " ") +
+              file.channels + ' ' + std::string(name(file.green)) + '\n';
   add_manifest(text, found.target.manifest);
   for (const std::string& path : found.depends) {
     const std::string fingerprint = sha256_of_file(path);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/files/scene_check.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iterator>
 #include <utility>
 
 #include "core/validate/engine.h"
+#include "core/validate/files/check_maps.h"
 #include "core/validate/files/scene_use.h"
 
 namespace etak {
@@ -47,7 +49,7 @@ UvBox in_uv(const PixelBox& box, int width, int height) {
 }  // namespace
 
 SceneCheck::SceneCheck(const MaterialUses& uses, const TargetFile& of_scene, const PictureDoor& door)
-    : uses_(uses), of_scene_(of_scene), pictures_(uses.scene().images, door) {
+    : uses_(uses), of_scene_(of_scene), door_(door), pictures_(uses.scene().images, door) {
   for (const GltfMaterial& material : uses.scene().materials) {
     if (!uses.scene().material_used[static_cast<std::size_t>(material.index)]) continue;
     const auto [first, second, first_role, second_role] = textures_of(material);
@@ -129,6 +131,15 @@ void SceneCheck::judge_headers(const Manifest& manifest, const Settings& setting
     file.companions.push_back(label);
     file.roles.emplace_back(label, name(role));
   }
+  if (needs_of(settings).has(Need::maps))
+    headers.maps = normal_maps_of(uses_.scene(), door_,
+                                  [this](int image) { return image_label(of_scene_, uses_.scene(), image); });
+  for (const MapEvidence& map : headers.maps) {
+    file.companions.push_back(map.label);
+    file.roles.emplace_back(map.label, name(map.role));
+  }
+  file.stats.pictures_decoded += headers.maps.size();
+  file.stats.pictures_left_out -= std::min(file.stats.pictures_left_out, headers.maps.size());
   etak::judge(textures, headers, settings, file);
 }
 

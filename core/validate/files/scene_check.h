@@ -51,8 +51,8 @@ class SceneCheck {
                    const std::array<std::string, 2>& labels, const Manifest& manifest,
                    const Settings& settings, unsigned threads) const;
 
-  /// Judges the header of every texture that is judged of a material. Throws Error for one that cannot be
-  /// read.
+  /// Judges the header of every texture that is judged of a material, and the normal maps where rules need them.
+  /// Throws Error for a picture that cannot be read.
   void judge_headers(const Manifest& manifest, const Settings& settings, CheckedFile& file);
   /// The number of those textures.
   std::size_t textures() const { return roles_.size(); }
@@ -62,6 +62,7 @@ class SceneCheck {
 
   const MaterialUses& uses_;
   const TargetFile& of_scene_;
+  const PictureDoor& door_;
   ScenePictures pictures_;
   std::map<int, FileRole> roles_;  // by image
 };

@@ -199,6 +199,10 @@ bool is_judged(FileRole role) {
   return role <= FileRole::gloss;
 }
 
+bool is_map(FileRole role) {
+  return role >= FileRole::normal && role <= FileRole::emissive;
+}
+
 bool is_picture(FileRole role) {
   return is_judged(role) || role > FileRole::spectrum;
 }

@@ -28,9 +28,6 @@ std::string_view name(Convention convention);  // "common", "ambientCG", "Poly H
 /// False where the convention packs or names metalness always, so that its absence is a mistake.
 bool absent_metalness_is_dielectric(Convention convention);
 
-/// Which way the green channel of a normal map points.
-enum class GreenAxis { unsaid, opengl, directx };
-
 /// A row of the table of conventions.
 ///   words      endings of names, separated by spaces: in lower case, '_' for any of the separators '_', '-',
 ///              '.' and ' '
@@ -97,8 +94,11 @@ class NameReader {
   std::unordered_map<std::string, OwnName, TextHash, std::equal_to<>> own_;
 };
 
-/// Whether pictures of this role are judged by rules.
+/// Whether pictures of this role are judged as a material's colours, metal and gloss.
 bool is_judged(FileRole role);
+/// Whether they are maps that are judged beside those: normal, occlusion and emissive maps, and height for
+/// the normal map beside it.
+bool is_map(FileRole role);
 
 /// False for layouts, scenes, materials and spectra.
 bool is_picture(FileRole role);

@@ -96,7 +96,7 @@ std::string rules_json(std::span<const Rule* const> rules) {
                                   {"family", json(rule->family())},
                                   {"severity", json(name(rule->severity))},
                                   {"strict", json(name(rule->strict_severity))},
-                                  {"needsPixels", json(rule->needs.pixels())},
+                                  {"needsPixels", json(rule->needs.pixels() || rule->needs.has(Need::maps))},
                                   {"what", json(rule->what)},
                                   {"why", json(rule->why)},
                                   {"example", json(rule->example)},

@@ -10,18 +10,6 @@
 namespace etak {
 namespace {
 
-std::string_view name(GreenAxis green) {
-  switch (green) {
-    case GreenAxis::opengl:
-      return "opengl";
-    case GreenAxis::directx:
-      return "directx";
-    case GreenAxis::unsaid:
-      break;
-  }
-  return "";
-}
-
 std::vector<std::string> channel_words_of(const ParsedName& parsed) {
   std::vector<std::string> out;
   for (const char letter : parsed.channels) out.emplace_back(channel_word(letter));

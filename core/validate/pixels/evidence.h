@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/validate/maps/map_evidence.h"
 #include "core/validate/pixels/components.h"
 #include "core/validate/target.h"
 
@@ -152,6 +153,7 @@ struct Evidence {
   bool metal_rough = false;
   std::vector<TileEvidence> tiles;
   std::vector<PictureEvidence> headers;  // every picture file of the target, for the rules on headers
+  std::vector<MapEvidence> maps;
   std::optional<MaterialEvidence> material;
   std::vector<std::string> unreadable;  // "LABEL: message"
 };

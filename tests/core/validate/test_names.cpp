@@ -205,10 +205,10 @@ TEST_CASE(
 
 TEST_CASE("the files of each convention form the set that is judged") {
   CHECK(sets_text({"w_diff_4k.png", "w_arm_4k.png", "w_nor_gl_4k.png"}) ==
-        "base-color=w_diff_4k metal-rough=w_arm_4k");
+        "base-color=w_diff_4k metal-rough=w_arm_4k; normal=w_nor_gl_4k");
   CHECK(sets_text({"w_diff_4k.png", "w_rough_4k.png", "w_disp_4k.png"}) ==
         "base-color=w_diff_4k roughness=w_rough_4k");
-  CHECK(sets_text({"T_w_BC.png", "T_w_ORM.png", "T_w_N.png"}) == "base-color=T_w_BC metal-rough=T_w_ORM");
+  CHECK(sets_text({"T_w_BC.png", "T_w_ORM.png", "T_w_N.png"}) == "base-color=T_w_BC metal-rough=T_w_ORM; normal=T_w_N");
   CHECK(sets_text({"T_w_D.png", "T_w_A.png", "T_w_R.png", "T_w_M.png"}) ==
         "base-color=T_w_D metallic=T_w_M roughness=T_w_R");
   CHECK(sets_text({"w_AlbedoTransparency.png", "w_MetallicSmoothness.png"}) ==
@@ -225,7 +225,7 @@ TEST_CASE("the files of each convention form the set that is judged") {
   CHECK(sets_text({"w_color.png", "w_rough.png", "w_metal.png"}) ==
         "base-color=w_color metallic=w_metal roughness=w_rough");
   CHECK(sets_text({"albedo.png", "roughness.png"}) == "base-color=albedo roughness=roughness");
-  CHECK(sets_text({"w_d.tga", "w_n.tga", "w_s.tga"}) == "diffuse=w_d specular=w_s");
+  CHECK(sets_text({"w_d.tga", "w_n.tga", "w_s.tga"}) == "diffuse=w_d specular=w_s; normal=w_n");
   // Colour variants share the rest.
   CHECK(sets_text({"w_col_1_2k.png", "w_col_2_2k.png", "w_rough_2k.png"}) ==
         "base-color=w_col_1_2k roughness=w_rough_2k; base-color=w_col_2_2k roughness=w_rough_2k");
@@ -238,7 +238,8 @@ TEST_CASE("the files of each convention form the set that is judged") {
 TEST_CASE("what lacks its companion is said, and nothing is invented for it") {
   CHECK(sets_text({"T_w_ORM.png"}) == "metal-rough=T_w_ORM !metal-rough without the base colour");
   CHECK(sets_text({"w_BaseColor.png", "w_Normal.png"}) ==
-        "base-color=w_BaseColor !a base colour without roughness and metallic, single or packed");
+        "base-color=w_BaseColor !a base colour without roughness and metallic, single or packed; "
+        "normal=w_Normal");
   CHECK(
       sets_text({"T_w_BC.png", "T_w_R.png"}) ==
       "base-color=T_w_BC roughness=T_w_R !base colour and roughness without metallic, which names of Unreal "
@@ -248,8 +249,10 @@ TEST_CASE("what lacks its companion is said, and nothing is invented for it") {
         "base-color=T_w_BC !a base colour without roughness and metallic, single or packed");
   CHECK(sets_text({"w_roughness.png", "w_metallic.png"}) ==
         "metallic=w_metallic roughness=w_roughness !metallic, roughness without the base colour");
-  // Other maps are no sets.
-  CHECK(sets_text({"w_normal.png", "w_height.png", "w_ao.png"}).empty());
+  // Maps need nobody, but for height, which is held against normals.
+  CHECK(sets_text({"w_normal.png", "w_height.png", "w_ao.png"}) ==
+        "normal=w_normal height=w_height occlusion=w_ao");
+  CHECK(sets_text({"w_height.png", "w_opacity.png"}).empty());
   CHECK(sets_text({"band_d.png", "band_n.png"}) == " ?band_d.png ?band_n.png");
   CHECK(sets_text({"letter_a.png", "letter_r.png"}) == " ?letter_a.png ?letter_r.png");
   CHECK(sets_text({"logo_color.png"}) == " ?logo_color.png");

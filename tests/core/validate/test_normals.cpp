@@ -5,7 +5,7 @@
 
 #include "core/color/srgb.h"
 #include "core/image/image.h"
-#include "core/validate/pixels/normals.h"
+#include "core/validate/maps/normals.h"
 #include "tests/core/validate/corpus.h"
 
 using namespace etak;

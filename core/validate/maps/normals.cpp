@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/validate/pixels/normals.h"
+#include "core/validate/maps/normals.h"
 
 #include <algorithm>
 #include <cmath>
