@@ -40,7 +40,7 @@ constexpr std::array<std::pair<std::string_view, Completes>, 22> value_names{{
     {"CONFIG", Completes::files},
     {"PATH", Completes::files},
     {"N|FILE", Completes::files},
-    {"FILE|studio", Completes::files},
+    {"FILE|NAME", Completes::files},
     {"DIR", Completes::folders},
     {"INPUT", Completes::materials},
     {"NAME", Completes::materials},

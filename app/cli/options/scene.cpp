@@ -299,8 +299,8 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
   verb.option("--transfer", arguments.transfer, "display curve")
       .words({"srgb", "power-0.45", "sqrt", "linear"})
       .show_default();
-  verb.option("--tone", arguments.tone,
-              "tone curve before --transfer: plain (none), neutral (Khronos PBR Neutral) or agx-like")
+  verb.option("--tone", arguments.tone, "tone curve before --transfer; neutral is Khronos PBR Neutral")
+      .words({"plain", "neutral", "agx-like"})
       .show_default();
   add_library_options(verb, arguments.library);
 }
