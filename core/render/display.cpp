@@ -68,6 +68,9 @@ real decode(Transfer transfer, real y) {
 }
 }  // namespace f64
 
+// The tone curves need two of the functions of transfer.glsl.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
 namespace f32 {
 #include "core/math/real_f32.h"
 
@@ -88,6 +91,7 @@ vec3 toned(Tone tone, const float* pixel, float exposure) {
   return scene;
 }
 }  // namespace f32
+#pragma GCC diagnostic pop
 
 // Finds the code of a value by one look-up, because computing a power for each channel would cost more than
 // the shading. Values between 2^-21 and 1 fall into buckets by the leading 16 bits of the float; a bucket is

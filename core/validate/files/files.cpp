@@ -133,12 +133,6 @@ void check_scene(const TargetFile& of_scene, const CheckTarget& target, const Pi
   check.judge_headers(target.manifest, settings, file);
 }
 
-void check_material(const TargetFile& part, Evidence& evidence) {
-  const std::string text = read_file(part.path);
-  evidence.material = part.role == FileRole::material ? evidence_of_material(text, part.label)
-                                                      : evidence_of_spectrum(text, part.path, part.label);
-}
-
 std::string relabelled(std::string message, const CheckTarget& target) {
   // Readers name the path they were given; reports name the label.
   for (const TargetFile& file : target.files)
