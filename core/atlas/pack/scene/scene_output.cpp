@@ -139,10 +139,10 @@ bool ScenePack::State::writes_scene() const {
 
 std::uint64_t ScenePack::State::scene_bytes(GltfForm form, const SceneMaps& of_form,
                                             const PackDecision& decision) {
-  const SceneOutput written = scene_output(*this, of_form, {form}, decision);
+  const SceneOutput trial = scene_output(*this, of_form, {form}, decision);
   std::uint64_t bytes = 0;
-  for (const PictureHeader& each : written.headers) bytes += texture_bytes(each, true);
-  const std::vector<bool> kept = images_kept(scene, written.gltf);
+  for (const PictureHeader& each : trial.headers) bytes += texture_bytes(each, true);
+  const std::vector<bool> kept = images_kept(scene, trial.gltf);
   std::set<std::string> seen;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     const std::string& path = scene.images[i].path;
