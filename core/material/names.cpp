@@ -28,7 +28,7 @@ bool separates(char c) {
 
 // Letters of the element that `text` begins with, the longer symbol first ("Co" before "C"); 0: none.
 std::size_t element_size(std::string_view text) {
-  for (const std::size_t size : {2, 1})
+  for (const std::size_t size : {std::size_t{2}, std::size_t{1}})
     if (text.size() >= size && std::binary_search(elements.begin(), elements.end(), text.substr(0, size)))
       return size;
   return 0;
