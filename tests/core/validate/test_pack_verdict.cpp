@@ -49,6 +49,7 @@ ValidationReport said_of(const std::string& path) {
 // What is said of a scene while it is packed.
 ValidationReport said_while_packing(const std::string& scene, const std::string& out, PackOptions options,
                                     const PageCheck& before = {}) {
+  options.input.pictures.door = picture_door();
   PackCheckOptions asked;
   asked.threads = 2;
   PackCheck check(out, asked);
@@ -63,7 +64,6 @@ ValidationReport said_while_packing(const std::string& scene, const std::string&
     return nullptr;
   };
   options.run.threads = 2;
-  options.input.pictures.door = picture_door();
   (void)pack(scene, out, options, test::library());
   REQUIRE(check.report() != nullptr);
   return *check.report();
