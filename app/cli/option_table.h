@@ -22,7 +22,6 @@ struct OptionRow {
   std::string help;
   std::string group;     // heading; empty for an argument
   bool repeats = false;  // may be given more than once
-  bool required = false;
 };
 
 /// A verb, or etak itself in the first row of a table.

@@ -2,10 +2,10 @@
 #include "app/cli/usage.h"
 
 #include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-
 #include <algorithm>
 #include <memory>
 
@@ -169,7 +169,6 @@ OptionRow option_row(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) out.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) out.names.push_back("--" + name);
   out.help = option.get_description();
-  out.required = option.get_required();
   out.repeats = option.get_expected_max() == CLI::detail::expected_max_vector_size;
   if (!option.get_positional()) out.group = option.get_group();
   if (option.get_type_size() == 0) return out;
@@ -235,10 +234,7 @@ std::string unknown_argument(const CLI::App& app, const CLI::App& verb) {
                      "one that " + called + " --help-all lists" + did_you_mean(name, options_of(verb)))
         .what();
   }
-  if (&verb == &app)
-    return Error::at(printable(first), "no verb of etak",
-                     "one that etak --help lists" + did_you_mean(first, verbs_of(app)))
-        .what();
+  if (&verb == &app) return unknown_verb(first, verbs_of(app)).what();
   return Error::at(printable(first, 200), "one argument more than " + called + " takes",
                    "what " + called + " --help lists")
       .what();
@@ -258,6 +254,11 @@ std::string did_you_mean(std::string_view typed, const std::vector<std::string>&
     nearest = &name;
   }
   return nearest == nullptr ? "" : "; did you mean " + *nearest + "?";
+}
+
+Error unknown_verb(std::string_view typed, const std::vector<std::string>& verbs) {
+  return Error::at(printable(typed), "no verb of etak",
+                   "one that etak --help lists" + did_you_mean(typed, verbs));
 }
 
 void use_plain_help(CLI::App& app) {
@@ -301,8 +302,7 @@ std::string verb_help(const CLI::App& app, const std::string& name, bool whole) 
   if (name.empty()) return app.get_formatter()->make_help(&app, "etak", mode);
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     if (verb->get_name() == name) return verb->help("etak", mode);
-  throw Error::at(printable(name), "no verb of etak",
-                  "one that etak --help lists" + did_you_mean(name, verbs_of(app)));
+  throw unknown_verb(name, verbs_of(app));
 }
 
 std::vector<VerbRow> option_table(const CLI::App& app) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/option_table.h"
+#include "core/base/error.h"
 
 namespace CLI {
 class App;
@@ -18,6 +19,9 @@ namespace etak::cli {
 /// the name of the smallest edit distance, if that is at most a third of the letters of `typed` (or 1). Empty
 /// where there is no such name.
 std::string did_you_mean(std::string_view typed, const std::vector<std::string>& names);
+
+/// The error for a verb that does not exist, with the name in `verbs` that the user most likely meant.
+Error unknown_verb(std::string_view typed, const std::vector<std::string>& verbs);
 
 /// Makes the help of `app` and its verbs show the values of an option as "table | csv" and "1 to 256" instead
 /// of as types of the parser.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
+#include "app/cli/completion/kinds.h"
+#include "app/cli/usage.h"
+#include "core/base/ascii.h"
 #include "core/base/text.h"
 
 namespace etak::cli {
@@ -19,7 +21,7 @@ std::string roff(std::string_view plain) {
 std::string upper(std::string_view plain) {
   std::string out(plain);
   for (char& c : out)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    if (is_lower(c)) c = static_cast<char>(c - 'a' + 'A');
   return out;
 }
 
@@ -75,7 +77,7 @@ std::string footer_of(const VerbRow& verb) {
 
 std::string manual_page(const std::vector<VerbRow>& table, std::string_view verb) {
   const auto found = std::ranges::find(table, verb, &VerbRow::name);
-  if (found == table.end()) throw Error::at(printable(verb), "no verb of etak", "one that etak --help lists");
+  if (found == table.end()) throw unknown_verb(verb, names_of(name(Completes::verbs), table));
   const bool top = verb.empty();
   const std::string_view title = "etak: ";
   const std::string_view summary =

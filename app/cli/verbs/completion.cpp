@@ -6,6 +6,7 @@
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 namespace etak::cli {
 namespace {
@@ -15,16 +16,11 @@ struct CompletionArguments {
   OutputArguments output;
 };
 
-std::string lines(const std::vector<std::string>& names) {
-  std::string out;
-  for (const std::string& each : names) out += each + '\n';
-  return out;
-}
-
 int run(const CompletionArguments& arguments, const std::vector<VerbRow>& table) {
   if (arguments.shell.empty() == arguments.words.empty())
     throw Error::at("etak completion", "not one question", "bash, zsh or fish, or --words KIND");
-  write_output(arguments.output, !arguments.words.empty()    ? lines(names_of(arguments.words, table))
+  write_output(arguments.output, !arguments.words.empty()
+                                     ? joined(names_of(arguments.words, table), "\n") + '\n'
                                  : arguments.shell == "bash" ? bash_completion(table)
                                  : arguments.shell == "zsh"  ? zsh_completion(table)
                                                              : fish_completion(table));
