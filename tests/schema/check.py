@@ -173,7 +173,8 @@ with tempfile.TemporaryDirectory() as folder:
             check(schema("validation"), json.loads(text), "validate")
         names = os.path.join(folder, "names")
         os.mkdir(names)
-        for name in ("T_Wall_BC.1001.png", "T_Wall_RMA.1001.png", "Wall_4K-PNG_NormalDX.png", "band.png", "notes.txt"):
+        for name in ("T_Wall_BC.1001.png", "T_Wall_RMA.1001.png", "Wall_4K-PNG_NormalDX.png",
+                     "Wall_4K-PNG_Opacity.png", "band.png", "notes.txt"):
             open(os.path.join(names, name), "w", encoding="utf-8").close()
         text = run_where_built("validate", atlas, names, "--list-files", "--format", "json")
         if text is not None:
