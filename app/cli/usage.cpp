@@ -242,20 +242,6 @@ std::string unknown_argument(const CLI::App& app, const CLI::App& verb) {
 
 }  // namespace
 
-std::string did_you_mean(std::string_view typed, const std::vector<std::string>& names) {
-  const std::string* nearest = nullptr;
-  std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
-  for (const std::string& name : names) {
-    const bool begins =
-        typed.size() >= 2 && name.starts_with(typed) && typed.find_first_not_of('-') != typed.npos;
-    const std::size_t distance = begins ? 0 : edit_distance(typed, name);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = &name;
-  }
-  return nearest == nullptr ? "" : "; did you mean " + *nearest + "?";
-}
-
 Error unknown_verb(std::string_view typed, const std::vector<std::string>& verbs) {
   return Error::at(printable(typed), "no verb of etak",
                    "one that etak --help lists" + did_you_mean(typed, verbs));

@@ -15,11 +15,6 @@ class ParseError;
 
 namespace etak::cli {
 
-/// "; did you mean NAME?" with the name that the user most likely meant: a name that begins with `typed`, or
-/// the name of the smallest edit distance, if that is at most a third of the letters of `typed` (or 1). Empty
-/// where there is no such name.
-std::string did_you_mean(std::string_view typed, const std::vector<std::string>& names);
-
 /// The error for a verb that does not exist, with the name in `verbs` that the user most likely meant.
 Error unknown_verb(std::string_view typed, const std::vector<std::string>& verbs);
 

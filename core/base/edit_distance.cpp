@@ -28,4 +28,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return rows[a.size() % 3][b.size()];
 }
 
+std::string did_you_mean(std::string_view typed, const std::vector<std::string>& names) {
+  const std::string* nearest = nullptr;
+  std::size_t least = std::max<std::size_t>(1, typed.size() / 3) + 1;
+  for (const std::string& name : names) {
+    const bool begins =
+        typed.size() >= 2 && name.starts_with(typed) && typed.find_first_not_of('-') != typed.npos;
+    const std::size_t distance = begins ? 0 : edit_distance(typed, name);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &name;
+  }
+  return nearest == nullptr ? "" : "; did you mean " + *nearest + "?";
+}
+
 }  // namespace etak

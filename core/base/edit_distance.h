@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace etak {
 
@@ -10,5 +12,10 @@ namespace etak {
 /// counted once (optimal string alignment). Upper and lower case of ASCII letters are alike. For "did you
 /// mean".
 std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// "; did you mean NAME?" with the name that the user most likely meant: a name that begins with `typed`, or
+/// the name of the smallest edit distance, if that is at most a third of the letters of `typed` (or 1). Empty
+/// where there is no such name. For the end of a message.
+std::string did_you_mean(std::string_view typed, const std::vector<std::string>& names);
 
 }  // namespace etak

@@ -6,6 +6,7 @@
 
 #include "core/base/ascii.h"
 #include "core/base/csv.h"
+#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
@@ -41,8 +42,12 @@ double evaluate_row(const std::string& function, std::string_view inputs, std::s
 const Function& function_named(std::string_view id, std::string_view place) {
   const Function* found = find_function(trimmed(id));
   const std::string at = place.empty() ? "function" : std::string(place) + ": function";
-  if (!found) throw Error::at(at, printable(id), "one of those that etak eval " + setting("list") + " names");
-  return *found;
+  if (found != nullptr) return *found;
+  std::vector<std::string> ids;
+  for (const Function& each : functions()) ids.emplace_back(each.id);
+  throw Error::at(
+      at, printable(id),
+      "one of those that etak eval " + setting("list") + " names" + did_you_mean(trimmed(id), ids));
 }
 
 CsvAnswers answer_csv(std::string_view text, const std::string& file,

@@ -63,7 +63,13 @@ article .data th, article .data td { padding: 0.25rem 0.45rem; }
 .summary tr:target { outline: 2px solid var(--link); outline-offset: -2px; }
 .summary tbody tr:not(.group) th { white-space: normal; min-width: 10rem; position: sticky; left: 0; background: var(--card); }
 .who { display: flex; align-items: center; gap: 0.6rem; }
-.pair { display: flex; flex: none; width: 58px; height: 20px; }
+.ball { flex: none; width: 44px; height: 44px; border-radius: 50%; outline: 1px solid var(--line); outline-offset: -1px; }
+.swatches .ball { width: 128px; height: 128px; }
+.pair { display: flex; flex: none; width: 52px; height: 36px; }
+[data-copy].copies { cursor: copy; }
+.copied { position: fixed; bottom: 1rem; left: 50%; transform: translateX(-50%); z-index: 9; padding: 0.3rem 0.9rem;
+  border-radius: 6px; background: var(--ink); color: var(--page); font-size: 0.9rem; white-space: pre-line; max-width: 90vw; }
+.flat tr > th::after { content: attr(data-class); display: block; font-size: 0.8rem; font-weight: 400; color: var(--ink-soft); }
 .pair i { flex: 1; border: 1px solid var(--line); }
 .pair .f0 { flex: 3; }
 .flag { display: inline-block; padding: 0 0.4rem; border: 1px solid var(--line); border-radius: 4px; font-size: 0.8rem;
@@ -76,8 +82,8 @@ h4 code { color: var(--ink-soft); font-weight: 400; margin-left: 0.3rem; }
 .swatches { display: flex; flex-wrap: wrap; gap: 0.75rem; align-items: flex-end; margin: 0.75rem 0; }
 figure { margin: 0; }
 figcaption { font-size: 0.8rem; color: var(--ink-soft); line-height: 1.35; margin-top: 0.25rem; }
-.chip { width: 130px; height: 64px; display: flex; justify-content: flex-end; border: 1px solid var(--line); }
-.big .chip { width: 220px; height: 96px; }
+.chip { width: 170px; height: 84px; display: flex; justify-content: flex-end; border: 1px solid var(--line); }
+.big .chip { width: 280px; height: 128px; }
 .big figcaption { color: var(--ink); }
 .chip i { width: 25%; }
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 380px), 1fr)); gap: 1rem; margin: 0.5rem 0; }
@@ -91,7 +97,9 @@ dd { margin: 0; }
   border: 1px solid var(--line); border-radius: 6px; }
 .sortable { cursor: pointer; font: inherit; color: inherit; background: none; border: 0; padding: 0; }
 .sortable:hover { text-decoration: underline; }
-@media (min-width: 1240px) {
+.summary th, .summary td { padding-left: 0.42rem; padding-right: 0.42rem; }
+main:has(#summary), header:has(+ main #summary) { max-width: 1420px; }
+@media (min-width: 1460px) {
   #summary { overflow: visible; }
   .summary thead th { position: sticky; top: 0; background: var(--card); z-index: 1; }
 }
@@ -99,21 +107,63 @@ dd { margin: 0; }
   header, main { padding-left: 0.75rem; padding-right: 0.75rem; }
   article { padding: 0.75rem; }
   h1 { font-size: 1.5rem; }
-  .big .chip { width: 160px; height: 80px; }
-  .chip { width: 104px; }
+  .big .chip { width: 180px; height: 96px; }
+  .swatches .ball { width: 96px; height: 96px; }
+  .chip { width: 120px; height: 64px; }
+  .ball { width: 32px; height: 32px; }
   dl { grid-template-columns: 1fr; gap: 0.1rem; }
   dd { margin-bottom: 0.5rem; }
-  .pair { width: 34px; }
+  .pair { width: 44px; height: 26px; }
 }
 @media print { article { break-inside: avoid; } }
 )css";
 
-/// Script of the F0 page: a filter box above the summary table, and column titles that sort the materials
-/// within each class. The page is complete where scripts are off.
+/// Script of pages with values to copy: a click on an element with data-copy copies that text and says so.
+inline constexpr std::string_view copy_script = R"js(
+const copy_text = (text) => {
+  const tell = () => {
+    document.querySelectorAll('.copied').forEach((old) => old.remove());
+    const told = document.createElement('div');
+    told.className = 'copied';
+    told.setAttribute('role', 'status');
+    told.textContent = 'copied: ' + text;
+    document.body.append(told);
+    setTimeout(() => told.remove(), 1800);
+  };
+  const by_selection = () => {
+    const field = document.createElement('textarea');
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    document.execCommand('copy');
+    field.remove();
+    tell();
+  };
+  if (navigator.clipboard) navigator.clipboard.writeText(text).then(tell, by_selection);
+  else by_selection();
+};
+for (const each of document.querySelectorAll('[data-copy]')) {
+  each.classList.add('copies');
+  each.title = 'click copies ' + each.dataset.copy;
+}
+document.addEventListener('click', (event) => {
+  const from = event.target.closest('[data-copy]');
+  if (from) copy_text(from.dataset.copy);
+});
+)js";
+
+/// Script of the F0 page: a filter box above the summary table, and column titles that sort all materials: first
+/// upwards, then downwards, then by classes again. The page is complete where scripts are off.
 inline constexpr std::string_view page_script = R"js(
 (() => {
   const box = document.getElementById('summary');
   const table = box.querySelector('table');
+  const groups = [...table.tBodies];
+  const homes = groups.map((body) => [...body.rows].filter((row) => !row.classList.contains('group')));
+  const rows = homes.flat();
+  for (const row of rows) row.cells[0].dataset.class = row.dataset.class;
+  const flat = document.createElement('tbody');
+  flat.className = 'flat';
   const input = document.createElement('input');
   input.type = 'search';
   input.className = 'filter';
@@ -122,34 +172,43 @@ inline constexpr std::string_view page_script = R"js(
   box.before(input);
   input.addEventListener('input', () => {
     const wanted = input.value.trim().toLowerCase();
-    for (const body of table.tBodies) {
-      let any = false;
-      for (const row of [...body.rows].slice(1)) {
-        row.hidden = !row.textContent.toLowerCase().includes(wanted);
-        any = any || !row.hidden;
-      }
-      body.hidden = !any;
-    }
+    for (const row of rows) row.hidden = !row.textContent.toLowerCase().includes(wanted);
+    groups.forEach((body, i) => { body.hidden = homes[i].every((row) => row.hidden); });
   });
   const value = (row, column) => (row.cells[column] ? row.cells[column].textContent : '');
-  [...table.tHead.rows[0].cells].forEach((cell, column) => {
+  const titles = [...table.tHead.rows[0].cells];
+  let sorted = -1, up = true;
+  const arrange = () => {
+    titles.forEach((cell, i) => {
+      if (i === sorted) cell.setAttribute('aria-sort', up ? 'ascending' : 'descending');
+      else cell.removeAttribute('aria-sort');
+    });
+    if (sorted < 0) {
+      flat.remove();
+      groups.forEach((body, i) => { body.append(...homes[i]); table.append(body); });
+      return;
+    }
+    const order = (a, b) => {
+      const x = value(a, sorted), y = value(b, sorted);
+      const p = parseFloat(x), q = parseFloat(y);
+      if (Number.isNaN(p) !== Number.isNaN(q)) return Number.isNaN(p) ? 1 : -1;
+      return (up ? 1 : -1) * (Number.isNaN(p) ? x.localeCompare(y) : p - q);
+    };
+    groups.forEach((body) => body.remove());
+    flat.append(...[...rows].sort(order));
+    table.append(flat);
+  };
+  titles.forEach((cell, column) => {
     const button = document.createElement('button');
     button.className = 'sortable';
+    button.title = 'sort all materials; the third click brings the classes back';
     button.textContent = cell.textContent;
     cell.replaceChildren(button);
-    let up = false;
     button.addEventListener('click', () => {
-      up = !up;
-      for (const other of table.tHead.rows[0].cells) other.removeAttribute('aria-sort');
-      cell.setAttribute('aria-sort', up ? 'ascending' : 'descending');
-      for (const body of table.tBodies) {
-        const rows = [...body.rows].slice(1).sort((a, b) => {
-          const x = value(a, column), y = value(b, column);
-          const order = parseFloat(x) - parseFloat(y);
-          return (up ? 1 : -1) * (Number.isNaN(order) ? x.localeCompare(y) : order);
-        });
-        body.append(...rows);
-      }
+      if (sorted !== column) { sorted = column; up = true; }
+      else if (up) up = false;
+      else sorted = -1;
+      arrange();
     });
   });
 })();

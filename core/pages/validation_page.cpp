@@ -49,6 +49,13 @@ constexpr std::string_view validation_css = R"css(
 .taken { opacity: 0.75; }
 .clean { columns: 22rem; font-size: 0.87rem; padding-left: 1.1rem; overflow-wrap: anywhere; }
 article h3 { margin: 0; overflow-wrap: anywhere; }
+summary h3 { display: inline; }
+summary { cursor: pointer; }
+.filters { display: none; flex-wrap: wrap; gap: 0.5rem 1.25rem; margin: 0.5rem 0 1rem; position: sticky; top: 0; z-index: 2;
+  background: var(--page); padding: 0.5rem 0; }
+@supports selector(:has(a)) { .filters { display: flex; } }
+.filters select { font: inherit; color: inherit; background: var(--card); border: 1px solid var(--line); border-radius: 6px;
+  padding: 0.2rem 0.4rem; max-width: min(70vw, 24rem); }
 )css";
 
 // ---- histogram
@@ -106,8 +113,8 @@ void append_histogram(std::string& out, const std::array<std::size_t, 256>& coun
 void append_picture(std::string& out, const ValidationPicture& picture, const std::string& id) {
   append(out, "<figure class=\"shot\">");
   if (!picture.heat_png.empty())
-    append(out, "<input type=\"checkbox\" class=\"heat\" id=\"", id,
-           "\" checked> <label class=\"toggle\" for=\"", id, "\">heat map</label><br>");
+    append(out, "<input type=\"checkbox\" class=\"heat\" id=\"", id, "\"> <label class=\"toggle\" for=\"", id,
+           "\">heat map</label><br>");
   // The longer side always takes 256 pixels: small pictures are enlarged so that their boxes can be seen.
   const int longest = std::max({picture.width, picture.height, 1});
   const double scale = 256.0 / longest;
@@ -136,10 +143,11 @@ void append_picture(std::string& out, const ValidationPicture& picture, const st
 // ---- findings
 
 void append_finding(std::string& out, const Finding& finding) {
-  append(out, "<div class=\"finding", counts(finding) ? "" : " taken", "\"><p><span class=\"severity ",
-         name(finding.severity), "\">", name(finding.severity), "</span> <a href=\"#", finding.rule, "\">",
-         finding.rule, ' ', escape_html(finding.slug), "</a> <span class=\"place\">",
-         escape_html(place_of(finding)), "</span></p>\n<p>");
+  append(out, "<div class=\"finding ", finding.rule, ' ', name(finding.severity),
+         counts(finding) ? "" : " taken", "\"><p><span class=\"severity ", name(finding.severity), "\">",
+         name(finding.severity), "</span> <a href=\"#", finding.rule, "\">", finding.rule, ' ',
+         escape_html(finding.slug), "</a> <span class=\"place\">", escape_html(place_of(finding)),
+         "</span></p>\n<p>");
   if (finding.byte) {
     const auto& b = *finding.byte;
     append(out, "<i style=\"background: rgb(", std::to_string(b[0]), ',', std::to_string(b[1]), ',',
@@ -165,7 +173,9 @@ void append_finding(std::string& out, const Finding& finding) {
 
 void append_file(std::string& out, const CheckedFile& file, const ValidationPageFile& pictures,
                  std::size_t index, const ValidationPageOptions& options) {
-  append(out, "<article id=\"file-", std::to_string(index), "\"><h3>", escape_html(file.path), "</h3>");
+  append(out, "<article class=\"file\" id=\"file-", std::to_string(index), "\"><details open><summary><h3>",
+         escape_html(file.path), "</h3> <span class=\"policy\">", grouped(file.findings.size()),
+         file.findings.size() == 1 ? " finding" : " findings", "</span></summary>");
   for (const std::string& companion : file.companions)
     append(out, "<p class=\"policy\">with ", escape_html(companion), "</p>");
   if (!pictures.pictures.empty() || pictures.f0) {
@@ -184,7 +194,7 @@ void append_file(std::string& out, const CheckedFile& file, const ValidationPage
   std::stable_sort(sorted.begin(), sorted.end(),
                    [&](const Finding* a, const Finding* b) { return weight(a) > weight(b); });
   for (const Finding* finding : sorted) append_finding(out, *finding);
-  out += "</article>\n";
+  out += "</details></article>\n";
 }
 
 // ---- the page's frame
@@ -202,6 +212,56 @@ void append_navigation(std::string& out, const ValidationReport& report) {
     if (const Rule* rule = find_rule(id))
       append(out, "<a href=\"#", id, "\">", id, ' ', rule->slug, " <span>", grouped(count), "</span></a>");
   out += "</nav>";
+}
+
+// ---- filters
+
+// Files that the list of the filter names; in a browser more would be no list to choose from.
+constexpr std::size_t most_listed_files = 300;
+
+struct FilterValue {
+  std::string value, text;
+};
+
+// A list to choose from. Where one of its values is chosen, what `hides` matches for that value is not shown.
+template <class Hides>
+void append_filter(std::string& out, std::string& css, std::string_view id, std::string_view title,
+                   const std::vector<FilterValue>& choices, Hides hides) {
+  append(out, "<label>", title, " <select id=\"", id, "\"><option value=\"\">all</option>");
+  for (const FilterValue& each : choices) {
+    append(out, "<option value=\"", each.value, "\">", escape_html(each.text), "</option>");
+    append(css, "main:has(#", id, " option[value=\"", each.value, "\"]:checked) :is(", hides(each.value),
+           ") { display: none; }\n");
+  }
+  out += "</select></label>\n";
+}
+
+// Filters by severity, rule and file that need no script: the style sheet asks what is chosen. They are shown
+// where the browser knows :has().
+void append_filters(std::string& out, const ValidationReport& report,
+                    const std::vector<std::size_t>& with_findings) {
+  std::vector<FilterValue> severities, rules, files;
+  for (const Severity severity : {Severity::error, Severity::warning, Severity::info}) {
+    const auto has = [&](const CheckedFile& file) {
+      return std::ranges::any_of(file.findings, [&](const Finding& f) { return f.severity == severity; });
+    };
+    if (std::ranges::any_of(report.files, has))
+      severities.push_back({std::string(name(severity)), std::string(name(severity))});
+  }
+  for (const auto& [id, count] : rules_found(report))
+    if (const Rule* rule = find_rule(id)) rules.push_back({id, id + ' ' + std::string(rule->slug)});
+  for (const std::size_t i : with_findings)
+    if (files.size() < most_listed_files) files.push_back({std::to_string(i), report.files[i].path});
+  const auto without_class = [](const std::string& value) {
+    return ".finding:not(." + value + "), .file:not(:has(.finding." + value + "))";
+  };
+  std::string css;
+  out += "<form class=\"filters\" aria-label=\"Filters\">";
+  append_filter(out, css, "show-severity", "Severity", severities, without_class);
+  append_filter(out, css, "show-rule", "Rule", rules, without_class);
+  append_filter(out, css, "show-file", "File", files,
+                [](const std::string& value) { return ".file:not(#file-" + value + ")"; });
+  append(out, "</form>\n<style>\n", css, "</style>\n");
 }
 
 void append_rules(std::string& out, const ValidationReport& report) {
@@ -244,6 +304,7 @@ std::string validation_page(const ValidationReport& report, std::span<const Vali
     (report.files[i].findings.empty() ? clean : with_findings).push_back(i);
   if (!with_findings.empty()) {
     out += "<section id=\"findings\"><h2>Findings</h2>\n";
+    append_filters(out, report, with_findings);
     for (const std::size_t i : with_findings) append_file(out, report.files[i], files[i], i, options);
     out += "</section>\n";
   }

@@ -2,7 +2,13 @@
 #include "core/render/sheet.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
 
+#include "core/base/text.h"
+#include "core/color/delta_e.h"
+#include "core/math/mat3.h"
 #include "core/render/font.h"
 
 namespace etak {
@@ -20,7 +26,58 @@ Image three_channels(const Image& picture) {
   return out;
 }
 
+// Colours of the map at 0, 1/3, 2/3 and all of its scale, linear.
+constexpr double largest_shown_de = 10;
+constexpr std::array<Vec3, 4> map_colors{
+    {{0, 0, 0}, {0.16, 0.01, 0.22}, {0.85, 0.16, 0.02}, {1, 0.95, 0.55}}};
+
+Vec3 map_color(double de) {
+  const double place = std::clamp(de / largest_shown_de, 0.0, 1.0) * (map_colors.size() - 1);
+  const auto first = std::min(static_cast<std::size_t>(place), map_colors.size() - 2);
+  Vec3 out;
+  for (std::size_t c = 0; c < 3; ++c)
+    out[c] = std::lerp(map_colors[first][c], map_colors[first + 1][c], place - static_cast<double>(first));
+  return out;
+}
+
+Lab displayed_color(const Image& picture, std::size_t pixel, double exposure) {
+  Vec3 linear;
+  for (std::size_t c = 0; c < 3; ++c)
+    linear[c] = std::clamp(
+        exposure *
+            static_cast<double>(picture.values[static_cast<std::size_t>(picture.channels) * pixel + c]),
+        0.0, 1.0);
+  return to_lab(to_rgb(linear));
+}
+
 }  // namespace
+
+DifferencePicture difference_picture(const Image& reference, const Image& picture, double exposure) {
+  assert(reference.width == picture.width && reference.height == picture.height && picture.channels == 4);
+  DifferencePicture out{Image(picture.width, picture.height, 3, paper), 0};
+  std::size_t judged = 0;
+  for (std::size_t i = 0; i < picture.pixel_count(); ++i) {
+    if (picture.values[4 * i + 3] < 1) continue;
+    const double de =
+        delta_e2000(displayed_color(reference, i, exposure), displayed_color(picture, i, exposure));
+    const Vec3 color = map_color(de);
+    for (std::size_t c = 0; c < 3; ++c) out.map.values[3 * i + c] = static_cast<float>(color[c]);
+    out.mean_de += de;
+    ++judged;
+  }
+  if (judged > 0) out.mean_de /= static_cast<double>(judged);
+  return out;
+}
+
+Image beside(const Image& picture, const DifferencePicture& difference) {
+  Image out(2 * picture.width, picture.height, 3, paper);
+  paste(three_channels(picture), 0, 0, out);
+  paste(difference.map, picture.width, 0, out);
+  const int scale = picture.width >= 96 ? 2 : 1;
+  write_text(out, picture.width + gap, picture.height - glyph_height * scale, scale,
+             "DE " + fixed(difference.mean_de, 1), ink);
+  return out;
+}
 
 Image laid_out(const Sheet& sheet) {
   int side_x = 0, side_y = 0;

@@ -12,7 +12,6 @@
 #include "core/color/colorspace.h"
 #include "core/exchange/engine_values.h"
 #include "core/light/functions.h"
-#include "core/material/library.h"
 #include "core/validate/rules.h"
 
 namespace etak::cli {
@@ -100,9 +99,10 @@ bool is_list(const OptionRow& option) {
   return option.value.ends_with(",...");
 }
 
-std::vector<std::string> names_of(std::string_view kind, const std::vector<VerbRow>& table) {
+std::vector<std::string> names_of(std::string_view kind, const std::vector<VerbRow>& table,
+                                  Library& library) {
   std::vector<std::string> out;
-  if (kind == name(Completes::materials)) return MaterialLibrary::builtin().ids();
+  if (kind == name(Completes::materials)) return library.get().ids();
   if (kind == name(Completes::classes)) return {material_classes.begin(), material_classes.end()};
   if (kind == name(Completes::models)) return model_names(ModelKind::diffuse);
   if (kind == name(Completes::diffuse_models)) return model_names(ModelKind::specular);
@@ -113,10 +113,16 @@ std::vector<std::string> names_of(std::string_view kind, const std::vector<VerbR
   else if (kind == name(Completes::spaces))
     for (const RgbSpace each : all_rgb_spaces) out.emplace_back(name(each));
   else if (kind == name(Completes::verbs))
-    for (const VerbRow& each : table) out.push_back(each.name);
+    return verb_names(table);
   else
     throw Error::at("--words", printable(kind), joined(named_kinds()));
-  std::erase(out, "");
+  return out;
+}
+
+std::vector<std::string> verb_names(const std::vector<VerbRow>& table) {
+  std::vector<std::string> out;
+  for (const VerbRow& each : table)
+    if (!each.name.empty()) out.push_back(each.name);
   return out;
 }
 

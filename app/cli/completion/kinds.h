@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/option_table.h"
+#include "app/cli/options/options.h"
 
 namespace etak::cli {
 
@@ -37,6 +38,10 @@ Completes completes(const OptionRow& option);
 bool is_list(const OptionRow& option);
 
 /// The names of `kind`, one of named_kinds(), sorted as etak lists them. Throws Error for another kind.
-std::vector<std::string> names_of(std::string_view kind, const std::vector<VerbRow>& table);
+///   library   whose materials are offered; opened for them alone
+std::vector<std::string> names_of(std::string_view kind, const std::vector<VerbRow>& table, Library& library);
+
+/// The verbs of the table.
+std::vector<std::string> verb_names(const std::vector<VerbRow>& table);
 
 }  // namespace etak::cli

@@ -77,7 +77,7 @@ std::string footer_of(const VerbRow& verb) {
 
 std::string manual_page(const std::vector<VerbRow>& table, std::string_view verb) {
   const auto found = std::ranges::find(table, verb, &VerbRow::name);
-  if (found == table.end()) throw unknown_verb(verb, names_of(name(Completes::verbs), table));
+  if (found == table.end()) throw unknown_verb(verb, verb_names(table));
   const bool top = verb.empty();
   const std::string_view title = "etak: ";
   const std::string_view summary =

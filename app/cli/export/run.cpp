@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/cli/output/form.h"
+#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
@@ -75,8 +76,13 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
   parallel_chunks(inputs.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) answers[i] = answer(inputs[i], arguments, tables, solver);
   });
+  std::vector<std::string> left_out;  // of the whole library: nobody asked for them by name
   for (Answer& each : answers) {
-    if (!each.complaint.empty()) complain(each.complaint);
+    const bool counted = arguments.inputs.all && !each.surface && !each.failed;
+    if (counted)
+      left_out.push_back(each.complaint);
+    else if (!each.complaint.empty())
+      complain(each.complaint);
     if (!each.remark.empty()) remark(arguments.output, each.remark);
     out.refused |= each.refused;
     out.failed |= each.failed;
@@ -84,6 +90,9 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
     out.surfaces.push_back(std::move(*each.surface));
     out.datasets.push_back(std::move(each.dataset));
   }
+  if (!left_out.empty())
+    remark(arguments.output, std::to_string(left_out.size()) + " of " + std::to_string(answers.size()) +
+                                 " left out; " + joined(left_out, "; "));
   return out;
 }
 
@@ -91,8 +100,11 @@ std::string values(const ExportArguments& arguments, Found& found, Fit fit, cons
   std::vector<const EngineTarget*> targets;
   for (const std::string& id : arguments.targets) {
     const EngineTarget* const target = engine_target(id);
-    if (target == nullptr)
-      throw Error::at("--target", printable(id), joined(engine_targets(), ", ", &EngineTarget::id));
+    if (target == nullptr) {
+      std::vector<std::string> ids;
+      for (const EngineTarget& each : engine_targets()) ids.emplace_back(each.id);
+      throw Error::at("--target", printable(id), joined(ids) + did_you_mean(id, ids));
+    }
     targets.push_back(target);
   }
   if (targets.empty())

@@ -7,6 +7,7 @@
 
 #include "app/cli/output/output.h"
 #include "app/cli/pictures/pictures.h"
+#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/number.h"
@@ -54,7 +55,9 @@ void add_class_option(Command verb, std::vector<std::string>& classes, const std
 void check_classes(const std::vector<std::string>& classes) {
   for (const std::string& each : classes)
     if (std::find(material_classes.begin(), material_classes.end(), each) == material_classes.end())
-      throw Error::at("--class", printable(each), joined(material_classes));
+      throw Error::at(
+          "--class", printable(each),
+          joined(material_classes) + did_you_mean(each, {material_classes.begin(), material_classes.end()}));
 }
 
 void add_library_options(Command verb, Library& library) {

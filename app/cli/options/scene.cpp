@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/cli/inputs/inputs.h"
+#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
@@ -169,7 +170,9 @@ Overrides read_set(const std::vector<std::string>& texts) {
 const Model* model_named(const char* option, const std::string& id, std::string_view standard) {
   if (id == "none") return nullptr;
   if (const Model* model = find_model(id.empty() ? standard : std::string_view(id))) return model;
-  throw Error::at(option, printable(id), "a model that etak models lists, or none");
+  std::vector<std::string> ids;
+  for (const Model& each : models()) ids.emplace_back(each.id);
+  throw Error::at(option, printable(id), "a model that etak models lists, or none" + did_you_mean(id, ids));
 }
 
 std::pair<int, int> size_of(const std::string& text) {

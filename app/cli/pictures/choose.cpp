@@ -14,6 +14,7 @@
 #include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/text.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
 #include "core/pages/choose_report.h"
@@ -97,8 +98,8 @@ void choose_for_library(ChooseArguments& arguments, const ChooseOptions& options
                         Progress& progress, Chosen& out) {
   const std::optional<Gloss> given = given_gloss(arguments.rough);
   std::size_t total = 0;
-  const auto add = [&](const Material& material, const Dataset& dataset) {
-    const ChooseSubject subject = subject_of(material, dataset, given, out.remarks);
+  const auto add = [&](const Material& material, const Dataset& dataset, std::vector<std::string>& remarks) {
+    const ChooseSubject subject = subject_of(material, dataset, given, remarks);
     progress.stage(subject.name);
     out.take(choose(subject, options, costs));
     progress.set(out.choices.size(), total);
@@ -111,13 +112,14 @@ void choose_for_library(ChooseArguments& arguments, const ChooseOptions& options
     total = inputs.size();
     for (const MaterialInput& input : inputs) {
       const Material material = read_material(input, TableOptions{});
-      add(material, dataset_named(material, input.dataset, input.label()));
+      add(material, dataset_named(material, input.dataset, input.label()), out.remarks);
     }
     return;
   }
   const MaterialLibrary& library = arguments.library.get();
   total = library.ids().size();
   std::size_t reflectances = 0;
+  std::vector<std::string> refused, standards;
   for (std::size_t i = 0; i < library.ids().size(); ++i) {
     const Material material = library.at(i);
     if (!std::holds_alternative<OpticalConstants>(material.preferred_dataset().optics)) {
@@ -126,14 +128,20 @@ void choose_for_library(ChooseArguments& arguments, const ChooseOptions& options
       continue;
     }
     try {
-      add(material, material.preferred_dataset());
+      add(material, material.preferred_dataset(), given ? out.remarks : standards);
     } catch (const Error& error) {
-      out.remarks.emplace_back(error.what());
-      out.status = exit_findings;
+      refused.emplace_back(error.what());
       --total;
     }
   }
+  // Nobody asked for them by name, so they do not change the exit status.
   out.remarks.push_back(std::to_string(reflectances) + " materials without n and k are left out");
+  if (!refused.empty())
+    out.remarks.push_back(std::to_string(refused.size()) + " more left out; " + joined(refused, "; "));
+  if (!standards.empty())
+    out.remarks.push_back(std::to_string(standards.size()) +
+                          " spheres have the default roughness of their class, a convention and no "
+                          "measurement; --gloss or --roughness gives one to all");
 }
 
 int choose_within_memory(ChooseArguments& arguments) {

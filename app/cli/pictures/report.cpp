@@ -9,6 +9,7 @@
 #include "app/cli/options/options.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
+#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/files/output_folder.h"
 #include "core/base/files/output_target.h"
@@ -30,7 +31,11 @@ std::vector<FamilyEntry> chosen_families(const std::vector<std::string>& names) 
   for (const std::string& name : names) {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const FamilyEntry& each) { return each.id == name; });
-    if (found == all.end()) throw Error::at("--family", printable(name), joined(all, ", ", &FamilyEntry::id));
+    if (found == all.end()) {
+      std::vector<std::string> ids;
+      for (const FamilyEntry& each : all) ids.emplace_back(each.id);
+      throw Error::at("--family", printable(name), joined(ids) + did_you_mean(name, ids));
+    }
     out.push_back(*found);
   }
   return out;

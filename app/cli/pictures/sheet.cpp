@@ -26,6 +26,10 @@ constexpr Column columns[] = {{"gold", "gold", {0, 0, 0}, 1},
                               {"plastic", "pmma", {0.5, 0.04, 0.03}, 1},
                               {"silicon", "silicon", {0, 0, 0}, 1}};
 
+// The models that the others are compared with.
+constexpr const char* diffuse_reference = "lambert";
+constexpr const char* specular_reference = "ggx-exact";
+
 SurfaceValues surface(const Column& column, Library& library, const Gloss& gloss) {
   const auto material = library.get().find(column.material);
   if (!material)
@@ -61,31 +65,48 @@ Image draw_sheet(RenderArguments& arguments, unsigned threads, Scene& scene) {
   }
   const std::size_t rows = models().size() + 5;
   Progress progress(arguments.stats, rows * surfaces.size(), "render");
+  const auto drawn = [&](const SurfaceValues& values, const std::string& specular, const std::string& diffuse,
+                         const LightSetup& lights, const Environment* environment) {
+    Scene one = scene;
+    one.surface = values;
+    one.lights = lights;
+    choose_models(one, specular, diffuse, {}, notes.remarks);
+    Image out;
+    render_cpu(one, environment, threads, Precision::f32, out);
+    return out;
+  };
   const auto add_row = [&](const std::string& label, const std::string& specular, const std::string& diffuse,
-                           const LightSetup& lights, const Environment* environment) {
+                           const LightSetup& lights, const Environment* environment,
+                           const std::vector<Image>* references) {
     sheet.rows.push_back(label);
-    for (const SurfaceValues& each : surfaces) {
-      Scene one = scene;
-      one.surface = each;
-      one.lights = lights;
-      choose_models(one, specular, diffuse, {}, notes.remarks);
-      render_cpu(one, environment, threads, Precision::f32, sheet.pictures.emplace_back());
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      Image picture = drawn(surfaces[i], specular, diffuse, lights, environment);
+      sheet.pictures.push_back(
+          references == nullptr
+              ? std::move(picture)
+              : beside(picture, difference_picture((*references)[i], picture, scene.exposure)));
       progress.advance(1, 0);
     }
   };
+  std::vector<Image> by_lambert, by_ggx_exact;
+  for (const SurfaceValues& each : surfaces) {
+    by_lambert.push_back(drawn(each, "", diffuse_reference, scene.lights, around.get()));
+    by_ggx_exact.push_back(drawn(each, specular_reference, "", scene.lights, around.get()));
+  }
   for (const Model& model : models()) {
     const std::string id(model.id);
-    add_row(id, model.kind == ModelKind::diffuse ? "" : id, model.kind == ModelKind::diffuse ? id : "",
-            scene.lights, around.get());
+    const bool diffuse = model.kind == ModelKind::diffuse;
+    add_row(id, diffuse ? "" : id, diffuse ? id : "", scene.lights, around.get(),
+            diffuse ? &by_lambert : &by_ggx_exact);
   }
   LightSetup hemispheres;
   hemispheres.hemispheres =
       scene.lights.hemispheres ? scene.lights.hemispheres : default_lights().hemispheres;
-  add_row("hemispheres alone", "", "", hemispheres, nullptr);
-  add_row("environment alone", "", "", alone, studio.get());
+  add_row("hemispheres alone", "", "", hemispheres, nullptr, nullptr);
+  add_row("environment alone", "", "", alone, studio.get(), nullptr);
   for (const double row_gloss : {0.25, 0.5, 1.0}) {
     for (SurfaceValues& each : surfaces) each.gloss = row_gloss;
-    add_row("gloss " + number(row_gloss, 3), "", "", scene.lights, around.get());
+    add_row("gloss " + number(row_gloss, 3), "", "", scene.lights, around.get(), nullptr);
   }
   return laid_out(sheet);
 }

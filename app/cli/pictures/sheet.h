@@ -6,8 +6,9 @@
 
 namespace etak::cli {
 
-/// The contact sheet: eight materials (columns) with every model of the registry (rows). Five more rows use
-/// the default models, with the light of the hemispheres alone, with that of etak's environment alone, and at
+/// The contact sheet: eight materials (columns) with every model of the registry (rows). Beside each sphere
+/// is its difference from the same with ggx-exact (of a diffuse model: with lambert). Five more rows use the
+/// default models, with the light of the hemispheres alone, with that of etak's environment alone, and at
 /// three values of gloss. Throws Error where a subject is given.
 ///   arguments   gloss or roughness, size (of one sphere; 128 in place of the default), lights, camera,
 ///               background, exposure and transfer are used

@@ -10,7 +10,7 @@
 namespace etak::cli {
 
 void add_choose(CommandLine& line) {
-  Command verb = line.verb("choose", "Find the cheapest way to draw a material within a budget of error");
+  Command verb = line.verb("choose", "the cheapest way to draw a material within a budget of error");
   auto arguments = std::make_shared<ChooseArguments>();
   verb.option("what", arguments->materials,
               "a scene (glTF, pack manifest or folder of pictures), or materials of the "

@@ -3,6 +3,7 @@
 
 #include "app/cli/completion/kinds.h"
 #include "app/cli/completion/shells.h"
+#include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
@@ -13,17 +14,19 @@ namespace {
 
 struct CompletionArguments {
   std::string shell, words;
+  Library library;
   OutputArguments output;
 };
 
-int run(const CompletionArguments& arguments, const std::vector<VerbRow>& table) {
+int run(CompletionArguments& arguments, const std::vector<VerbRow>& table) {
   if (arguments.shell.empty() == arguments.words.empty())
     throw Error::at("etak completion", "not one question", "bash, zsh or fish, or --words KIND");
-  write_output(arguments.output, !arguments.words.empty()
-                                     ? joined(names_of(arguments.words, table), "\n") + '\n'
-                                 : arguments.shell == "bash" ? bash_completion(table)
-                                 : arguments.shell == "zsh"  ? zsh_completion(table)
-                                                             : fish_completion(table));
+  write_output(arguments.output,
+               !arguments.words.empty()
+                   ? joined(names_of(arguments.words, table, arguments.library), "\n") + '\n'
+               : arguments.shell == "bash" ? bash_completion(table)
+               : arguments.shell == "zsh"  ? zsh_completion(table)
+                                           : fish_completion(table));
   return exit_ok;
 }
 
@@ -36,6 +39,7 @@ void add_completion(CommandLine& line) {
   verb.option("--words", arguments->words,
               "print the names that etak knows, one a line: what the scripts ask for")
       .words(named_kinds());
+  add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output, {"text"});
   verb.footer(
       "bash: etak completion bash >~/.local/share/bash-completion/completions/etak\n"

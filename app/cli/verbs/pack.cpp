@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -31,12 +32,17 @@ Option add_setting(Command verb, const PackSettingRow& row, const std::string& n
   return out;
 }
 
+// The settings that the short help shows, beside the options that every verb has there.
+bool in_short_help(std::string_view name) {
+  return name == "page" || name == "islands" || name == "format" || name == "gltf-form";
+}
+
 void add_settings(Command verb, PackSettings& settings) {
   for (const PackSettingRow& row : pack_setting_rows()) {
     const std::string name = "--" + std::string(row.name);
     Option option =
         std::visit([&](auto member) { return add_setting(verb, row, name, settings.*member); }, row.value);
-    option.group(std::string(row.group));
+    if (!in_short_help(row.name)) option.group(std::string(row.group));
     if (row.is(PackSettingRow::file)) option.reads_file();
     if (!row.words.empty()) option.one_of(row.word_list());
     if (!row.value_name.empty()) option.value_name(std::string(row.value_name));
@@ -52,8 +58,7 @@ void add_settings(Command verb, PackSettings& settings) {
 
 void add_output_group(Command verb, PackArguments& a) {
   const std::string group = "Output";
-  verb.flag("--force", a.force, "replace files that are of no earlier atlas; ETAK_FORCE=1 says the same")
-      .group(group);
+  verb.flag("--force", a.force, "replace files that are of no earlier atlas; ETAK_FORCE=1 says the same");
   verb.flag("-u,--update", a.update, "do nothing where the result of the same input and options is in place")
       .group(group);
   verb.flag("--dry-run", a.dry_run, "read, lay out and report, but write nothing").group(group);

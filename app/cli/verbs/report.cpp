@@ -10,7 +10,7 @@
 namespace etak::cli {
 
 void add_report(CommandLine& line) {
-  Command verb = line.verb("report", "Measure error against run time of every shortcut");
+  Command verb = line.verb("report", "error against run time of every shortcut");
   auto arguments = std::make_shared<ReportArguments>();
   verb.option("--family", arguments->families,
               "only these, such as fresnel,transfer; see the page for the names")

@@ -23,7 +23,7 @@ int show_stability(const StabilityArguments& arguments) {
 }  // namespace
 
 void add_stability(CommandLine& line) {
-  Command verb = line.verb("stability", "Run every stiff and extreme case through the real code");
+  Command verb = line.verb("stability", "every stiff and extreme case, run through the real code");
   auto arguments = std::make_shared<StabilityArguments>();
   verb.option("--device", arguments->device,
               "cpu: double and single precision; gl, all: and the formulas on OpenGL")

@@ -130,8 +130,11 @@ void append_swatches(std::string& out, const MaterialReport& report, const F0Pag
     const Dataset& dataset = report.material.datasets[i];
     const auto edge = context.edge_codes(result);
     const std::string color = hex(result.srgb8);
+    if (i == report.material.preferred)
+      append(out, "<span class=\"ball\" style=\"background:",
+             ball_paint(report.material, dataset, result, context.options()), "\"></span>");
     append(out, "<figure", i == report.material.preferred ? " class=\"big\"" : "",
-           "><div class=\"chip\" role=\"img\" ");
+           "><div class=\"chip\" data-copy=\"", color, "\" role=\"img\" ");
     append(out, "aria-label=\"F0 ", color, edge ? ", F82 " + hex(*edge) : "", "\" style=\"background:");
     append(out, color, "\">");
     if (edge) append(out, "<i style=\"background:", hex(*edge), "\"></i>");

@@ -39,25 +39,6 @@ constexpr std::array<ClassTitle, material_classes.size()> class_titles{{{"metal"
                                                                         {"gas", "Gases"},
                                                                         {"surface", "Measured surfaces"}}};
 
-std::vector<F0PageGroup> grouped(std::span<const MaterialReport> materials) {
-  std::vector<F0PageGroup> groups;
-  for (const ClassTitle& row : class_titles)
-    groups.push_back({std::string(row.material_class), std::string(row.title), {}});
-  for (const MaterialReport& report : materials) {
-    const std::string& wanted = report.material.material_class;
-    auto group =
-        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.material_class == wanted; });
-    if (group == groups.end()) group = groups.insert(group, {wanted, wanted, {}});
-    group->members.push_back(&report);
-  }
-  std::erase_if(groups, [](const F0PageGroup& group) { return group.members.empty(); });
-  for (F0PageGroup& group : groups)
-    std::sort(group.members.begin(), group.members.end(), [](const auto* a, const auto* b) {
-      return std::tie(a->material.name, a->material.id) < std::tie(b->material.name, b->material.id);
-    });
-  return groups;
-}
-
 // The visible spectrum as a gradient for the bars below wavelength axes. Each wavelength has its chromaticity
 // with the largest channel scaled to one; the gradient fades towards the ends, where the eye sees little.
 void append_spectrum_gradient(std::string& out) {
@@ -138,6 +119,25 @@ void append_flag_meanings(std::string& out, std::span<const MaterialReport> mate
 
 // ---- shared by the parts
 
+std::vector<F0PageGroup> page_groups(std::span<const MaterialReport> materials) {
+  std::vector<F0PageGroup> groups;
+  for (const ClassTitle& row : class_titles)
+    groups.push_back({std::string(row.material_class), std::string(row.title), {}});
+  for (const MaterialReport& report : materials) {
+    const std::string& wanted = report.material.material_class;
+    auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.material_class == wanted; });
+    if (group == groups.end()) group = groups.insert(group, {wanted, wanted, {}});
+    group->members.push_back(&report);
+  }
+  std::erase_if(groups, [](const F0PageGroup& group) { return group.members.empty(); });
+  for (F0PageGroup& group : groups)
+    std::sort(group.members.begin(), group.members.end(), [](const auto* a, const auto* b) {
+      return std::tie(a->material.name, a->material.id) < std::tie(b->material.name, b->material.id);
+    });
+  return groups;
+}
+
 F0PageContext::F0PageContext(const F0Options& options) : options_(options) {
   if (options.custom_space) return;
   const auto white_of = [&](Illuminant illuminant) {
@@ -203,7 +203,7 @@ void append_flags(std::string& out, const F0Result& result) {
 
 std::string f0_page(std::span<const MaterialReport> materials, const F0Options& options) {
   const F0PageContext context(options);
-  const std::vector<F0PageGroup> groups = grouped(materials);
+  const std::vector<F0PageGroup> groups = page_groups(materials);
   std::string out;
   append_head(out, materials, groups, options);
   out +=
@@ -217,8 +217,11 @@ std::string f0_page(std::span<const MaterialReport> materials, const F0Options& 
       "no verdict.</p>\n";
   append_luminance_strip(out, groups);
   out +=
-      "</section>\n<section id=\"table\"><h2>All materials</h2>\n<p>Preferred dataset of each. The narrow "
-      "swatch is F82. ";
+      "</section>\n<section id=\"table\"><h2>All materials</h2>\n<p>Preferred dataset of each. The ball is a "
+      "smooth "
+      "sphere of it under light that is the same from all sides: F0 in the middle, the reflectance of each "
+      "angle "
+      "around it. Of the swatch beside it the narrow part is F82. ";
   out += "Spread is the largest ΔE<sub>2000</sub> between the preferred and another published dataset.</p>\n";
   append_summary_table(out, groups, context);
   out +=
@@ -234,7 +237,7 @@ std::string f0_page(std::span<const MaterialReport> materials, const F0Options& 
   }
   out += "</section>\n";
   append_flag_meanings(out, materials);
-  append(out, "</main>\n<script>", page_script, "</script>\n</body></html>\n");
+  append(out, "</main>\n<script>", copy_script, page_script, "</script>\n</body></html>\n");
   return out;
 }
 

@@ -47,12 +47,23 @@ std::string codes_text(const Srgb8& codes);
 /// other or the preferred one was refused.
 double largest_difference(const MaterialReport& report);
 
+/// The CSS background of a disc that shows a smooth sphere of a dataset under light that is the same from all
+/// sides: F0 in the middle, F at the angle of each ring, white at the rim. The flat colour of F0 for
+/// reflectance data, whose sphere looks the same everywhere, and where F cannot be computed.
+std::string ball_paint(const Material& material, const Dataset& dataset, const F0Result& result,
+                       const F0Options& options);
+
 /// Short names of the flags of `result`, each with a link to its explanation, then the reason of a refusal.
 void append_flags(std::string& out, const F0Result& result);
 
 /// An SVG with a dot for every material at the luminance of its F0, in one lane each for conductors,
 /// semiconductors and dielectrics. The forbidden zone is shaded. Surfaces have no F0 and therefore no dot.
-void append_luminance_strip(std::string& out, std::span<const F0PageGroup> groups);
+///   page   address of the F0 page that the dots lead to; empty: the page that the SVG is in
+void append_luminance_strip(std::string& out, std::span<const F0PageGroup> groups,
+                            std::string_view page = {});
+
+/// The materials by their classes, in the order of the page.
+std::vector<F0PageGroup> page_groups(std::span<const MaterialReport> materials);
 
 /// One row per material, one <tbody> per class.
 void append_summary_table(std::string& out, std::span<const F0PageGroup> groups,

@@ -50,9 +50,9 @@ void spread_out(Lane& lane) {
   }
 }
 
-void append_dot(std::string& out, const Dot& dot, double middle) {
+void append_dot(std::string& out, const Dot& dot, double middle, std::string_view page) {
   const F0Result& result = preferred_result(*dot.report);
-  append(out, "<a href=\"#", anchor("m-", dot.report->material.id), "\"><circle cx=\"");
+  append(out, "<a href=\"", page, "#", anchor("m-", dot.report->material.id), "\"><circle cx=\"");
   append(out, fixed(dot.x, 1), "\" cy=\"", fixed(middle + dot.offset, 1), "\" r=\"");
   append(out, fixed(radius, 0), "\" fill=\"", hex(result.srgb8), "\"><title>");
   append(out, escape_html(dot.report->material.name), ", Y ", fixed(result.luminance, 4));
@@ -61,7 +61,7 @@ void append_dot(std::string& out, const Dot& dot, double middle) {
 
 }  // namespace
 
-void append_luminance_strip(std::string& out, std::span<const F0PageGroup> groups) {
+void append_luminance_strip(std::string& out, std::span<const F0PageGroup> groups, std::string_view page) {
   std::array<Lane, 3> lanes{{{"conductor", "Conductors", {}},
                              {"semiconductor", "Semiconductors", {}},
                              {"dielectric", "Dielectrics", {}}}};
@@ -107,7 +107,7 @@ void append_luminance_strip(std::string& out, std::span<const F0PageGroup> group
     const double middle = y + lane.reach;
     append(out, "<text class=\"label\" x=\"", fixed(first_x - 14, 0), "\" y=\"", fixed(middle + 4, 1));
     append(out, "\" text-anchor=\"end\">", lane.title, "</text>");
-    for (const Dot& dot : lane.dots) append_dot(out, dot, middle);
+    for (const Dot& dot : lane.dots) append_dot(out, dot, middle, page);
     y += 2 * lane.reach + lane_gap;
   }
   out += "</svg></div>\n";

@@ -44,9 +44,14 @@ void append_row(std::string& out, const MaterialReport& report, const F0PageCont
   const F0Result& r = preferred_result(report);
   const std::string& id = report.material.id;
   const auto edge = context.edge_codes(r);
-  append(out, "<tr id=\"", anchor("t-", id),
-         "\"><th scope=\"row\"><span class=\"who\"><span class=\"pair\">");
-  if (!r.refused()) {
+  append(out, "<tr id=\"", anchor("t-", id), "\" data-class=\"", report.material.material_class,
+         "\"><th scope=\"row\"><span class=\"who\">");
+  if (r.refused()) {
+    out += "<span class=\"ball\"></span><span class=\"pair\">";
+  } else {
+    append(out, "<span class=\"ball\" style=\"background:",
+           ball_paint(report.material, report.material.preferred_dataset(), r, context.options()),
+           "\"></span><span class=\"pair\" data-copy=\"", hex(r.srgb8), "\">");
     append_swatch(out, r.srgb8, "f0");
     if (edge) append_swatch(out, *edge, "f82");
   }
@@ -57,12 +62,14 @@ void append_row(std::string& out, const MaterialReport& report, const F0PageCont
     append(out, escape_html(r.refusal), "</td></tr>\n");
     return;
   }
-  append(out, "<td><code>", hex(r.srgb8), "</code></td><td class=\"num\">", codes_text(r.srgb8), "</td>");
+  append(out, "<td data-copy=\"", hex(r.srgb8), "\"><code>", hex(r.srgb8),
+         "</code></td><td class=\"num\" data-copy=\"", codes_text(r.srgb8), "\">", codes_text(r.srgb8),
+         "</td>");
   for (const double value : vec(r.linear)) append_number_cell(out, value);
   append_number_cell(out, r.luminance);
   const std::string_view zone = r.zone ? name(*r.zone) : "";
   append(out, "<td class=\"", zone, "\">", r.zone ? zone : "–", "</td><td>");
-  if (edge) append(out, "<code>", hex(*edge), "</code>");
+  if (edge) append(out, "<code data-copy=\"", hex(*edge), "\">", hex(*edge), "</code>");
   append(out, edge ? "" : "–", "</td><td class=\"num\">");
   const std::size_t count = spread(report).count;
   if (count > 1) append(out, fixed(largest_difference(report), 1), " (", std::to_string(count), ")");

@@ -111,6 +111,19 @@ TEST_CASE("the F0 page shows policy, swatches, spread, sources and the reason of
   CHECK(contains(html, "prefers-color-scheme: dark"));
 }
 
+TEST_CASE(
+    "every F0 of the page has a ball and values that a click copies, and the script sorts over classes") {
+  const std::string html = page();
+  const auto balls = all(html, "class=\"ball\" style=\"background:");
+  // In the table and on the card: the metal, whose F changes with the angle, and the surface, which is even.
+  CHECK(balls.size() == 4);
+  CHECK(all(html, "class=\"ball\" style=\"background:radial-gradient(closest-side").size() == 2);
+  CHECK(balls.count(hex(surface_result({0.8, 0.79, 0.7}).srgb8)) == 2);
+  CHECK(all(html, "data-copy=\"").count(hex(gold_result().srgb8)) >= 2);
+  CHECK(all(html, "data-class=\"").size() == 3);
+  CHECK(contains(html, "flat.append"));
+}
+
 TEST_CASE("every plot of the F0 page has a title for those who cannot see it") {
   const std::string html = page();
   const auto plots = all(html, "role=\"img\"><title>", "</title>");

@@ -316,6 +316,12 @@ TEST_CASE("the page works from disk: pictures inside, explanations inside, nothi
   CHECK(contains(page, "data:image/png;base64,cG5nIGJ5dGVz\""));
   CHECK_FALSE(contains(page, "http"));
   CHECK_FALSE(contains(page, "<script"));
+  // Filters without a script, files that fold, heat maps that are off.
+  for (const char* list : {"show-severity", "show-rule", "show-file"})
+    CHECK(contains(page, "<select id=\"" + std::string(list) + "\">"));
+  CHECK(contains(page, "option[value=\"error\"]:checked"));
+  CHECK(contains(page, "<details open><summary><h3>"));
+  CHECK_FALSE(contains(page, " checked>"));
   CHECK(contains(page, "0.30 % of 1,003 texels inside"));
   CHECK(contains(page, "hinge, &quot;left&quot;"));
   CHECK_FALSE(contains(page, "<of>"));

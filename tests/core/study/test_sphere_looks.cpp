@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/study/sphere_looks.h"
+
+#include <catch2/catch.hpp>
+
+#include "core/color/delta_e.h"
+#include "core/color/srgb.h"
+#include "core/material/library.h"
+
+using namespace etak;
+
+namespace {
+
+constexpr int side = 24;
+
+FresnelTruth truth_of(const char* id) {
+  const auto material = MaterialLibrary::builtin().find(id);
+  return fresnel_truth(std::get<OpticalConstants>(material->preferred_dataset().optics), id);
+}
+
+// The same light from all sides.
+Environment even(float radiance) {
+  return Environment(Image(64, 32, 3, radiance), 1, "even", 1);
+}
+
+std::vector<SphereLook> looks_of(const char* id, const Environment& around) {
+  const FresnelForm* const forms[] = {fresnel_form("schlick"), fresnel_form("f82_tint")};
+  return sphere_looks(truth_of(id), forms, around, 0.5, 1, side);
+}
+
+}  // namespace
+
+TEST_CASE("a sphere under even light shows F0 in its middle and is cut out of its square") {
+  const auto looks = looks_of("copper", even(0.5f));
+  REQUIRE(looks.size() == 3);
+  const FresnelTruth truth = truth_of("copper");
+  for (const SphereLook& look : looks) {
+    const auto middle = look.picture.at(side / 2, side / 2);
+    for (std::size_t c = 0; c < 3; ++c) CHECK(std::abs(middle[c] - srgb_u8(0.5 * truth.f0[c])) <= 1);
+    CHECK(middle[3] == 255);
+    CHECK(look.picture.at(0, 0)[3] == 0);
+    CHECK(look.picture.at(side / 2, 0)[3] > 0);
+  }
+}
+
+TEST_CASE("the exact sphere differs from itself by nothing, F82 misses chromium by less than Schlick does") {
+  const auto looks = looks_of("chromium", even(0.8f));
+  CHECK(looks[0].mean_de == 0);
+  CHECK(looks[0].worst_de == 0);
+  CHECK(looks[1].mean_de > 2 * looks[2].mean_de);
+  for (const SphereLook& look : looks) CHECK(look.worst_de >= look.mean_de);
+}
+
+TEST_CASE("where no light is, all spheres are black and equal") {
+  for (const SphereLook& look : looks_of("gold", even(0))) {
+    CHECK(look.worst_de == 0);
+    CHECK(look.picture.at(side / 2, side / 2)[0] == 0);
+  }
+}
