@@ -10,8 +10,8 @@
 
 namespace etak::test {
 
-/// The errors and warnings that the Khronos validator has for glTF files that need no other files, one a line;
-/// none where there is no node with gltf-validator (NODE_PATH).
+/// The errors and warnings that the Khronos validator has for glTF files that need no other files, one a
+/// line; none where there is no node with gltf-validator (NODE_PATH).
 ///   folder   for the files of this function
 inline std::optional<std::string> gltf_messages(const std::string& folder,
                                                 const std::vector<std::string>& files) {

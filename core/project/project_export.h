@@ -15,8 +15,8 @@ namespace etak {
 enum class ExportForm { material_x, gltf, glb };
 
 /// Writes materials into one file. Textures keep the size of the material's largest picture and have 8 bits a
-/// channel. Where a texture gives the diffuse colour or F0, the material is written as a dielectric, because a
-/// metal has no diffuse colour.
+/// channel. Where a texture gives the diffuse colour or F0, the material is written as a dielectric, because
+/// a metal has no diffuse colour.
 ///   glTF        the document holds the pictures. F0 is the specular colour under an index whose own F0 is 1,
 ///               so that nothing of it is lost; the diffuse colour is divided by 1 - max F0, which the shader
 ///               multiplies by

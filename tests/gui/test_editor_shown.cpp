@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the window shows is right and can be read: names, tooltips, paths, searches, findings, the first window.
+// What the window shows is right and can be read: names, tooltips, paths, searches, findings, the first
+// window.
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session by keys and mouse that ends by a kill: pick gold, compare models, import a page, export a textured
-// glTF, edit on. The next run recovers everything.
+// A session by keys and mouse that ends by a kill: pick gold, compare models, import a page, export a
+// textured glTF, edit on. The next run recovers everything.
 #include <signal.h>
 #include <unistd.h>
 
