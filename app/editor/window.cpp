@@ -34,7 +34,6 @@
 #include "app/editor/panels/view_panel.h"
 #include "app/editor/window_icon.h"
 #include "core/base/error.h"
-#include "core/validate/files/project_check.h"
 
 namespace etak::editor {
 namespace {
@@ -242,8 +241,12 @@ void Window::go_to_finding(const QString& material, const QString& rule) {
   const auto& list = document_.project().materials;
   for (std::size_t i = 0; i < list.size(); ++i)
     if (list[i].name == material.toStdString()) document_.set_current(static_cast<int>(i));
+  // The panel may be closed, or behind another one.
+  auto* dock = findChild<QDockWidget*>(QStringLiteral("inspector"));
+  dock->show();
+  dock->raise();
   inspector_tabs_->setCurrentWidget(inspector_);
-  inspector_->go_to(field_of(rule.toStdString()).value_or(Channel::specular));
+  inspector_->go_to(rule.toStdString());
 }
 
 void Window::keyPressEvent(QKeyEvent* event) {

@@ -20,7 +20,8 @@ class QTabWidget;
 
 namespace etak {
 struct EngineTarget;
-}
+enum class ExportForm;
+}  // namespace etak
 
 namespace etak::editor {
 
@@ -123,7 +124,12 @@ class Window : public QMainWindow {
   void copy_value(const EngineTarget& target);
   enum class ExportOf { one, selected, all };
   void fill_export_menu(QMenu* menu, ExportOf which);
-  void export_to(const QString& kind, ExportOf which);
+  void export_to(ExportForm form, ExportOf which);
+  /// Asks for the name of a file to write. A name without an ending gets `ending` before the question whether
+  /// a file of that name is to be replaced.
+  ///   proposed   beginning of the name, with its folder; returns an empty name where the user gives up
+  QString name_to_save(const QString& title, const QString& proposed, const QString& filter,
+                       const QString& ending);
 
   bool may_lose_changes();
   /// Whether a project may replace the present one: asks the user only where the document has changed since
@@ -158,6 +164,7 @@ class Window : public QMainWindow {
   void show_shader();
   void show_curves();
   void show_patch(const PatchUnderCursor& patch);
+  void drop_old_patch();
   void go_to_finding(const QString& material, const QString& rule);
 
   WindowOptions options_;
@@ -168,7 +175,7 @@ class Window : public QMainWindow {
   Look look_;
   QThreadPool io_, heavy_;
   int busy_ = 0;
-  bool seen_frame_ = false;
+  bool seen_frame_ = false, patch_compares_ = false;
 
   Viewport* viewport_ = nullptr;
   LibraryPanel* library_panel_ = nullptr;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 
@@ -11,26 +10,23 @@
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
-#include "core/base/files/file.h"
 #include "core/exchange/engine_values.h"
-#include "core/exchange/gltf_material.h"
-#include "core/exchange/material_x.h"
+#include "core/image/image_io.h"
+#include "core/project/project_export.h"
 
 namespace etak::editor {
 namespace {
 
-// Throws Error for a material with textures: the targets take numbers only, and a texture would be lost
-// without a message.
+// Throws Error for a material with textures, which numbers to be copied cannot hold.
 void refuse_textures(const ProjectMaterial& m) {
   QStringList channels;
   for (const Channel each : all_channels)
     if (m.texture(each)) channels << qt_text(name(each));
   if (channels.isEmpty()) return;
-  throw Error(
-      QObject::tr("%1 has textures (%2), which this export cannot hold: it writes numbers alone. Pack the "
-                  "atlas for the textures, or take them off a copy of the material")
-          .arg(qt_text(m.name), channels.join(QStringLiteral(", ")))
-          .toStdString());
+  throw Error(QObject::tr("%1 has textures (%2), which numbers to be copied cannot hold: export it as "
+                          "MaterialX or glTF, or pack the atlas")
+                  .arg(qt_text(m.name), channels.join(QStringLiteral(", ")))
+                  .toStdString());
 }
 
 struct Written {
@@ -38,30 +34,27 @@ struct Written {
 };
 
 Written export_file(const std::vector<ProjectMaterial>& materials, const MaterialLibrary& library,
-                    const QString& kind, const QString& path) {
+                    ExportForm form, const QString& path) {
   Written out;
   try {
-    std::vector<ExportSurface> surfaces;
-    for (const ProjectMaterial& each : materials) {
-      refuse_textures(each);
-      surfaces.push_back(export_surface(each, library));
-    }
-    std::vector<Changes> changes;
-    const std::string bytes =
-        kind == QLatin1String("mtlx")
-            ? material_x(surfaces, Fit::clamp, changes)
-            : gltf_document(surfaces, GltfMaterialForm::metal_rough,
-                            kind == QLatin1String("glb") ? GltfContainer::glb : GltfContainer::gltf,
-                            Fit::clamp, changes);
-    write_file(path.toStdString(), bytes, true);
+    const std::vector<Changes> changes =
+        export_materials(materials, library, form, Fit::clamp, picture_door(), path.toStdString());
     for (std::size_t i = 0; i < changes.size(); ++i)
       for (const Change& change : changes[i])
         out.remarks += (changes.size() > 1 ? qt_text(materials[i].name) + QStringLiteral(": ") : QString()) +
                        qt_text(one_line(change)) + QLatin1Char('\n');
   } catch (const Error& error) {
     out.error = QString::fromUtf8(error.what());
+  } catch (const std::bad_alloc&) {
+    out.error = QObject::tr("There is not enough memory for the textures");
   }
   return out;
+}
+
+QString ending_of(ExportForm form) {
+  return form == ExportForm::material_x ? QStringLiteral("mtlx")
+         : form == ExportForm::gltf     ? QStringLiteral("gltf")
+                                        : QStringLiteral("glb");
 }
 
 }  // namespace
@@ -69,12 +62,12 @@ Written export_file(const std::vector<ProjectMaterial>& materials, const Materia
 void Window::fill_export_menu(QMenu* menu, ExportOf which) {
   const bool one = which == ExportOf::one;
   action(menu, tr("&MaterialX\u2026"), one ? QKeySequence(Qt::CTRL | Qt::Key_E) : QKeySequence(),
-         [this, which] { export_to(QStringLiteral("mtlx"), which); });
-  action(menu, tr("&glTF\u2026"), {}, [this, which] { export_to(QStringLiteral("gltf"), which); });
-  action(menu, tr("g&lTF, binary\u2026"), {}, [this, which] { export_to(QStringLiteral("glb"), which); });
+         [this, which] { export_to(ExportForm::material_x, which); });
+  action(menu, tr("&glTF\u2026"), {}, [this, which] { export_to(ExportForm::gltf, which); });
+  action(menu, tr("g&lTF, binary\u2026"), {}, [this, which] { export_to(ExportForm::glb, which); });
 }
 
-void Window::export_to(const QString& kind, ExportOf which) {
+void Window::export_to(ExportForm form, ExportOf which) {
   const std::vector<ProjectMaterial>& all = document_.project().materials;
   std::vector<ProjectMaterial> materials;
   if (which == ExportOf::all) materials = all;
@@ -85,17 +78,20 @@ void Window::export_to(const QString& kind, ExportOf which) {
   // A '/' in a name must not become a folder.
   const QString whose = materials.size() == 1 ? qt_text(materials.front().name).replace(u'/', u'_')
                                               : QFileInfo(document_.title()).completeBaseName();
-  const QString file = QFileDialog::getSaveFileName(
-      this,
+  const QString ending = ending_of(form);
+  const QString file = name_to_save(
       materials.size() == 1 ? tr("Export the material") : tr("Export %1 materials").arg(materials.size()),
-      beside_project(whose + QLatin1Char('.') + kind), QStringLiteral("*.") + kind);
+      beside_project(whose + QLatin1Char('.') + ending), QStringLiteral("*.") + ending, ending);
   if (file.isEmpty()) return;
+  ++busy_;
+  tell(tr("Exporting %1").arg(short_path(file)));
   in_background(
       io_, this,
-      [materials, library = document_.library(), kind, file] {
-        return export_file(materials, *library, kind, file);
+      [materials, library = document_.library(), form, file] {
+        return export_file(materials, *library, form, file);
       },
       [this, file](const Written& written) {
+        --busy_;
         if (!written.error.isEmpty())
           show_problems(tr("Nothing was exported"), {written.error});
         else if (!written.remarks.isEmpty())

@@ -109,12 +109,21 @@ void Window::save() {
     save_to(document_.path());
 }
 
+QString Window::name_to_save(const QString& title, const QString& proposed, const QString& filter,
+                             const QString& ending) {
+  const QFileInfo first(proposed);
+  QFileDialog dialog(this, title, first.absolutePath(), filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(ending);
+  dialog.selectFile(first.fileName());
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
 bool Window::save_as() {
-  QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the project"),
-      document_.path().isEmpty() ? QStringLiteral("project.json") : document_.path(), project_filter());
+  const QString file = name_to_save(
+      tr("Save the project"), document_.path().isEmpty() ? QStringLiteral("project.json") : document_.path(),
+      project_filter(), QStringLiteral("json"));
   if (file.isEmpty()) return false;
-  if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".json");
   save_to(file);
   return true;
 }
@@ -152,11 +161,11 @@ void Window::save_to(const QString& path) {
 
 void Window::save_material_as() {
   if (document_.material() == nullptr) return;
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the material"),
-      beside_project(QString::fromStdString(document_.material()->name).replace(u'/', u'_') +
-                     QStringLiteral(".json")),
-      project_filter());
+  const QString file =
+      name_to_save(tr("Save the material"),
+                   beside_project(QString::fromStdString(document_.material()->name).replace(u'/', u'_') +
+                                  QStringLiteral(".json")),
+                   project_filter(), QStringLiteral("json"));
   if (file.isEmpty()) return;
   in_background(
       io_, this,
@@ -172,8 +181,8 @@ void Window::save_material_as() {
 }
 
 void Window::save_picture() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the picture"), beside_project(QStringLiteral("picture.png")), tr("PNG (*.png)"));
+  const QString file = name_to_save(tr("Save the picture"), beside_project(QStringLiteral("picture.png")),
+                                    tr("PNG (*.png)"), QStringLiteral("png"));
   if (file.isEmpty()) return;
   in_background(
       io_, this, [file, picture = viewport_->grab_picture()] { return save_png(picture, file); },

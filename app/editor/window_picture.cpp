@@ -59,6 +59,8 @@ void Window::connect_viewport() {
   connect(&document_, &Document::replaced, this, in_hand);
   connect(&document_, &Document::spectra_changed, this, soon);
   connect(&document_, &Document::view_changed, this, soon);
+  connect(&document_, &Document::view_changed, this, &Window::drop_old_patch);
+  connect(&document_, &Document::replaced, this, &Window::drop_old_patch);
   connect(&document_, &Document::current_changed, view_panel_, &ViewPanel::show_look);
   connect(texture_view_, &TextureView::textures_changed, this, soon);
   connect(view_panel_, &ViewPanel::look_changed, this, soon);
@@ -204,6 +206,15 @@ void Window::show_shader() {
                            ? tr("No shader: %1").arg(viewport_->fallback_reason())
                            : first_line + viewport_->shader_text();
   if (shader_->toPlainText() != text) shader_->setPlainText(text);
+}
+
+// The difference to side B is told no longer than there is a side B.
+void Window::drop_old_patch() {
+  const bool compares = document_.project().view.compare.on;
+  if (compares == patch_compares_) return;
+  patch_compares_ = compares;
+  patch_->clear();
+  view_panel_->show_patch({});
 }
 
 void Window::show_patch(const PatchUnderCursor& patch) {

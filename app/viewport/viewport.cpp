@@ -84,6 +84,10 @@ void Viewport::Private::use_cpu(const QString& why) {
       refusal = message;
       tell_message();
     });
+    QTimer::singleShot(cpu_note_ms, &q, [this] {
+      cpu_note_over = true;
+      refresh_overlay();
+    });
   }
   refresh();
   emit q.backend_changed(false);
@@ -164,6 +168,9 @@ QSize Viewport::Private::picture_size() const {
 
 void Viewport::set_state(const ViewState& state) {
   if (state == d_->state) return;
+  // What is under the cursor is told anew when the cursor moves; the difference to a side that is gone is not
+  // told until then.
+  if (state.split != d_->state.split) d_->readout.clear();
   d_->state = state;
   d_->refusal.clear();
   d_->refresh();

@@ -74,6 +74,9 @@ class Viewport : public QWidget {
   /// The MIME type of dragged materials, whose data is an id in UTF-8; a drop emits material_dropped().
   static constexpr const char* material_mime = "application/x-etak-material";
 
+  /// How long the picture is covered by the note that the CPU draws it.
+  static constexpr int cpu_note_ms = 6000;
+
  public slots:
   void frame_object();        // key F: shows the whole object in the middle
   void reset_camera();        // double click

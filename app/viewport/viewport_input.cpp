@@ -341,7 +341,7 @@ void Viewport::Private::refresh_overlay() {
     }
   }
   content.readout = readout;
-  content.message = message();
+  if (!cpu_note_over || !refusal.isEmpty() || !display_failure.isEmpty()) content.message = message();
   overlay->show_content(std::move(content));
 }
 

@@ -28,6 +28,7 @@ class Viewport::Private {
   double frame_ms = 0;
   int contexts_lost = 0;
   bool gl_threaded = true, flipped = false, opening = false;
+  bool cpu_note_over = false;  // the note that the CPU draws has been shown long enough
 
   enum class Drag { none, orbit, pan, zoom, environment, light, separator };
   Drag drag = Drag::none;

@@ -21,7 +21,7 @@ namespace {
 constexpr int slices = 48, stacks = 24;
 constexpr double spacing = 2.4;
 
-// The buffer: indices, normals (as positions too), UVs; each begins at a multiple of four.
+// The buffer: indices, normals (as positions too), UVs, then pictures; each begins at a multiple of four.
 struct Geometry {
   std::string buffer;
   std::vector<std::string> views, accessors;  // JSON
@@ -87,11 +87,14 @@ std::string four(const LinearRgb& c, double alpha) {
   return json_array_of(std::array{c.r, c.g, c.b, alpha});
 }
 
-std::string extras_of(const ExportSurface& s, const Changes& changes) {
+// Numbers that a picture replaces are left out.
+std::string extras_of(const ExportSurface& s, const GltfPictures& pictures, const Changes& changes) {
   std::vector<std::string> lines;
   for (const Change& change : changes) lines.push_back(one_line(change));
-  std::vector<JsonMember> members{{"f0_linear_srgb", three(s.f0)}};
-  if (!s.gloss.held()) members.push_back({"schueler_gloss", json(double{s.gloss})});
+  std::vector<JsonMember> members;
+  if (pictures.specular_color.empty()) members.push_back({"f0_linear_srgb", three(s.f0)});
+  if (!s.gloss.held() && pictures.metallic_roughness.empty())
+    members.push_back({"schueler_gloss", json(double{s.gloss})});
   if (s.f82) members.push_back({"f82_linear_srgb", three(*s.f82)});
   if (!s.source.empty()) members.push_back({"source", json(s.source)});
   if (!s.notes.empty()) members.push_back({"notes", json_array_of(s.notes)});
@@ -109,13 +112,109 @@ std::vector<JsonMember> volume_of(const ClearBody& body) {
           {"attenuationDistance", json(body.depth_m)}};
 }
 
-struct Used {
-  bool ior = false, specular = false, glossiness = false, transmission = false;
+// The pictures of a document, in the order of its textures and images.
+class Pictures {
+ public:
+  /// The texture of a picture, as a member of a material.
+  std::string texture(const std::string& png, const std::string& name) {
+    names_.push_back(name);
+    files_.push_back(&png);
+    return line_object({{"index", json(files_.size() - 1)}});
+  }
+  bool empty() const { return files_.empty(); }
+
+  /// Adds the bytes to the buffer, each picture as a view of it.
+  void append(Geometry& to) {
+    for (const std::string* png : files_) {
+      images_.push_back(line_object({{"name", json(names_[images_.size()])},
+                                     {"mimeType", json("image/png")},
+                                     {"bufferView", json(to.views.size())}}));
+      to.views.push_back(line_object(
+          {{"buffer", "0"}, {"byteOffset", json(to.buffer.size())}, {"byteLength", json(png->size())}}));
+      to.buffer += *png;
+      while (to.buffer.size() % 4 != 0) to.buffer.push_back('\0');
+    }
+  }
+
+  /// After append(): the members of the document. The pictures repeat and are filtered with mips.
+  void append_members(std::vector<JsonMember>& members) const {
+    std::vector<std::string> textures;
+    for (std::size_t i = 0; i < images_.size(); ++i)
+      textures.push_back(line_object({{"sampler", "0"}, {"source", json(i)}}));
+    members.push_back({"textures", json_lines(textures, 2)});
+    members.push_back({"samplers", '[' +
+                                       line_object({{"magFilter", json(linear)},
+                                                    {"minFilter", json(linear_mipmap_linear)},
+                                                    {"wrapS", json(repeat)},
+                                                    {"wrapT", json(repeat)}}) +
+                                       ']'});
+    members.push_back({"images", json_lines(images_, 2)});
+  }
+
+ private:
+  static constexpr std::size_t linear = 9729, linear_mipmap_linear = 9987, repeat = 10497;
+  std::vector<std::string> names_, images_;
+  std::vector<const std::string*> files_;
 };
 
-std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, Used& used,
-                        Changes& changes) {
-  const GltfMaterialValues v = gltf_values(s, form == GltfMaterialForm::specular_glossiness, fit, changes);
+struct Used {
+  bool ior = false, specular = false, glossiness = false, transmission = false;
+  Pictures pictures;
+};
+
+// The core material. A picture of a number takes the factor 1, which changes nothing of it.
+std::string metallic_roughness_of(const ExportSurface& s, const GltfMaterialValues& v,
+                                  const GltfPictures& pictures, Used& used) {
+  const bool colored = !pictures.base_color.empty() && !pictures.opacity_alone;
+  std::vector<JsonMember> members{{"baseColorFactor", four(colored ? LinearRgb{1, 1, 1} : v.base_color,
+                                                           pictures.alpha_mode.empty() ? v.opacity : 1)}};
+  if (!pictures.base_color.empty()) {
+    const std::string texture = used.pictures.texture(pictures.base_color, s.id + " base colour");
+    members.push_back({"baseColorTexture", texture});
+  }
+  members.push_back({"metallicFactor", json(v.metallic)});
+  if (pictures.metallic_roughness.empty()) {
+    members.push_back({"roughnessFactor", json(v.roughness)});
+  } else {
+    const std::string texture = used.pictures.texture(pictures.metallic_roughness, s.id + " roughness");
+    members.push_back({"metallicRoughnessTexture", texture});
+  }
+  return json_object(members, -1);
+}
+
+// The extensions of a dielectric.
+std::vector<JsonMember> dielectric_extensions(const ExportSurface& s, const GltfMaterialValues& v,
+                                              const GltfPictures& pictures, Used& used) {
+  std::vector<JsonMember> out;
+  used.ior = true;
+  if (!pictures.specular_color.empty()) {
+    used.specular = true;
+    const std::string texture = used.pictures.texture(pictures.specular_color, s.id + " F0");
+    out.push_back({"KHR_materials_ior", line_object({{"ior", "0"}})});
+    out.push_back({"KHR_materials_specular", line_object({{"specularColorTexture", texture}})});
+  } else {
+    out.push_back({"KHR_materials_ior", line_object({{"ior", json(v.ior)}})});
+    if (v.specular_color != LinearRgb{1, 1, 1}) {
+      used.specular = true;
+      out.push_back(
+          {"KHR_materials_specular", line_object({{"specularColorFactor", three(v.specular_color)}})});
+    }
+  }
+  if (v.transmission > 0) {
+    used.transmission = true;
+    out.push_back(
+        {"KHR_materials_transmission", line_object({{"transmissionFactor", json(v.transmission)}})});
+    out.push_back({"KHR_materials_volume", json_object(volume_of(*v.volume), -1)});
+  }
+  return out;
+}
+
+std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, const GltfPictures& pictures,
+                        Used& used, Changes& changes) {
+  const bool glossiness = form == GltfMaterialForm::specular_glossiness;
+  if (glossiness && !pictures.empty())
+    throw Error::at(s.id, "pictures in the form specular-glossiness", "the form metal-rough");
+  const GltfMaterialValues v = gltf_values(s, glossiness, fit, changes);
   std::vector<JsonMember> members{{"name", json(s.name.empty() ? s.id : s.name)}};
   std::vector<JsonMember> extensions;
   if (v.specular_glossiness) {
@@ -125,29 +224,14 @@ std::string material_of(const ExportSurface& s, GltfMaterialForm form, Fit fit, 
                                                              {"specularFactor", three(v.specular_color)},
                                                              {"glossinessFactor", json(v.glossiness)}})});
   } else {
-    members.push_back(
-        {"pbrMetallicRoughness", line_object({{"baseColorFactor", four(v.base_color, v.opacity)},
-                                              {"metallicFactor", json(v.metallic)},
-                                              {"roughnessFactor", json(v.roughness)}})});
-    if (v.metallic == 0) {
-      used.ior = true;
-      extensions.push_back({"KHR_materials_ior", line_object({{"ior", json(v.ior)}})});
-      if (v.specular_color != LinearRgb{1, 1, 1}) {
-        used.specular = true;
-        extensions.push_back(
-            {"KHR_materials_specular", line_object({{"specularColorFactor", three(v.specular_color)}})});
-      }
-      if (v.transmission > 0) {
-        used.transmission = true;
-        extensions.push_back(
-            {"KHR_materials_transmission", line_object({{"transmissionFactor", json(v.transmission)}})});
-        extensions.push_back({"KHR_materials_volume", json_object(volume_of(*v.volume), -1)});
-      }
-    }
+    members.push_back({"pbrMetallicRoughness", metallic_roughness_of(s, v, pictures, used)});
+    if (v.metallic == 0) extensions = dielectric_extensions(s, v, pictures, used);
   }
-  if (s.opacity < 1) members.push_back({"alphaMode", json("BLEND")});
+  const std::string mode = !pictures.alpha_mode.empty() ? pictures.alpha_mode : s.opacity < 1 ? "BLEND" : "";
+  if (!mode.empty() && mode != "OPAQUE") members.push_back({"alphaMode", json(mode)});
+  if (mode == "MASK") members.push_back({"alphaCutoff", json(pictures.alpha_cutoff)});
   if (!extensions.empty()) members.push_back({"extensions", json_object(extensions, 6)});
-  members.push_back({"extras", extras_of(s, changes)});
+  members.push_back({"extras", extras_of(s, pictures, changes)});
   return json_object(members, 4);
 }
 
@@ -202,9 +286,11 @@ std::string glb(std::string json_chunk, std::string_view binary) {
 }  // namespace
 
 std::string gltf_document(std::span<const ExportSurface> surfaces, GltfMaterialForm form,
-                          GltfContainer container, Fit fit, std::vector<Changes>& changes) {
+                          GltfContainer container, Fit fit, std::vector<Changes>& changes,
+                          std::span<const GltfPictures> pictures) {
   if (surfaces.empty()) throw Error::at("glTF", "no material", "one or more");
   changes.assign(surfaces.size(), {});
+  const GltfPictures no_pictures;
   Used used;
   std::vector<std::string> materials, meshes, nodes;
   std::vector<std::size_t> roots;
@@ -213,13 +299,15 @@ std::string gltf_document(std::span<const ExportSurface> surfaces, GltfMaterialF
     validate(s);
     if (s.space != RgbSpace::srgb)
       throw Error::at(s.id, "colours in " + std::string(name(s.space)), "linear sRGB");
-    materials.push_back(material_of(s, form, fit, used, changes[i]));
+    const GltfPictures& own = pictures.empty() ? no_pictures : pictures[i];
+    materials.push_back(material_of(s, form, fit, own, used, changes[i]));
     meshes.push_back(mesh_of(s, i));
     nodes.push_back(node_of(s, i));
     roots.push_back(i);
   }
 
-  const Geometry sphere = geometry();
+  Geometry sphere = geometry();
+  used.pictures.append(sphere);
   std::vector<JsonMember> members{
       {"asset", line_object({{"version", json("2.0")}, {"generator", json("etak")}})}};
   const std::vector<std::string> extensions = extensions_of(used);
@@ -228,8 +316,9 @@ std::string gltf_document(std::span<const ExportSurface> surfaces, GltfMaterialF
                                  {"scenes", '[' + line_object({{"nodes", json_array_of(roots)}}) + ']'},
                                  {"nodes", json_lines(nodes, 2)},
                                  {"meshes", json_lines(meshes, 2)},
-                                 {"materials", json_lines(materials, 2)},
-                                 {"accessors", json_lines(sphere.accessors, 2)},
+                                 {"materials", json_lines(materials, 2)}});
+  if (!used.pictures.empty()) used.pictures.append_members(members);
+  members.insert(members.end(), {{"accessors", json_lines(sphere.accessors, 2)},
                                  {"bufferViews", json_lines(sphere.views, 2)},
                                  {"buffers", '[' + buffer_of(sphere, container) + ']'}});
   std::string out = json_object(members, 0) + '\n';

@@ -63,26 +63,56 @@ class Node {
   std::string space_;
 };
 
-void append_surface(std::string& out, const ExportSurface& s, Fit fit, const std::string& name,
-                    Changes& changes) {
+// The image nodes of a surface, which stand before it, and the inputs of the surface that they give.
+class ImageNodes {
+ public:
+  ImageNodes(std::string& out, std::set<std::string>& taken) : out_(out), taken_(taken) {}
+
+  /// Adds the node of one input, where it has a picture.
+  ///   type   "color3" of an sRGB picture, or "float"
+  void add(const std::string& surface, const char* input, const char* type, const std::string& file) {
+    if (file.empty()) return;
+    const std::string name = node_name(surface + "_" + input, taken_);
+    append(out_, "  <image name=\"", name, "\" type=\"", type,
+           "\">\n    <input name=\"file\" type=\"filename\" value=\"", escape_html(file), "\"",
+           std::string_view(type) == "color3" ? " colorspace=\"srgb_texture\"" : "", " />\n  </image>\n");
+    append(inputs_, "    <input name=\"", input, "\" type=\"", type, "\" nodename=\"", name, "\" />\n");
+  }
+  const std::string& inputs() const { return inputs_; }
+
+ private:
+  std::string& out_;
+  std::set<std::string>& taken_;
+  std::string inputs_;
+};
+
+void append_surface(std::string& out, const ExportSurface& s, Fit fit, const MaterialXPictures& pictures,
+                    const std::string& name, std::set<std::string>& taken, Changes& changes) {
   const OpenPbrValues v = open_pbr_values(s, fit, changes);
   out += comment(s.name + (s.source.empty() ? "" : ": " + s.source));
   for (const std::string& note : s.notes) out += comment(note);
   for (const Change& change : changes) out += comment(one_line(change));
+  ImageNodes images(out, taken);
+  images.add(name, "base_color", "color3", pictures.base_color);
+  images.add(name, "base_metalness", "float", pictures.base_metalness);
+  images.add(name, "specular_roughness", "float", pictures.specular_roughness);
+  images.add(name, "geometry_opacity", "float", pictures.geometry_opacity);
   append(out, "  <open_pbr_surface name=\"", name,
-         "_surface\" type=\"surfaceshader\" nodedef=\"ND_open_pbr_surface_surfaceshader\">\n");
+         "_surface\" type=\"surfaceshader\" nodedef=\"ND_open_pbr_surface_surfaceshader\">\n",
+         images.inputs());
   const Node node(out, color_space(s.space));
-  node.input("base_color", v.base_color);
-  node.input("base_metalness", v.base_metalness);
+  if (pictures.base_color.empty()) node.input("base_color", v.base_color);
+  if (pictures.base_metalness.empty()) node.input("base_metalness", v.base_metalness);
   node.input("specular_color", v.specular_color);
-  node.input("specular_roughness", v.specular_roughness);
+  if (pictures.specular_roughness.empty()) node.input("specular_roughness", v.specular_roughness);
   if (s.kind == SurfaceKind::dielectric) node.input("specular_ior", v.specular_ior);
   if (v.transmission_weight > 0) {
     node.input("transmission_weight", v.transmission_weight);
     node.input("transmission_color", v.transmission_color);
     node.input("transmission_depth", v.transmission_depth);
   }
-  if (v.geometry_opacity < 1) node.input("geometry_opacity", v.geometry_opacity);
+  if (pictures.geometry_opacity.empty() && v.geometry_opacity < 1)
+    node.input("geometry_opacity", v.geometry_opacity);
   append(out, "  </open_pbr_surface>\n  <surfacematerial name=\"", name,
          "\" type=\"material\">\n    <input name=\"surfaceshader\" type=\"surfaceshader\" nodename=\"", name,
          "_surface\" />\n  </surfacematerial>\n");
@@ -90,18 +120,20 @@ void append_surface(std::string& out, const ExportSurface& s, Fit fit, const std
 
 }  // namespace
 
-std::string material_x(std::span<const ExportSurface> surfaces, Fit fit, std::vector<Changes>& changes) {
+std::string material_x(std::span<const ExportSurface> surfaces, Fit fit, std::vector<Changes>& changes,
+                       std::span<const MaterialXPictures> pictures) {
   changes.assign(surfaces.size(), {});
   if (surfaces.empty()) throw Error::at("MaterialX", "no material", "one or more");
   std::string out = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<materialx version=\"1.39\" colorspace=\"" +
                     color_space(surfaces.front().space) + "\">\n";
+  const MaterialXPictures none;
   std::set<std::string> taken;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     validate(surfaces[i]);
     // The shader's name must be free too.
     std::string name = node_name(surfaces[i].id, taken);
     while (!taken.insert(name + "_surface").second) name = node_name(surfaces[i].id, taken);
-    append_surface(out, surfaces[i], fit, name, changes[i]);
+    append_surface(out, surfaces[i], fit, pictures.empty() ? none : pictures[i], name, taken, changes[i]);
   }
   return out + "</materialx>\n";
 }

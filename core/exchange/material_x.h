@@ -9,6 +9,14 @@
 
 namespace etak {
 
+/// Pictures in place of numbers of a surface, as files beside the document. Where a name is empty, the number
+/// holds.
+///   base_color                                               sRGB
+///   base_metalness, specular_roughness, geometry_opacity     one channel, linear
+struct MaterialXPictures {
+  std::string base_color, base_metalness, specular_roughness, geometry_opacity;
+};
+
 /// A MaterialX 1.39 document with one surfacematerial of one open_pbr_surface (OpenPBR 1.1) per surface: a
 /// metal is base_color F0 with specular_color as its F82 tint, a dielectric base_color with specular_ior.
 /// Nodes are named by the surfaces' ids, made valid and unique. What had to be changed also stands there as a
@@ -17,6 +25,8 @@ namespace etak {
 ///              space, and the document that of the first. Throws Error for an empty list, for an invalid
 ///              surface, and for a surface of another space
 ///   changes    one list per surface
-std::string material_x(std::span<const ExportSurface> surfaces, Fit fit, std::vector<Changes>& changes);
+///   pictures   one per surface, or none at all: each becomes an image node
+std::string material_x(std::span<const ExportSurface> surfaces, Fit fit, std::vector<Changes>& changes,
+                       std::span<const MaterialXPictures> pictures = {});
 
 }  // namespace etak

@@ -4,11 +4,17 @@
 #include <QAction>
 #include <QFileDialog>
 #include <QLabel>
+#include <QListView>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPointer>
+#include <QPushButton>
 #include <QStatusBar>
 
+#include "app/editor/document/files.h"
+#include "app/editor/panels/library_model.h"
+#include "app/editor/panels/library_panel.h"
+#include "core/project/project.h"
 #include "tests/gui/editor_support.h"
 
 namespace etak::editor {
@@ -69,6 +75,78 @@ Widget* named(const QWidget& where, const QString& name) {
 /// The message in the status bar of the window.
 inline QString told(TestWindow& window) {
   return window->statusBar()->currentMessage();
+}
+
+/// The row of a material in the list of the library; invalid where the list does not show it.
+inline QModelIndex library_row(LibraryPanel& library, const QString& id) {
+  const QAbstractItemModel* model = library.list().model();
+  for (int row = 0; row < model->rowCount(); ++row)
+    if (model->index(row, 0).data(LibraryModel::id_role).toString() == id) return model->index(row, 0);
+  return {};
+}
+
+inline void click_row(QListView& list, const QModelIndex& row, Qt::KeyboardModifiers keys = Qt::NoModifier) {
+  list.scrollTo(row);
+  QTest::mouseClick(list.viewport(), Qt::LeftButton, keys, list.visualRect(row).center());
+}
+
+/// The bytes of a file; none where it cannot be read.
+inline QByteArray bytes_of(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// The button of a message box with this text; null where there is none.
+inline QPushButton* button_of(QMessageBox& box, const QString& text) {
+  for (QAbstractButton* each : box.buttons())
+    if (each->text().remove(QLatin1Char('&')) == text) return qobject_cast<QPushButton*>(each);
+  return nullptr;
+}
+
+/// The message box that is shown, which does not stop the event loop; null where none comes.
+inline QMessageBox* open_message(TestWindow& window, int most_ms = 10000) {
+  QMessageBox* out = nullptr;
+  (void)QTest::qWaitFor(
+      [&] {
+        for (QMessageBox* each : window->findChildren<QMessageBox*>())
+          if (each->isVisible()) out = each;
+        return out != nullptr;
+      },
+      most_ms);
+  return out;
+}
+
+/// The text of the window's message box, which is closed.
+inline QString shown_message(TestWindow& window, int most_ms = 5000) {
+  QString out;
+  if (QMessageBox* box = open_message(window, most_ms)) {
+    out = box->text() + QLatin1Char('\n') + box->informativeText();
+    box->close();
+  }
+  return out;
+}
+
+/// Writes a grey picture of 8 x 8 texels beside the window's files, and returns its path.
+inline QString grey_picture(TestWindow& window, const QString& name) {
+  QImage out(8, 8, QImage::Format_RGB32);
+  out.fill(QColor(120, 130, 140));
+  const QString file = window.file(name);
+  out.save(file);
+  return file;
+}
+
+/// A page of the database, as a user has it.
+inline constexpr const char* glass_page =
+    "REFERENCES: |\n    A. Tester. Test data. J. Tests 1, 2 (2001)\nDATA:\n  - type: tabulated nk\n"
+    "    data: |\n        0.3 1.6 0\n        0.5 1.55 0\n        0.9 1.5 0\n";
+
+/// The bytes of a project with one material of the library.
+inline QByteArray project_bytes(const char* id) {
+  const MaterialLibrary library = MaterialLibrary::builtin();
+  Project project;
+  project.materials.push_back(material_of(*library.find(id)));
+  resolve(project, library);
+  return QByteArray::fromStdString(format_project(project, ""));
 }
 
 /// Drops files on a widget as the window system does. Returns whether the widget accepted the drag.

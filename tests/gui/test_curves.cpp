@@ -12,6 +12,7 @@
 #include <QTabWidget>
 #include <QTimer>
 #include <QToolButton>
+#include <QToolTip>
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -259,6 +260,26 @@ class Curves : public QObject {
     QTest::keyClick(plot, Qt::Key_Escape);
     QVERIFY(plot->readout().isEmpty());
     QVERIFY(spy.count() >= 4);
+  }
+
+  void the_tooltip_stands_beside_the_curves() {
+    CurvesPanel panel;
+    panel.resize(560, 300);
+    panel.show();
+    panel.move(0, 0);
+    show_material(panel, "gold");
+    QVERIFY(wait(panel));
+    PlotWidget* const plot = panel.current_plot();
+    const QPoint middle = plot->rect().center();
+    QHelpEvent help(QEvent::ToolTip, middle, plot->mapToGlobal(middle));
+    QCoreApplication::sendEvent(plot, &help);
+    const QWidget* tip = nullptr;
+    for (const QWidget* each : QApplication::topLevelWidgets())
+      if (each->inherits("QTipLabel") && each->isVisible()) tip = each;
+    QVERIFY(tip != nullptr);
+    const QRect place(plot->mapToGlobal(QPoint()), plot->size());
+    QVERIFY2(!place.intersects(tip->geometry()), qPrintable(QToolTip::text()));
+    QToolTip::hideText();
   }
 
   void copies_as_csv_and_svg() {

@@ -3,21 +3,18 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListView>
-#include <QPlainTextEdit>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QToolButton>
 
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
-#include "app/editor/fields/path_edit.h"
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/preview_bar.h"
 #include "app/editor/panels/project_panel.h"
 #include "app/editor/panels/source_section.h"
-#include "app/editor/panels/texture_section.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
 
@@ -46,18 +43,6 @@ QWidgetList fields_of(QWidget& page) {
 
 int steps_of(TestWindow& window) {
   return window->document().undo_stack().index();
-}
-
-QModelIndex library_row(LibraryPanel& library, const QString& id) {
-  const QAbstractItemModel* model = library.list().model();
-  for (int row = 0; row < model->rowCount(); ++row)
-    if (model->index(row, 0).data(LibraryModel::id_role).toString() == id) return model->index(row, 0);
-  return {};
-}
-
-void click_row(QListView& list, const QModelIndex& row) {
-  list.scrollTo(row);
-  QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(row).center());
 }
 
 }  // namespace
@@ -339,142 +324,6 @@ class EditorHands : public QObject {
     QTest::keyClicks(editor(), QStringLiteral("Dore"));
     QTest::keyClick(editor(), Qt::Key_Return);
     QTRY_COMPARE(QString::fromStdString(window->document().material()->name), QStringLiteral("Dore"));
-  }
-
-  void a_search_brings_what_is_called_so_first() {
-    TestWindow window(true);
-    show_active(window);
-    LibraryPanel& library = window->library_panel();
-    click_row(library.list(), library_row(library, QStringLiteral("copper")));
-    for (const char* id : {"gold", "silver", "iron", "water"}) {
-      library.search().setFocus();
-      library.search().selectAll();
-      QTest::keyClicks(&library.search(), QLatin1String(id));
-      QTest::keyClick(&library.search(), Qt::Key_Return);
-      QCOMPARE(library.selected(), QLatin1String(id));
-      QCOMPARE(window->look().preview->measured->material, std::string(id));
-    }
-    QTest::keyClick(&library.list(), Qt::Key_Return);
-    QCOMPARE(window->document().material()->measured->material, std::string("water"));
-  }
-
-  void a_long_path_is_cut_where_it_is_shown_and_whole_where_it_counts() {
-    TestWindow window(true);
-    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
-    show_active(window);
-    QString path = QStringLiteral("/a");
-    for (int i = 0; i < 20; ++i) path += QStringLiteral("/folder %1").arg(i);
-    path += QStringLiteral("/wood.png");
-    window->inspector().textures().take_files({path}, Channel::diffuse);
-    const Project before = window->document().project();
-    auto* line = named<PathEdit>(window->inspector(), QStringLiteral("Diffuse texture, file"));
-    QVERIFY(line != nullptr);
-    QCOMPARE(line->text(), path);
-    QVERIFY2(line->shown_text().contains(QChar(0x2026)), qPrintable(line->shown_text()));
-    QVERIFY(line->shown_text().endsWith(QLatin1String("png")));
-    (void)line->grab();
-    line->setFocus();
-    QTest::keyClick(line, Qt::Key_Return);
-    window->library_panel().search().setFocus();
-    QVERIFY(window->document().project() == before);
-    QVERIFY(short_path(path).size() <= 60 && short_path(path).endsWith(QLatin1String("wood.png")));
-  }
-
-  void the_three_alphas_have_names_of_their_own() {
-    TestWindow window(true);
-    QVERIFY(window->use_library_material(QStringLiteral("gold")));
-    ProjectMaterial m = *window->document().material();
-    for (const Model& each : models()) {
-      if (each.kind == ModelKind::diffuse) continue;
-      m.specular_model = each.id;
-      window->document().edit(0, m, QStringLiteral("model"), next_press_id());
-      QStringList labels;
-      for (const QLabel* label : window->inspector().findChildren<QLabel*>()) labels << label->text();
-      const QString all = labels.join(QLatin1Char('|'));
-      for (const char* name : {"Alpha opacity", "Alpha cutoff", "alpha roughness"})
-        QVERIFY2(all.contains(QLatin1String(name)), name);
-      QVERIFY2(!labels.contains(QStringLiteral("alpha"), Qt::CaseInsensitive), qPrintable(all));
-    }
-  }
-
-  void every_parameter_has_a_tooltip() {
-    TestWindow window(true);
-    QVERIFY(window->use_library_material(QStringLiteral("gold")));
-    ProjectMaterial m = *window->document().material();
-    m.specular_model = "abc-schlick";
-    m.diffuse_model = "oren-nayar";
-    window->document().edit(0, m, QStringLiteral("model"), next_press_id());
-    window->show();
-    QStringList without;
-    int fields = 0;
-    for (const int tab : {0, 1, 2}) {
-      window->inspector_tabs().setCurrentIndex(tab);
-      QWidget* page = window->inspector_tabs().currentWidget();
-      for (const QWidget* each : page->findChildren<QWidget*>()) {
-        const bool field = qobject_cast<const NumberField*>(each) || qobject_cast<const ColorField*>(each) ||
-                           (qobject_cast<const QComboBox*>(each)) || qobject_cast<const QSpinBox*>(each) ||
-                           each->inherits("QCheckBox") ||
-                           (qobject_cast<const FineSpinBox*>(each) &&
-                            !qobject_cast<const NumberField*>(each->parentWidget())) ||
-                           (qobject_cast<const QLineEdit*>(each) &&
-                            !qobject_cast<const QAbstractSpinBox*>(each->parentWidget()) &&
-                            !qobject_cast<const QComboBox*>(each->parentWidget()));
-        if (!field) continue;
-        ++fields;
-        QString tip;
-        for (const QWidget* up = each; up != page && tip.isEmpty(); up = up->parentWidget())
-          tip = up->toolTip();
-        if (tip.isEmpty()) without << each->accessibleName();
-      }
-    }
-    QVERIFY2(fields > 50, qPrintable(QString::number(fields)));
-    QVERIFY2(without.isEmpty(), qPrintable(without.join(QLatin1Char('\n'))));
-  }
-
-  void the_first_window_fits_the_screen_and_has_an_icon() {
-    TestWindow window(true);
-    QVERIFY(!window->windowIcon().isNull());
-    const QSize room = window->screen()->availableSize();
-    QVERIFY2(window->width() <= room.width() && window->height() <= room.height(),
-             qPrintable(QStringLiteral("%1x%2 of %3x%4; least %5x%6")
-                            .arg(window->width())
-                            .arg(window->height())
-                            .arg(room.width())
-                            .arg(room.height())
-                            .arg(window->minimumSizeHint().width())
-                            .arg(window->minimumSizeHint().height())));
-  }
-
-  void a_new_material_is_opaque_and_its_file_says_so() {
-    TestWindow window(true);
-    show_active(window);
-    QTest::keyClick(window.window.get(), Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(window->document().material() != nullptr);
-    QVERIFY(window->document().material()->alpha_mode == AlphaMode::opaque);
-    QVERIFY(window->use_library_material(QStringLiteral("gold")));
-    QVERIFY(window->document().material()->alpha_mode == AlphaMode::opaque);
-    // Viewport and exports ignore the alpha of an opaque material.
-    ProjectMaterial m = *window->document().material();
-    m.alpha = 0.5;
-    window->document().edit(1, m, QStringLiteral("alpha"), next_press_id());
-    QVERIFY(!window->inspector().alpha().isEnabled());
-    QCOMPARE(window->document().surface_of(m).opacity, 1.0);
-    QCOMPARE(surface_of(m, *window->document().library()).opacity, 1.0);
-    QCOMPARE(export_surface(m, *window->document().library()).opacity, 1.0);
-    m.alpha_mode = AlphaMode::blend;
-    window->document().edit(1, m, QStringLiteral("mode"), next_press_id());
-    QVERIFY(window->inspector().alpha().isEnabled());
-    QCOMPARE(window->document().surface_of(m).opacity, 0.5);
-    QCOMPARE(export_surface(m, *window->document().library()).opacity, 0.5);
-    window->document().undo_stack().undo();
-    window->document().undo_stack().undo();
-    // A clear body shows the background.
-    QVERIFY(window->use_library_material(QStringLiteral("water")));
-    QVERIFY(window->document().material()->alpha_mode == AlphaMode::blend);
-    const Project& project = window->document().project();
-    const std::string text = format_project(project, "");
-    QVERIFY(parse_project(text, "p.json").materials[0].alpha_mode == AlphaMode::opaque);
-    QVERIFY(QByteArray::fromStdString(text).count("opaque") == 2);
   }
 };
 

@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// No work is lost: copies of unsaved work, edits while files are written or read, exports that cannot hold
-// everything, drops.
+// No work is lost: copies of unsaved work, edits while files are written or read, names of files.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <QClipboard>
 #include <QDir>
 #include <QLineEdit>
 #include <QListView>
-#include <QMenu>
 #include <QProgressDialog>
-#include <QPushButton>
 #include <QSysInfo>
 
 #include "app/editor/document/files.h"
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/press_id.h"
 #include "app/editor/panels/inspector.h"
-#include "app/editor/panels/library_panel.h"
 #include "app/editor/panels/project_panel.h"
-#include "app/editor/panels/texture_section.h"
 #include "core/base/files/input.h"
-#include "core/exchange/engine_values.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
 
@@ -30,30 +23,6 @@ using namespace etak;
 using namespace etak::editor;
 
 namespace {
-
-QByteArray bytes_of(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-QPushButton* button_of(QMessageBox& box, const QString& text) {
-  for (QAbstractButton* each : box.buttons())
-    if (each->text().remove(QLatin1Char('&')) == text) return qobject_cast<QPushButton*>(each);
-  return nullptr;
-}
-
-// The message box that is shown, which does not stop the event loop.
-QMessageBox* open_message(TestWindow& window, int most_ms = 10000) {
-  QMessageBox* out = nullptr;
-  (void)QTest::qWaitFor(
-      [&] {
-        for (QMessageBox* each : window->findChildren<QMessageBox*>())
-          if (each->isVisible()) out = each;
-        return out != nullptr;
-      },
-      most_ms);
-  return out;
-}
 
 // A file as on a network share that does not answer: a pipe that nobody writes to until answer() is called.
 class SilentFile {
@@ -82,14 +51,6 @@ class SilentFile {
   std::string path_;
   bool answered_ = false;
 };
-
-QByteArray project_bytes(const char* id) {
-  const MaterialLibrary library = MaterialLibrary::builtin();
-  Project project;
-  project.materials.push_back(material_of(*library.find(id)));
-  resolve(project, library);
-  return QByteArray::fromStdString(format_project(project, ""));
-}
 
 }  // namespace
 
@@ -281,107 +242,6 @@ class EditorSafety : public QObject {
     QVERIFY(window->document().is_saved());
     if (QMessageBox* box = open_message(window)) box->close();
     QVERIFY(window->close());
-  }
-
-  void textures_are_not_lost_in_an_export() {
-    TestWindow window(true);
-    QVERIFY(window->use_library_material(QStringLiteral("gold")));
-    window->inspector().textures().take_files({window.file(QStringLiteral("wood_gloss.png"))},
-                                              Channel::diffuse);
-    for (const char* kind : {"MaterialX", "glTF", "glTF, binary"}) {
-      const QString file = window.file(QStringLiteral("out"));
-      choose_file(file);
-      action_named(*window, QLatin1String(kind))->trigger();
-      QMessageBox* box = open_message(window);
-      QVERIFY2(box != nullptr, kind);
-      QVERIFY2(box->informativeText().contains(QLatin1String("Gold has textures (gloss)")),
-               qPrintable(box->informativeText()));
-      box->close();
-      QVERIFY(!QFile::exists(file));
-    }
-    QApplication::clipboard()->setText(QStringLiteral("nothing"));
-    for (const EngineTarget& target : engine_targets()) {
-      action_named(*window,
-                   QString::fromUtf8(target.title.data(), static_cast<qsizetype>(target.title.size())))
-          ->trigger();
-      QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("nothing"));
-      QVERIFY(told(window).contains(QLatin1String("has textures")));
-    }
-  }
-
-  void one_the_selected_or_all_materials_are_exported() {
-    TestWindow window(true);
-    for (const char* id : {"gold", "copper", "iron"})
-      QVERIFY(window->use_library_material(QLatin1String(id)));
-    show_active(window);
-    QListView& list = window->project_panel().list();
-    const auto click = [&](int row, Qt::KeyboardModifiers keys) {
-      QTest::mouseClick(list.viewport(), Qt::LeftButton, keys,
-                        list.visualRect(list.model()->index(row, 0)).center());
-    };
-    click(0, Qt::NoModifier);
-    click(2, Qt::ControlModifier);
-    QCOMPARE(window->project_panel().selected(), (std::vector<int>{0, 2}));
-    const auto exported = [&](const char* which) {
-      const QString file = window.file(QLatin1String(which) + QStringLiteral(".mtlx"));
-      choose_file(file);
-      for (QMenu* menu : window->findChildren<QMenu*>())
-        if (menu->accessibleName() == QLatin1String(which)) menu->actions().front()->trigger();
-      (void)QTest::qWaitFor([&] { return QFile::exists(file); }, 20000);
-      if (QMessageBox* box = open_message(window, 300)) box->close();
-      return bytes_of(file).count("<open_pbr_surface");
-    };
-    QCOMPARE(exported("Export material"), 1);
-    QCOMPARE(exported("Export selected materials"), 2);
-    QCOMPARE(exported("Export all materials"), 3);
-  }
-
-  void a_dropped_project_is_opened_or_added_as_is_answered() {
-    TestWindow window(true);
-    QVERIFY(window->use_library_material(QStringLiteral("copper")));
-    show_active(window);
-    const QString file = window.file(QStringLiteral("dropped.json"));
-    write(file, project_bytes("gold"));
-    const Project before = window->document().project();
-    QSignalSpy opened(window.window.get(), &Window::opened);
-    const auto answered = [&](QWidget& target, const QString& button) {
-      if (!drop(target, {file})) return false;
-      QMessageBox* box = open_message(window);
-      if (box == nullptr || button_of(*box, button) == nullptr) return false;
-      button_of(*box, button)->click();
-      return true;
-    };
-    QVERIFY(answered(*window, QStringLiteral("Cancel")));
-    QTest::qWait(50);
-    QVERIFY(window->document().project() == before);
-    QVERIFY(answered(window->viewport(), QStringLiteral("Add")));
-    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
-    QCOMPARE(window->document().project().materials.size(), std::size_t{2});
-    QVERIFY(window->document().path().isEmpty());
-    // Opening it first asks what to do with the changes.
-    answer(QMessageBox::Discard);
-    QVERIFY(answered(*window, QStringLiteral("Open")));
-    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 2; }, 20000));
-    QCOMPARE(window->document().project().materials.size(), std::size_t{1});
-    QCOMPARE(window->document().path(), file);
-  }
-
-  void a_line_takes_no_files() {
-    TestWindow window(true);
-    QVERIFY(window->use_library_material(QStringLiteral("gold")));
-    window->show();
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(window.file(QStringLiteral("p.json")))});
-    for (QLineEdit* each : window->findChildren<QLineEdit*>())
-      if (!each->isReadOnly()) QVERIFY2(!each->acceptDrops(), qPrintable(each->accessibleName()));
-    // The window does not take addresses of other machines either.
-    data.setUrls({QUrl(QStringLiteral("https://example.org/a.json"))});
-    for (QWidget* each :
-         {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {
-      QDragEnterEvent enter(each->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-      QCoreApplication::sendEvent(each, &enter);
-      QVERIFY(!enter.isAccepted());
-    }
   }
 
   void dialogs_begin_beside_the_project() {

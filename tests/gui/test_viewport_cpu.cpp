@@ -51,6 +51,20 @@ class ViewportCpu : public QObject {
     QVERIFY(picture.pixelColor(100, 100) != picture.pixelColor(2, 2));
     QCOMPARE(viewport.compile_ms(), 0.0);
   }
+
+  void the_note_that_the_cpu_draws_fades() {
+    Viewport viewport(nullptr, Viewport::Backend::cpu);
+    viewport.resize(300, 300);
+    viewport.set_state(gold());
+    QSignalSpy drawn(&viewport, &Viewport::frame_drawn);
+    viewport.show();
+    QVERIFY(QTest::qWaitFor([&] { return !drawn.isEmpty() && !viewport.is_drawing(); }, 20000));
+    const QRect note(50, 50, 200, 40);
+    const QImage with_note = viewport.grab(note).toImage();
+    QVERIFY(QTest::qWaitFor([&] { return viewport.grab(note).toImage() != with_note; },
+                            Viewport::cpu_note_ms + 2000));
+    QVERIFY(!viewport.message().isEmpty());
+  }
 };
 
 ETAK_GUI_TEST(ViewportCpu, "viewport_cpu")

@@ -9,6 +9,7 @@
 #include <QMimeData>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
@@ -252,6 +253,13 @@ void PlotWidget::paintEvent(QPaintEvent* /*event*/) {
 }
 
 // ---- pointer and keys
+
+// The tooltip is a list of all curves. Below the plot it covers none of them.
+bool PlotWidget::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  QToolTip::showText(mapToGlobal(QPoint(0, height())), toolTip(), this);
+  return true;
+}
 
 void PlotWidget::mouseMoveEvent(QMouseEvent* event) {
   if (!empty()) set_cursor(place_at(event->position()));

@@ -71,6 +71,7 @@ class PlotWidget : public QWidget {
   QColor ink_soft() const;
   QColor line() const;
 
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;

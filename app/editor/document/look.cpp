@@ -13,7 +13,7 @@ ViewSide side_of(const Document& document, const ProjectMaterial& m, const std::
   // The material's values for parameters belong to its own model, not to the one that it is compared with.
   if (model.empty() || model == m.specular_model) out.overrides = m.parameters;
   out.label = m.name;
-  if (out.specular != nullptr) out.label += ", " + std::string(out.specular->id);
+  if (out.specular != nullptr) out.label += ", " + std::string(out.specular->title);
   return out;
 }
 
@@ -37,6 +37,10 @@ ViewState view_state_of(const Document& document, const Look& look,
   if (look.textured && !look.preview) out.a.textures = std::move(textures);
   if (look.textured && !view.compare.pinned) out.b.textures = out.a.textures;
   out.split = view.compare.on;
+  if (out.split) {
+    out.a.label.insert(0, "A: ");
+    out.b.label.insert(0, "B: ");
+  }
   out.separator = look.separator;
   out.shape = view.wedge.on               ? ViewShape::wedge
               : view.shape == Shape::quad ? ViewShape::quad

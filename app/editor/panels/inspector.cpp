@@ -16,6 +16,7 @@
 #include "core/base/number.h"
 #include "core/color/gloss.h"
 #include "core/material/limits.h"
+#include "core/validate/files/project_check.h"
 
 namespace etak::editor {
 namespace {
@@ -234,14 +235,25 @@ void Inspector::show_material() {
   lobe_->setText(lobe);
 }
 
-void Inspector::go_to(Channel channel) {
-  QWidget* field = channel == Channel::diffuse    ? static_cast<QWidget*>(diffuse_)
-                   : channel == Channel::specular ? static_cast<QWidget*>(specular_)
-                   : channel == Channel::gloss    ? static_cast<QWidget*>(gloss_)
-                                                  : static_cast<QWidget*>(alpha_);
-  ensureWidgetVisible(field);
-  // The focus goes to the first number of the field.
-  field->findChild<FineSpinBox*>()->setFocus(Qt::OtherFocusReason);
+void Inspector::go_to(const std::string& rule) {
+  const ProjectMaterial* m = document_.material();
+  if (m == nullptr) return;
+  const auto show = [this](QWidget* part, QWidget* field) {
+    ensureWidgetVisible(part);
+    field->setFocus(Qt::OtherFocusReason);
+  };
+  if (rule.starts_with("ETK6")) return show(source_, &source_->first_field());
+  if (rule == "ETK206") return show(model_, &model_->first_field());
+  const std::optional<Channel> channel = field_of(rule);
+  const auto textured = std::find_if(all_channels.begin(), all_channels.end(), [&](Channel each) {
+    return (!channel || each == *channel) && m->texture(each);
+  });
+  if (textured != all_channels.end()) return show(textures_, &textures_->line_of(*textured));
+  QWidget* field = channel == Channel::diffuse ? static_cast<QWidget*>(diffuse_)
+                   : channel == Channel::gloss ? static_cast<QWidget*>(gloss_)
+                   : channel == Channel::alpha ? static_cast<QWidget*>(alpha_)
+                                               : static_cast<QWidget*>(specular_);
+  show(field, field->findChild<FineSpinBox*>());
 }
 
 }  // namespace etak::editor

@@ -34,8 +34,9 @@ class Inspector : public PanelScroll {
   SourceSection& source() { return *source_; }
   ModelSection& model() { return *model_; }
   TextureSection& textures() { return *textures_; }
-  /// Scrolls to the field of a channel and gives it the focus.
-  void go_to(Channel channel);
+  /// Scrolls to what a rule is about, and gives it the focus: the measured record, the file of a texture, the
+  /// shading model, or the number of a channel that has no texture.
+  void go_to(const std::string& rule);
   /// Shows a material of the library in fields that cannot be edited; none: shows the current material again.
   void show_preview(const std::optional<ProjectMaterial>& material);
 

@@ -5,6 +5,7 @@
 
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/press_id.h"
+#include "app/editor/panels/model_list.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 
@@ -41,11 +42,8 @@ ModelSection::ModelSection(Document& document, QWidget* parent)
   sliders_->setAccessibleName(tr("Parameters of the models"));
   specular_->addItem(tr("none"), QString());
   diffuse_->addItem(tr("none"), QString());
-  for (const Model& each : models()) {
-    QuietComboBox* box = each.kind == ModelKind::diffuse ? diffuse_ : specular_;
-    box->addItem(qt_text(each.id), qt_text(each.id));
-    box->setItemData(box->count() - 1, qt_text(each.title), Qt::ToolTipRole);
-  }
+  add_models(*specular_, [](const Model& each) { return each.kind != ModelKind::diffuse; });
+  add_models(*diffuse_, [](const Model& each) { return each.kind == ModelKind::diffuse; });
   specular_->setToolTip(tr("The formula of the surface's reflection"));
   diffuse_->setToolTip(tr("The formula of the body's reflection"));
   add(tr("Specular"), specular_);
@@ -126,7 +124,8 @@ void ModelSection::show_material(const ProjectMaterial* m) {
     rebuild();
     QString about;
     if (specular != nullptr) {
-      about = qt_text(specular->title) + QStringLiteral(". ") + qt_text(specular->source);
+      about = tr("%1. %2. In files and on the command line: %3")
+                  .arg(qt_text(specular->title), qt_text(specular->source), qt_text(specular->id));
       if (!specular->claims.reciprocal) about += tr(". Not reciprocal");
       if (!specular->claims.conserves_energy) about += tr(". May give off more light than it takes");
     }

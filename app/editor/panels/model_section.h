@@ -16,6 +16,7 @@ class ModelSection : public Section {
  public:
   explicit ModelSection(Document& document, QWidget* parent = nullptr);
   void show_material(const ProjectMaterial* material);  // null: none
+  QWidget& first_field() { return *specular_; }
 
  private:
   void rebuild();

@@ -22,6 +22,20 @@ struct SourceText {
   QString result, body, spread, citation;
 };
 
+// What the flags of a result mean, one sentence a line. A doubt is told by its reason.
+QString sentences(const F0Result& result, const std::string& doubt) {
+  QString out;
+  const auto add = [&](QString text) {
+    text[0] = text[0].toUpper();
+    out += QLatin1Char('\n') + text + QLatin1Char('.');
+  };
+  result.flags.for_each([&](Flag flag) {
+    if (flag != Flag::doubtful) add(qt_text(meaning(flag)));
+  });
+  if (!doubt.empty()) add(QObject::tr("the data are doubtful: %1").arg(qt_text(doubt)));
+  return out;
+}
+
 SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& library) {
   SourceText out;
   const MeasuredF0& measured = *material.measured;
@@ -34,10 +48,7 @@ SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& l
                           r.f82 ? qt_text(hex(srgb_u8(*r.f82))) : QStringLiteral("-"));
     out.result += QStringLiteral("\n") +
                   QObject::tr("data %1").arg(qt_text(quality_text(found.chosen().origin, r.flags)));
-    if (const std::string why = doubt(found.material, found.chosen()); !why.empty())
-      out.result += QObject::tr("\ndoubtful: %1").arg(qt_text(why));
-    if (const std::string flags = flags_text(r); !flags.empty())
-      out.result += QStringLiteral("\n") + qt_text(flags).replace(QLatin1Char(';'), QStringLiteral("; "));
+    out.result += sentences(r, doubt(found.material, found.chosen()));
     out.body = qt_text(body_note(material, found));
     out.citation = qt_text(one_line(found.chosen().citation));
     MaterialReport report{found.material, {}};
@@ -141,6 +152,7 @@ void SourceSection::fill_datasets(const std::string& material) {
   for (const Dataset& each : found->datasets) {
     const std::string quality = quality_text(each.origin, quality_flags(*found, each));
     dataset_->addItem(tr("%1 (%2)").arg(qt_text(each.id), qt_text(quality)), qt_text(each.id));
+    dataset_->setItemData(dataset_->count() - 1, qt_text(one_line(each.citation)), Qt::ToolTipRole);
   }
 }
 

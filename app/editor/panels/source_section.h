@@ -24,6 +24,7 @@ class SourceSection : public Section {
   ///   editable   false: the fields cannot be edited, as for a preview
   void show_material(const ProjectMaterial* material, bool editable);
   void set_library();
+  QWidget& first_field() { return *dataset_; }
 
  signals:
   void told(const QString& message);

@@ -98,6 +98,10 @@ TextureSection::TextureSection(Document& document, QWidget* parent)
   }
 }
 
+QWidget& TextureSection::line_of(Channel channel) {
+  return *rows_[static_cast<std::size_t>(channel)].path;
+}
+
 bool TextureSection::eventFilter(QObject* object, QEvent* event) {
   if (event->type() == QEvent::DragEnter) {
     auto* drag = static_cast<QDragEnterEvent*>(event);

@@ -21,6 +21,8 @@ class TextureSection : public Section {
   /// Assigns pictures to the channels that their names tell ("crate_gloss.png"); pictures whose names tell
   /// none get the channel `other`.
   void take_files(const QStringList& paths, Channel other);
+  /// The line with the path of a channel's picture.
+  QWidget& line_of(Channel channel);
 
  signals:
   void look_asked(etak::Channel channel);

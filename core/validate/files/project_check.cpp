@@ -48,13 +48,17 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
     target.manifest.transparent = material.alpha_mode == AlphaMode::blend;
   }
   if (material.measured) target.manifest.material = material.measured->material;
+  // In the mode opaque nothing reads the alpha, constant or not.
+  const bool opaque = material.alpha_mode == AlphaMode::opaque;
+  if (opaque) own.rules["ETK503"].severity = Severity::off;
   MaterialPair pair = pictures_of(material, library, door, most_texels);
-  if (!has_textures(material)) {
+  if (opaque || !has_textures(material)) {
     // A constant alpha hides no texel: the surface reflects by its F0 even where the body is transparent.
     std::vector<std::uint8_t>& texels = pair.diffuse_alpha.values;
     for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
-    if (black_is_right(material, library)) own.rules["ETK202"].severity = Severity::off;
   }
+  if (!has_textures(material) && black_is_right(material, library))
+    own.rules["ETK202"].severity = Severity::off;
   return check_pictures(target, {&pair.diffuse_alpha, &pair.specular_gloss, nullptr}, own, threads);
 }
 
@@ -64,11 +68,20 @@ CheckedFile check_record(const ProjectMaterial& material, const MaterialLibrary&
   target.label = material.measured->material;
   target.files = {{FileRole::material, "", material.measured->material, false}};
   CheckedFile file = checked_file_of(target);
-  const auto record = library.find(material.measured->material);
+  auto record = library.find(material.measured->material);
   if (!record) throw Error::at(material.measured->material, "is no material of the library or the project");
+  // The dataset that the material uses is judged as the preferred one, and what is found about the others is
+  // left out.
+  const Dataset& used = dataset_named(*record, material.measured->dataset, record->id);
+  record->preferred = static_cast<std::size_t>(&used - record->datasets.data());
+  const std::string own = "/datasets/" + std::to_string(record->preferred);
   Evidence evidence;
   evidence.material = evidence_of_material(*record);
   judge(target, evidence, settings, file);
+  std::erase_if(file.findings, [&](const Finding& each) {
+    return each.pointer.starts_with("/datasets/") && each.pointer != own &&
+           !each.pointer.starts_with(own + "/");
+  });
   return file;
 }
 
@@ -99,6 +112,8 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrar
 
 std::optional<Channel> field_of(std::string_view rule) {
   if (!rule.starts_with("ETK") || rule.size() < 4) return std::nullopt;
+  // Rules about F0 and transfer curves that speak of the diffuse colour.
+  if (rule == "ETK108" || rule == "ETK109" || rule == "ETK407") return Channel::diffuse;
   switch (rule[3]) {
     case '1':
     case '4':

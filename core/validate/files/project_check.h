@@ -18,7 +18,7 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrar
                            const PictureDoor& door, const Settings& settings, std::size_t most_texels = 0,
                            unsigned threads = 1);
 
-/// Which field of a material a rule is about; none: the measured record.
+/// Which field of a material a rule is about; none: the measured record, a file, or the rules themselves.
 std::optional<Channel> field_of(std::string_view rule);
 
 }  // namespace etak

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdlib>
 
 #include "core/exchange/gltf_material.h"
+#include "core/image/files/png.h"
 #include "core/material/library.h"
 #include "core/scene/gltf.h"
 #include "core/scene/material_texels.h"
+#include "tests/gltf_judge.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -41,24 +42,18 @@ std::string written_gltf(const std::vector<ExportSurface>& surfaces, GltfMateria
   return out;
 }
 
-// The Khronos validator's errors and warnings, one a line; none when there is no node with it.
 std::string validator_messages(const std::vector<std::string>& files) {
-  static const bool has = std::system("node -e \"require('gltf-validator')\" >/dev/null 2>&1") == 0;
-  if (!has) {
-    WARN("no node with gltf-validator (NODE_PATH): what is written is not validated");
-    return "";
-  }
   const TempFolder temp;
-  spit(temp.file("check.js"), R"(const v=require('gltf-validator'),fs=require('fs');(async()=>{
-for(const f of process.argv.slice(2)){const r=await v.validateBytes(new Uint8Array(fs.readFileSync(f)),{maxIssues:0});
-for(const m of r.issues.messages)if(m.severity<2)console.log(f+' '+m.code+' '+m.message+' '+m.pointer);}
-console.log('checked '+(process.argv.length-2));})())");
-  std::string command = "node " + temp.file("check.js");
-  for (const std::string& file : files) command += " " + file;
-  const std::string out = temp.file("out");
-  const int status = std::system((command + " >" + out + " 2>&1").c_str());
-  const std::string text = slurp(out);
-  return status == 0 && text == "checked " + std::to_string(files.size()) + "\n" ? "" : text;
+  const auto messages = gltf_messages(temp.path(), files);
+  if (!messages) WARN("no node with gltf-validator (NODE_PATH): what is written is not validated");
+  return messages.value_or("");
+}
+
+// A PNG of 2 x 2 texels of one colour.
+std::string small_png(std::vector<std::uint8_t> texel) {
+  Image8 out(2, 2, static_cast<int>(texel.size()));
+  for (int i = 0; i < 4; ++i) std::copy(texel.begin(), texel.end(), out.at(i % 2, i / 2).begin());
+  return png_bytes(out, {});
 }
 
 }  // namespace
@@ -150,4 +145,50 @@ TEST_CASE("no surface, or one of another space, is refused") {
   ExportSurface s = samples()[0];
   s.space = RgbSpace::acescg;
   CHECK(contains(write({s}), "acescg"));
+}
+
+TEST_CASE("a document holds the pictures of its materials, in both containers") {
+  const TempFolder temp;
+  const std::string base = small_png({200, 100, 50, 128}), rough = small_png({255, 90, 255}),
+                    f0 = small_png({60, 56, 52}), white = small_png({255, 255, 255, 40});
+  std::vector<ExportSurface> surfaces = samples();
+  surfaces[1].diffuse = {0, 0, 0};
+  std::vector<GltfPictures> pictures(surfaces.size());
+  pictures[0].metallic_roughness = rough;
+  pictures[1] = {base, "", f0, false, "MASK", 0.25};
+  pictures[2] = {white, "", "", true, "BLEND", 0.5};
+  std::vector<std::string> files;
+  for (const auto container : {GltfContainer::gltf, GltfContainer::glb}) {
+    files.push_back(temp.file(container == GltfContainer::gltf ? "a.gltf" : "a.glb"));
+    std::vector<Changes> changes;
+    spit(files.back(),
+         gltf_document(surfaces, GltfMaterialForm::metal_rough, container, Fit::clamp, changes, pictures));
+    const GltfScene scene = read_gltf(files.back(), {});
+    const auto bytes = [&](const std::optional<GltfTexture>& texture) {
+      return texture ? scene.images.at(static_cast<std::size_t>(texture->image)).bytes : std::string();
+    };
+    REQUIRE(scene.images.size() == 4);
+    CHECK(bytes(scene.materials[0].metallic_roughness_texture) == rough);
+    CHECK(scene.materials[0].metallic == 1);
+    CHECK(scene.materials[0].roughness == 1);
+    CHECK(scene.materials[0].base_color[1] == Approx(0.7738));
+    CHECK(bytes(scene.materials[1].base_color_texture) == base);
+    CHECK(bytes(scene.materials[1].specular_color_texture) == f0);
+    CHECK(scene.materials[1].base_color == std::array<double, 4>{1, 1, 1, 1});
+    CHECK(scene.materials[1].metallic == 0);
+    CHECK(scene.materials[1].ior == 0);
+    CHECK(scene.materials[1].alpha_mode == AlphaMode::mask);
+    CHECK(scene.materials[1].alpha_cutoff == 0.25);
+    CHECK(bytes(scene.materials[2].base_color_texture) == white);
+    CHECK(scene.materials[2].base_color[3] == 1);
+    CHECK(scene.materials[2].alpha_mode == AlphaMode::blend);
+    CHECK(!scene.materials[3].base_color_texture);
+  }
+  CHECK(validator_messages(files).empty());
+  std::vector<Changes> changes;
+  CHECK(contains(error_of([&] {
+                   (void)gltf_document(surfaces, GltfMaterialForm::specular_glossiness, GltfContainer::gltf,
+                                       Fit::clamp, changes, pictures);
+                 }),
+                 "pictures in the form specular-glossiness"));
 }

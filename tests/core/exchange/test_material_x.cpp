@@ -101,3 +101,29 @@ TEST_CASE("ACEScg and Display P3 are named, other spaces refused") {
   s.space = RgbSpace::rec2020;
   CHECK(contains(error_of([&] { (void)written_material_x({s}); }), "rec2020"));
 }
+
+TEST_CASE("pictures are image nodes before their surface, in place of its numbers") {
+  std::vector<Changes> changes;
+  const std::vector<ExportSurface> surfaces{surface_named("wood"), surface_named("plain")};
+  const std::vector<MaterialXPictures> pictures{
+      {"wood & oak.png", "", "wood_specular_roughness.png", "wood_geometry_opacity.png"}, {}};
+  const std::string text = material_x(surfaces, Fit::clamp, changes, pictures);
+  CHECK(contains(text, R"(  <image name="wood_base_color" type="color3">
+    <input name="file" type="filename" value="wood &amp; oak.png" colorspace="srgb_texture" />
+  </image>
+)"));
+  CHECK(contains(text, R"(  <image name="wood_specular_roughness" type="float">
+    <input name="file" type="filename" value="wood_specular_roughness.png" />
+  </image>
+)"));
+  const std::string of_wood = text.substr(0, text.find("</open_pbr_surface>"));
+  CHECK(contains(of_wood, R"(<input name="base_color" type="color3" nodename="wood_base_color" />)"));
+  CHECK(contains(of_wood,
+                 R"(<input name="specular_roughness" type="float" nodename="wood_specular_roughness" />)"));
+  CHECK(contains(of_wood,
+                 R"(<input name="geometry_opacity" type="float" nodename="wood_geometry_opacity" />)"));
+  CHECK(!contains(of_wood, R"(<input name="base_color" type="color3" value=)"));
+  CHECK(contains(of_wood, R"(<input name="base_metalness" type="float" value="0" />)"));
+  CHECK(of_wood.find("<image") < of_wood.find("<open_pbr_surface"));
+  CHECK(!contains(text.substr(of_wood.size()), "<image"));
+}

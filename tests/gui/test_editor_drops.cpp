@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dropped and imported files: spectra, pictures, environments, projects, and what cannot be taken.
+#include <QLineEdit>
+
+#include "app/editor/document/files.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/texture_section.h"
+#include "app/editor/panels/texture_view.h"
+#include "tests/gui/editor_hands.h"
+#include "tests/gui/gui_test.h"
+
+using namespace etak;
+using namespace etak::editor;
+
+namespace {
+
+QWidget* texture_row(TestWindow& window, Channel channel) {
+  for (QWidget* each : window->inspector().textures().findChildren<QWidget*>())
+    if (each->property("channel").isValid() && each->property("channel").toInt() == static_cast<int>(channel))
+      return each;
+  return nullptr;
+}
+
+}  // namespace
+
+class EditorDrops : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() { QApplication::setQuitOnLastWindowClosed(false); }
+
+  void dropped_spectra_become_measured_materials() {
+    TestWindow window(true);
+    QSignalSpy opened(window.window.get(), &Window::opened);
+    write(window.file(QStringLiteral("glass.yml")), glass_page);
+    QVERIFY(drop(window->viewport(), {window.file(QStringLiteral("glass.yml"))}));
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
+    QCOMPARE(window->document().project().materials.size(), std::size_t{1});
+    QVERIFY(window->document().material()->measured.has_value());
+
+    write(window.file(QStringLiteral("Steel.CSV")), "nm,n,k\n380,2,3\n500,2.2,3.1\n780,2.5,3.4\n");
+    QVERIFY(drop(*window, {window.file(QStringLiteral("Steel.CSV"))}));
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 2; }, 20000));
+    QVERIFY2(opened.back().front().toBool(), qPrintable(shown_message(window)));
+    QCOMPARE(window->document().material()->name, std::string("Steel"));
+    QVERIFY(window->document().material()->specular.g > 0.4);
+    window->document().undo_stack().undo();
+    QCOMPARE(window->document().project().materials.size(), std::size_t{1});
+  }
+
+  void an_imported_record_never_takes_the_place_of_another() {
+    const TestWindow window(true);
+    const MaterialLibrary library = MaterialLibrary::builtin();
+    QStringList files;
+    for (const char* folder : {"a", "b"}) {
+      QVERIFY(QDir(window.file(QString())).mkpath(QLatin1String(folder)));
+      files << window.file(QLatin1String(folder) + QStringLiteral("/Gold.csv"));
+      write(files.back(), QByteArray("nm,n,k\n380,2,3\n780,2.5,") + (*folder == 'a' ? "3\n" : "4\n"));
+    }
+    const Opened both = import_files(files, library);
+    QVERIFY2(both.error.isEmpty() && both.problems.isEmpty(),
+             qPrintable(both.problems.join(QLatin1Char('\n'))));
+    QCOMPARE(both.project.spectra.size(), std::size_t{2});
+    QCOMPARE(both.project.spectra[0].id, std::string("gold_2"));
+    QCOMPARE(both.project.spectra[1].id, std::string("gold_3"));
+    QVERIFY(both.project.materials[0].specular != both.project.materials[1].specular);
+    // The same file imported again gives the same record.
+    write(window.file(QStringLiteral("glass.yml")), glass_page);
+    const Opened first = import_files({window.file(QStringLiteral("glass.yml"))}, library);
+    const Opened again =
+        import_files({window.file(QStringLiteral("glass.yml"))}, library_of(first.project, library));
+    QVERIFY(again.project.spectra == first.project.spectra);
+  }
+
+  void a_table_that_contradicts_itself_is_refused_as_by_the_command_line() {
+    const TestWindow window(true);
+    const QString file = window.file(QStringLiteral("twice.csv"));
+    write(file, "nm,n,k\n380,2,3\n500,2.2,3\n500,2.3,3\n780,2.5,3\n");
+    QVERIFY(import_files({file}, MaterialLibrary::builtin()).error.contains(QLatin1String("500 nm again")));
+    write(file, "nm,n,k\n380,2,3\n500,2.2,3\n500,2.2,3\n780,2.5,3\n");
+    QVERIFY(import_files({file}, MaterialLibrary::builtin()).error.isEmpty());
+  }
+
+  void a_dropped_environment_lights_the_scene() {
+    TestWindow window(true);
+    window->show();
+    const QString file = window.file(QStringLiteral("sky.hdr"));
+    QByteArray hdr("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n");
+    for (int i = 0; i < 8; ++i) hdr += QByteArray("\x80\x90\xa0\x81", 4);
+    write(file, hdr);
+    const LightSetup before = window->document().project().view.lights;
+    const auto seen = [&] { return window->viewport().state().environment; };
+    QVERIFY(QTest::qWaitFor([&] { return seen() != nullptr; }, 20000));
+    const auto standard = seen();
+    for (QWidget* target :
+         {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {
+      QVERIFY(drop(*target, {file}));
+      QCOMPARE(window->document().project().view.lights.environment, file.toStdString());
+      QVERIFY(QTest::qWaitFor([&] { return seen() != nullptr && seen() != standard; }, 20000));
+      window->document().undo_stack().undo();
+      QVERIFY(window->document().project().view.lights == before);
+      QVERIFY(QTest::qWaitFor([&] { return seen() == standard; }, 20000));
+    }
+  }
+
+  void pictures_go_to_the_channel_they_are_dropped_on_or_named_for() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    window->show();
+    const QString wood = grey_picture(window, QStringLiteral("wood.png"));
+    const QString gloss = grey_picture(window, QStringLiteral("wood_gloss.png"));
+    QWidget* row = texture_row(window, Channel::specular);
+    QVERIFY(row != nullptr);
+    QVERIFY(drop(*row, {wood}));
+    QCOMPARE(window->document().material()->texture(Channel::specular)->path, wood.toStdString());
+    QVERIFY(drop(window->viewport(), {wood, gloss}));
+    QCOMPARE(window->document().material()->texture(Channel::diffuse)->path, wood.toStdString());
+    QCOMPARE(window->document().material()->texture(Channel::gloss)->path, gloss.toStdString());
+    QVERIFY(QTest::qWaitFor([&] { return window->texture_view().textures() != nullptr; }, 20000));
+    QVERIFY2(window->texture_view().summary().startsWith(QLatin1String("8 x 8")),
+             qPrintable(window->texture_view().summary()));
+    window->document().undo_stack().undo();
+    window->document().undo_stack().undo();
+    QVERIFY(!window->document().material()->texture(Channel::specular));
+  }
+
+  void files_of_other_kinds_are_refused_with_a_message() {
+    TestWindow window(true);
+    window->show();
+    write(window.file(QStringLiteral("letter.docx")), "x");
+    write(window.file(QStringLiteral("page.yml")), glass_page);
+    const QString wood = grey_picture(window, QStringLiteral("wood.png"));
+    // A texture is dropped where the project has no material.
+    QVERIFY(drop(window->viewport(), {wood}));
+    QVERIFY(shown_message(window).contains(QLatin1String("needs a material")));
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    const Project before = window->document().project();
+    for (QWidget* target :
+         {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {
+      // A drag without a file that can be taken is not accepted, and the status bar tells why.
+      QVERIFY(!drop(*target, {window.file(QStringLiteral("letter.docx"))}));
+      QVERIFY2(
+          told(window).contains(QLatin1String("letter.docx")) && told(window).contains(QLatin1String(".csv")),
+          qPrintable(told(window)));
+      QVERIFY(window->document().project() == before);
+      // Beside a file that can be taken, the refused one is named in a message.
+      QVERIFY(drop(*target, {window.file(QStringLiteral("letter.docx")), wood}));
+      const QString refused = shown_message(window);
+      QVERIFY2(refused.contains(QLatin1String("letter.docx")) && refused.contains(QLatin1String(".csv")),
+               qPrintable(refused));
+      QVERIFY(window->document().material()->texture(Channel::diffuse));
+      window->document().undo_stack().undo();
+    }
+    QWidget& row = *texture_row(window, Channel::gloss);
+    QVERIFY(!drop(row, {window.file(QStringLiteral("letter.docx"))}));
+    QVERIFY(drop(row, {window.file(QStringLiteral("page.yml")), wood}));
+    QVERIFY(shown_message(window).contains(QLatin1String("no picture")));
+    window->document().undo_stack().undo();
+    QVERIFY(window->document().project() == before);
+    // A file with the ending of a page that holds no page.
+    QSignalSpy opened(window.window.get(), &Window::opened);
+    write(window.file(QStringLiteral("page.yml")), "no: page");
+    QVERIFY(drop(window->viewport(), {window.file(QStringLiteral("page.yml"))}));
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
+    QVERIFY(shown_message(window).contains(QLatin1String("page.yml")));
+    QVERIFY(window->document().project() == before);
+  }
+
+  void a_dropped_project_is_opened_or_added_as_is_answered() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("copper")));
+    show_active(window);
+    const QString file = window.file(QStringLiteral("dropped.json"));
+    write(file, project_bytes("gold"));
+    const Project before = window->document().project();
+    QSignalSpy opened(window.window.get(), &Window::opened);
+    const auto answered = [&](QWidget& target, const QString& button) {
+      if (!drop(target, {file})) return false;
+      QMessageBox* box = open_message(window);
+      if (box == nullptr || button_of(*box, button) == nullptr) return false;
+      button_of(*box, button)->click();
+      return true;
+    };
+    QVERIFY(answered(*window, QStringLiteral("Cancel")));
+    QTest::qWait(50);
+    QVERIFY(window->document().project() == before);
+    QVERIFY(answered(window->viewport(), QStringLiteral("Add")));
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 1; }, 20000));
+    QCOMPARE(window->document().project().materials.size(), std::size_t{2});
+    QVERIFY(window->document().path().isEmpty());
+    // Opening it first asks what to do with the changes.
+    answer(QMessageBox::Discard);
+    QVERIFY(answered(*window, QStringLiteral("Open")));
+    QVERIFY(QTest::qWaitFor([&] { return opened.count() == 2; }, 20000));
+    QCOMPARE(window->document().project().materials.size(), std::size_t{1});
+    QCOMPARE(window->document().path(), file);
+  }
+
+  void a_line_takes_no_files() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    window->show();
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(window.file(QStringLiteral("p.json")))});
+    for (QLineEdit* each : window->findChildren<QLineEdit*>())
+      if (!each->isReadOnly()) QVERIFY2(!each->acceptDrops(), qPrintable(each->accessibleName()));
+    // The window does not take addresses of other machines either.
+    data.setUrls({QUrl(QStringLiteral("https://example.org/a.json"))});
+    for (QWidget* each :
+         {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {
+      QDragEnterEvent enter(each->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+      QCoreApplication::sendEvent(each, &enter);
+      QVERIFY(!enter.isAccepted());
+    }
+  }
+};
+
+ETAK_GUI_TEST(EditorDrops, "editor_drops")
+#include "test_editor_drops.moc"

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the window shows is right and can be read: names, tooltips, paths, searches, findings, the first
+// window.
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QStandardItemModel>
+#include <QTabWidget>
+#include <QTreeView>
+
+#include "app/editor/fields/color_field.h"
+#include "app/editor/fields/number_field.h"
+#include "app/editor/fields/path_edit.h"
+#include "app/editor/fields/press_id.h"
+#include "app/editor/panels/findings_panel.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/texture_section.h"
+#include "tests/gui/editor_hands.h"
+#include "tests/gui/gui_test.h"
+
+using namespace etak;
+using namespace etak::editor;
+
+namespace {
+
+QString black_picture(TestWindow& window) {
+  QImage out(8, 8, QImage::Format_RGB32);
+  out.fill(Qt::black);
+  const QString file = window.file(QStringLiteral("black.png"));
+  out.save(file);
+  return file;
+}
+
+}  // namespace
+
+class EditorShown : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void a_search_brings_what_is_called_so_first() {
+    TestWindow window(true);
+    show_active(window);
+    LibraryPanel& library = window->library_panel();
+    click_row(library.list(), library_row(library, QStringLiteral("copper")));
+    for (const char* id : {"gold", "silver", "iron", "water"}) {
+      library.search().setFocus();
+      library.search().selectAll();
+      QTest::keyClicks(&library.search(), QLatin1String(id));
+      QTest::keyClick(&library.search(), Qt::Key_Return);
+      QCOMPARE(library.selected(), QLatin1String(id));
+      QCOMPARE(window->look().preview->measured->material, std::string(id));
+    }
+    QTest::keyClick(&library.list(), Qt::Key_Return);
+    QCOMPARE(window->document().material()->measured->material, std::string("water"));
+  }
+
+  void a_long_path_is_cut_where_it_is_shown_and_whole_where_it_counts() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    show_active(window);
+    QString path = QStringLiteral("/a");
+    for (int i = 0; i < 20; ++i) path += QStringLiteral("/folder %1").arg(i);
+    path += QStringLiteral("/wood.png");
+    window->inspector().textures().take_files({path}, Channel::diffuse);
+    const Project before = window->document().project();
+    auto* line = named<PathEdit>(window->inspector(), QStringLiteral("Diffuse texture, file"));
+    QVERIFY(line != nullptr);
+    QCOMPARE(line->text(), path);
+    QVERIFY2(line->shown_text().contains(QChar(0x2026)), qPrintable(line->shown_text()));
+    QVERIFY(line->shown_text().endsWith(QLatin1String("png")));
+    (void)line->grab();
+    line->setFocus();
+    QTest::keyClick(line, Qt::Key_Return);
+    window->library_panel().search().setFocus();
+    QVERIFY(window->document().project() == before);
+    QVERIFY(short_path(path).size() <= 60 && short_path(path).endsWith(QLatin1String("wood.png")));
+  }
+
+  void the_three_alphas_have_names_of_their_own() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    ProjectMaterial m = *window->document().material();
+    for (const Model& each : models()) {
+      if (each.kind == ModelKind::diffuse) continue;
+      m.specular_model = each.id;
+      window->document().edit(0, m, QStringLiteral("model"), next_press_id());
+      QStringList labels;
+      for (const QLabel* label : window->inspector().findChildren<QLabel*>()) labels << label->text();
+      const QString all = labels.join(QLatin1Char('|'));
+      for (const char* name : {"Alpha opacity", "Alpha cutoff", "alpha roughness"})
+        QVERIFY2(all.contains(QLatin1String(name)), name);
+      QVERIFY2(!labels.contains(QStringLiteral("alpha"), Qt::CaseInsensitive), qPrintable(all));
+    }
+  }
+
+  void every_parameter_has_a_tooltip() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    ProjectMaterial m = *window->document().material();
+    m.specular_model = "abc-schlick";
+    m.diffuse_model = "oren-nayar";
+    window->document().edit(0, m, QStringLiteral("model"), next_press_id());
+    window->show();
+    QStringList without;
+    int fields = 0;
+    for (const int tab : {0, 1, 2}) {
+      window->inspector_tabs().setCurrentIndex(tab);
+      QWidget* page = window->inspector_tabs().currentWidget();
+      for (const QWidget* each : page->findChildren<QWidget*>()) {
+        const bool field = qobject_cast<const NumberField*>(each) || qobject_cast<const ColorField*>(each) ||
+                           (qobject_cast<const QComboBox*>(each)) || qobject_cast<const QSpinBox*>(each) ||
+                           each->inherits("QCheckBox") ||
+                           (qobject_cast<const FineSpinBox*>(each) &&
+                            !qobject_cast<const NumberField*>(each->parentWidget())) ||
+                           (qobject_cast<const QLineEdit*>(each) &&
+                            !qobject_cast<const QAbstractSpinBox*>(each->parentWidget()) &&
+                            !qobject_cast<const QComboBox*>(each->parentWidget()));
+        if (!field) continue;
+        ++fields;
+        QString tip;
+        for (const QWidget* up = each; up != page && tip.isEmpty(); up = up->parentWidget())
+          tip = up->toolTip();
+        if (tip.isEmpty()) without << each->accessibleName();
+      }
+    }
+    QVERIFY2(fields > 50, qPrintable(QString::number(fields)));
+    QVERIFY2(without.isEmpty(), qPrintable(without.join(QLatin1Char('\n'))));
+  }
+
+  void the_first_window_fits_the_screen_and_has_an_icon() {
+    TestWindow window(true);
+    QVERIFY(!window->windowIcon().isNull());
+    const QSize room = window->screen()->availableSize();
+    QVERIFY2(window->width() <= room.width() && window->height() <= room.height(),
+             qPrintable(QStringLiteral("%1x%2 of %3x%4; least %5x%6")
+                            .arg(window->width())
+                            .arg(window->height())
+                            .arg(room.width())
+                            .arg(room.height())
+                            .arg(window->minimumSizeHint().width())
+                            .arg(window->minimumSizeHint().height())));
+  }
+
+  void a_new_material_is_opaque_and_its_file_says_so() {
+    TestWindow window(true);
+    show_active(window);
+    QTest::keyClick(window.window.get(), Qt::Key_N, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(window->document().material() != nullptr);
+    QVERIFY(window->document().material()->alpha_mode == AlphaMode::opaque);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    QVERIFY(window->document().material()->alpha_mode == AlphaMode::opaque);
+    // Viewport and exports ignore the alpha of an opaque material.
+    ProjectMaterial m = *window->document().material();
+    m.alpha = 0.5;
+    window->document().edit(1, m, QStringLiteral("alpha"), next_press_id());
+    QVERIFY(!window->inspector().alpha().isEnabled());
+    QCOMPARE(window->document().surface_of(m).opacity, 1.0);
+    QCOMPARE(surface_of(m, *window->document().library()).opacity, 1.0);
+    QCOMPARE(export_surface(m, *window->document().library()).opacity, 1.0);
+    m.alpha_mode = AlphaMode::blend;
+    window->document().edit(1, m, QStringLiteral("mode"), next_press_id());
+    QVERIFY(window->inspector().alpha().isEnabled());
+    QCOMPARE(window->document().surface_of(m).opacity, 0.5);
+    QCOMPARE(export_surface(m, *window->document().library()).opacity, 0.5);
+    window->document().undo_stack().undo();
+    window->document().undo_stack().undo();
+    // A clear body shows the background.
+    QVERIFY(window->use_library_material(QStringLiteral("water")));
+    QVERIFY(window->document().material()->alpha_mode == AlphaMode::blend);
+    const Project& project = window->document().project();
+    const std::string text = format_project(project, "");
+    QVERIFY(parse_project(text, "p.json").materials[0].alpha_mode == AlphaMode::opaque);
+    QVERIFY(QByteArray::fromStdString(text).count("opaque") == 2);
+  }
+
+  void models_stand_in_families_by_their_titles() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    std::size_t listed = 0;
+    for (const char* name : {"Specular model", "Diffuse model"}) {
+      auto* box = named<QComboBox>(window->inspector(), QLatin1String(name));
+      QVERIFY(box != nullptr);
+      const auto* rows = qobject_cast<QStandardItemModel*>(box->model());
+      QString family;
+      int families = 0;
+      for (int row = 1; row < box->count(); ++row) {  // the first row is "none"
+        if (!rows->item(row)->isEnabled()) {
+          family = box->itemText(row);
+          ++families;
+          QVERIFY(!box->itemData(row).isValid());
+          continue;
+        }
+        ++listed;
+        const Model* model = find_model(box->itemData(row).toString().toStdString());
+        QVERIFY2(model != nullptr && !family.isEmpty(), qPrintable(box->itemText(row)));
+        QCOMPARE(box->itemText(row).toStdString(), std::string(model->title));
+        QVERIFY(box->itemData(row, Qt::ToolTipRole).toString().contains(box->itemData(row).toString()));
+        QCOMPARE(family.startsWith(QLatin1String("Sch")), model->id.starts_with("schueler"));
+      }
+      QVERIFY(families > 1 || box->count() < 8);
+    }
+    QCOMPARE(listed, models().size());
+    // The keys step from model to model, over the names of families.
+    auto* box = named<QComboBox>(window->inspector(), QStringLiteral("Specular model"));
+    show_active(window);
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Home);
+    QCOMPARE(window->document().material()->specular_model, std::string());
+    QTest::keyClick(box, Qt::Key_Down);
+    QCOMPARE(window->document().material()->specular_model, std::string("schueler-full"));
+    auto* about = named<QLabel>(window->inspector(), QStringLiteral("About the model"));
+    QVERIFY2(about->text().contains(QLatin1String("schueler-full")), qPrintable(about->text()));
+  }
+
+  void flags_of_data_are_sentences() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("tantalum")));
+    const auto* result = named<QLabel>(window->inspector(), QStringLiteral("Measured F0, result"));
+    QVERIFY(result != nullptr);
+    QTRY_VERIFY(result->text().contains(QLatin1String("The data are doubtful: ")));
+    QStringList lines = result->text().split(QLatin1Char('\n'));
+    QVERIFY2(lines.contains(QStringLiteral("The numbers come from theory alone; nothing was measured.")),
+             qPrintable(result->text()));
+    // Behind the values and the kind of the data, each line is a sentence.
+    for (const QString& line : lines.mid(2))
+      QVERIFY2(line.front().isUpper() && line.endsWith(QLatin1Char('.')), qPrintable(line));
+  }
+
+  void a_and_b_are_named_and_the_difference_ends_with_the_comparison() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    show_active(window);
+    QVERIFY(window.settle());
+    const auto& state = window->viewport().state();
+    QVERIFY(QByteArray::fromStdString(state.a.label).startsWith("Gold, "));
+    QTest::keyClick(window.window.get(), Qt::Key_T, Qt::ControlModifier);
+    QTRY_VERIFY(state.split);
+    QVERIFY(QByteArray::fromStdString(state.a.label).startsWith("A: Gold, "));
+    QVERIFY(QByteArray::fromStdString(state.b.label).startsWith("B: Gold, "));
+    QTest::mouseMove(&window->viewport(), window->viewport().rect().center());
+    const auto* under = named<QLabel>(*window, QStringLiteral("Under the cursor"));
+    const auto* difference = named<QLabel>(*window, QStringLiteral("Difference under the cursor"));
+    QTRY_VERIFY(under->text().contains(QLatin1String("B - A")));
+    QVERIFY(difference->text().contains(QLatin1String("B - A")));
+    QTest::keyClick(window.window.get(), Qt::Key_T, Qt::ControlModifier);
+    QVERIFY(under->text().isEmpty() && difference->text().isEmpty());
+    QTRY_VERIFY(!state.split);
+  }
+
+  // What nothing in the material reads has no findings.
+  void findings_are_about_what_the_material_uses() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("iron")));
+    ProjectMaterial m = *window->document().material();
+    const Material iron = *window->document().library()->find("iron");
+    for (const Dataset& each : iron.datasets) {
+      m.measured->dataset = each.id;
+      window->document().edit(0, m, QStringLiteral("dataset"), next_press_id());
+      QVERIFY(window.settle());
+      for (const auto& [name, findings] : window->validator().findings())
+        for (const Finding& finding : findings)
+          if (finding.pointer.starts_with("/datasets/"))
+            QVERIFY2(
+                iron.datasets[static_cast<std::size_t>(std::stoi(finding.pointer.substr(10)))].id == each.id,
+                finding.message.c_str());
+    }
+    // In the mode opaque, an alpha is read by nothing.
+    const auto has_alpha_finding = [&] {
+      for (const auto& [name, findings] : window->validator().findings())
+        for (const Finding& finding : findings)
+          if (finding.rule.starts_with("ETK5")) return true;
+      return false;
+    };
+    m.measured.reset();
+    m.diffuse = {0.3, 0.3, 0.3};
+    m.specular = {0.04, 0.04, 0.04};
+    m.texture(Channel::alpha) = ImageSource{black_picture(window).toStdString(), "r", ""};
+    m.alpha_mode = AlphaMode::blend;
+    window->document().edit(0, m, QStringLiteral("alpha"), next_press_id());
+    QVERIFY(window.settle());
+    QVERIFY(has_alpha_finding());
+    m.alpha_mode = AlphaMode::opaque;
+    window->document().edit(0, m, QStringLiteral("mode"), next_press_id());
+    QVERIFY(window.settle());
+    QVERIFY(!has_alpha_finding());
+  }
+
+  void a_double_click_on_a_finding_goes_to_what_it_is_about() {
+    TestWindow window(true);
+    QVERIFY(window->use_library_material(QStringLiteral("gold")));
+    QVERIFY(window->use_library_material(QStringLiteral("titanium")));
+    ProjectMaterial m = *window->document().material();
+    m.measured.reset();
+    m.name = "dark";
+    m.diffuse = {0.001, 0.001, 0.001};
+    m.specular = {0.3, 0.3, 0.3};
+    m.texture(Channel::gloss) = ImageSource{window.file(QStringLiteral("missing.png")).toStdString(), "", ""};
+    window->document().edit(1, m, QStringLiteral("dark"), next_press_id());
+    show_active(window);
+    QVERIFY(window.settle());
+    auto* table = named<QTreeView>(window->findings(), QStringLiteral("List of findings"));
+    QVERIFY(table != nullptr);
+    const auto go = [&](const char* rule) {
+      window->document().set_current(0);
+      window->inspector_tabs().setCurrentIndex(1);
+      window->findChild<QDockWidget*>(QStringLiteral("inspector"))->close();
+      for (int row = 0; row < table->model()->rowCount(); ++row) {
+        const QModelIndex at = table->model()->index(row, FindingsModel::rule_column);
+        if (at.data().toString() != QLatin1String(rule)) continue;
+        table->scrollTo(at);
+        const QPoint middle = table->visualRect(at).center();
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, middle);
+        QTest::mouseDClick(table->viewport(), Qt::LeftButton, {}, middle);
+        QWidget* at_focus = QApplication::focusWidget();
+        return at_focus == nullptr ? QString() : at_focus->accessibleName();
+      }
+      return QStringLiteral("no finding of ") + QLatin1String(rule);
+    };
+    QCOMPARE(go("ETK001"), QStringLiteral("Gloss texture, file"));
+    QCOMPARE(window->document().current(), 1);
+    QVERIFY(window->inspector().isVisible());
+    m.texture(Channel::gloss).reset();
+    window->document().edit(1, m, QStringLiteral("gloss"), next_press_id());
+    QVERIFY(window.settle());
+    QCOMPARE(go("ETK101"), QStringLiteral("Specular, red, linear"));
+    // A finding about the record of another material leads to the record.
+    m = window->document().project().materials[0];
+    m.measured->material = "titanium";
+    window->document().edit(0, m, QStringLiteral("record"), next_press_id());
+    QVERIFY(window.settle());
+    QCOMPARE(go("ETK608"), QStringLiteral("Dataset"));
+    QCOMPARE(window->document().current(), 0);
+  }
+};
+
+ETAK_GUI_TEST(EditorShown, "editor_shown")
+#include "test_editor_shown.moc"
