@@ -11,6 +11,7 @@
 #include "core/atlas/layout.h"
 #include "core/atlas/leave_out.h"
 #include "core/atlas/pack/source.h"
+#include "core/atlas/pack/totals.h"
 #include "core/atlas/plan.h"
 #include "core/atlas/texels/compose.h"
 #include "core/atlas/texels/resolution.h"
@@ -25,11 +26,11 @@ struct PageLevels {
   int kept = 1;     // of those the ones that a sampler reads, and in which some region has a texel of its own
 };
 
-/// Bytes of the PNG files that the pictures of a decision's pages would become, by their names, in every form
+/// What the PNG files take that the pictures of a decision's pages would become, by their names, in every form
 /// that may be written.
 ///   bare   the same without occlusion, of pictures that have it in their red channel
 struct PictureSizes {
-  std::map<std::string, std::uint64_t> files, bare;
+  std::map<std::string, TextureTotals> files, bare;
 };
 
 /// What an atlas is to hold and where it goes.

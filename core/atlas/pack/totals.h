@@ -86,7 +86,8 @@ struct PackTotals {
 };
 
 /// What a form of the written scene costs.
-///   gpu       bytes of all textures that scene.gltf reads, uncompressed with all mips
+///   gpu       bytes of all textures that scene.gltf reads, uncompressed with all mips; where files were not
+///             weighed, at most so many: a picture that turns out to be grey takes less
 ///   disk      bytes of their files; none where files were not weighed
 ///   exact     the form says what was read, but for the rounding of the pair's codes
 ///   written   it is the one that was asked for, or found to be the smallest

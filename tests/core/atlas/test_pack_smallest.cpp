@@ -17,12 +17,15 @@ constexpr double uv_rounding = 0.02;
 
 using TextureOf = std::optional<GltfTexture> GltfMaterial::*;
 
-// What a sampler finds in a texture, as codes; full where there is none.
+// What a sampler finds in a texture, as codes: grey in all three colours, and full where there is none.
 std::array<double, 4> found(Pictures& pictures, const GltfMaterial& m, TextureOf which,
                             const std::array<float, 2>& uv) {
   const std::optional<GltfTexture>& texture = m.*which;
   if (!texture) return {255, 255, 255, 255};
-  return lookup(pictures(texture->image), *texture, uv, Filter::codes);
+  const Image8& picture = pictures(texture->image);
+  const std::array<double, 4> at = lookup(picture, *texture, uv, Filter::codes);
+  if (picture.channels > 2) return at;
+  return {at[0], at[0], at[0], picture.channels == 2 ? at[1] : 255};
 }
 
 // The largest difference of the first `channels` channels of a texture between two scenes, over corners and centres

@@ -137,23 +137,29 @@ struct PageOfMaps {
   // Takes kinds of textures off the page where they weigh no less in its picture `what` than as they are.
   void weigh(const std::string& what, std::initializer_list<ImageOf> kinds, int channels) {
     const PlannedPage& page = decision.plan.pages[static_cast<std::size_t>(number)];
-    keep_lighter(kinds, {1, size(what, &PictureSizes::files),
-                         texture_bytes({page.width, page.height, channels}, true)});
+    const TextureTotals* const file = weighed(what, &PictureSizes::files);
+    keep_lighter(kinds, file != nullptr
+                            ? *file
+                            : TextureTotals{1, 0, texture_bytes({page.width, page.height, channels}, true)});
   }
 
   // The same of occlusion in the red channel of a picture that is there anyhow.
   void weigh_occlusion_in(const std::string& what) {
-    const std::uint64_t with = size(what, &PictureSizes::files), bare = size(what, &PictureSizes::bare);
-    keep_lighter({&MaterialMaps::occlusion}, {0, with - std::min(with, bare), 0});
+    const TextureTotals* const with = weighed(what, &PictureSizes::files);
+    const TextureTotals* const bare = weighed(what, &PictureSizes::bare);
+    const std::uint64_t more =
+        with != nullptr && bare != nullptr ? with->disk - std::min(with->disk, bare->disk) : 0;
+    keep_lighter({&MaterialMaps::occlusion}, {0, more, 0});
   }
 
  private:
-  std::uint64_t size(const std::string& what,
-                     std::map<std::string, std::uint64_t> PictureSizes::*which) const {
-    if (!decision.sizes) return 0;
+  // Null where files are not weighed.
+  const TextureTotals* weighed(const std::string& what,
+                               std::map<std::string, TextureTotals> PictureSizes::*which) const {
+    if (!decision.sizes) return nullptr;
     const auto& sizes = (*decision.sizes).*which;
     const auto found = sizes.find(scene_picture(number, what));
-    return found == sizes.end() ? 0 : found->second;
+    return found == sizes.end() ? nullptr : &found->second;
   }
 
   void keep_lighter(std::initializer_list<ImageOf> kinds, const TextureTotals& placed) {

@@ -135,18 +135,22 @@ struct SceneOutput {
   // What the images that it names take.
   TextureTotals totals(const PackDecision& decision) const {
     TextureTotals out;
-    for (std::size_t i = 0; i < images.names.size(); ++i)
-      out.add({1, disk(images.names[i], decision), texture_bytes(images.headers[i], true)});
+    for (std::size_t i = 0; i < images.names.size(); ++i) out.add(file(i, decision));
     return out;
   }
 
  private:
-  std::uint64_t disk(const std::string& name, const PackDecision& decision) const {
-    if (!decision.sizes) return 0;
-    const auto& bare = decision.sizes->bare;
-    const auto& sizes = bare.contains(name) && !images.occluded.contains(name) ? bare : decision.sizes->files;
-    const auto found = sizes.find(name);
-    return found == sizes.end() ? 0 : found->second;
+  // Where files are not weighed, with as many channels as the picture may have: pictures that turn out to be
+  // grey take less.
+  TextureTotals file(std::size_t image, const PackDecision& decision) const {
+    const std::string& name = images.names[image];
+    if (decision.sizes) {
+      const auto& bare = decision.sizes->bare;
+      const auto& sizes =
+          bare.contains(name) && !images.occluded.contains(name) ? bare : decision.sizes->files;
+      if (const auto found = sizes.find(name); found != sizes.end()) return found->second;
+    }
+    return {1, 0, texture_bytes(images.headers[image], true)};
   }
 };
 SceneOutput scene_output(const ScenePack::State& s, const SceneMaps& maps, const std::vector<GltfForm>& forms,

@@ -8,6 +8,7 @@
 
 #include "core/color/srgb.h"
 #include "core/image/files/png_choice.h"
+#include "core/image/texture_bytes.h"
 #include "core/scene/gltf_convert.h"
 #include "core/scene/material_texels.h"
 
@@ -91,11 +92,17 @@ PngOptions png_options(const PngRows& image, const WriteOptions& options) {
   return out;
 }
 
-// The file of a picture that only the scene reads.
-std::string file_of(const Image8& picture, const WriteOptions& options) {
+// The file of a picture that only the scene reads, and what it takes.
+struct SceneFile {
+  std::string bytes;
+  TextureTotals totals;
+};
+SceneFile file_of(const Image8& picture, const WriteOptions& options) {
   const Image8 out = with_fewest_channels(picture);
   const PngOptions png = png_options(out, options);
-  return options.png_level ? png_bytes(out, png) : least_png(out, png);
+  SceneFile file{options.png_level ? png_bytes(out, png) : least_png(out, png), {}};
+  file.totals = {1, file.bytes.size(), texture_bytes({out.width, out.height, out.channels}, true)};
+  return file;
 }
 
 // The pictures of one page.
@@ -220,17 +227,18 @@ std::string occlusion_picture(const std::vector<GltfForm>& forms, bool specular_
 
 void add_scene_picture_sizes(const ScenePictureInput& in, const WriteOptions& options, PictureSizes& sizes) {
   ScenePictures{in}.each_read([&](const std::string& name, const Image8& picture) {
-    sizes.files[name] = file_of(picture, options).size();
+    sizes.files[name] = file_of(picture, options).totals;
   });
   ScenePictures{in, false}.each_read([&](const std::string& name, const Image8& picture) {
-    sizes.bare[name] = file_of(picture, options).size();
+    sizes.bare[name] = file_of(picture, options).totals;
   });
   for (const Texture texture : both_textures)
     if (const std::string name = page_file(in.page, texture, "png"); in.reads(name)) {
       const PixelsView8 view = in.pixels.view(texture);
       const PngRows image{{view.width, view.height, 4}, view.data, view.stride};
-      std::uint64_t& size = sizes.files[name] = 0;
-      write_png(image, png_options(image, options), [&](std::string_view piece) { size += piece.size(); });
+      TextureTotals& file = sizes.files[name] = {1, 0, texture_bytes({view.width, view.height, 4}, true)};
+      write_png(image, png_options(image, options),
+                [&](std::string_view piece) { file.disk += piece.size(); });
     }
 }
 
@@ -238,7 +246,7 @@ std::vector<std::string> write_scene_pictures(OutputFolder& folder, const SceneP
                                               const WriteOptions& options) {
   std::vector<std::string> names;
   ScenePictures{in}.each_read([&](const std::string& name, const Image8& picture) {
-    folder.write(names.emplace_back(name), file_of(picture, options));
+    folder.write(names.emplace_back(name), file_of(picture, options).bytes);
   });
   return names;
 }
