@@ -40,6 +40,7 @@ struct Remaining {
   LeaveOut out{};
   std::vector<std::array<bool, channel_count>> channels{};  // of owners: what their region holds
   std::vector<std::vector<std::size_t>> users{};  // by owner, rising; some may need no texels any more
+  bool one_owner = false;                         // no other material has texels of its own
 };
 
 TexelAccount account(const Remaining& left) {
@@ -280,16 +281,22 @@ int levels_read(const Remaining& left, std::size_t i) {
   return levels_wanted(left.options.levels, read);
 }
 
-// The box of material i grown outwards to whole texels of every mip that its region keeps clean. A box of odd
-// sides would shift its mips by half a texel a level against those of the picture.
+// What decides how many mips a region keeps clean.
 //   alone   the only region of all, which needs no gutter and has as many mips clean as its sides
-PixelBox in_whole_mips(PixelBox box, const Remaining& left, std::size_t i, bool alone) {
-  const MaterialFacts& m = left.materials[i];
-  const int wanted = levels_read(left, i);
+struct RegionMips {
+  int wanted;
+  std::optional<int> gutter;
+  bool alone;
+};
+
+// The box grown outwards to whole texels of every mip that its region keeps clean. A box of odd sides would
+// shift its mips by half a texel a level against those of the picture.
+PixelBox in_whole_mips(PixelBox box, const MaterialFacts& m, const RegionMips& mips) {
   for (PixelBox before{}; !(box == before);) {
     before = box;
-    int clean = clean_levels(box.width, box.height, wanted, left.options.gutter);
-    if (alone) clean = std::max(clean, std::min(wanted, default_clean_levels(2 * box.width, 2 * box.height)));
+    int clean = clean_levels(box.width, box.height, mips.wanted, mips.gutter);
+    if (mips.alone)
+      clean = std::max(clean, std::min(mips.wanted, default_clean_levels(2 * box.width, 2 * box.height)));
     const int step = 1 << (clean - 1);
     const auto grown = [step](int& from, int& size, int most) {
       const int end = std::min(most, (from + size + step - 1) / step * step);
@@ -302,7 +309,7 @@ PixelBox in_whole_mips(PixelBox box, const Remaining& left, std::size_t i, bool 
   return box;
 }
 
-bool is_alone(const Remaining& left) {
+bool has_one_owner(const Remaining& left) {
   std::size_t owners = 0;
   for (std::size_t i = 0; i < left.materials.size(); ++i)
     owners += left.out.fates[i].texels && is_owner(left, i) ? 1 : 0;
@@ -315,7 +322,7 @@ bool crop(Remaining& left, std::size_t i) {
   users(left, i, [&](std::size_t j) {
     box = box.width == 0 ? left.materials[j].crop : around(box, left.materials[j].crop);
   });
-  box = in_whole_mips(box, left, i, is_alone(left));
+  box = in_whole_mips(box, left.materials[i], {levels_read(left, i), left.options.gutter, left.one_owner});
   if (box == whole(left.materials[i])) return false;
   left.out.fates[i].boxes = {box};
   return true;
@@ -334,8 +341,8 @@ bool split(Remaining& left, std::size_t i) {
   const auto order = [](const PixelBox& a, const PixelBox& b) {
     return std::tie(a.y, a.x, a.width, a.height) < std::tie(b.y, b.x, b.width, b.height);
   };
-  const bool alone = boxes.size() == 1 && is_alone(left);
-  for (PixelBox& box : boxes) box = in_whole_mips(box, left, i, alone);
+  const RegionMips mips{levels_read(left, i), left.options.gutter, boxes.size() == 1 && left.one_owner};
+  for (PixelBox& box : boxes) box = in_whole_mips(box, left.materials[i], mips);
   std::sort(boxes.begin(), boxes.end(), order);
   boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
   // Boxes may overlap: what two materials use of one picture may even be more than the box around both.
@@ -353,6 +360,7 @@ LeaveOut leave_out(const std::vector<MaterialFacts>& materials, const LeaveOutOp
   step(left, "alpha", drop_alpha);
   step(left, "constant", drop_constant);
   step(left, "grey", one_number);
+  left.one_owner = has_one_owner(left);
   step(left, "crop", crop);
   if (options.islands) step(left, "islands", split);
   for (std::size_t i = 0; i < materials.size(); ++i)
