@@ -6,8 +6,10 @@
 #include <set>
 #include <tuple>
 
+#include "core/atlas/plan.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
+#include "core/base/text.h"
 
 namespace etak {
 namespace {
@@ -38,6 +40,7 @@ struct Remaining {
   LeaveOut out{};
   std::vector<std::array<bool, channel_count>> channels{};  // of owners: what their region holds
   std::vector<std::vector<std::size_t>> users{};  // by owner, rising; some may need no texels any more
+  bool one_owner = false;                         // no other material has texels of its own
 };
 
 TexelAccount account(const Remaining& left) {
@@ -53,27 +56,23 @@ TexelAccount account(const Remaining& left) {
   return sum;
 }
 
-void record(Remaining& left, const char* what, std::size_t touched, const std::string& detail) {
+//   touched   the materials from which something was taken, as the report names them
+void record(Remaining& left, const char* what, std::vector<std::string> touched) {
   const TexelAccount now = account(left);
-  if (touched > 0)
-    left.out.lines.push_back({what, detail, touched, left.out.after.texels - now.texels,
+  if (!touched.empty())
+    left.out.lines.push_back({what, joined(touched, ", "), touched.size(), left.out.after.texels - now.texels,
                               left.out.after.channel_texels - now.channel_texels,
-                              4 * (left.out.after.texels - now.texels), 0});
+                              4 * (left.out.after.texels - now.texels), 0, std::move(touched)});
   left.out.after = now;
 }
 
 // Calls `act` for every material that has texels; `act` tells whether it took something from the material.
 void step(Remaining& left, const char* what, bool (*act)(Remaining&, std::size_t)) {
   if (!left.options.leaves(what)) return;
-  std::size_t touched = 0;
-  std::string names;
+  std::vector<std::string> touched;
   for (std::size_t i = 0; i < left.materials.size(); ++i)
-    if (left.out.fates[i].texels && act(left, i)) {
-      if (touched < 3) names += (touched == 0 ? "" : ", ") + left.materials[i].name;
-      ++touched;
-    }
-  if (touched > 3) names += ", ...";
-  record(left, what, touched, names);
+    if (left.out.fates[i].texels && act(left, i)) touched.push_back(left.materials[i].name);
+  record(left, what, std::move(touched));
 }
 
 void list_users(Remaining& left) {
@@ -185,12 +184,10 @@ void share_equal(Remaining& left) {
   }
   list_users(left);
   std::sort(shared.begin(), shared.end());
-  std::string names;
-  for (std::size_t k = 0; k < std::min<std::size_t>(3, shared.size()); ++k)
-    names += (k == 0 ? "" : ", ") + left.materials[shared[k]].name + " = " +
-             left.materials[left.out.fates[shared[k]].owner].name;
-  if (shared.size() > 3) names += ", ...";
-  record(left, "equal", shared.size(), names);
+  std::vector<std::string> names;
+  for (const std::size_t i : shared)
+    names.push_back(left.materials[i].name + " = " + left.materials[left.out.fates[i].owner].name);
+  record(left, "equal", std::move(names));
 }
 
 // Calls `act` for every material that uses texels of material `i`, which may be one of them.
@@ -273,12 +270,59 @@ bool one_number(Remaining& left, std::size_t i) {
   return true;
 }
 
+// The mips of a region of the material's texels at most.
+int levels_read(const Remaining& left, std::size_t i) {
+  int read = 1;
+  users(left, i, [&](std::size_t j) {
+    const int levels = left.materials[j].levels;
+    read = read == 0 || levels == 0 ? 0 : std::max(read, levels);
+  });
+  if (!left.options.leaves("mips")) read = 0;
+  return levels_wanted(left.options.levels, read);
+}
+
+// What decides how many mips a region keeps clean.
+//   alone   the only region of all, which needs no gutter and has as many mips clean as its sides
+struct RegionMips {
+  int wanted;
+  std::optional<int> gutter;
+  bool alone;
+};
+
+// The box grown outwards to whole texels of every mip that its region keeps clean. A box of odd sides would
+// shift its mips by half a texel a level against those of the picture.
+PixelBox in_whole_mips(PixelBox box, const MaterialFacts& m, const RegionMips& mips) {
+  for (PixelBox before{}; !(box == before);) {
+    before = box;
+    int clean = clean_levels(box.width, box.height, mips.wanted, mips.gutter);
+    if (mips.alone)
+      clean = std::max(clean, std::min(mips.wanted, default_clean_levels(2 * box.width, 2 * box.height)));
+    const int step = 1 << (clean - 1);
+    const auto grown = [step](int& from, int& size, int most) {
+      const int end = std::min(most, (from + size + step - 1) / step * step);
+      from = from / step * step;
+      size = end - from;
+    };
+    grown(box.x, box.width, m.width);
+    grown(box.y, box.height, m.height);
+  }
+  return box;
+}
+
+bool has_one_owner(const Remaining& left) {
+  std::size_t owners = 0;
+  for (std::size_t i = 0; i < left.materials.size(); ++i)
+    owners += left.out.fates[i].texels && is_owner(left, i) ? 1 : 0;
+  return owners == 1;
+}
+
 bool crop(Remaining& left, std::size_t i) {
   if (!is_owner(left, i)) return false;
   PixelBox box{0, 0, 0, 0};
   users(left, i, [&](std::size_t j) {
     box = box.width == 0 ? left.materials[j].crop : around(box, left.materials[j].crop);
   });
+  box = in_whole_mips(box, left.materials[i], {levels_read(left, i), left.options.gutter, left.one_owner});
   if (box == whole(left.materials[i])) return false;
   left.out.fates[i].boxes = {box};
   return true;
@@ -297,6 +341,8 @@ bool split(Remaining& left, std::size_t i) {
   const auto order = [](const PixelBox& a, const PixelBox& b) {
     return std::tie(a.y, a.x, a.width, a.height) < std::tie(b.y, b.x, b.width, b.height);
   };
+  const RegionMips mips{levels_read(left, i), left.options.gutter, boxes.size() == 1 && left.one_owner};
+  for (PixelBox& box : boxes) box = in_whole_mips(box, left.materials[i], mips);
   std::sort(boxes.begin(), boxes.end(), order);
   boxes.erase(std::unique(boxes.begin(), boxes.end()), boxes.end());
   // Boxes may overlap: what two materials use of one picture may even be more than the box around both.
@@ -314,6 +360,7 @@ LeaveOut leave_out(const std::vector<MaterialFacts>& materials, const LeaveOutOp
   step(left, "alpha", drop_alpha);
   step(left, "constant", drop_constant);
   step(left, "grey", one_number);
+  left.one_owner = has_one_owner(left);
   step(left, "crop", crop);
   if (options.islands) step(left, "islands", split);
   for (std::size_t i = 0; i < materials.size(); ++i)

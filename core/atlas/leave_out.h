@@ -72,12 +72,13 @@ struct MaterialFate {
 /// What one step of leave_out() took away.
 struct LeaveOutLine {
   std::string what;           // of leave_out_names
-  std::string detail;         // "3 materials", in words
+  std::string detail;         // what was taken from, in words; of materials a list of all of them
   std::size_t materials = 0;  // from which the step took something
   std::uint64_t texels = 0;   // RGBA texels of the two textures
   std::uint64_t channel_texels = 0;
-  std::uint64_t bytes = 0;  // uncompressed: 4 a texel
-  double error = 0;         // largest difference in codes over the texels in use
+  std::uint64_t bytes = 0;              // uncompressed: 4 a texel
+  double error = 0;                     // largest difference in codes over the texels in use
+  std::vector<std::string> parts = {};  // of `detail`, where it is a list
   friend bool operator==(const LeaveOutLine&, const LeaveOutLine&) = default;
 };
 
@@ -93,6 +94,9 @@ struct TexelAccount {
 struct LeaveOutOptions {
   std::set<std::string> keep;  // of leave_out_names
   bool islands = false;
+  // How many mips the regions on the pages will have; boxes are made of whole texels of all of these.
+  int levels = 1;             // level 0 among them; 0: down to 1 x 1
+  std::optional<int> gutter;  // texels around each region; none: as its mips need
 
   bool leaves(std::string_view what) const { return !keep.contains(std::string(what)); }
 };

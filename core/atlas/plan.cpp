@@ -54,19 +54,14 @@ Cells cells_of(const std::vector<Region>& regions, const PlanOptions& options, b
   Cells out;
   for (const Region& region : regions) {
     const int smaller = std::min(region.width(), region.height());
-    int wanted = options.levels == 0 ? 16 : options.levels;
-    if (region.levels > 0) wanted = std::min(wanted, region.levels);
-    const auto limited = [&](int levels) {
-      return std::min({levels, wanted, clean_limit > 0 ? clean_limit : wanted});
-    };
-    int clean = limited(default_clean_levels(region.width(), region.height()));
+    const int wanted = levels_wanted(options.levels, region.levels);
+    const int most = clean_limit > 0 ? std::min(clean_limit, wanted) : wanted;
+    int clean = clean_levels(region.width(), region.height(), most, options.gutter);
     // Bilinear filtering of the last clean mip, 2^(clean - 1) texels to one, reads one beyond the edge.
-    int gutter = gutters ? std::max(options.least_gutter, 1 << (clean - 1)) : 0;
-    if (options.gutter) {
-      gutter = *options.gutter;
-      clean = gutter == 0 ? clean : limited(1 + log2_floor(gutter));
-    }
-    if (!gutters && !options.gutter) clean = limited(std::max(1, log2_floor(smaller) - 1));
+    const int needed = gutters ? std::max(options.least_gutter, 1 << (clean - 1)) : 0;
+    // A given gutter grows to the grid of the mips: the region itself must begin on it.
+    const int gutter = options.gutter ? rounded_up(*options.gutter, 1 << (clean - 1)) : needed;
+    if (!gutters && !options.gutter) clean = std::min(most, std::max(1, log2_floor(smaller) - 1));
     out.gutters.push_back(gutter);
     out.clean.push_back(clean);
     if (wanted > 1) out.align = std::max(out.align, 1 << (clean - 1));
@@ -422,6 +417,16 @@ int PackingPlan::clean_levels(int page) const {
 
 int default_clean_levels(int width, int height) {
   return 1 + log2_floor(std::max(1, std::min(width, height) / 32));
+}
+
+int levels_wanted(int asked, int read) {
+  constexpr int all = 16;
+  return std::min(asked == 0 ? all : asked, read == 0 ? all : read);
+}
+
+int clean_levels(int width, int height, int wanted, std::optional<int> gutter) {
+  const bool given = gutter && *gutter > 0;
+  return std::min(wanted, given ? 1 + log2_floor(*gutter) : default_clean_levels(width, height));
 }
 
 PackingPlan plan_pages(const std::vector<Region>& regions, const std::vector<std::string>& names,

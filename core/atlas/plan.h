@@ -36,7 +36,7 @@ struct PlanOptions {
   RectOptions rects;           // form, side, rotation, effort, threads
   bool free_first = false;     // one page of any sides where that holds everything, else `rects.form`
   int levels = 1;              // mips that will be sampled, level 0 among them; 0: down to 1 x 1
-  std::optional<int> gutter;   // texels on every side; none: from the mips of each region
+  std::optional<int> gutter;   // texels on every side at least; none: from the mips of each region
   int least_gutter = 0;        // where gutters come from the mips: at least so many texels
   bool may_inset = true;       // no gutters where they would cost more than a quarter of the area
   bool bare_alone = true;      // without inset: the only region takes a page of just its size
@@ -86,6 +86,14 @@ struct PackingPlan {
 /// Mips that a region of these sides keeps clean at a gutter of a 32nd of its smaller side: 1 below 64
 /// texels.
 int default_clean_levels(int width, int height);
+
+/// Mips that a region gets at most, level 0 among them.
+///   asked, read   by the pages and by the samplers; 0: all
+int levels_wanted(int asked, int read);
+
+/// Mips that a region of these sides keeps clean, of `wanted` at most.
+///   gutter   around the region; 0 and none: as its mips need
+int clean_levels(int width, int height, int wanted, std::optional<int> gutter);
 
 /// Deterministic in the set of regions: their order plays no part beyond ties of equal sizes, which go by
 /// index.

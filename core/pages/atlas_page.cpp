@@ -54,6 +54,19 @@ void append_pages(std::string& out, const AtlasPageData& data) {
   }
 }
 
+void append_sources(std::string& out, const AtlasLayout& layout) {
+  const std::vector<SourceMap> maps = source_maps(layout);
+  if (maps.empty()) return;
+  out +=
+      "<section id=\"sources\"><h2>Where the regions come from</h2>\n<p>Each picture with the parts of it "
+      "that "
+      "are on a page; point at one for both of its places. What is dark was left out.</p>\n"
+      "<div class=\"sheets\">\n";
+  for (const SourceMap& map : maps)
+    append(out, "<figure>", map.svg, "<figcaption>", escape_html(map.materials), "</figcaption></figure>\n");
+  out += "</div></section>\n";
+}
+
 void append_left_out(std::string& out, const AtlasPageData& data) {
   out += "<section><h2>What was left out</h2>\n";
   append(out, "<p>Left of two full-size textures, gutters and page waste apart: <b>",
@@ -146,6 +159,7 @@ std::string atlas_page(const AtlasPageData& data) {
   }
   out += "</header>\n<main>\n";
   append_pages(out, data);
+  append_sources(out, data.layout);
   append_left_out(out, data);
   append_findings(out, data);
   append_materials(out, data.layout);

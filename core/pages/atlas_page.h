@@ -33,6 +33,16 @@ struct AtlasPageData {
 ///   page   index into layout.pages
 std::string layout_svg(const AtlasLayout& layout, int page);
 
+/// The way back: where the regions of some materials lie on their own picture.
+///   materials   names of those that share the texels
+///   svg         an SVG element for an HTML page; every region is numbered, and its tooltip gives its place on
+///               the picture and on the page
+struct SourceMap {
+  std::string materials, svg;
+};
+/// Of every picture that is not on a page whole.
+std::vector<SourceMap> source_maps(const AtlasLayout& layout);
+
 /// An HTML page of an atlas: textures, layout, texels that were left out, findings, and the defines of each
 /// material. The page is one file without scripts, fonts or links to the network, so that it opens from disk.
 std::string atlas_page(const AtlasPageData& data);

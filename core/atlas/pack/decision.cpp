@@ -15,11 +15,30 @@
 namespace etak {
 namespace {
 
-LeaveOut left_out_of(const PackInputs& inputs, const PackOptions& options, bool islands) {
+// Mips that the settings ask for; 0: all.
+int levels_asked(const PackOptions& options, const PackInputs& inputs) {
+  if (options.layout.mips) return *options.layout.mips;
+  if (options.leave_out.variants && !mips_are_read(*options.leave_out.variants, inputs)) return 1;
+  const auto& formats = options.output.write.formats;
+  const bool container = std::any_of(formats.begin(), formats.end(), [](const std::string& format) {
+    return format == "ktx2" || format == "dds";
+  });
+  return container ? 0 : 1;
+}
+
+// The same, and those that viewers make of a scene's pages by themselves.
+int levels_sampled(const PackOptions& options, const PackSource& source) {
+  const int asked = levels_asked(options, source.inputs);
+  return source.scene ? source.scene->sampled_levels(asked) : asked;
+}
+
+LeaveOut left_out_of(const PackSource& source, const PackOptions& options, bool islands) {
   std::vector<MaterialFacts> facts;
-  for (const PackInput& m : inputs.materials) facts.push_back(m.facts);
+  for (const PackInput& m : source.inputs.materials) facts.push_back(m.facts);
   LeaveOutOptions what = options.leave_out;
   what.islands = islands;
+  what.levels = levels_sampled(options, source);
+  what.gutter = options.layout.gutter;
   return leave_out(facts, what);
 }
 
@@ -98,17 +117,6 @@ Region stored(Region region, const Resolution& resolution) {
   return region;
 }
 
-// Mips that the settings ask for; 0: all.
-int levels_asked(const PackOptions& options, const PackInputs& inputs) {
-  if (options.layout.mips) return *options.layout.mips;
-  if (options.leave_out.variants && !mips_are_read(*options.leave_out.variants, inputs)) return 1;
-  const auto& formats = options.output.write.formats;
-  const bool container = std::any_of(formats.begin(), formats.end(), [](const std::string& format) {
-    return format == "ktx2" || format == "dds";
-  });
-  return container ? 0 : 1;
-}
-
 PlanOptions plan_options(const PackOptions& options, const PackSource& source,
                          const std::vector<Region>& regions) {
   PlanOptions out;
@@ -120,7 +128,7 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source,
   out.rects.effort = options.layout.effort;
   out.rects.max_seconds = options.layout.max_seconds;
   out.rects.threads = options.run.threads;
-  out.levels = levels_asked(options, source.inputs);
+  out.levels = levels_sampled(options, source);
   out.gutter = options.layout.gutter;
   out.split_textures = !options.leave_out.keep.contains("textures");
   out.most_extra_area = options.layout.most_extra_area;
@@ -132,7 +140,6 @@ PlanOptions plan_options(const PackOptions& options, const PackSource& source,
         regions.size() != 1 || !reads_around(source.inputs.materials[regions[0].material], regions[0].box);
     out.free_first = !options.layout.form;
     out.least_gutter = 1;
-    out.levels = source.scene->sampled_levels(out.levels);
   }
   return out;
 }
@@ -178,7 +185,7 @@ PackDecision decided(bool islands, const PackOptions& options, const PackSource&
                      const AtlasLayout* previous, FoundResolutions& found) {
   PackDecision out;
   out.islands = islands;
-  out.left_out = left_out_of(source.inputs, options, islands);
+  out.left_out = left_out_of(source, options, islands);
   for (const Region& region : regions_needed(options, source, out.left_out)) {
     out.resolutions.push_back(resolution_for(region, options, source.inputs, out.left_out, found));
     out.regions.push_back(stored(region, out.resolutions.back()));
@@ -221,7 +228,7 @@ bool learn(const std::vector<Learned>& learned, const PackOptions& options, Pack
     if (!inputs.materials[i].facts.learned && learned[i].seen[0] && learned[i].seen[1])
       teach(learned[i].range, learned[i].hash[0], learned[i].hash[1], inputs.materials[i].facts);
   teach_same_sources(inputs);
-  decision.left_out = left_out_of(inputs, options, decision.islands);
+  decision.left_out = left_out_of(source, options, decision.islands);
   const std::vector<Region> now = regions_needed(options, source, decision.left_out);
   return std::equal(now.begin(), now.end(), decision.regions.begin(), decision.regions.end(),
                     [](const Region& a, const Region& b) {

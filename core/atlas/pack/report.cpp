@@ -30,6 +30,13 @@ std::string account_json(const TexelAccount& account) {
          "}";
 }
 
+// Of a list its first parts: all are in the report's JSON.
+std::string short_of(const LeaveOutLine& line) {
+  constexpr std::size_t most = 3;
+  if (line.parts.size() <= most) return line.detail;
+  return joined(std::vector(line.parts.begin(), line.parts.begin() + most), ", ") + ", ...";
+}
+
 std::string line_json(const LeaveOutLine& line) {
   return "{\"what\": " + json(line.what) + ", \"materials\": " + json(line.materials) +
          ", \"detail\": " + json(line.detail) + ", \"texels\": " + json(line.texels) +
@@ -188,8 +195,8 @@ std::string report_text(const PackResult& r, bool stages) {
            right("error", 7) + "  what\n";
     for (const LeaveOutLine& line : r.left_out.lines)
       out += padded(line.what, 12) + right(count(line.texels), 10) + right(count(line.channel_texels), 11) +
-             right(count(line.bytes), 10) + right(number(line.error, 3), 7) + "  " + line_text(line.detail) +
-             "\n";
+             right(count(line.bytes), 10) + right(number(line.error, 3), 7) + "  " +
+             line_text(short_of(line)) + "\n";
   }
   const TexelAccount &before = r.left_out.before, &after = r.left_out.after;
   // Two counts of level 0: a byte for each channel that varies, and the four of each RGBA texel.

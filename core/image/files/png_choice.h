@@ -12,8 +12,8 @@ namespace etak {
 
 // How a picture is written as PNG where bytes are weighed against time, and in which of PNG's forms.
 
-/// The level at which a picture is compressed and sent once in the least time: bytes at one megabyte a second,
-/// compressing at fixed speeds, those of one usual core. What the picture becomes is told by samples of its
+/// The level at which a picture is compressed once and sent ten times in the least time: bytes at one megabyte
+/// a second, compressing at fixed speeds, those of one core. What the picture becomes is told by samples of its
 /// rows, at most a megabyte of them. The same picture has the same level on every machine.
 PngLevel png_level_for(const PngRows& image);
 

@@ -218,3 +218,42 @@ TEST_CASE("grey F0 that varies is one channel, where all who share the texels ha
   keep.keep = {"grey"};
   CHECK(line(leave_out({grey}, keep), "grey") == nullptr);
 }
+
+TEST_CASE(
+    "boxes are of whole texels of every mip that their region keeps clean, and never beyond the picture") {
+  std::vector<MaterialFacts> m{facts("a", 250), facts("b", 250)};
+  m[0].crop = {37, 101, 131, 90};
+  const auto crop_with = [&](int levels, std::optional<int> gutter = {}) {
+    LeaveOutOptions options;
+    options.levels = levels;
+    options.gutter = gutter;
+    return leave_out(m, options).fates[0].boxes[0];
+  };
+  CHECK(crop_with(1) == PixelBox{37, 101, 131, 90});
+  // A smaller side of 64 to 127 texels keeps two levels clean.
+  CHECK(crop_with(2) == PixelBox{36, 100, 132, 92});
+  CHECK(crop_with(0) == PixelBox{36, 100, 132, 92});
+  CHECK(crop_with(0, 7) == PixelBox{36, 100, 132, 92});
+  CHECK(crop_with(0, 8) == PixelBox{32, 96, 136, 96});
+  CHECK(crop_with(3, 8) == PixelBox{36, 100, 132, 92});
+  m[0].levels = 1;  // a sampler that reads no mips
+  CHECK(crop_with(0, 8) == PixelBox{37, 101, 131, 90});
+  m[0].levels = 0;
+  m[0].crop = {100, 100, 149, 127};  // growing makes one level more clean, and then reaches the edge
+  CHECK(crop_with(0) == PixelBox{100, 100, 150, 128});
+  m[0].crop = {0, 0, 250, 250};
+  CHECK(crop_with(0) == PixelBox{0, 0, 250, 250});
+  // Alone a region needs no gutter and keeps a level more.
+  m.pop_back();
+  m[0].crop = {37, 101, 131, 90};
+  CHECK(crop_with(2) == PixelBox{36, 100, 132, 92});
+  CHECK(crop_with(0) == PixelBox{36, 100, 132, 92});
+}
+
+TEST_CASE("lines of what was left out name every material") {
+  std::vector<MaterialFacts> m;
+  for (const char* name : {"a", "b", "c", "d", "e"}) m.push_back(facts(name, 16)), m.back().reached = false;
+  const LeaveOut out = leave_out(m, {});
+  CHECK(line(out, "unreached")->detail == "a, b, c, d, e");
+  CHECK(line(out, "unreached")->parts.size() == 5);
+}

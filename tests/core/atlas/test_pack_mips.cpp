@@ -6,6 +6,7 @@
 #include "core/atlas/pack/pack.h"
 #include "core/image/mips.h"
 #include "tests/core/atlas/pack_support.h"
+#include "tests/core/scene/small_scene.h"
 
 using namespace etak;
 using namespace etak::test;
@@ -155,4 +156,53 @@ TEST_CASE("a rough normal map lowers the gloss of the mips, in every form") {
   CHECK(level_1("", "roughness") == 200);
   CHECK(std::abs(level_1(map, "roughness") - 255 * rougher(200 / 255.0)) <= 2);
   CHECK(std::abs(level_1(map, "one_minus_roughness") - 255 * (1 - rougher(1 - 200 / 255.0))) <= 2);
+}
+
+TEST_CASE("mips of a cropped picture are the picture's own, at its sharpest edges too") {
+  const TempFolder folder;
+  // Black and white by turns, three texels wide: half a texel of drift would change codes by half of white.
+  Image8 color(256, 256, 4, 255), specular(256, 256, 4, 255);
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        color.at(x, y)[c] = (x / 3 + y / 5) % 2 == 0 ? 255 : 0;
+        specular.at(x, y)[c] = (x / 5 + y / 3) % 2 == 0 ? 200 : 30;
+      }
+  save_png(folder.file("a.png"), color);
+  save_png(folder.file("b.png"), specular);
+  spit(folder.file("quad.bin"), quad_buffer({0.13f, 0.21f, 0.83f, 0.21f, 0.83f, 0.773f, 0.13f, 0.773f}));
+  spit(folder.file("scene.gltf"),
+       quad_json(
+           R"([{"name":"m","pbrMetallicRoughness":{},"extensions":{"KHR_materials_pbrSpecularGlossiness":
+               {"diffuseTexture":{"index":0},"specularGlossinessTexture":{"index":1}}}}])",
+           R"("images":[{"uri":"a.png"},{"uri":"b.png"}],"textures":[{"source":0},{"source":1}],)"));
+  PackOptions options;
+  options.layout.mips = 4;
+  (void)pack(folder.file("scene.gltf"), folder.file("out"), options, built_in_library());
+  const AtlasLayout layout = packed_layout(folder);
+  REQUIRE(layout.rects.size() == 1);
+  const AtlasRect& rect = layout.rects[0];
+  CHECK(rect.crop.width < 256);
+  REQUIRE(rect.mips >= 3);
+  MipOptions mips;
+  mips.levels = rect.mips;
+  const MipPair whole = mip_pair(color, specular, mips);
+  for (int l = 1; l < rect.mips; ++l) {
+    const std::string end = ".mip" + std::to_string(l) + ".png";
+    const Image8 a = load_png(folder.file("out/page0_diffuse_alpha" + end)),
+                 b = load_png(folder.file("out/page0_specular_gloss" + end));
+    int worst = 0;
+    for (int y = 0; y < rect.height >> l; ++y)
+      for (int x = 0; x < rect.width >> l; ++x)
+        for (std::size_t c = 0; c < 3; ++c) {
+          const int column = (rect.crop.x >> l) + x, row = (rect.crop.y >> l) + y;
+          const int on_page_x = (rect.x >> l) + x, on_page_y = (rect.y >> l) + y;
+          const auto level = static_cast<std::size_t>(l);
+          worst = std::max(
+              {worst, std::abs(a.at(on_page_x, on_page_y)[c] - whole.diffuse_alpha[level].at(column, row)[c]),
+               std::abs(b.at(on_page_x, on_page_y)[c] - whole.specular_gloss[level].at(column, row)[c])});
+        }
+    INFO("level " << l);
+    CHECK(worst == 0);
+  }
 }

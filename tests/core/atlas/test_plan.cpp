@@ -87,7 +87,7 @@ TEST_CASE("cells never overlap or leave the page, and mips never share a texel")
     PlanOptions o = plan_options(512);
     o.rects.rotate = round % 2 == 0;
     o.levels = static_cast<int>(random() % 5);
-    if (round % 3 == 0) o.gutter = static_cast<int>(random() % 5);
+    if (round % 3 == 0) o.gutter = static_cast<int>(random() % 8);
     const PackingPlan plan = plan_pages(regions, region_names(count), o);
     CHECK(fault_of(plan, regions) == "");
     int clean = 1;
@@ -96,6 +96,8 @@ TEST_CASE("cells never overlap or leave the page, and mips never share a texel")
       CHECK(plan.pages[static_cast<std::size_t>(at.page)].has[1]);
       if (o.levels == 1) continue;
       CHECK(at.cell.x % (1 << (clean - 1)) == 0);
+      CHECK(at.x % (1 << (at.clean_levels - 1)) == 0);
+      CHECK(at.y % (1 << (at.clean_levels - 1)) == 0);
       CHECK(at.cell.width % (1 << (clean - 1)) == 0);
     }
   }

@@ -105,6 +105,20 @@ TEST_CASE("a time limit ends the search with a layout and says so") {
   CHECK(layout_fault(sizes, layout) == std::nullopt);
 }
 
+TEST_CASE("with twice the effort thin strips and trimmed sprites are as dense as the best packer known") {
+  const auto shared = test::shared_folder();
+  if (!shared) {
+    WARN("no shared folder: published sets not packed");
+    return;
+  }
+  for (const auto& [name, best] : {std::pair{"thin_300", 96.51}, {"trimmed_500", 99.57}}) {
+    const Sizes sizes = published(*shared + "/bench/pack/sets", name);
+    const RectLayout layout = pack_rects(sizes, options_for(PageForm::square, 0, false, 200));
+    INFO(name << ": " << layout.method);
+    CHECK(100 * density(sizes, layout) >= best - 0.005);
+  }
+}
+
 TEST_CASE("published sets reach their densities") {
   const auto shared = test::shared_folder();
   if (!shared) {

@@ -11,6 +11,7 @@
 #include "core/validate/check_pack.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/validate.h"
+#include "tests/core/atlas/altered_models.h"
 #include "tests/core/atlas/scene_support.h"
 #include "tests/core/image/png_of.h"
 #include "tests/core/scene/small_scene.h"
@@ -279,4 +280,22 @@ TEST_CASE("real scenes have one verdict: of their files, and while they are pack
       CHECK(packed.passed == input.passed);
     }
   }
+}
+
+TEST_CASE("altered copies of real scenes have one verdict too") {
+  if (!asset("")) return;
+  for (const std::string& model : real_models)
+    for (const Alteration& alteration : alterations) {
+      const TempFolder folder;
+      const std::string scene = altered_copy(*asset(model), alteration, PngLevel::fast, folder.path());
+      const ValidationReport input = said_of(scene);
+      PackOptions options = with_form(GltfForm::specular_ior, true);
+      options.output.dry_run = true;
+      const ValidationReport packed = said_while_packing(scene, folder.file("out"), options);
+      INFO(model << ", " << alteration.name << "\ninput\n"
+                 << text_of(told(input)) << "packed\n"
+                 << text_of(told(packed)));
+      CHECK(told(packed) == told(input));
+      CHECK(packed.passed == input.passed);
+    }
 }

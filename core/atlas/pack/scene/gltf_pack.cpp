@@ -142,7 +142,6 @@ void ScenePack::State::learn(std::size_t i) {
       scene_material_pair(m, images, gloss, options.leave_out.keep.contains("alpha"), outside));
   if (options.check.scene)
     entry.metallic = scene_metallic(m, images, pair->diffuse_alpha.width, pair->diffuse_alpha.height);
-  give_back_pictures(m);
   in.width = in.facts.width = pair->diffuse_alpha.width;
   in.height = in.facts.height = pair->diffuse_alpha.height;
   in.facts.crop = {0, 0, in.width, in.height};
@@ -156,6 +155,8 @@ void ScenePack::State::learn(std::size_t i) {
       entry.use && entry.use->touched > 0 && entry.use->mask.size() == pair->diffuse_alpha.pixel_count();
   const std::uint8_t* const used = masked ? entry.use->mask.data() : nullptr;
   look_at(*pair, used, in.facts.opaque, in.facts);
+  if (in.facts.reached) tell_conversion(in, m, entry, conversion_cost(m, images, *pair, gloss, used));
+  give_back_pictures(m);
   if (writes_floats(options.output.write)) {
     in.convert_floats = [this, material = entry.material] { return floats_of(material); };
     look_at(floats_of(entry.material), used, in.facts.opaque, in.facts);
@@ -165,6 +166,14 @@ void ScenePack::State::learn(std::size_t i) {
         100 * static_cast<double>(outside) / static_cast<double>(pair->diffuse_alpha.pixel_count());
   entry.pair = std::move(pair);
   in.convert = [shared = entry.pair](std::vector<std::string>&) { return *shared; };
+}
+
+void ScenePack::State::tell_conversion(const PackInput& in, const GltfMaterial& m, Entry& entry,
+                                       const ConversionCost& cost) {
+  entry.exact = cost.is_exact();
+  if (const auto told = sentence_of(cost))
+    entry.remarks.push_back(in.name + ": " + *told +
+                            (is_plain_metal_rough(m) ? "; the form metal-rough keeps its own textures" : ""));
 }
 
 // Finds which resolution and which mips the cameras can show, and the density that was asked for needs.

@@ -86,6 +86,13 @@ void scene_constants(const MaterialFacts& facts, const GltfMaterial& m, GlossFor
       to.diffuse[c] = srgb_decode(code[c] / 255.0);
       to.specular[c] = srgb_decode(code[specular_channel + c] / 255.0);
     }
+    // F0 of a plain dielectric is known better than its code says.
+    if (!m.specular_glossiness && !m.specular_texture && !m.specular_color_texture) {
+      const Vec3 f0 =
+          dielectric_f0(m.ior, m.specular, {m.specular_color[0], m.specular_color[1], m.specular_color[2]});
+      const auto is_code = [&](std::size_t c) { return srgb_u8(f0[c]) == code[specular_channel + c]; };
+      if (is_code(0) && is_code(1) && is_code(2)) to.specular = {f0[0], f0[1], f0[2]};
+    }
     to.diffuse[3] = code[alpha_channel] / 255.0;
     to.roughness = converted_gloss(code[gloss_channel] / 255.0, gloss, GlossForm::roughness);
   }

@@ -198,8 +198,11 @@ TextureTotals ScenePack::State::scene_totals(const std::vector<GltfForm>& of_for
 
 // Whether what is written of the form is what was read, but for the rounding of the pair's codes.
 bool ScenePack::State::is_exact(GltfForm form, const SceneMaps& of_form, const PackDecision& decision) const {
-  if (form == GltfForm::specular_glossiness) return gloss != GlossForm::schueler;
-  if (form == GltfForm::specular_ior) return true;
+  if (form != GltfForm::metal_rough)
+    return (form == GltfForm::specular_ior || gloss != GlossForm::schueler) &&
+           std::all_of(entries.begin(), entries.end(), [&](const Entry& entry) {
+             return entry.exact || !scene.material_used[static_cast<std::size_t>(entry.material)];
+           });
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const MaterialFate& fate = decision.left_out.fates[i];
     const auto material = static_cast<std::size_t>(entries[i].material);
@@ -229,6 +232,8 @@ std::vector<GltfForm> ScenePack::State::forms_to_weigh(const SceneMaps& maps_,
   std::vector<GltfForm> out;
   for (const GltfForm form : all_forms)
     if (is_exact(form, maps_, decision)) out.push_back(form);
+  // None is where metal-rough cannot say one material and the pair not another: of these two the pair is meant.
+  if (out.empty()) out.push_back(GltfForm::specular_ior);
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/atlas/pack/pack.h"
+#include "core/atlas/pack/scene/conversion_cost.h"
 #include "core/atlas/pack/scene/gltf_pack.h"
 #include "core/atlas/pack/scene/scene_maps.h"
 #include "core/atlas/texels/page_memory.h"
@@ -24,9 +25,10 @@ struct ScenePack::State {
     int material = -1;  // in the document
     std::optional<TexelUse> use;
     std::shared_ptr<const MaterialPair> pair;
-    Image8 metallic;                   // for a check that asks for it
-    bool tiles = false;                // on a page of its own
-    double clamped = 0;                // percent of the texels whose gloss was brought back to 0..1
+    Image8 metallic;     // for a check that asks for it
+    bool tiles = false;  // on a page of its own
+    bool exact = true;   // as diffuse and F0 the material is what it was, but for the rounding of codes
+    double clamped = 0;  // percent of the texels whose gloss was brought back to 0..1
     std::vector<std::string> remarks;  // from the thread that learned it
   };
 
@@ -64,6 +66,8 @@ struct ScenePack::State {
   std::string name_of(const GltfMaterial& m, std::set<std::string>& names) const;
   void add_material(const GltfMaterial& m, std::set<std::string>& names);
   void learn(std::size_t entry);
+  static void tell_conversion(const PackInput& in, const GltfMaterial& m, Entry& entry,
+                              const ConversionCost& cost);
   void scale_of(PackInput& in, const Entry& entry, const GltfTexture& lead);
   void normals_of(PackInput& in, const GltfMaterial& m, Entry& entry, const GltfTexture& lead);
   void use_of(PackInput& in, Entry& entry, const GltfTexture& lead);

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/image/material_pair.h"
+#include "core/scene/gltf.h"
+#include "core/scene/gltf_convert.h"
+
+namespace etak {
+
+/// What is lost where a material's own textures become diffuse, F0 and gloss, in codes of 8 bits. The largest
+/// difference over the texels in use; their rounding to codes apart.
+///   partial   of texels that are partly metal: glTF takes 1 - F of the dielectric from their diffuse light,
+///             and of a pair 1 - F of all F0 that they have
+///   between   of diffuse and F0, half way between two neighbouring texels: a sampler mixes metal and base
+///             colour before the shader makes diffuse and F0 of them, and of a pair diffuse and F0 themselves.
+///             0 where the textures differ in size
+///   resized   of diffuse, F0 and gloss, at the centres of the texels of textures that are smaller than the
+///             pair and were filtered up
+///   sizes     of the textures that differ: "1024 x 1024 and 512 x 512"; empty where all are of one size
+struct ConversionCost {
+  double partial = 0, between = 0, resized = 0;
+  std::string sizes;
+
+  /// Whether all of it is less than a code.
+  bool is_exact() const { return partial < 1 && between < 1 && resized < 1; }
+};
+
+///   pair     of the material, as scene_material_pair() gives it
+///   used     a byte for each texel of the pair, 0 for those that nothing reads; null: all are read
+/// KHR_materials_specular's textures are not looked at.
+ConversionCost conversion_cost(const GltfMaterial& material, const SceneImages<std::uint8_t>& images,
+                               const MaterialPair& pair, GlossForm gloss, const std::uint8_t* used);
+
+/// What is told of it, without the material's name. None where all of it is less than a code.
+std::optional<std::string> sentence_of(const ConversionCost& cost);
+
+}  // namespace etak
