@@ -317,3 +317,25 @@ TEST_CASE("numbers that a layout holds in place of texels are judged like texels
       CHECK(finding.severity < Severity::warning);
     }
 }
+
+TEST_CASE("pictures that a manifest of the packer names are not called unknown") {
+  const TempFolder folder;
+  save(folder.file("gold_gloss.png"), flat(8, 8, {120}));
+  const auto report = [&] {
+    ValidationRequest request;
+    request.paths = {folder.path()};
+    request.config.root = folder.path();
+    request.door = picture_door();
+    return validate(std::move(request));
+  };
+  CHECK(report().unknown == std::vector<std::string>{"gold_gloss.png"});
+  spit(folder.file("manifest.json"), R"({"schema": "etak-atlas-manifest/1", "materials": [
+    {"name": "gold", "diffuse": 0, "specular": "gold", "gloss": {"image": "gold_gloss.png"}}]})");
+  CHECK(report().unknown.empty());
+  ValidationRequest request;
+  request.paths = {folder.path()};
+  request.config.root = folder.path();
+  const FileList list = list_files(std::move(request));
+  REQUIRE(list.files.size() == 1);
+  CHECK(list.files[0].as == ListedAs::not_judged);
+}
