@@ -46,6 +46,10 @@ CheckedFile joined_tiles(std::vector<CheckedFile> tiles);
 /// Opens a picture of a target; called once for each pass over the pixels.
 using PictureOpener = std::function<std::unique_ptr<RowSource>(const TargetFile&)>;
 
+/// Opens a picture of a target: the file at its path, or its bytes, which then must outlive the source. Throws
+/// Error.
+std::unique_ptr<RowSource> open_target_file(const TargetFile& file, const PictureDoor& door);
+
 /// Checks a pair whose pictures `open` gives, as check() does: no file of the target is read.
 CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, const Settings& settings,
                          unsigned threads = 1);

@@ -77,7 +77,7 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
   };
   for (const TargetFile& file : target.files) {
     const auto image = static_cast<int>(images_.size());
-    images_.push_back({file.path, "", file.label});
+    images_.push_back(file.picture());
     if (file.role == FileRole::base_color) material_.base_color_texture = texture(image);
     if (file.role == FileRole::diffuse_alpha) material_.diffuse_texture = texture(image);
     if (file.role == FileRole::specular_gloss) specular_ = image;
@@ -215,6 +215,7 @@ class ConvertedRows final : public RowSource {
 PictureRows MetalRoughSet::rows() const {
   std::vector<std::unique_ptr<RowSource>> files;
   for (const PictureFile& image : images_) {
+    if (!image.bytes.empty()) return {};
     if (image.path.empty()) continue;  // the joined one, which is last
     auto file = open_rows(image.path);
     if (!file || file->header().floating ||
