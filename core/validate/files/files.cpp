@@ -105,6 +105,15 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
     return whole->in_memory().rows();
   };
   look_at_pixels(weighed, open, settings, threads, evidence, file);
+  if (const MetalRoughSet::Occlusion* occlusion = set.occlusion()) {
+    MapEvidence& map = evidence.maps.emplace_back();
+    map.role = FileRole::occlusion;
+    map.label = target.files[occlusion->file].label;
+    map.width = set.header(static_cast<int>(occlusion->file)).width;
+    map.height = set.header(static_cast<int>(occlusion->file)).height;
+    map.grey = occlusion->codes;
+    map.packed = true;
+  }
   // There is an alpha channel where the file of the base colour has one.
   if (const TargetFile* base = with_role(target, {FileRole::base_color, FileRole::diffuse_alpha});
       base != nullptr && evidence.a)
