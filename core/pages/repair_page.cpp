@@ -101,9 +101,11 @@ std::string RepairPage::html(const RepairReport& report, const std::string& vers
       out += "</div>\n";
     }
     out += "<ul>\n";
-    for (const RepairStep& step : file.steps)
-      append(out, "<li>", step.rule, ' ', escape_html(step.slug), ": ", escape_html(step.what), " (",
-             grouped(step.texels), " texels)</li>\n");
+    for (const RepairStep& step : file.steps) {
+      append(out, "<li>", step.rule, ' ', escape_html(step.slug));
+      for (const std::string& rule : step.also) append(out, " and ", rule);
+      append(out, ": ", escape_html(step.what), " (", grouped(step.texels), " texels)</li>\n");
+    }
     for (const std::string& lost : file.not_kept) append(out, "<li>Not kept: ", escape_html(lost), "</li>\n");
     out += "</ul></article>\n";
   }

@@ -11,9 +11,11 @@ namespace etak {
 ///   rule, slug   "ETK402", "specular-double-encoded"
 ///   what         "undid the second sRGB encoding"
 ///   texels       that it changed
+///   also         other rules whose findings in the set went with it, sorted
 struct RepairStep {
   std::string rule, slug, what;
   std::size_t texels = 0;
+  std::vector<std::string> also = {};
   friend bool operator==(const RepairStep&, const RepairStep&) = default;
 };
 

@@ -91,8 +91,11 @@ Json repairs_json(const RepairReport& repairs) {
   for (const RepairedFile& file : repairs.files) {
     Json row = {{"file", file.file}, {"copy", file.copy}, {"repairs", Json::array()}};
     for (const RepairStep& step : file.steps)
-      row["repairs"].push_back(
-          {{"id", step.rule}, {"slug", step.slug}, {"what", step.what}, {"texels", step.texels}});
+      row["repairs"].push_back({{"id", step.rule},
+                                {"slug", step.slug},
+                                {"what", step.what},
+                                {"texels", step.texels},
+                                {"also", step.also}});
     row["texels"] = file.texels;
     row["notKept"] = file.not_kept;
     out["files"].push_back(std::move(row));

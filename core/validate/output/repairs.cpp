@@ -16,9 +16,11 @@ std::string copy_path(const RepairReport& repairs, const RepairedFile& file) {
 
 void add_repaired(std::string& out, const RepairReport& repairs, const RepairedFile& file) {
   out += line_text(copy_path(repairs, file)) + " fixed";
-  for (const RepairStep& step : file.steps)
-    out += std::string(&step == &file.steps.front() ? " " : "; ") + step.rule + ": " + line_text(step.what) +
-           " (" + grouped(step.texels) + " texels)";
+  for (const RepairStep& step : file.steps) {
+    out += std::string(&step == &file.steps.front() ? " " : "; ") + step.rule;
+    for (const std::string& rule : step.also) out += " and " + rule;
+    out += ": " + line_text(step.what) + " (" + grouped(step.texels) + " texels)";
+  }
   out += "; " + grouped(file.of - file.texels) + " of " + grouped(file.of) + " texels are as they were";
   for (const std::string& lost : file.not_kept)
     out += (&lost == &file.not_kept.front() ? "; not kept: " : ", ") + line_text(lost);

@@ -233,7 +233,8 @@ class TargetRepair {
       return;
     }
     for (const auto& [label, count] : texels)
-      steps_[label].push_back({finding.rule, finding.slug, outcome.what, count});
+      steps_[label].push_back(
+          {finding.rule, finding.slug, outcome.what, count, gone_with(finding, checked.findings)});
     pictures_ = std::move(pictures);
     now_ = std::move(candidate);
     findings_ = std::move(checked.findings);
@@ -248,6 +249,15 @@ class TargetRepair {
       chunks.clear();
       for (const std::string& type : copy.left_out) chunks.push_back("the chunk " + type);
     }
+  }
+
+  // The other rules that found something before, and do not after a repair.
+  std::vector<std::string> gone_with(const Finding& finding, const std::vector<Finding>& after) const {
+    std::set<std::string> gone;
+    for (const Finding& before : findings_)
+      if (before.rule != finding.rule && std::ranges::find(after, before.rule, &Finding::rule) == after.end())
+        gone.insert(before.rule);
+    return {gone.begin(), gone.end()};
   }
 
   // Whether a finding of the check of repaired pictures is an error that was not there, or one of a rule

@@ -538,13 +538,13 @@ TEST_CASE("every repair belongs to a rule, and the page shows before and after")
   }
   RepairReport report;
   report.files.push_back(
-      {"a<b>.png", "a<b>.png", {{"ETK402", "x", "undid <it>", 3}}, 3, 16, {"the chunk tIME"}});
+      {"a<b>.png", "a<b>.png", {{"ETK402", "x", "undid <it>", 3, {"ETK101"}}}, 3, 16, {"the chunk tIME"}});
   report.left.push_back({"ETK101", "f0-forbidden-zone", "c.png", "not <known>"});
   RepairPage page;
   page.add(report.files[0], Image8(4, 4, 3, 10), Image8(4, 4, 3, 200));
   const std::string html = page.html(report, "1");
-  for (const char* part : {"a&lt;b&gt;.png", "undid &lt;it&gt;", "the chunk tIME", "not &lt;known&gt;",
-                           "before", "after", "13 of 16 texels are as they were"})
+  for (const char* part : {"a&lt;b&gt;.png", "and ETK101", "undid &lt;it&gt;", "the chunk tIME",
+                           "not &lt;known&gt;", "before", "after", "13 of 16 texels are as they were"})
     CHECK(contains(html, part));
   CHECK_FALSE(contains(html, "<b>.png"));
 }
