@@ -156,10 +156,14 @@ std::unique_ptr<RowSource> open_picture(const std::string& path, const PictureDo
 }
 
 std::unique_ptr<RowSource> open_picture(const PictureFile& file, const PictureDoor& door) {
-  if (file.bytes.empty()) return open_picture(file.path, door);
-  if (auto png = PngReader::open(file.bytes, file.label))
+  return file.bytes.empty() ? open_picture(file.path, door) : open_picture(file.bytes, file.label, door);
+}
+
+std::unique_ptr<RowSource> open_picture(std::string_view bytes, const std::string& label,
+                                        const PictureDoor& door) {
+  if (auto png = PngReader::open(bytes, label))
     return std::make_unique<FileRows>(nullptr, ValueRows(std::move(*png)));
-  return rows_of(load_picture(file.bytes, file.label, door));
+  return rows_of(load_picture(bytes, label, door));
 }
 
 Image8 codes_of(Picture picture, bool floats_linear) {

@@ -45,6 +45,11 @@ class ValueRows {
 std::unique_ptr<RowSource> open_picture(const std::string& path, const PictureDoor& door);
 std::unique_ptr<RowSource> open_picture(const PictureFile& file, const PictureDoor& door);
 
+/// The same for a file in memory, which must outlive the source.
+///   label   names the picture in messages
+std::unique_ptr<RowSource> open_picture(std::string_view bytes, const std::string& label,
+                                        const PictureDoor& door);
+
 /// Opens a picture file that can be read row by row; null for all others. Throws Error that names the path.
 std::unique_ptr<RowSource> open_rows(const std::string& path);
 

@@ -7,6 +7,7 @@
 
 #include "core/color/luminance.h"
 #include "core/color/srgb.h"
+#include "core/validate/pixels/code_tables.h"
 
 namespace etak {
 namespace {
@@ -23,14 +24,11 @@ Span covered(int at, int count, int size) {
 }  // namespace
 
 double decoded(double code, TextureTransfer transfer) {
-  const double v = code / 255;
-  if (transfer == TextureTransfer::linear) return v;
-  return transfer == TextureTransfer::gamma22 ? std::pow(v, 2.2) : srgb_decode(v);
+  return decode_of(transfer, code / 255);
 }
 
 double encoded(double linear, TextureTransfer transfer) {
-  if (transfer == TextureTransfer::linear) return 255 * linear;
-  return 255 * (transfer == TextureTransfer::gamma22 ? std::pow(linear, 1 / 2.2) : srgb_encode(linear));
+  return 255 * encode_of(transfer, linear);
 }
 
 Image8 thumbnail(const Image8& picture, int most) {

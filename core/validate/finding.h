@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/image/pixels_view.h"
+#include "core/validate/repair_report.h"
 
 namespace etak {
 
@@ -126,6 +127,7 @@ struct ValidationReport {
   std::vector<std::string> unknown;     // pictures of folders and lists whose names tell no role
   TypedFolders typed;
   RunCounts run;
+  std::optional<RepairReport> repairs;  // where repaired copies were asked for
 };
 
 }  // namespace etak

@@ -62,8 +62,12 @@ struct TargetFile {
   // What R, G, B and A hold, a letter for each (channel_word of names.h); empty: the usual channels of the
   // role.
   std::string channels = {};
-  GreenAxis green = GreenAxis::unsaid;  // of a normal map, by its name
+  GreenAxis green = GreenAxis::unsaid;            // of a normal map, by its name
+  std::shared_ptr<const std::string> bytes = {};  // of the picture file, in the place of those at `path`
   friend bool operator==(const TargetFile&, const TargetFile&) = default;
+
+  /// The file to open.
+  PictureFile picture() const { return {path, bytes ? *bytes : std::string(), label}; }
 };
 
 /// A part of the picture that is judged on its own: a tile of an atlas.

@@ -171,6 +171,17 @@ with tempfile.TemporaryDirectory() as folder:
         text = run_where_built("validate", atlas, "--format", "json")
         if text is not None:
             check(schema("validation"), json.loads(text), "validate")
+        # F0 0.04 encoded twice, which is repaired, and a copied companion.
+        draw = [sys.executable, f"{source}/tests/cli/png.py", "a_diff.png=90-130,80-110,70-90,255", "a_spec.png=128,128,128,90-130"]
+        pairs = os.path.join(folder, "pairs")
+        os.mkdir(pairs)
+        subprocess.run(draw, check=True, cwd=pairs)
+        text = run_where_built("validate", pairs, "--no-config", "--exit-zero", "--fix", os.path.join(folder, "fixed"),
+                               "--format", "json")
+        if text is not None:
+            fixed = json.loads(text)
+            check(schema("validation"), fixed, "validate --fix")
+            assert len(fixed["repairs"]["files"]) == 2 and fixed["repairs"]["left"], text
         names = os.path.join(folder, "names")
         os.mkdir(names)
         for name in ("T_Wall_BC.1001.png", "T_Wall_RMA.1001.png", "Wall_4K-PNG_NormalDX.png",

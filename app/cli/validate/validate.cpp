@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "app/cli/output/form.h"
@@ -15,10 +16,13 @@
 #include "core/base/files/input.h"
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
+#include "core/base/files/output_tree.h"
 #include "core/base/number.h"
 #include "core/pages/finding_pictures.h"
+#include "core/pages/repair_page.h"
 #include "core/validate/baseline.h"
 #include "core/validate/output/formats.h"
+#include "core/validate/repairs/repair_files.h"
 #include "core/validate/suppress.h"
 #include "core/validate/validate.h"
 
@@ -101,14 +105,14 @@ void tell_stats(const ValidationReport& report, double seconds) {
            number(sum.region_seconds, 3) + " s");
 }
 
-// Checks the folder of --mask before the work, and makes the folders above it where they are missing.
-void check_mask_folder(const std::string& folder) {
+// Checks the folder of an option before the work, and makes the folders above it where they are missing.
+void check_folder(const char* option, const std::string& folder) {
   namespace fs = std::filesystem;
   std::error_code failure;
   const fs::path above = (fs::path(folder) / "").parent_path().parent_path();
   if (!above.empty()) fs::create_directories(above, failure);
   if (fs::exists(folder, failure) && !fs::is_directory(folder, failure))
-    throw Error::at("--mask", printable(folder, 200) + " is no folder", "a folder");
+    throw Error::at(option, printable(folder, 200) + " is no folder", "a folder");
   check_folder_target(folder, {}, Replace::files);
 }
 
@@ -117,7 +121,32 @@ void check_mask_folder(const std::string& folder) {
 void check_targets(const ValidateArguments& arguments) {
   check_output(arguments.output);
   if (!arguments.write_baseline.empty()) check_file_target(arguments.write_baseline, true);
-  if (!arguments.mask_folder.empty()) check_mask_folder(arguments.mask_folder);
+  if (!arguments.mask_folder.empty()) check_folder("--mask", arguments.mask_folder);
+  if (arguments.fix_folder.empty()) return;
+  refuse_inputs_below(arguments.fix_folder, arguments.paths);
+  check_folder("--fix", arguments.fix_folder);
+}
+
+// Makes the repaired copies of --fix, with their page, and adds to the report what was repaired. Null where
+// nothing was.
+std::unique_ptr<Output> repaired_copies(const ValidateArguments& arguments, const Settings& settings,
+                                        ValidationReport& report) {
+  if (arguments.fix_folder.empty()) return nullptr;
+  refuse_inputs_below(arguments.fix_folder, checked_paths(report));
+  auto copies = std::make_unique<OutputTree>(arguments.fix_folder, may_replace(arguments.output.force));
+  RepairPage page;
+  RepairRequest request;
+  request.settings = settings;
+  request.door = picture_door();
+  request.threads = thread_count(arguments.threads);
+  request.folder = arguments.fix_folder;
+  request.shown = [&](const RepairedFile& file, const Image8& before, const Image8& after) {
+    page.add(file, before, after);
+  };
+  report.repairs = repair_files(report, request, *copies);
+  if (report.repairs->files.empty()) return nullptr;
+  copies->write("repairs.html", page.html(*report.repairs, ETAK_VERSION));
+  return copies;
 }
 
 int list_found_files(ValidateArguments& arguments) {
@@ -168,8 +197,9 @@ int check_files(ValidateArguments& arguments) {
   std::unique_ptr<Output> marks;
   if (!arguments.mask_folder.empty())
     marks = masks(report, settings, picture_door(), arguments.mask_folder, thread_count(arguments.threads));
+  const std::unique_ptr<Output> copies = repaired_copies(arguments, settings, report);
   const std::unique_ptr<Output> said = output(arguments.output, form_of(report, arguments, settings));
-  Output* const outputs[] = {marks.get(), baseline.get(), said.get()};
+  Output* const outputs[] = {copies.get(), marks.get(), baseline.get(), said.get()};
   put_in_place(outputs);
   if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());
   if (report.incomplete) return exit_failure;

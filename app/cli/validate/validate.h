@@ -26,7 +26,7 @@ struct ValidateArguments {
   std::string min_severity;  // the text form leaves out findings below it
   bool allow_empty = false;  // a run with nothing to check is no failure
   bool exit_zero = false, list_rules = false, list_files = false, stats = false;
-  std::string baseline, write_baseline, mask_folder, cache_folder, cache_key;
+  std::string baseline, write_baseline, mask_folder, fix_folder, cache_folder, cache_key;
   unsigned threads = 0;
   Library library;
   OutputArguments output;

@@ -106,6 +106,11 @@ void add_validate(CommandLine& line) {
       .words({"info", "warning", "error"});
   verb.option("--mask", a.mask_folder, "folder for a picture per finding: plateau red, transition yellow")
       .value_name("DIR");
+  verb.option(
+          "--fix", a.fix_folder,
+          "folder for repaired copies of the sets that can be repaired, and a page of before and after; the "
+          "originals stay as they are")
+      .value_name("DIR");
   verb.flag("--stats", a.stats, "say on standard error what was read, left out and how long it took");
   verb.option("--cache", a.cache_folder, "keep results here and do not check the same files again")
       .value_name("DIR");

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/image/load.h"
+#include "core/validate/files/files.h"
 #include "core/validate/maps/map_survey.h"
 #include "core/validate/names/names.h"
 
@@ -25,7 +26,7 @@ OpenedBeside open_beside(const std::vector<TargetFile>& files, std::initializer_
   for (const FileRole role : roles)
     for (const TargetFile& file : files) {
       if (file.role != role) continue;
-      auto rows = open_picture(file.path, door);
+      auto rows = open_target_file(file, door);
       if (rows->header().width == map.width && rows->header().height == map.height)
         return {std::move(rows), &file};
     }
@@ -43,7 +44,7 @@ std::optional<GlossPlace> gloss_place(const TargetFile& file) {
 }
 
 MapEvidence normal_map(const TargetFile& file, const CheckTarget& target, const PictureDoor& door) {
-  const auto rows = open_picture(file.path, door);
+  const auto rows = open_target_file(file, door);
   const OpenedBeside height = open_beside(target.files, {FileRole::height}, rows->header(), door);
   OpenedBeside gloss = open_beside(
       target.beside, {FileRole::roughness, FileRole::gloss, FileRole::metal_rough}, rows->header(), door);
@@ -68,7 +69,7 @@ std::vector<MapEvidence> maps_of(const CheckTarget& target, const PictureDoor& d
     if (file.role == FileRole::normal) {
       out.push_back(normal_map(file, target, door));
     } else {
-      const auto rows = open_picture(file.path, door);
+      const auto rows = open_target_file(file, door);
       const OpenedBeside alpha =
           file.role == FileRole::emissive
               ? open_beside(target.beside, {FileRole::base_color, FileRole::diffuse_alpha}, rows->header(),

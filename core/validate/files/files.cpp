@@ -105,6 +105,15 @@ void check_metal_rough(const CheckTarget& target, const PictureDoor& door, const
     return whole->in_memory().rows();
   };
   look_at_pixels(weighed, open, settings, threads, evidence, file);
+  if (const MetalRoughSet::Occlusion* occlusion = set.occlusion()) {
+    MapEvidence& map = evidence.maps.emplace_back();
+    map.role = FileRole::occlusion;
+    map.label = target.files[occlusion->file].label;
+    map.width = set.header(static_cast<int>(occlusion->file)).width;
+    map.height = set.header(static_cast<int>(occlusion->file)).height;
+    map.grey = occlusion->codes;
+    map.packed = true;
+  }
   // There is an alpha channel where the file of the base colour has one.
   if (const TargetFile* base = with_role(target, {FileRole::base_color, FileRole::diffuse_alpha});
       base != nullptr && evidence.a)
@@ -228,7 +237,7 @@ CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Sett
       return check_material(*material, evidence);
     if (is_map_set(target)) return check_map_set(target, door, own, evidence, file);
     if (MetalRoughSet::is_set(target)) return check_metal_rough(target, door, own, threads, evidence, file);
-    const auto open = [&](const TargetFile& part) { return open_picture(part.path, door); };
+    const auto open = [&](const TargetFile& part) { return open_target_file(part, door); };
     check_pair(target, open, own, threads, evidence, file);
   });
 }
@@ -310,6 +319,10 @@ std::optional<FileRole> role_of_file(const std::string& path) {
   return ending == ".json" ? kind_of_json(head) : kind_of_content(head);
 }
 
+std::unique_ptr<RowSource> open_target_file(const TargetFile& file, const PictureDoor& door) {
+  return file.bytes ? open_picture(*file.bytes, file.label, door) : open_picture(file.path, door);
+}
+
 PicturesInMemory LoadedPictures::in_memory() const {
   return {a.width == 0 ? nullptr : &a, b.width == 0 ? nullptr : &b,
           metallic.width == 0 ? nullptr : &metallic};
@@ -321,8 +334,9 @@ LoadedPictures load_pictures(const CheckTarget& target, const PictureDoor& door)
   const auto load = [&](const TargetFile* file, Image8& to) {
     if (file == nullptr) return;
     Image8 codes;
-    auto source = open_picture(file->path, door);
-    if (source->header().floating) source = rows_of(codes = codes_of(load_picture(file->path, door), true));
+    auto source = open_target_file(*file, door);
+    if (source->header().floating)
+      source = rows_of(codes = codes_of(load_picture(file->picture(), door), true));
     to = Image8(source->header().width, source->header().height, 4);
     source->read_rows(to.values.data(), 4 * static_cast<std::size_t>(to.width), to.height);
   };

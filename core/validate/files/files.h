@@ -29,8 +29,8 @@ CheckedFile check(const CheckTarget& target, const PictureDoor& door, const Sett
 /// Adds evidence of a target to what is there, and what was found meanwhile to `file`. May throw.
 using EvidenceGatherer = std::function<void(const Settings&, Evidence&, CheckedFile& file)>;
 
-/// Gathers the evidence under the settings for the target and judges it. An error of `look` becomes a finding,
-/// as in check().
+/// Gathers the evidence under the settings for the target and judges it. An error of `look` becomes a
+/// finding, as in check().
 CheckedFile check_by(const CheckTarget& target, const Settings& settings, const EvidenceGatherer& look);
 
 /// Puts findings into the order in which judge() leaves them.
@@ -45,6 +45,10 @@ CheckedFile joined_tiles(std::vector<CheckedFile> tiles);
 
 /// Opens a picture of a target; called once for each pass over the pixels.
 using PictureOpener = std::function<std::unique_ptr<RowSource>(const TargetFile&)>;
+
+/// Opens a picture of a target: the file at its path, or its bytes, which then must outlive the source.
+/// Throws Error.
+std::unique_ptr<RowSource> open_target_file(const TargetFile& file, const PictureDoor& door);
 
 /// Checks a pair whose pictures `open` gives, as check() does: no file of the target is read.
 CheckedFile check_opened(const CheckTarget& target, const PictureOpener& open, const Settings& settings,

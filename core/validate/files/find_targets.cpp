@@ -12,10 +12,10 @@
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
-#include "core/base/parallel.h"
 #include "core/exchange/data_folder.h"
 #include "core/scene/gltf.h"
 #include "core/validate/engine.h"
+#include "core/validate/files/candidates.h"
 #include "core/validate/files/file_hints.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/picture_sets.h"
@@ -37,15 +37,6 @@ std::string_view folder_of(std::string_view path) {
 constexpr std::size_t most_missing_reported = 1000;
 
 constexpr const char* missing_fix = "Correct the path, or write the file first.";
-
-// How a file was named. A file of an unchecked kind is an error where it was named by hand, else skipped.
-enum class Named { by_hand, by_folder, by_list };
-
-struct Candidate {
-  std::string path;
-  Named named = Named::by_hand;
-  std::string searched;  // the folder whose search found it; else empty
-};
 
 class Finder {
  public:
@@ -130,68 +121,50 @@ class Finder {
 
   // A file that was named twice is checked once; named by hand wins.
   void drop_doubles() {
-    for (Candidate& candidate : candidates_)
+    for (FileCandidate& candidate : candidates_)
       candidate.path = fs::path(candidate.path).lexically_normal().string();
-    std::stable_sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
-      return std::tie(a.path, a.named) < std::tie(b.path, b.named);
-    });
-    candidates_.erase(std::unique(candidates_.begin(), candidates_.end(),
-                                  [](const Candidate& a, const Candidate& b) { return a.path == b.path; }),
-                      candidates_.end());
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const FileCandidate& a, const FileCandidate& b) {
+                       return std::tie(a.path, a.named) < std::tie(b.path, b.named);
+                     });
+    candidates_.erase(
+        std::unique(candidates_.begin(), candidates_.end(),
+                    [](const FileCandidate& a, const FileCandidate& b) { return a.path == b.path; }),
+        candidates_.end());
     out_.files = candidates_.size();
   }
 
   void classify() {
-    // The kind of a .json file is told by its content. Files are opened for that, so all threads do it.
-    std::vector<std::optional<FileRole>> kinds(candidates_.size());
-    std::vector<char> missing(candidates_.size());
-    std::vector<std::string> failures(candidates_.size());
-    parallel_chunks(candidates_.size(), request_.threads, 64,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                      for (std::size_t i = begin; i < end; ++i) {
-                        std::error_code ignored;
-                        const Candidate& candidate = candidates_[i];
-                        missing[i] = !fs::exists(candidate.path, ignored) && !is_pipe_input(candidate.path);
-                        try {
-                          kinds[i] = role_of_file(candidate.path);
-                          if (kinds[i] == FileRole::spectrum && candidate.named != Named::by_hand &&
-                              !looks_like_spectrum(candidate.path))
-                            kinds[i].reset();
-                          if (kinds[i] && !candidate.searched.empty())
-                            check_links(candidate.searched, candidate.path);
-                        } catch (const Error& error) {
-                          if (!missing[i]) failures[i] = error.what();
-                        }
-                      }
-                    });
-    std::vector<const Candidate*> pictures;
+    const std::vector<KindOfFile> kinds = kinds_of(candidates_, request_.threads);
+    std::vector<const FileCandidate*> pictures;
     std::size_t missing_reported = 0, missing_more = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      const Candidate& candidate = candidates_[i];
+      const FileCandidate& candidate = candidates_[i];
+      const auto& [kind, missing, failure] = kinds[i];
       std::error_code ignored;
-      const bool link = missing[i] && fs::is_symlink(fs::symlink_status(candidate.path, ignored));
-      if (link && !kinds[i] && candidate.named != Named::by_hand && !candidate.path.ends_with(".json"))
+      const bool link = missing && fs::is_symlink(fs::symlink_status(candidate.path, ignored));
+      if (link && !kind && candidate.named != Named::by_hand && !candidate.path.ends_with(".json"))
         ++out_.skipped;
-      else if (missing[i] && candidate.named == Named::by_list && missing_reported == most_missing_reported)
+      else if (missing && candidate.named == Named::by_list && missing_reported == most_missing_reported)
         ++missing_more;
-      else if (missing[i]) {
+      else if (missing) {
         fail(candidate.path, why_missing(candidate.path), missing_fix);
         ++missing_reported;
-      } else if (!failures[i].empty())
-        fail(candidate.path, failures[i]);
-      else if (!kinds[i])
+      } else if (!failure.empty())
+        fail(candidate.path, failure);
+      else if (!kind)
         skip(candidate,
              is_pipe_input(candidate.path) ? "holds nothing that etak validate checks"
                                            : "a kind of file that etak validate does not check",
              "Name a picture, atlas layout, glTF scene, material or spectrum.");
-      else if (is_picture(*kinds[i]))
+      else if (is_picture(*kind))
         pictures.push_back(&candidate);
       else
-        add_document(candidate.path, *kinds[i]);
+        add_document(candidate.path, *kind);
     }
     if (missing_more > 0)
       fail(request_.list, std::to_string(missing_more) + " more of its names lead to no file");
-    for (const Candidate* picture : pictures)
+    for (const FileCandidate* picture : pictures)
       if (!claimed_.contains(picture->path) && !claimed_.contains(level_0_of(picture->path)))
         add_picture(*picture);
       else if (request_.list_files)
@@ -208,8 +181,9 @@ class Finder {
     row.note = note;
   }
 
-  void skip(const Candidate& candidate, const std::string& why, const std::string& fix = {}) {
+  void skip(const FileCandidate& candidate, const std::string& why, const std::string& fix = {}) {
     if (candidate.named == Named::by_hand) return fail(candidate.path, why, fix);
+    add_manifest_pictures(candidate.path, of_manifests_);
     ++out_.skipped;
     ++out_.listing.others;
   }
@@ -274,7 +248,7 @@ class Finder {
     return out;
   }
 
-  void add_picture(const Candidate& candidate) {
+  void add_picture(const FileCandidate& candidate) {
     if (request_.role) {
       // With --role each picture is checked alone, because all of them have the same role.
       NamedPicture picture;
@@ -300,6 +274,9 @@ class Finder {
                       (pipe ? "." : "; or give a pattern in [roles] of etak.toml."));
     }
     ++out_.skipped;
+    if (of_manifests_.contains(path))
+      return list_document(label(path), "", ListedAs::not_judged,
+                           "of a manifest: etak pack judges it while it packs");
     out_.unknown.push_back(label(path));
     list_document(out_.unknown.back(), "", ListedAs::unknown, why);
   }
@@ -430,9 +407,10 @@ class Finder {
 
   ValidationRequest& request_;
   const NameReader reader_;
-  std::vector<Candidate> candidates_;
+  std::vector<FileCandidate> candidates_;
   std::vector<NamedPicture> pictures_;
   std::unordered_set<std::string> claimed_, failed_;  // claimed: named by a scene or a layout
+  std::unordered_set<std::string> of_manifests_;      // pictures that manifests of etak pack name
   std::string last_typed_;
   FoundTargets out_;
 };

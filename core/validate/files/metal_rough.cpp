@@ -77,7 +77,7 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
   };
   for (const TargetFile& file : target.files) {
     const auto image = static_cast<int>(images_.size());
-    images_.push_back({file.path, "", file.label});
+    images_.push_back(file.picture());
     if (file.role == FileRole::base_color) material_.base_color_texture = texture(image);
     if (file.role == FileRole::diffuse_alpha) material_.diffuse_texture = texture(image);
     if (file.role == FileRole::specular_gloss) specular_ = image;
@@ -87,6 +87,8 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
     if (file.role != FileRole::metal_rough) continue;
     // A picture that is packed as glTF packs them can be used as it is.
     const std::string_view letters = file.channels.empty() ? "-rm-" : std::string_view(file.channels);
+    if (const std::size_t at = letters.find('o'); at != letters.npos && !occlusion_)
+      occlusion_ = std::make_shared<Occlusion>(Occlusion{static_cast<std::size_t>(image), at, {}});
     if (letters.substr(1, 2) == "rm" && !material_.metallic_roughness_texture)
       material_.metallic_roughness_texture = texture(image);
     else
@@ -105,7 +107,23 @@ MetalRoughSet::MetalRoughSet(const CheckTarget& target, const PictureDoor& door)
   pictures_ = ScenePictures(images_, door);
 }
 
+namespace {
+
+void count_occlusion(const Image8& codes, MetalRoughSet::Occlusion& out) {
+  const auto channels = static_cast<std::size_t>(codes.channels);
+  if (out.channel >= channels) return;
+  for (std::size_t i = out.channel; i < codes.values.size(); i += channels)
+    ++out.codes.codes[codes.values[i]];
+  out.codes.texels += codes.pixel_count();
+}
+
+}  // namespace
+
 LoadedPictures MetalRoughSet::convert() {
+  if (occlusion_) {
+    occlusion_->codes = {};
+    count_occlusion(pictures_.codes(static_cast<int>(occlusion_->file)), *occlusion_);
+  }
   return convert(pictures_);
 }
 
@@ -155,7 +173,9 @@ LoadedPictures MetalRoughSet::convert(ScenePictures& pictures) const {
 class MetalRoughStrips {
  public:
   MetalRoughStrips(const MetalRoughSet& set, std::vector<std::unique_ptr<RowSource>> files)
-      : set_(set), files_(std::move(files)), pictures_(set.images_, *set.door_) {}
+      : set_(set), files_(std::move(files)), pictures_(set.images_, *set.door_) {
+    if (set_.occlusion_) set_.occlusion_->codes = {};
+  }
 
   void copy_rows(Image8 LoadedPictures::*picture, int first, int count, std::uint8_t* rgba,
                  std::size_t stride) {
@@ -172,6 +192,7 @@ class MetalRoughStrips {
       for (std::size_t i = 0; i < files_.size(); ++i) {
         Image8 codes(files_[i]->header().width, count, 4);
         files_[i]->read_rows(codes.values.data(), 4 * static_cast<std::size_t>(codes.width), count);
+        if (set_.occlusion_ && set_.occlusion_->file == i) count_occlusion(codes, *set_.occlusion_);
         pictures_.set(static_cast<int>(i), std::move(codes));
       }
       strip_ = set_.convert(pictures_);
@@ -212,9 +233,10 @@ class ConvertedRows final : public RowSource {
 
 }  // namespace
 
-PictureRows MetalRoughSet::rows() const {
+PictureRows MetalRoughSet::rows() {
   std::vector<std::unique_ptr<RowSource>> files;
   for (const PictureFile& image : images_) {
+    if (!image.bytes.empty()) return {};
     if (image.path.empty()) continue;  // the joined one, which is last
     auto file = open_rows(image.path);
     if (!file || file->header().floating ||

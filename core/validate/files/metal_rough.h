@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/scene/gltf.h"
 #include "core/validate/files/files.h"
+#include "core/validate/maps/map_evidence.h"
 #include "core/validate/target.h"
 
 namespace etak {
@@ -47,7 +49,15 @@ class MetalRoughSet {
   LoadedPictures convert();
   /// The converted pictures in strips of rows; each call begins at the top. The three sources must be read in
   /// step, on any threads. No source where a file must be loaded whole or the files differ in size.
-  PictureRows rows() const;
+  PictureRows rows();
+  /// What the occlusion of a packed picture came to in the last convert(), or in the last rows() that were
+  /// read: its codes, and the file's place in the target's order. None where no picture says that it holds
+  /// occlusion.
+  struct Occlusion {
+    std::size_t file = 0, channel = 0;
+    GreyFacts codes;
+  };
+  const Occlusion* occlusion() const { return occlusion_.get(); }
   /// The header of the n-th file of the set, in the target's order.
   const PictureHeader& header(int file) { return pictures_.header(file); }
 
@@ -76,6 +86,7 @@ class MetalRoughSet {
   GltfMaterial material_;
   Channel metallic_, roughness_;
   int specular_ = -1, joined_ = -1;  // indices of images; -1: none
+  std::shared_ptr<Occlusion> occlusion_;
   ScenePictures pictures_;
 };
 

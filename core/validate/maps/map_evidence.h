@@ -97,6 +97,7 @@ struct MapEvidence {
   std::optional<GlossBesideNormals> gloss = {};
   std::optional<JpegComb> jpeg = {};
   GreyFacts grey = {};
+  bool packed = false;  // a channel of a picture that holds roughness or metallic too
 };
 
 /// What is wrong with a normal map as a whole. The first that is true stands for what follows from it, so

@@ -62,9 +62,13 @@ struct TextOptions {
   bool findings = true;
 };
 
-/// One line per finding, errors first, those of one severity in the order of places; the verdict last. Files
-/// are named as the user named them.
+/// One line per finding, errors first, those of one severity in the order of places; then what was repaired,
+/// if that was asked for; the verdict last. Files are named as the user named them.
 std::string validation_text(const ValidationReport& report, const TextOptions& options = {});
+
+/// What was repaired and what was left, a line each; findings left because their rule has no repair share
+/// one. Files are named as in validation_text().
+std::string repairs_text(const RepairReport& repairs, const TypedFolders& typed);
 
 /// A label as the user would type it: below a folder that the user has typed by that folder's name, else the
 /// label itself.

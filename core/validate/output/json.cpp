@@ -86,6 +86,25 @@ Json file_json(const CheckedFile& file) {
   return out;
 }
 
+Json repairs_json(const RepairReport& repairs) {
+  Json out = {{"folder", repairs.folder}, {"files", Json::array()}, {"left", Json::array()}};
+  for (const RepairedFile& file : repairs.files) {
+    Json row = {{"file", file.file}, {"copy", file.copy}, {"repairs", Json::array()}};
+    for (const RepairStep& step : file.steps)
+      row["repairs"].push_back({{"id", step.rule},
+                                {"slug", step.slug},
+                                {"what", step.what},
+                                {"texels", step.texels},
+                                {"also", step.also}});
+    row["texels"] = file.texels;
+    row["notKept"] = file.not_kept;
+    out["files"].push_back(std::move(row));
+  }
+  for (const LeftFinding& left : repairs.left)
+    out["left"].push_back({{"id", left.rule}, {"slug", left.slug}, {"file", left.file}, {"why", left.why}});
+  return out;
+}
+
 std::string text_of(const Json& json) {
   return quiet_json(json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
@@ -126,6 +145,7 @@ std::string validation_json(const ValidationReport& report, const OutputOptions&
                     {"incomplete", report.incomplete},
                     {"notRecognised", report.unknown.size()}};
   out["notRecognised"] = report.unknown;
+  if (report.repairs) out["repairs"] = repairs_json(*report.repairs);
   out["files"] = Json::array();
   out["truncated"] = false;
   const std::string frame = text_of(out);

@@ -200,6 +200,7 @@ std::string validation_text(const ValidationReport& report, const TextOptions& o
     out += ' ' + first.rule + ' ' + first.slug + ": ";
     add_sentences(out, first);
   }
+  if (report.repairs) out += repairs_text(*report.repairs, report.typed);
   return out + verdict_of(report) + '\n';
 }
 

@@ -9,8 +9,6 @@
 
 namespace etak {
 
-namespace {
-
 double decode_of(TextureTransfer transfer, double encoded) {
   switch (transfer) {
     case TextureTransfer::srgb:
@@ -34,6 +32,8 @@ double encode_of(TextureTransfer transfer, double linear) {
   }
   return linear;
 }
+
+namespace {
 
 std::uint32_t fixed(double value) {
   return static_cast<std::uint32_t>(std::floor(value * linear_one + 0.5));

@@ -8,6 +8,10 @@
 
 namespace etak {
 
+/// The linear value of an encoded one and back, both as fractions of full scale in [0, 1].
+double decode_of(TextureTransfer transfer, double encoded);
+double encode_of(TextureTransfer transfer, double linear);
+
 /// The linear value 1 in the integers of the byte pass, whose unit is 2^-24.
 inline constexpr std::uint32_t linear_one = 1u << 24;
 

@@ -13,6 +13,7 @@ void etk711(RuleCheck& check) {
     const auto found = std::ranges::find(codes, map.grey.texels);
     if (found == codes.end() || map.grey.texels == 0) return;
     const auto code = static_cast<int>(found - codes.begin());
+    if (map.packed && code == 255) return;  // costs nothing beside roughness
     Finding& finding = check.report(map);
     // Constant white is for nothing; anything else darkens the whole surface.
     if (code < 255) finding.severity = check.at_least(Severity::warning);
@@ -33,7 +34,11 @@ constinit const Rule etk711_occlusion_constant{
     {Need::maps},
     {},
     "etak",
-    "Every texel of a picture of its own for occlusion has one code; a warning where it is not white.",
+    "Every texel of an occlusion map, or of the channel that the name of a packed picture gives to "
+    "occlusion, has "
+    "one code; a warning where it is not white. White in a packed picture is no finding: the channel is "
+    "there "
+    "anyway.",
     "White costs memory and does nothing; anything darker dims all ambient light on the surface.",
     "A slot filled by the default of an exporter.",
     "Leave the occlusion map out.",

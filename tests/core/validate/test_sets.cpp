@@ -164,7 +164,10 @@ TEST_CASE("packed pictures are read by their channels, and smoothness is turned 
     const CheckedFile file =
         judged({{FileRole::metal_rough, folder.file("packed.png"), "packed.png", false, letters}});
     INFO(letters << "\n" << said(file));
-    CHECK(said(file) == said(plain));
+    // The other channels are constant, which is a finding where one of them is said to be occlusion.
+    const bool has_occlusion = letters.find('o') != letters.npos;
+    CHECK(said(file) ==
+          said(plain) + (has_occlusion ? "ETK711  every texel that was looked at is code 37\n" : ""));
     CHECK(file.counts == plain.counts);
   }
   // A gloss file beside a packed one that has metallic alone.
@@ -316,4 +319,65 @@ TEST_CASE("numbers that a layout holds in place of texels are judged like texels
       INFO(finding.rule << ' ' << finding.message);
       CHECK(finding.severity < Severity::warning);
     }
+}
+
+TEST_CASE("pictures that a manifest of the packer names are not called unknown") {
+  const TempFolder folder;
+  save(folder.file("gold_gloss.png"), flat(8, 8, {120}));
+  const auto report = [&] {
+    ValidationRequest request;
+    request.paths = {folder.path()};
+    request.config.root = folder.path();
+    request.door = picture_door();
+    return validate(std::move(request));
+  };
+  CHECK(report().unknown == std::vector<std::string>{"gold_gloss.png"});
+  spit(folder.file("manifest.json"), R"({"schema": "etak-atlas-manifest/1", "materials": [
+    {"name": "gold", "diffuse": 0, "specular": "gold", "gloss": {"image": "gold_gloss.png"}}]})");
+  CHECK(report().unknown.empty());
+  ValidationRequest request;
+  request.paths = {folder.path()};
+  request.config.root = folder.path();
+  const FileList list = list_files(std::move(request));
+  REQUIRE(list.files.size() == 1);
+  CHECK(list.files[0].as == ListedAs::not_judged);
+}
+
+TEST_CASE("the occlusion that a packed picture is named for is judged like a map of its own") {
+  const TempFolder folder;
+  Random random(8);
+  const int size = 64;
+  Image8 color(size, size, 3), open(size, size, 3);
+  each_texel(color, [&](auto texel, int, int) {
+    const int value = 100 + random.below(60);
+    set_rgb(texel, {value, value, value});
+  });
+  each_texel(open, [&](auto texel, int, int) {
+    const int occlusion = 255 - random.below(random.below(4) == 0 ? 200 : 30);
+    set_rgb(texel, {occlusion, 120 + random.below(60), 0});
+  });
+  const auto with = [&](auto occlusion) {
+    Image8 out = open;
+    each_texel(out, [&](auto texel, int, int) { texel[0] = static_cast<std::uint8_t>(occlusion(texel[0])); });
+    return out;
+  };
+  save(folder.file("wall_basecolor.png"), color);
+  const auto judged_with = [&](const Image8& packed, const char* name) {
+    const std::string path = folder.file(std::string(name) + ".png");
+    save(path, packed);
+    CheckTarget target;
+    target.files = {{FileRole::base_color, folder.file("wall_basecolor.png"), "wall_basecolor.png"},
+                    {FileRole::metal_rough, path, "wall_orm.png", false, "orm-"}};
+    return checked(target);
+  };
+  for (const char* rule : {"ETK711", "ETK712"}) CHECK_FALSE(has(judged_with(open, "open"), rule));
+  CHECK_FALSE(has(judged_with(with([](int) { return 255; }), "white"), "ETK711"));
+  const CheckedFile dark = judged_with(with([](int) { return 0; }), "dark");
+  INFO(said(dark));
+  REQUIRE(find(dark, "ETK711") != nullptr);
+  CHECK(find(dark, "ETK711")->severity == Severity::warning);
+  CHECK(find(dark, "ETK711")->file == "wall_orm.png");
+  const CheckedFile inverted = judged_with(with([](int code) { return 255 - code; }), "inverted");
+  INFO(said(inverted));
+  CHECK(has(inverted, "ETK712"));
 }

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <optional>
+
+#include "core/color/luminance.h"
+#include "core/validate/pixels/code_tables.h"
+#include "core/validate/repairs/rows.h"
+
+namespace etak {
+
+namespace {
+
+// The channels of a picture that hold metallic: [first, last).
+std::array<std::size_t, 2> metallic_channels(const RepairPicture& picture) {
+  if (picture.file.role == FileRole::metallic) return {0, picture.colour_channels()};
+  // As glTF packs them where the name does not say it.
+  const std::string_view letters =
+      picture.file.channels.empty() ? "-rm-" : std::string_view(picture.file.channels);
+  const std::size_t at = letters.find('m');
+  const auto channels = static_cast<std::size_t>(picture.codes.channels);
+  return at < channels ? std::array{at, at + 1} : std::array<std::size_t, 2>{0, 0};
+}
+
+// Mean luminance of the base colour on a region; none where its picture has another size.
+std::optional<double> base_luminance(const RepairBench& bench, const RepairRegion& region,
+                                     const Image8& marks) {
+  RepairPicture* base = bench.with_role({FileRole::base_color});
+  if (base == nullptr || !wrong_size(*base, marks).empty()) return std::nullopt;
+  std::array<double, 3> sum{};
+  for (const std::size_t i : region.texels)
+    for (std::size_t c = 0; c < 3; ++c)
+      sum[c] += decode_of(bench.settings.transfer,
+                          base->value(base->texel(i)[base->colour_channels() == 3 ? c : 0]));
+  return luminance_of(sum) / static_cast<double>(region.texels.size());
+}
+
+// Half metals become what they are nearer to. The base colour of a metal is its F0, so that a dark one
+// cannot be that of a metal.
+RepairOutcome separate_metal(const RepairBench& bench) {
+  RepairPicture* metal = bench.with_role({FileRole::metallic, FileRole::metal_rough});
+  const auto [first, last] = metal == nullptr ? std::array<std::size_t, 2>{} : metallic_channels(*metal);
+  if (first == last) return {"", "metallic is in no channel of a file of the set"};
+  const Image8 marks = bench.marks(RegionKind::half_metal);
+  if (const std::string why = wrong_size(*metal, marks); !why.empty()) return {"", why};
+  for (const RepairRegion& region : regions_to_repair(bench, marks, bench.seen().metallic)) {
+    const auto base = base_luminance(bench, region, marks);
+    const bool is_metal = region.mean[0] >= 0.5 && (!base || *base >= bench.settings.zone.high);
+    for (const std::size_t i : region.texels)
+      for (std::size_t c = first; c < last; ++c) metal->texel(i)[c] = metal->code(is_metal ? 1 : 0);
+  }
+  return {"separated metal from what is none"};
+}
+
+}  // namespace
+
+constinit const Repair repair_etk113{"ETK113", &separate_metal};
+
+}  // namespace etak
