@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/validate/output/formats.h"
+#include "core/validate/rules.h"
 
 namespace etak {
 namespace {
@@ -46,10 +47,6 @@ bool is_known(const std::vector<const KnownDefect*>& sorted, const KnownDefect& 
   return false;
 }
 
-bool never_known(std::string_view rule) {
-  return rule == "ETK001" || rule.starts_with("ETK9");
-}
-
 }  // namespace
 
 KnownDefect known_defect(const Finding& finding, int width, int height) {
@@ -68,7 +65,7 @@ std::vector<KnownDefect> baseline_of(const ValidationReport& report) {
   std::vector<KnownDefect> out;
   for (const CheckedFile& file : report.files)
     for (const Finding& finding : file.findings)
-      if (!finding.suppressed && !never_known(finding.rule))
+      if (!finding.suppressed && !is_of_the_tool(finding.rule))
         out.push_back(known_defect(finding, file.width, file.height));
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
@@ -82,7 +79,7 @@ void mark_known(ValidationReport& report, std::span<const KnownDefect> known) {
             [](const KnownDefect* a, const KnownDefect* b) { return place_of(*a) < place_of(*b); });
   for (CheckedFile& file : report.files)
     for (Finding& finding : file.findings) {
-      if (never_known(finding.rule)) continue;
+      if (is_of_the_tool(finding.rule)) continue;
       finding.baseline = is_known(sorted, known_defect(finding, file.width, file.height));
     }
 }

@@ -44,7 +44,7 @@ std::string find_config(const std::string& path) {
 }
 
 bool can_be_turned_off(const Rule& rule) {
-  return rule.id != "ETK001" && (!rule.id.starts_with("ETK9") || rule.id == "ETK903");
+  return !is_of_the_tool(rule.id) || rule.id == "ETK903";
 }
 
 void unknown_rule(std::string_view place, std::string_view id) {

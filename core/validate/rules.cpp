@@ -52,6 +52,10 @@ const Rule* find_rule(std::string_view id_or_slug) {
   return nullptr;
 }
 
+bool is_of_the_tool(std::string_view rule) {
+  return rule == "ETK001" || rule.starts_with("ETK9");
+}
+
 std::vector<const Rule*> rules_with_prefix(std::string_view prefix) {
   if (const Rule* rule = find_rule(prefix)) return {rule};
   std::vector<const Rule*> found;

@@ -16,6 +16,9 @@ std::span<const Rule* const> rules();
 /// Null: none.
 const Rule* find_rule(std::string_view id_or_slug);
 
+/// Whether a rule, given by its id, is about what could not be checked (ETK001) or about etak itself (9xx).
+bool is_of_the_tool(std::string_view rule);
+
 /// The rules whose ids begin with `prefix` ("ETK1", "ETK"); a whole id or a slug gives one rule. Empty: none
 /// (ETK904).
 std::vector<const Rule*> rules_with_prefix(std::string_view prefix);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/validate/rule.h"
+#include "core/validate/rules.h"
 
 namespace etak {
 
@@ -69,7 +70,7 @@ Severity severity_of(const Rule& rule, const Settings& settings) {
   const RuleSetting* setting = setting_of(rule, settings);
   if (setting != nullptr && setting->severity) return *setting->severity;
   // No profile turns off the rules of the tool itself: a file that could not be checked is not clean.
-  const bool of_the_tool = rule.id.starts_with("ETK9") || rule.id == "ETK001";
+  const bool of_the_tool = is_of_the_tool(rule.id);
   switch (settings.profile) {
     case Profile::standard:
       return rule.severity;

@@ -18,12 +18,18 @@ from tally import content, leftovers, run, shell_status, Result
 GRACE_SECONDS = 1.0
 
 
+def tells_what_was_not_checked(page):
+    """Whether it is a whole page of the validator about files that it could not open or hold."""
+    return (isinstance(page, bytes) and page.rstrip().endswith(b"</html>") and
+            (b"ETK001" in page or b"ETK902" in page))
+
+
 class Target:
     """Something that etak writes: two commands that write different content to `path`, and what that content is."""
 
     def __init__(self, soak, name, path, first, second):
         self.name, self.path, self.commands = name, path, (first, second)
-        self.contents, self.seconds = [], 0.0
+        self.contents, self.trouble, self.seconds = [], None, 0.0
         for command in self.commands:
             result = run([soak.etak, *command], cwd=path.parent, limit=60, env=soak.environment)
             if result.status != 0:
@@ -32,8 +38,13 @@ class Target:
             self.seconds = max(self.seconds, result.seconds)
 
     def check(self, tally, result):
-        """Whether it holds one of the two; put right where it does not."""
-        if content(self.path) in self.contents:
+        """Whether it holds one of the two; put right where it does not. A run that lacked files or memory may also have
+        written a whole page that says so."""
+        now = content(self.path)
+        if now in self.contents or now == self.trouble:
+            return True
+        if result.status == 2 and tells_what_was_not_checked(now):
+            self.trouble = now
             return True
         tally.fault("mixed", f"{self.name} is neither the old nor the new", result, self.path.parent)
         return False

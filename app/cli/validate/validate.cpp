@@ -23,6 +23,7 @@
 #include "core/validate/baseline.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/repairs/repair_files.h"
+#include "core/validate/rules.h"
 #include "core/validate/suppress.h"
 #include "core/validate/validate.h"
 
@@ -71,6 +72,22 @@ void tell_nothing_checked(const ValidationReport& report) {
   complain(out +
            "; expected texture pairs, metal-rough sets, F0 pictures, atlas layouts, glTF scenes, material "
            "files or spectra, or --allow-empty");
+}
+
+// Names what could not be checked where the report goes to a file or is the verdict alone: a run that ends
+// with status 2 says why.
+void tell_not_checked(const ValidationReport& report, const ValidateArguments& arguments) {
+  constexpr std::size_t most_named = 5;
+  const std::string& file = arguments.output.file;
+  if ((file.empty() || file == "-") && !arguments.output.quiet) return;
+  std::size_t count = 0;
+  for (const CheckedFile& each : report.files) {
+    if (!each.unreadable || ++count > most_named) continue;
+    const auto why = std::ranges::find_if(each.findings, is_of_the_tool, &Finding::rule);
+    complain(shown_path(each.path, report.typed) + ": could not be checked" +
+             (why == each.findings.end() ? "" : ": " + sentence_of(*why)));
+  }
+  if (count > most_named) complain(grouped(count - most_named) + " more files could not be checked");
 }
 
 void tell_unknown(const ValidationReport& report, const ValidateArguments& arguments) {
@@ -184,6 +201,7 @@ int check_files(ValidateArguments& arguments) {
     tell_nothing_checked(report);
   else
     tell_unknown(report, arguments);
+  tell_not_checked(report, arguments);
   if (!report.nothing_checked && report.run.checks + report.run.failed == 0)
     remark(arguments.output, "no file of a kind that etak validate checks was found");
   std::unique_ptr<Output> baseline;
