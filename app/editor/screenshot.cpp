@@ -113,6 +113,25 @@ void show_findings(Window& window) {
   table->setCurrentIndex(table->model()->index(0, 0));
 }
 
+// The states that differ in how a material is lit and what is behind it. Those of an environment have its name.
+void show_light_state(Window& window, const QString& state) {
+  const auto is = [&](const char* name) { return state == QLatin1String(name); };
+  if (const std::string name = state.toStdString(); find_studio(name) != nullptr) {
+    edit_view(window, [&](ProjectView& view) { choose_environment(view.lights, name); });
+    window.inspector_tabs().setCurrentIndex(1);
+  }
+  if (is("glass")) window.use_library_material(QStringLiteral("fused_silica"));
+  if (is("water")) window.use_library_material(QStringLiteral("water"));
+  const bool behind = is("glass") || is("backdrop"), ground = is("water") || is("ground") || is("backdrop");
+  if (!behind && !ground && !is("exposure")) return;
+  edit_view(window, [&](ProjectView& view) {
+    view.backdrop.environment = behind;
+    view.backdrop.ground = ground;
+    if (is("exposure")) view.tone = Tone::false_color;
+  });
+  window.inspector_tabs().setCurrentIndex(2);
+}
+
 // Brings the window into a state by the function of that name. A state that has no function is that of a new
 // window.
 void show_state(Window& window, const QString& state) {
@@ -166,6 +185,7 @@ void show_state(Window& window, const QString& state) {
          for (QAbstractButton* chip : window.library_panel().findChildren<QAbstractButton*>())
            if (chip->text() == QLatin1String("gem")) chip->click();
        }},
+      {QStringLiteral("preview"), [&] { emit window.library_panel().looked_at(QStringLiteral("copper")); }},
       {QStringLiteral("findings"), [&] { show_findings(window); }},
       {QStringLiteral("pack"),
        [&] {
@@ -177,6 +197,7 @@ void show_state(Window& window, const QString& state) {
       {QStringLiteral("problem"), [&] { window.open(QStringLiteral("a project that is gone.json")); }},
   };
   if (const auto found = states.find(state); found != states.end()) found->second();
+  show_light_state(window, state);
 }
 
 }  // namespace

@@ -137,9 +137,12 @@ void Window::make_panels() {
 
   backend_ = new QLabel(this);
   backend_->setAccessibleName(tr("How the picture is drawn"));
+  work_ = new QLabel(this);
+  work_->setAccessibleName(tr("Work on the environment"));
   patch_ = new QLabel(this);
   patch_->setAccessibleName(tr("Under the cursor"));
   statusBar()->setAccessibleName(tr("Status"));
+  statusBar()->addPermanentWidget(work_);
   statusBar()->addPermanentWidget(patch_);
   statusBar()->addPermanentWidget(backend_);
 }

@@ -161,6 +161,7 @@ class Window : public QMainWindow {
   void refresh();
   void set_environment(const QString& path);
   void load_environment();
+  void show_environment_work(bool on);
   void show_shader();
   void show_curves();
   void show_patch(const PatchUnderCursor& patch);
@@ -188,7 +189,7 @@ class Window : public QMainWindow {
   CurvesPanel* curves_ = nullptr;
   QPlainTextEdit* shader_ = nullptr;
   QTabWidget *tabs_ = nullptr, *inspector_tabs_ = nullptr;
-  QLabel *backend_ = nullptr, *patch_ = nullptr;
+  QLabel *backend_ = nullptr, *patch_ = nullptr, *work_ = nullptr;
   PreviewBar* preview_bar_ = nullptr;
   QString previewed_;  // id of the library material in the preview
   QAction *undo_ = nullptr, *redo_ = nullptr, *end_preview_ = nullptr;
@@ -197,7 +198,7 @@ class Window : public QMainWindow {
   // The environment that is shown, and the key of the one that is wanted.
   std::shared_ptr<const Environment> environment_;
   std::string environment_key_;
-  bool environment_coming_ = false;
+  bool environment_coming_ = false;  // it or its sharper form
 };
 
 }  // namespace etak::editor

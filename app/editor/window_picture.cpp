@@ -21,15 +21,27 @@ namespace {
 
 struct LoadedEnvironment {
   std::shared_ptr<const Environment> environment;
+  std::shared_ptr<const Image> picture;  // of a file
   QString error;
 };
 
-LoadedEnvironment load(const std::string& name, double scale) {
+constexpr unsigned prefilter_threads = 2;
+
+//   picture     of a file that has been read; null: it is read, where it is a file
+//   prefilter   of what is to be shown first, or in the end
+LoadedEnvironment load(const std::string& name, double scale, std::shared_ptr<const Image> picture,
+                       Environment::Prefilter prefilter) {
   LoadedEnvironment out;
+  const bool quick = prefilter == Environment::Prefilter::quick;
   try {
-    out.environment = find_studio(name) != nullptr
-                          ? studio_environment(name, scale, 2)
-                          : std::make_shared<const Environment>(read_image(name), scale, name, 2);
+    if (find_studio(name) != nullptr) {
+      out.environment = quick ? quick_studio_environment(name, scale, prefilter_threads)
+                              : studio_environment(name, scale, prefilter_threads);
+      return out;
+    }
+    out.picture = picture ? std::move(picture) : std::make_shared<const Image>(read_image(name));
+    out.environment =
+        std::make_shared<const Environment>(*out.picture, scale, name, prefilter_threads, prefilter);
   } catch (const Error& error) {
     out.error = QString::fromUtf8(error.what());
   } catch (const std::bad_alloc&) {
@@ -158,7 +170,7 @@ void Window::load_environment() {
       lights.environment.empty() ? "" : lights.environment + '|' + std::to_string(lights.environment_scale);
   if (key == environment_key_) return;
   environment_key_ = key;
-  environment_coming_ = false;
+  show_environment_work(false);
   auto known = known_studio_environment(lights.environment, lights.environment_scale);
   if (key.empty() || known) {
     environment_ = std::move(known);
@@ -166,17 +178,33 @@ void Window::load_environment() {
   }
   // The old environment stays until the new one is loaded. Of several requests in a row, the last one counts.
   heavy_.clear();
-  environment_coming_ = true;
-  in_background(
-      heavy_, this,
-      [name = lights.environment, scale = lights.environment_scale] { return load(name, scale); },
-      [this, key](const LoadedEnvironment& loaded) {
-        if (key != environment_key_) return;
-        environment_coming_ = false;
-        environment_ = loaded.environment;
-        if (!loaded.error.isEmpty()) tell(loaded.error);
-        refresh_timer_.start();
-      });
+  show_environment_work(true);
+  const auto show = [this](const LoadedEnvironment& loaded) {
+    environment_ = loaded.environment;
+    if (!loaded.error.isEmpty()) tell(loaded.error);
+    refresh_timer_.start();
+  };
+  using Prefilter = Environment::Prefilter;
+  const auto begin = [this, name = lights.environment, scale = lights.environment_scale](
+                         const std::shared_ptr<const Image>& picture, Prefilter prefilter, auto done) {
+    in_background(
+        heavy_, this, [=] { return load(name, scale, picture, prefilter); }, done);
+  };
+  begin(nullptr, Prefilter::quick, [this, key, show, begin](const LoadedEnvironment& loaded) {
+    if (key != environment_key_) return;
+    show(loaded);
+    if (!loaded.environment) return show_environment_work(false);
+    begin(loaded.picture, Prefilter::full, [this, key, show](const LoadedEnvironment& sharp) {
+      if (key != environment_key_) return;
+      show_environment_work(false);
+      show(sharp);
+    });
+  });
+}
+
+void Window::show_environment_work(bool on) {
+  environment_coming_ = on;
+  work_->setText(on ? tr("sharpening the environment\u2026") : QString());
 }
 
 void Window::show_curves() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 #include <map>
+#include <optional>
 
 #include "app/viewport/display.h"
 #include "app/viewport/gl_program.h"
@@ -30,6 +31,7 @@ struct GlPainter::State {
   std::shared_ptr<const Environment> environment;
   std::unique_ptr<GlTexture> irradiance;
   std::vector<std::unique_ptr<GlTexture>> levels;
+  std::unique_ptr<GlTexture> sharpest;  // the picture itself; made when a backdrop shows it first
   std::shared_ptr<const OcioShader> display;
   std::vector<std::unique_ptr<GlTexture>> tables;
 
@@ -56,6 +58,7 @@ struct GlPainter::State {
     if (wanted == environment) return;
     irradiance.reset();
     levels.clear();
+    sharpest.reset();
     environment = wanted;
     if (!environment) return;
     irradiance = std::make_unique<GlTexture>(gl, environment->irradiance_map(), true);
@@ -72,7 +75,19 @@ struct GlPainter::State {
         tables.push_back(std::make_unique<GlTexture>(gl, table));
   }
 
+  GlTexture& backdrop_texture(const Image* map) {
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      if (&environment->levels()[i].map == map) return *levels[i];
+    if (!sharpest) sharpest = std::make_unique<GlTexture>(gl, *map, true);
+    return *sharpest;
+  }
+
   void bind_textures(GlProgram& program, const Scene& scene) {
+    std::optional<Environment::Blurred> behind;
+    if (environment && scene.backdrop.environment) {
+      behind = environment->blurred(scene.backdrop.blur);
+      (void)backdrop_texture(behind->sharp);
+    }
     // The pair is made before the other textures are bound, because making a texture binds it to unit 0.
     const Pair* pair = scene.textures ? &take_textures(scene.textures) : nullptr;
     int unit = 0;
@@ -86,6 +101,11 @@ struct GlPainter::State {
       bind(*levels[sharp], "environment_sharp");
       bind(*levels[sharp + 1], "environment_dull");
       program.set({"environment_share", 1, 1, false, {static_cast<float>(share)}});
+    }
+    if (behind) {
+      bind(backdrop_texture(behind->sharp), "backdrop_sharp");
+      bind(backdrop_texture(behind->dull), "backdrop_dull");
+      program.set({"backdrop_share", 1, 1, false, {static_cast<float>(behind->share)}});
     }
     if (pair != nullptr) {
       bind(*pair->body, "surface_body");

@@ -4,7 +4,8 @@
 namespace etak {
 namespace {
 
-constexpr std::string_view lights = "light/lights.glsl", hemispheres = "light/hemispheres.glsl",
+constexpr std::string_view clear_ball = "light/clear_ball.glsl", false_color = "light/false_color.glsl",
+                           lights = "light/lights.glsl", hemispheres = "light/hemispheres.glsl",
                            tone = "light/tone.glsl", transfer = "light/transfer.glsl",
                            transparency = "light/transparency.glsl";
 using Kind = LightRowKind;
@@ -39,6 +40,8 @@ constexpr LightRow rows[] = {
      "18 % grey is code 105; colours below 0.76 stay, less the 0.04 of a dielectric's surface"},
     {"agx-like", "a curve like AgX", "etak, after Sobotka 2022", Kind::tone, "", tone, "tone_agx_like",
      "18 % grey is code 118; white 6.5 stops above it, bright colours fade to white"},
+    {"false-color", "false colours of exposure", "etak", Kind::tone, "", false_color, "tone_false_color",
+     "a colour for each band of stops about 18 % grey, which is green; red is above 1"},
     {"srgb", "exact sRGB curve", "IEC 61966-2-1", Kind::transfer, "", transfer, "srgb_encode",
      "all 256 codes come back", true},
     {"power-0.45", "powers 2.2 in, 0.45 out", "Schueler 2009", Kind::transfer, "", transfer,
@@ -49,6 +52,9 @@ constexpr LightRow rows[] = {
     {"fresnel-opacity", "transparency by Fresnel", "Schueler 2009, possible extensions", Kind::transparency,
      "alpha (opacity of the body), K", transparency, "fresnel_opacity",
      "1 - (1 - alpha)(1 - F(nv)); specular is never multiplied by alpha", true},
+    {"clear-ball", "clear ball in an environment", "Snell, Fresnel, Beer", Kind::transparency,
+     "n, share of light that passes a diameter", clear_ball, "through_ball",
+     "bent where it enters and where it leaves; reflections inside are left out (0.2 % at n = 1.5)"},
 };
 
 }  // namespace

@@ -7,8 +7,11 @@
 #include "core/light/lights.glsl"
 #include "core/light/hemispheres.glsl"
 #include "core/light/transparency.glsl"
+#include "core/light/clear_ball.glsl"
+#include "core/light/ground.glsl"
 #include "core/light/transfer.glsl"
 #include "core/light/tone.glsl"
 #include "core/light/marks.glsl"
+#include "core/light/false_color.glsl"
 // clang-format on
 #pragma GCC diagnostic pop

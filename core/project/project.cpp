@@ -111,7 +111,8 @@ std::string body_note(const ProjectMaterial& material, const FoundF0& found) {
           ": diffuse is what F0 " + number(f0.g, 3) + " leaves of it";
   } else if (clear) {
     out = "the body is clear (" + clarity(found.material, found.chosen()).reason +
-          "): exports say so; here alpha 0 lets the background through, unbent";
+          "): exports say so; here alpha 0 lets the environment through, as a ball of " +
+          number(1000 * clear_ball_m, 3) + " mm bends and absorbs it";
   }
   if (const DefaultGloss standard = default_gloss(found.material, clear); material.gloss == standard.gloss)
     out += (out.empty() ? "" : "\n") + default_gloss_remark(standard);

@@ -84,6 +84,7 @@ struct Wedge {
 
 /// How the materials are shown.
 ///   exposure                linear factor
+///   background              behind the object, linear, where the backdrop is not the environment
 ///   config, display, view   of OpenColorIO; all empty: the tone curve and sRGB
 struct ProjectView {
   Shape shape = Shape::sphere;
@@ -92,6 +93,8 @@ struct ProjectView {
   double exposure = 1;
   std::string config, display, view;
   Tone tone = Tone::plain;
+  LinearRgb background{0.18, 0.18, 0.18};
+  Backdrop backdrop;
   Comparison compare;
   Wedge wedge;
   friend bool operator==(const ProjectView&, const ProjectView&) = default;

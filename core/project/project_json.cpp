@@ -53,8 +53,8 @@ class Reader {
 
  private:
   ProjectView view(const JsonNode& node) const {
-    node.expect_object(
-        {"shape", "lights", "environment_turn_deg", "exposure", "ocio", "tone", "compare", "wedge"});
+    node.expect_object({"shape", "lights", "environment_turn_deg", "exposure", "ocio", "tone", "backdrop",
+                        "compare", "wedge"});
     ProjectView out;
     if (node.has("shape")) {
       const std::string shape = node.at("shape").text();
@@ -79,12 +79,25 @@ class Reader {
     }
     if (node.has("tone")) {
       const auto tone = tone_named(node.at("tone").text());
-      if (!tone) node.at("tone").fail_type("plain, neutral or agx-like");
+      if (!tone) node.at("tone").fail_type("plain, neutral, agx-like or false-color");
       out.tone = *tone;
     }
+    if (node.has("backdrop")) backdrop(node.at("backdrop"), out);
     if (node.has("compare")) out.compare = comparison(node.at("compare"));
     if (node.has("wedge")) out.wedge = wedge(node.at("wedge"));
     return out;
+  }
+
+  static void backdrop(const JsonNode& node, ProjectView& out) {
+    node.expect_object({"color", "environment", "blur", "ground"});
+    if (node.has("color")) {
+      out.background = color(node.at("color"));
+      const LinearRgb& c = out.background;
+      if (std::min({c.r, c.g, c.b}) < 0) node.at("color").fail_type("numbers of at least 0");
+    }
+    if (node.has("environment")) out.backdrop.environment = node.at("environment").boolean();
+    if (node.has("blur")) out.backdrop.blur = ranged(node.at("blur"), 0, 1);
+    if (node.has("ground")) out.backdrop.ground = node.at("ground").boolean();
   }
 
   Comparison comparison(const JsonNode& node) const {
@@ -250,6 +263,13 @@ class Writer {
       if (!value->empty()) ocio.push_back({key, json(*value)});
     if (!ocio.empty()) members.push_back({"ocio", json_object(ocio, -1)});
     if (view.tone != Tone::plain) members.push_back({"tone", json(name(view.tone))});
+    if (const ProjectView plain; view.background != plain.background || view.backdrop != plain.backdrop) {
+      const std::vector<JsonMember> backdrop{{"color", color_json(view.background)},
+                                             {"environment", json(view.backdrop.environment)},
+                                             {"blur", json(view.backdrop.blur)},
+                                             {"ground", json(view.backdrop.ground)}};
+      members.push_back({"backdrop", json_object(backdrop, -1)});
+    }
     if (view.compare != Comparison{}) members.push_back({"compare", comparison(view.compare)});
     if (view.wedge != Wedge{}) {
       const std::vector<JsonMember> wedge{{"on", json(view.wedge.on)},

@@ -37,6 +37,13 @@ Image linear_small(const Image8& codes, int most_side) {
   return out;
 }
 
+// Sets the components of all texels to those of the first texel of `from`.
+void fill_channel(Image& map, const Image& from, std::size_t first, std::size_t last) {
+  const auto value = from.at(0, 0);
+  for (std::size_t i = 0; i < map.pixel_count(); ++i)
+    for (std::size_t c = first; c < last; ++c) map.values[4 * i + c] = value[c];
+}
+
 }  // namespace
 
 bool has_textures(const ProjectMaterial& material) {
@@ -75,15 +82,28 @@ SurfaceTextures surface_textures(const MaterialPair& pair, int most_side) {
   return {linear_small(pair.diffuse_alpha, most_side), linear_small(pair.specular_gloss, most_side)};
 }
 
-Image8 channel_picture(const MaterialPair& pair, Channel channel, int most_side) {
+SurfaceTextures with_numbers_of(const ProjectMaterial& material, const MaterialLibrary& library,
+                                const SurfaceTextures& read) {
+  ProjectMaterial plain = material;
+  plain.textures = {};
+  const PictureDoor no_pictures;
+  const SurfaceTextures numbers = surface_textures(pictures_of(plain, library, no_pictures), plain_side);
+  SurfaceTextures out = read;
+  if (!material.texture(Channel::diffuse)) fill_channel(out.body, numbers.body, 0, 3);
+  if (!material.texture(Channel::alpha)) fill_channel(out.body, numbers.body, 3, 4);
+  if (!material.texture(Channel::specular)) fill_channel(out.gloss, numbers.gloss, 0, 3);
+  if (!material.texture(Channel::gloss)) fill_channel(out.gloss, numbers.gloss, 3, 4);
+  return out;
+}
+
+Image8 channel_picture(const SurfaceTextures& textures, Channel channel) {
   const bool color = channel == Channel::diffuse || channel == Channel::specular;
-  const Image8& from =
-      channel == Channel::diffuse || channel == Channel::alpha ? pair.diffuse_alpha : pair.specular_gloss;
-  const Image small = linear_small(from, most_side);
-  Image8 out(small.width, small.height, 3);
-  for (int y = 0; y < small.height; ++y)
-    for (int x = 0; x < small.width; ++x) {
-      const auto in = small.at(x, y);
+  const Image& from =
+      channel == Channel::diffuse || channel == Channel::alpha ? textures.body : textures.gloss;
+  Image8 out(from.width, from.height, 3);
+  for (int y = 0; y < from.height; ++y)
+    for (int x = 0; x < from.width; ++x) {
+      const auto in = from.at(x, y);
       for (std::size_t c = 0; c < 3; ++c)
         out.at(x, y)[c] = color ? srgb_u8(static_cast<double>(in[c])) : to_code(in[3]);
     }

@@ -25,7 +25,13 @@ MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary&
 /// `most_side` texels.
 SurfaceTextures surface_textures(const MaterialPair& pair, int most_side);
 
-/// One channel of a pair as RGB codes to be shown (gloss and alpha as greys), made smaller in the same way.
-Image8 channel_picture(const MaterialPair& pair, Channel channel, int most_side);
+/// The same textures with other numbers: channels that have no picture are those of the material as it is now.
+/// No picture is read.
+///   read   surface_textures() of the material with the same pictures, alpha mode and cutoff
+SurfaceTextures with_numbers_of(const ProjectMaterial& material, const MaterialLibrary& library,
+                                const SurfaceTextures& read);
+
+/// One channel as RGB codes to be shown (gloss and alpha as greys).
+Image8 channel_picture(const SurfaceTextures& textures, Channel channel);
 
 }  // namespace etak

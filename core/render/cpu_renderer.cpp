@@ -9,6 +9,7 @@
 
 #include "core/base/parallel.h"
 #include "core/color/luminance.h"
+#include "core/render/backdrop.h"
 #include "core/render/camera.h"
 #include "core/render/display.h"
 #include "core/render/surface_textures.h"

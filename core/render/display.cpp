@@ -16,8 +16,10 @@ constexpr std::array<std::pair<Transfer, std::string_view>, 4> names{{{Transfer:
                                                                       {Transfer::power_045, "power-0.45"},
                                                                       {Transfer::square_root, "sqrt"},
                                                                       {Transfer::linear, "linear"}}};
-constexpr std::array<std::pair<Tone, std::string_view>, 3> tone_names{
-    {{Tone::plain, "plain"}, {Tone::neutral, "neutral"}, {Tone::agx_like, "agx-like"}}};
+constexpr std::array<std::pair<Tone, std::string_view>, 4> tone_names{{{Tone::plain, "plain"},
+                                                                       {Tone::neutral, "neutral"},
+                                                                       {Tone::agx_like, "agx-like"},
+                                                                       {Tone::false_color, "false-color"}}};
 
 template <class Names, class Value>
 std::string_view name_in(const Names& list, Value value) {
@@ -68,7 +70,7 @@ real decode(Transfer transfer, real y) {
 }
 }  // namespace f64
 
-// The tone curves need two of the functions of transfer.glsl.
+// The tone curves need two of the functions of transfer.glsl and one of marks.glsl.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 namespace f32 {
@@ -77,6 +79,10 @@ namespace f32 {
 #include "core/light/transfer.glsl"
 
 #include "core/light/tone.glsl"
+
+#include "core/light/marks.glsl"
+
+#include "core/light/false_color.glsl"
 // A pixel of four channels, exposed: what the display is to emit.
 vec3 toned(Tone tone, const float* pixel, float exposure) {
   const vec3 scene(pixel[0] * exposure, pixel[1] * exposure, pixel[2] * exposure);
@@ -85,6 +91,8 @@ vec3 toned(Tone tone, const float* pixel, float exposure) {
       return tone_neutral(scene);
     case Tone::agx_like:
       return tone_agx_like(scene);
+    case Tone::false_color:
+      return tone_false_color(scene);
     case Tone::plain:
       break;
   }

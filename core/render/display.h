@@ -14,7 +14,7 @@ namespace etak {
 std::string_view name(Transfer transfer);  // "srgb", "power-0.45", "sqrt", "linear"
 std::optional<Transfer> transfer_named(std::string_view text);
 
-std::string_view name(Tone tone);  // "plain", "neutral", "agx-like"
+std::string_view name(Tone tone);  // "plain", "neutral", "agx-like", "false-color"
 std::optional<Tone> tone_named(std::string_view text);
 
 /// The 8-bit codes of the first three channels of `picture`: the transfer curve of the tone curve of exposure x

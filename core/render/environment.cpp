@@ -23,6 +23,10 @@ constexpr int level_count = 9;
 // Prefiltering reads a map of at most this many columns: finer detail is smaller than the narrowest lobe
 // (e = 4096, about 5 degrees wide).
 constexpr int prefilter_width = 512;
+constexpr double widest_lobe_map = 256;
+// Of quick prefiltering, and of the picture of a studio that is prefiltered so.
+constexpr int quick_width = 128, quick_studio_width = 256;
+constexpr double widest_quick_map = 64;
 
 double luminance_at(const Image& map, int x, int y) {
   const float* rgb = map.at(x, y).data();
@@ -175,10 +179,11 @@ class LobeWeight {
   std::vector<double> values_;
 };
 
-Image lobe_map(const Image& map, double gloss, unsigned threads) {
+//   widest   columns of the result at most, a power of 2
+Image lobe_map(const Image& map, double gloss, double widest, unsigned threads) {
   const double e = exponent_of_gloss(gloss);
   // A pixel of the result spans half the width of the lobe, and a pixel of the summed map spans a quarter.
-  const double wanted = std::clamp(6.3 * std::sqrt(e), 32.0, 256.0);
+  const double wanted = std::clamp(6.3 * std::sqrt(e), 32.0, widest);
   const Image seen = at_most(map, static_cast<int>(std::min(2 * wanted, double(prefilter_width))));
   const Source source(seen);
   const LobeWeight weight(e);
@@ -190,7 +195,8 @@ Image lobe_map(const Image& map, double gloss, unsigned threads) {
 
 }  // namespace
 
-Environment::Environment(const Image& lat_long, double scale, const std::string& what, unsigned threads) {
+Environment::Environment(const Image& lat_long, double scale, const std::string& what, unsigned threads,
+                         Prefilter prefilter) {
   if (lat_long.channels < 3)
     throw Error::at(what, std::to_string(lat_long.channels) + " channels",
                     "an environment of red, green and blue");
@@ -213,14 +219,16 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
         map_.at(x, y)[c] = value;
       }
 
-  const Image seen = at_most(map_, prefilter_width);
+  if (map_.width > sharpest_width) smaller_map_ = at_most(map_, sharpest_width);
+  const bool quick = prefilter == Prefilter::quick;
+  const Image seen = at_most(map_, quick ? quick_width : prefilter_width);
   const Image coarse = at_most(seen, 128);
   const Source source(coarse);
   irradiance_ = filled(64, threads,
                        [&](const Vec3& n) { return gather(source, n, 0, [](double c) { return c; }).first; });
   for (int i = 0; i < level_count; ++i) {
     const double gloss = 1 - double(i) / (level_count - 1);
-    levels_.push_back({gloss, lobe_map(seen, gloss, threads)});
+    levels_.push_back({gloss, lobe_map(seen, gloss, quick ? widest_quick_map : widest_lobe_map, threads)});
   }
 
   // Every pixel gets a little of the mean as weight, because bilinear look-up finds light in black pixels
@@ -262,6 +270,22 @@ Vec3 Environment::specular(const Vec3& r, double gloss) const {
   const Vec3 dull = look_up(levels_[first + 1].map, place);
   Vec3 out{};
   for (std::size_t i = 0; i < 3; ++i) out[i] = sharp[i] * (1 - share) + dull[i] * share;
+  return out;
+}
+
+Environment::Blurred Environment::blurred(double blur) const {
+  const Image& picture = smaller_map_.values.empty() ? map_ : smaller_map_;
+  const double at = std::clamp(blur, 0.0, 1.0) * level_count;
+  const auto first = std::min(static_cast<std::size_t>(at), levels_.size() - 1);
+  return {first == 0 ? &picture : &levels_[first - 1].map, &levels_[first].map,
+          at - static_cast<double>(first)};
+}
+
+Vec3 Environment::Blurred::at(const Vec3& d) const {
+  const MapPlace place = place_of(d);
+  const Vec3 a = look_up(*sharp, place), b = look_up(*dull, place);
+  Vec3 out{};
+  for (std::size_t i = 0; i < 3; ++i) out[i] = a[i] * (1 - share) + b[i] * share;
   return out;
 }
 
@@ -317,6 +341,11 @@ KnownEnvironments& known_environments() {
   return known;
 }
 
+const Studio& studio_named(const std::string& name) {
+  if (const Studio* found = find_studio(name)) return *found;
+  throw Error::at(printable(name), "no studio", joined(named_studios(), ", ", &NamedStudio::name));
+}
+
 }  // namespace
 
 std::shared_ptr<const Environment> known_studio_environment(const std::string& name, double scale) {
@@ -326,17 +355,22 @@ std::shared_ptr<const Environment> known_studio_environment(const std::string& n
   return found == known.made.end() ? nullptr : found->second.lock();
 }
 
+std::shared_ptr<const Environment> quick_studio_environment(const std::string& name, double scale,
+                                                            unsigned threads) {
+  return std::make_shared<const Environment>(
+      environment_picture(studio_named(name), quick_studio_width, threads), scale, name, threads,
+      Environment::Prefilter::quick);
+}
+
 std::shared_ptr<const Environment> studio_environment(const std::string& name, double scale,
                                                       unsigned threads) {
-  const Studio* studio = find_studio(name);
-  if (studio == nullptr)
-    throw Error::at(printable(name), "no studio", joined(named_studios(), ", ", &NamedStudio::name));
+  const Studio& studio = studio_named(name);
   static std::mutex making;
   // Whoever asks for the same one meanwhile gets this one.
   const std::lock_guard one_at_a_time(making);
   if (auto out = known_studio_environment(name, scale)) return out;
   const auto out =
-      std::make_shared<const Environment>(environment_picture(*studio, 1024, threads), scale, name, threads);
+      std::make_shared<const Environment>(environment_picture(studio, 1024, threads), scale, name, threads);
   KnownEnvironments& known = known_environments();
   const std::lock_guard lock(known.guard);
   known.made[{name, scale}] = out;

@@ -27,11 +27,16 @@ namespace etak {
 ///                of reference.h measures the error of that
 class Environment {
  public:
+  /// How finely the prefiltered forms are made: quick ones blur details below 6 degrees, and take a hundredth
+  /// of the time.
+  enum class Prefilter { full, quick };
+
   /// Throws Error that names `what` for pictures of fewer than 3 channels, for sizes outside of 2 x 2 to
   /// 8192 x 4096, and for NaN, infinite or negative radiance.
   ///   scale     factor of the radiance, >= 0
   ///   threads   for prefiltering; the result is the same for any number
-  Environment(const Image& lat_long, double scale, const std::string& what, unsigned threads);
+  Environment(const Image& lat_long, double scale, const std::string& what, unsigned threads,
+              Prefilter prefilter = Prefilter::full);
 
   /// The radiance from direction `d` (a unit vector), bilinear between pixels.
   Vec3 radiance(const Vec3& d) const;
@@ -56,6 +61,17 @@ class Environment {
   };
   Between between(double gloss) const;
 
+  /// Two maps between which lies the environment as a backdrop shows it, and the weight of the duller one.
+  /// They live as long as the environment.
+  struct Blurred {
+    const Image *sharp, *dull;
+    double share;
+    Vec3 at(const Vec3& d) const;  // the radiance from direction `d`, a unit vector
+  };
+  ///   blur   [0, 1]: from the picture itself (at most sharpest_width columns of it) to the level of gloss 0
+  Blurred blurred(double blur) const;
+  static constexpr int sharpest_width = 2048;
+
   const Image& map() const { return map_; }
   const Image& irradiance_map() const { return irradiance_; }
   const std::vector<Level>& levels() const { return levels_; }  // from gloss 1 to gloss 0
@@ -67,6 +83,7 @@ class Environment {
 
  private:
   Image map_;
+  Image smaller_map_;  // empty where the map has no more than sharpest_width columns
   Image irradiance_;
   std::vector<Level> levels_;
   // Cumulated luminance over the rows, and in each row over its columns; the last sums are 1.
@@ -94,6 +111,10 @@ Image environment_picture(const Studio& studio, int width = 1024, unsigned threa
 /// somebody holds it; the one of studio_lights() stays. Throws Error for a name that is none.
 std::shared_ptr<const Environment> studio_environment(const std::string& name, double scale,
                                                       unsigned threads);
+
+/// The same at once, from a smaller picture and quickly prefiltered: to be shown until that is made.
+std::shared_ptr<const Environment> quick_studio_environment(const std::string& name, double scale,
+                                                            unsigned threads);
 
 /// The same where it has been made; null, at once, where it has not.
 std::shared_ptr<const Environment> known_studio_environment(const std::string& name, double scale);

@@ -16,7 +16,7 @@
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
 #include "core/fresnel/fresnel.h"
-#include "core/render/camera.h"
+#include "core/render/backdrop.h"
 #include "core/render/optics_grid.h"
 #include "core/spectrum/integration.h"
 
@@ -26,11 +26,18 @@ namespace {
 using std::numbers::pi;
 constexpr std::size_t fresnel_steps = 4096;
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"  // of dielectric.glsl only the form for one index is used
 namespace f64 {
 #include "core/math/real_f64.h"
 
+#include "core/fresnel/dielectric.glsl"
+
 #include "core/light/lights.glsl"
+
+#include "core/light/clear_ball.glsl"
 }  // namespace f64
+#pragma GCC diagnostic pop
 
 using etak::operator*;
 Vec3 operator+(const Vec3& a, const Vec3& b) {
@@ -184,9 +191,19 @@ class Shader {
     return reflectance(l, v) * radiance * (l[2] / pdf);
   }
 
-  // The light of the background that is seen through the object.
-  Vec3 through(double nv) const {
+  // The light that is seen through the object.
+  //   behind   radiance of the background at the pixel
+  Vec3 through(const Camera::Sight& sight, double nv, const Vec3& behind) const {
     if (scene_.surface.opacity >= 1) return {};
+    if (environment_ != nullptr && is_clear_ball(scene_)) {
+      const auto &n = sight.normal, &v = sight.viewer, &passing = *scene_.surface.passing;
+      const double eta = scene_.surface.n[1];
+      const f64::vec3 d = f64::beyond_ball({n[0], n[1], n[2]}, {v[0], v[1], v[2]}, eta),
+                      share = f64::through_ball(std::clamp(nv, 0.0, 1.0), eta,
+                                                {passing[0], passing[1], passing[2]});
+      const Vec3 light = environment_->specular(turn_.to_map({d.x, d.y, d.z}), double{scene_.surface.gloss});
+      return light * Vec3{share.x, share.y, share.z} * (1 - scene_.surface.opacity);
+    }
     double f = 0;
     if (fresnel_ != nullptr)
       f = luminance_of(fresnel_->at(nv));
@@ -194,7 +211,7 @@ class Shader {
       for (std::size_t c = 0; c < 3; ++c)
         f += luminance_weights<double>[c] *
              etak::f64::fresnel_exact(scene_.surface.n[c], scene_.surface.k[c], nv);
-    return scene_.background * ((1 - scene_.surface.opacity) * (1 - f));
+    return behind * ((1 - scene_.surface.opacity) * (1 - f));
   }
 
  private:
@@ -214,8 +231,8 @@ struct PixelSum {
   double square_error = 0;
 };
 
-PixelSum draw_pixel(const Scene& scene, const Camera& camera, const Shader& shader,
-                    const ReferenceOptions& options, int column, int row) {
+PixelSum draw_pixel(const Scene& scene, const Camera& camera, const SceneBackdrop& backdrop,
+                    const Shader& shader, const ReferenceOptions& options, int column, int row) {
   PixelSum out;
   const int side = options.samples_per_side;
   const auto pixel = static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(scene.width) +
@@ -225,7 +242,7 @@ PixelSum draw_pixel(const Scene& scene, const Camera& camera, const Shader& shad
   for (int i = 0; i < side * side; ++i) {
     const double x = camera.x(column + (i % side + 0.5) / side), y = camera.y(row + (i / side + 0.5) / side);
     if (!camera.meets(x, y)) {
-      out.color = out.color + scene.background;
+      out.color = out.color + backdrop.at(x, y);
       continue;
     }
     ++out.hits;
@@ -246,7 +263,7 @@ PixelSum draw_pixel(const Scene& scene, const Camera& camera, const Shader& shad
       }
       light = light + ambient * (1.0 / options.light_samples);
     }
-    out.color = out.color + light + shader.through(v[2]);
+    out.color = out.color + light + shader.through(sight, v[2], backdrop.at(x, y));
   }
   const double rays = double(side) * side;
   out.color = out.color * (1 / rays);
@@ -324,6 +341,7 @@ Reference render_reference(const Scene& scene, const Environment* environment,
   if (scene.surface.optics && scene.specular != nullptr) fresnel.emplace(*scene.surface.optics);
   const Shader shader(scene, environment, fresnel ? &*fresnel : nullptr);
   const Camera camera(scene);
+  const SceneBackdrop backdrop(scene, environment, camera);
   struct RowError {
     double squares = 0, worst = 0, pixels = 0;
   };
@@ -331,7 +349,7 @@ Reference render_reference(const Scene& scene, const Environment* environment,
   parallel_chunks(errors.size(), options.threads, 1, [&](std::size_t index, std::size_t, unsigned worker) {
     const int row = static_cast<int>(index);
     for (int column = 0; column < scene.width; ++column) {
-      const PixelSum pixel = draw_pixel(scene, camera, shader, options, column, row);
+      const PixelSum pixel = draw_pixel(scene, camera, backdrop, shader, options, column, row);
       const auto values = out.picture.at(column, row);
       for (std::size_t c = 0; c < 3; ++c) values[c] = static_cast<float>(pixel.color[c]);
       values[3] = static_cast<float>(pixel.hits);

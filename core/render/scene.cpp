@@ -204,6 +204,11 @@ FittedModels fit_models(const Model* specular, const Model* diffuse,
   return out;
 }
 
+bool is_clear_ball(const Scene& scene) {
+  return scene.shape == Shape::sphere && scene.textures == nullptr && scene.surface.passing.has_value() &&
+         scene.surface.opacity < 1;
+}
+
 void validate(const Scene& scene) {
   for (const int side : {scene.width, scene.height})
     require(side >= 1 && side <= max_image_side, "size", side, "1 to 16384 pixels on a side");
@@ -223,9 +228,13 @@ void validate(const Scene& scene) {
     require(surface.n[c] > 0 && surface.n[c] <= 1e4, "n", surface.n[c], "above 0, at most 1e4");
     require(surface.k[c] >= 0 && surface.k[c] <= 1e6, "k", surface.k[c], "0 to 1e6");
   }
+  if (surface.passing)
+    for (const double each : *surface.passing)
+      require(each > 0 && each <= 1, "share of light that passes", each, "above 0, at most 1");
   require_values(scene.specular, scene.specular_values);
   require_values(scene.diffuse, scene.diffuse_values);
   require_color(scene.background, "background");
+  require(scene.backdrop.blur >= 0 && scene.backdrop.blur <= 1, "blur", scene.backdrop.blur, "0 to 1");
   require(scene.exposure >= 0 && std::isfinite(scene.exposure), "exposure", scene.exposure,
           "a finite factor of at least 0");
   require(scene.field_of_view_deg >= 1 && scene.field_of_view_deg <= 170, "field of view",

@@ -27,13 +27,20 @@ struct SurfaceValues {
   // Schueler's g: e = 2^(12 g) and alpha = m = sqrt(2 / (e + 2)). Where a perceptual roughness was given,
   // alpha = roughness^2 and g is the nearest one.
   Gloss gloss = 0.75;
-  double opacity = 1;                      // alpha of the body
+  double opacity = 1;  // alpha of the body
+  // For clear bodies: what is left of D65 behind clear_ball_m of them, linear sRGB, above 0. A ball of that
+  // diameter bends its environment; where there is none, and on a quad, the background is seen unbent.
+  std::optional<Vec3> passing;
   std::optional<OpticalConstants> optics;  // for the spectral reference; none: n and k as given
   // The larger of the differences between f0 and the F0 of n, k and between f82 and the F82 of n, k. An F0
   // above 1 has no n and k.
   Vec3 nk_residual{0, 0, 0};
   friend bool operator==(const SurfaceValues&, const SurfaceValues&) = default;
 };
+
+/// The diameter in metres of the sphere, where a body is clear and its size decides how much it absorbs: a
+/// marble.
+inline constexpr double clear_ball_m = 0.02;
 
 /// The surface of a library material. F0, F82 and n, k for each channel come from its spectrum. The diffuse
 /// colour is black for conductors and semiconductors, and `diffuse` for dielectrics. For materials of kind
@@ -112,7 +119,19 @@ struct SurfaceTextures {
 enum class Shape { sphere, quad };
 enum class Transfer { srgb, power_045, square_root, linear };
 /// What is done to exposed light before the transfer: core/light/tone.glsl.
-enum class Tone { plain, neutral, agx_like };
+enum class Tone { plain, neutral, agx_like, false_color };
+
+/// What is seen beside and below the object.
+///   environment   the environment instead of the background's colour, as from a camera whose rays part: in
+///                 orthographic pictures one backdrop_distance away
+///   blur          of the environment, [0, 1]: as it is, to as dull as it is mirrored at gloss 0
+///   ground        a sphere lies on a level ground, which shows its shadow alone (core/light/ground.glsl)
+struct Backdrop {
+  bool environment = false;
+  double blur = 0.3;
+  bool ground = false;
+  friend bool operator==(const Backdrop&, const Backdrop&) = default;
+};
 
 /// The contents of a picture: one object, its models, the light and the camera. The CPU and OpenGL draw it by
 /// the same rules:
@@ -129,7 +148,10 @@ enum class Tone { plain, neutral, agx_like };
 ///   light         sum of f_r E nl, times pi where `pi_scaled`; hemispheres and environment use diffuse, f0
 ///                 and gloss of `surface`
 ///   opacity < 1   specular + opacity * diffuse + (1 - opacity)(1 - F(nv)) * background, where F is
-///                 Schueler's of the luminance of surface.f0; specular is never multiplied by opacity
+///                 Schueler's of the luminance of surface.f0; specular is never multiplied by opacity. A
+///                 sphere with `passing` shows instead of the background the environment through itself
+///                 (core/light/clear_ball.glsl, with n of green), prefiltered for its gloss
+///   backdrop      background is that of the pixel's ray, where a backdrop is asked for (backdrop.h)
 ///   stripes       over the object, 6 pixels wide at 45 degrees: 0.6 of their colour is magenta (zone) or,
 ///                 with the other slant, yellow (energy), bright enough to show under the exposure. With
 ///                 textures both are decided for each pixel, and energy stripes show where diffuse colour
@@ -156,12 +178,16 @@ struct Scene {
   Tone tone = Tone::plain;
   Transfer transfer = Transfer::srgb;
   Vec3 background{0.18, 0.18, 0.18};  // linear
+  Backdrop backdrop;
   int width = 512, height = 512;
 };
 
 /// The values of the scene's specular model. In a model of kind both, the diffuse colour is multiplied by the
 /// surface's opacity, since every model is linear in it; nothing else is ever multiplied by opacity.
 std::vector<double> seen_specular_values(const Scene& scene);
+
+/// Whether the surface is a sphere of a clear body that is not opaque. In an environment it bends the view.
+bool is_clear_ball(const Scene& scene);
 
 /// Throws Error for scenes that cannot be drawn: sides outside of 1..16384 pixels, NaN, n <= 0, k < 0, lists
 /// of values that do not fit their models, no model at all, a light setup that validate() of

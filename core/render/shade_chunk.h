@@ -236,6 +236,23 @@ void add_environment(Chunk& c, const Environment& environment, const Environment
   }
 }
 
+// Adds the light of the environment that comes through a clear ball.
+//   opacity   of its body
+void add_clear_ball(Chunk& c, const Environment& environment, const EnvironmentTurn& turn, real lobe_gloss,
+                    real opacity, real eta, const vec3& passing) {
+  for (std::size_t i = 0; i < c.count; ++i) {
+    const vec3 n(c.normal[0][i], c.normal[1][i], c.normal[2][i]);
+    const vec3 d = beyond_ball(n, vec3(c.viewer[0][i], c.viewer[1][i], c.viewer[2][i]), eta);
+    const Vec3 light = environment.specular(turn.to_map({d.x, d.y, d.z}), double(lobe_gloss));
+    const real nv = clamp(c.local_viewer[2][i], real(0), real(1));
+    const vec3 share = (1 - opacity) * through_ball(nv, eta, passing);
+    c.specular[0][i] += share.x * real(light[0]);
+    c.specular[1][i] += share.y * real(light[1]);
+    c.specular[2][i] += share.z * real(light[2]);
+    c.through[i] = 0;
+  }
+}
+
 void see_through(Chunk& c, real opacity, real luminance) {
   for (std::size_t i = 0; i < c.count; ++i)
     c.through[i] = 1 - fresnel_opacity(opacity, luminance, c.local_viewer[2][i]);

@@ -11,6 +11,7 @@ struct Shading {
   const Scene& scene;
   const Environment* environment;
   Camera camera;
+  SceneBackdrop backdrop;
   EnvironmentTurn turn;
   // The models; null where a model gives no light.
   const Model* specular;
@@ -22,11 +23,13 @@ struct Shading {
   bool far = false;  // the viewer is at infinity, and the models have loops for directional lights
   double f0_luminance;
   bool in_zone = false;
+  bool clear_ball;
 
   Shading(const Scene& s, const Environment* e)
       : scene(s),
         environment(e),
         camera(s),
+        backdrop(s, e, camera),
         turn(s.environment_turn_deg),
         specular(s.specular),
         diffuse(s.diffuse),
@@ -43,6 +46,7 @@ struct Shading {
     needs_viewers = s.lights.hemispheres.has_value() || e != nullptr || camera.turned();
     const Vec3& viewer = camera.axes()[2];
     const double scale = s.lights.pi_scaled ? std::numbers::pi : 1;
+    clear_ball = is_clear_ball(s) && e != nullptr;
     in_zone = zone_of(f0_luminance) == Zone::inside;
     far = !camera.perspective() && has_far_respond && !s.textures;
     for (const Model* model : {specular, diffuse}) far = far && (model == nullptr || model->has_far_loop());
@@ -142,7 +146,7 @@ void shade(const Shading& shading, Chunk& c) {
   build_frames(c, !shading.camera.perspective() && !shading.camera.turned());
   const bool with_specular = shading.specular != nullptr;
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    if (with_specular) c.specular[channel].fill(count, 0);
+    if (with_specular || shading.clear_ball) c.specular[channel].fill(count, 0);
     if (shading.with_diffuse) c.diffuse[channel].fill(count, 0);
   }
   for (const ChunkLight& light : shading.lights) {
@@ -191,6 +195,9 @@ void shade(const Shading& shading, Chunk& c) {
   }
   if (textured)
     see_through_texture(c);
+  else if (shading.clear_ball)
+    add_clear_ball(c, *shading.environment, shading.turn, gloss, real(scene.surface.opacity),
+                   real(scene.surface.n[1]), narrowed(*scene.surface.passing));
   else if (scene.surface.opacity < 1)
     see_through(c, real(scene.surface.opacity), real(shading.f0_luminance));
 }
@@ -225,8 +232,9 @@ void store(const Shading& shading, const Piece& piece, const Chunk& c, float* ro
   const Camera& camera = shading.camera;
   const bool textured = scene.textures != nullptr;  // its body is already multiplied by opacity
   const real opacity = textured ? real(1) : real(scene.surface.opacity);
-  const vec3 behind = narrowed(scene.background);
-  const bool clear = textured || opacity < 1;
+  vec3 behind = narrowed(scene.background);
+  const bool plain = shading.backdrop.is_plain();
+  const bool clear = (textured || opacity < 1) && !shading.clear_ball;
   const bool marked = scene.mark_zone || !scene.mark_energy.empty();
   std::size_t whole_first = c.count, whole_last = c.count;
   if (!clear && !marked) {
@@ -237,6 +245,8 @@ void store(const Shading& shading, const Piece& piece, const Chunk& c, float* ro
   for (std::size_t i = 0; i < c.count; ++i) {
     if (i == whole_first) i = whole_last;
     if (i >= c.count) break;
+    const double x = camera.x(piece.first + static_cast<int>(i) + 0.5), y = camera.y(piece.row + 0.5);
+    if (!plain) behind = narrowed(shading.backdrop.at(x, y));
     vec3 seen(c.specular[0][i], c.specular[1][i], c.specular[2][i]);
     seen = seen + opacity * vec3(c.diffuse[0][i], c.diffuse[1][i], c.diffuse[2][i]);
     if (clear) seen = seen + behind * c.through[i];
@@ -245,14 +255,31 @@ void store(const Shading& shading, const Piece& piece, const Chunk& c, float* ro
       const real column = real(piece.first + static_cast<int>(i)), down = real(piece.row);
       seen = with_stripes(seen, marks.zone, marks.energy, column, down, real(scene.exposure));
     }
-    const real cover =
-        real(camera.coverage(camera.x(piece.first + static_cast<int>(i) + 0.5), camera.y(piece.row + 0.5)));
+    const real cover = real(camera.coverage(x, y));
     const vec3 shown = mix(behind, seen, cover);
     float* const out = row + 4 * i;
     out[0] = float(shown.x);
     out[1] = float(shown.y);
     out[2] = float(shown.z);
     out[3] = float(cover);
+  }
+}
+
+// Draws the columns [first, last) of a row, which the object does not cover.
+template <class Target>
+void draw_beside(const Shading& shading, int first, int last, int row, const Target& target) {
+  if (shading.backdrop.is_plain()) return target.clear(first, last, row);
+  const double y = shading.camera.y(row + 0.5);
+  for (int x = first; x < last; x += static_cast<int>(chunk_size)) {
+    const std::size_t count = std::min(chunk_size, static_cast<std::size_t>(last - x));
+    target.put(x, row, count, [&](float* pixels) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 seen = shading.backdrop.at(shading.camera.x(x + static_cast<int>(i) + 0.5), y);
+        for (std::size_t channel = 0; channel < 3; ++channel)
+          pixels[4 * i + channel] = static_cast<float>(seen[channel]);
+        pixels[4 * i + 3] = 0;
+      }
+    });
   }
 }
 
@@ -263,7 +290,7 @@ void draw(const Scene& scene, const Environment* environment, unsigned threads, 
   const Shading shading(scene, environment);
   const auto draw_row = [&](int row, Chunk& c) {
     const Camera::Span span = shading.camera.covered(row), whole = shading.camera.whole(row);
-    target.clear(0, span.first, row);
+    draw_beside(shading, 0, span.first, row, target);
     for (int x = span.first; x < span.last; x += static_cast<int>(c.count)) {
       c.count = std::min(chunk_size, static_cast<std::size_t>(span.last - x));
       c.whole_blocks = (c.count + block - 1) / block * block;
@@ -273,7 +300,7 @@ void draw(const Scene& scene, const Environment* environment, unsigned threads, 
       shade(shading, c);
       target.put(x, row, c.count, [&](float* pixels) { store(shading, piece, c, pixels); });
     }
-    target.clear(span.last, scene.width, row);
+    draw_beside(shading, span.last, scene.width, row, target);
   };
   std::vector<std::unique_ptr<Chunk>> chunks(threads);
   parallel_chunks(static_cast<std::size_t>(scene.height), threads, tile_rows,

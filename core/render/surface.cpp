@@ -30,6 +30,17 @@ Vec3 log_n_hint(const OpticalConstants& optics, std::string_view what) {
   return out;
 }
 
+// Beer's law for each channel, from the depth for which the colour is known to the diameter of the ball.
+Vec3 passing_of(const Clarity& body) {
+  constexpr double least = 1e-6;
+  Vec3 out = vec(body.color);
+  for (double& each : out)
+    each = body.depth_m > 0
+               ? std::clamp(std::pow(std::max(each, least), clear_ball_m / body.depth_m), least, 1.0)
+               : 1;
+  return out;
+}
+
 }  // namespace
 
 GridIndex grid_index(const OpticalConstants& optics, std::string_view what) {
@@ -101,6 +112,8 @@ SurfaceValues surface_of(const Material& material, const Dataset& dataset, const
     }
   }
   solve_index(out, hint);
+  if (diffuse == Vec3{0, 0, 0})
+    if (const Clarity body = clarity(material, dataset); body.clear) out.passing = passing_of(body);
   return out;
 }
 

@@ -23,6 +23,7 @@ Scene frame_of(const ViewState& state, int width, int height) {
   out.environment_turn_deg = state.environment_turn_deg;
   out.exposure = state.exposure;
   out.background = state.background;
+  out.backdrop = state.backdrop;
   out.tone = state.plain_display() ? state.tone : Tone::plain;
   out.mark_zone = state.zone_overlay;
   out.view = state.camera;

@@ -42,6 +42,7 @@ struct ViewState {
   Tone tone = Tone::plain;
   bool zone_overlay = false, energy_overlay = false;
   Vec3 background{0.18, 0.18, 0.18};  // linear
+  Backdrop backdrop;
   friend bool operator==(const ViewState&, const ViewState&) = default;
 
   bool plain_display() const { return ocio_config.empty() && ocio_display.empty() && ocio_view.empty(); }

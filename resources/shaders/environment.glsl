@@ -24,6 +24,15 @@ vec3 environment_specular(vec3 r) {
   return mix(lat_long(environment_sharp, r), lat_long(environment_dull, r), environment_share);
 }
 
+// What is seen behind the object: two maps between which the blur lies, and the share of the duller one.
+uniform sampler2D backdrop_sharp;
+uniform sampler2D backdrop_dull;
+uniform float backdrop_share;
+
+vec3 environment_behind(vec3 d) {
+  return mix(lat_long(backdrop_sharp, d), lat_long(backdrop_dull, d), backdrop_share);
+}
+
 // To the map of an environment that is turned around y.
 //   turn   cosine and sine
 vec3 turned_to_map(vec3 d, vec2 turn) {

@@ -126,7 +126,32 @@ std::vector<Variant> variants(const Model& model) {
     out.push_back({transfer == Transfer::power_045 ? "power-0.45" : "square-root", full_scene(model)});
     out.back().scene.transfer = transfer;
   }
-  for (const Tone tone : {Tone::neutral, Tone::agx_like}) {
+  const auto changed = [&](const char* name, auto change) {
+    for (const bool view : {false, true}) {
+      out.push_back({std::string(name) + (view ? "-turned" : ""), full_scene(model)});
+      change(out.back().scene);
+      if (view) out.back().scene.view = View{30, 20, 0.2, -0.1, 0.8};
+    }
+  };
+  changed("backdrop", [](Scene& s) { s.backdrop = {true, 0.25, false}; });
+  changed("sharp-backdrop", [](Scene& s) { s.backdrop = {true, 0, false}; });
+  changed("backdrop-and-ground", [](Scene& s) { s.backdrop = {true, 0.5, true}; });
+  changed("ground", [](Scene& s) {
+    s.backdrop.ground = true;
+    s.perspective = false;
+  });
+  changed("clear-ball", [](Scene& s) {
+    s.surface.n = {1.5, 1.5, 1.5};
+    s.surface.passing = Vec3{0.9, 0.6, 0.99};
+  });
+  changed("clear-ball-alone", [](Scene& s) {
+    s.surface.passing = Vec3{1, 1, 1};
+    s.surface.opacity = 0;
+    s.perspective = false;
+    s.lights.lights.clear();
+    s.lights.hemispheres.reset();
+  });
+  for (const Tone tone : {Tone::neutral, Tone::agx_like, Tone::false_color}) {
     out.push_back({"tone-" + std::string(name(tone)), full_scene(model)});
     out.back().scene.tone = tone;
   }

@@ -90,7 +90,7 @@ class EditorDrops : public QObject {
     write(file, hdr);
     const LightSetup before = window->document().project().view.lights;
     const auto seen = [&] { return window->viewport().state().environment; };
-    QVERIFY(QTest::qWaitFor([&] { return seen() != nullptr; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return seen() != nullptr && !window->is_busy(); }, 20000));
     const auto standard = seen();
     for (QWidget* target :
          {static_cast<QWidget*>(&window->viewport()), static_cast<QWidget*>(window.window.get())}) {

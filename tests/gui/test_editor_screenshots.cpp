@@ -2,7 +2,7 @@
 // Pictures of the editor's states, for people to look at. The test checks what a program can check: the sizes
 // are right, and no text of a control is cut. The environment of the process sets scale (QT_SCALE_FACTOR) and
 // OpenGL. As a test, every state is drawn once, in one theme or the other, and few of them at 2x and without
-// OpenGL. ./dev screenshots sets ETAK_SCREENSHOTS=all, which draws all states in both themes and two sizes.
+// OpenGL. ./dev screenshots sets ETAK_SCREENSHOTS=all, which draws all states in both themes and three sizes.
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDir>
@@ -86,7 +86,8 @@ class EditorScreenshots : public QObject {
     const QStringList states = !all && (no_gl || scale() > 1) ? few : screenshot_states();
     for (const QString& state : states)
       for (const QString& theme : {QStringLiteral("dark"), QStringLiteral("light")})
-        for (const QSize& size : {QSize(1280, 800), QSize(2560, 1440)}) {
+        for (const QSize& size : {QSize(1280, 800), QSize(1920, 1080), QSize(2560, 1440)}) {
+          if (!all && size.width() == 1920) continue;
           const bool main = state == QLatin1String("default"), large = size.width() > 2000;
           const bool own_theme = (theme == QLatin1String("dark")) == (states.indexOf(state) % 2 == 0);
           if (!all && (large ? !main || !own_theme : !main && !own_theme)) continue;

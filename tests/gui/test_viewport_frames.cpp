@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints frame times of the OpenGL viewport at 900 x 900 under three lights.
+// Prints frame times of the OpenGL viewport: at 900 x 900 under three lights, and at two sizes in the studio.
 #include <QtTest>
 #include <algorithm>
 #include <ctime>
+#include <functional>
 
 #include "tests/gui/gui_test.h"
 #include "tests/gui/view_states.h"
@@ -61,6 +62,81 @@ class ViewportFrames : public QObject {
     }
     // There is no limit here, because a busy machine would exceed it. On two free cores 33 ms are wanted.
     qInfo("slowest: %.1f ms by the clock or by half the processor time, whichever is less", worst);
+  }
+
+  void gold_and_glass_in_the_studio() {
+    const auto studio = studio_environment("studio", studio_lights().environment_scale, 2);
+    for (const QSize& size : {QSize(900, 900), QSize(1920, 1080)})
+      for (const bool clear : {false, true})
+        for (const bool backdrop : {false, true}) {
+          Viewport viewport;
+          viewport.resize(size);
+          ViewState state = gold_state();
+          state.lights = studio_lights();
+          state.environment = studio;
+          state.backdrop = {backdrop, 0.3, backdrop};
+          if (clear) {
+            state.a.surface.f0 = {0.04, 0.04, 0.04};
+            state.a.surface.gloss = 1;
+            state.a.surface.opacity = 0;
+            state.a.surface.passing = Vec3{1, 1, 1};
+          }
+          viewport.set_state(state);
+          viewport.show();
+          QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+          if (!viewport.uses_gl())
+            QSKIP(qPrintable("skipped: no OpenGL here: " + viewport.fallback_reason()));
+          QTRY_VERIFY_WITH_TIMEOUT(!viewport.is_drawing() && viewport.frame_ms() > 0, patience_ms);
+          const auto name = QStringLiteral("%1 x %2, %3%4")
+                                .arg(size.width())
+                                .arg(size.height())
+                                .arg(clear ? QStringLiteral("glass") : QStringLiteral("gold"))
+                                .arg(backdrop ? QStringLiteral(", backdrop and ground") : QString());
+          const Times still = times_of(viewport, [&](int i) {
+            state.environment_turn_deg = i + 1;
+            viewport.set_state(state);
+          });
+          QTest::mousePress(&viewport, Qt::LeftButton, {}, viewport.rect().center());
+          const Times moving = times_of(viewport, [&](int i) {
+            const QPointF at = viewport.rect().center() + QPointF(2 * i + 2, i % 3);
+            QMouseEvent move(QEvent::MouseMove, at, viewport.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                             Qt::NoModifier);
+            QCoreApplication::sendEvent(&viewport, &move);
+          });
+          QTest::mouseRelease(&viewport, Qt::LeftButton, {}, viewport.rect().center());
+          QVERIFY(still.median > 0);
+          QVERIFY(moving.median > 0);
+          qInfo(
+              "%-40s whole frames %5.1f ms least, %5.1f median, %5.1f of processors; while moving %5.1f, "
+              "%5.1f, "
+              "%5.1f",
+              qPrintable(name), still.least, still.median, still.work, moving.least, moving.median,
+              moving.work);
+        }
+  }
+
+ private:
+  struct Times {
+    double least = 0, median = 0, work = 0;
+  };
+  // Of frames that `change` asks for; `work` is the median of what all processors did for one.
+  static Times times_of(Viewport& viewport, const std::function<void(int)>& change) {
+    constexpr int frames = 25, warm = 3;
+    std::vector<double> times, work;
+    QSignalSpy drawn(&viewport, &Viewport::frame_drawn);
+    for (int i = 0; i < frames + warm; ++i) {
+      drawn.clear();
+      const double before = process_seconds();
+      change(i);
+      if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !viewport.is_drawing(); }, patience_ms))
+        return {};
+      if (i < warm) continue;
+      times.push_back(viewport.frame_ms());
+      work.push_back(1e3 * (process_seconds() - before));
+    }
+    std::sort(times.begin(), times.end());
+    std::sort(work.begin(), work.end());
+    return {times.front(), times[frames / 2], work[frames / 2]};
   }
 };
 

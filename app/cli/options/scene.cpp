@@ -107,7 +107,7 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
   SurfaceValues blank;
   const std::optional<Gloss> given = given_gloss(arguments.rough);
   if (given) blank.gloss = *given;
-  blank.opacity = arguments.opacity;
+  blank.opacity = arguments.opacity.value_or(1);
   if (!arguments.diffuse.empty())
     blank.diffuse = {arguments.diffuse[0], arguments.diffuse[1], arguments.diffuse[2]};
   for (const double value : blank.diffuse)
@@ -142,11 +142,10 @@ SurfaceValues surface_from(SceneArguments& arguments, SceneNotes& notes) {
                                                    : ""));
   }
   SurfaceValues out = surface_of(material, dataset, blank.diffuse, blank.gloss);
-  out.opacity = blank.opacity;
-  if (clear && out.opacity == 1)
-    notes.remarks.push_back(
-        "the body of " + material.id + " is clear (" + body.reason +
-        ") and is not drawn: its surface's reflection is; --opacity 0 lets the background through");
+  out.opacity = arguments.opacity.value_or(clear ? 0 : 1);
+  if (clear && !arguments.opacity)
+    notes.remarks.push_back("the body of " + material.id + " is clear (" + body.reason +
+                            "): what is behind it is seen through it; --opacity 1 draws its surface alone");
   if (!gives_f0(material.material_class))
     notes.remarks.push_back(total_reflectance_remark({to_rgb(out.diffuse), to_rgb(out.f0)}));
   if (!dielectric && !arguments.diffuse.empty())
@@ -238,7 +237,7 @@ Scene scene_of(SceneArguments& arguments, SceneNotes& notes) {
     throw Error::at("--transfer", printable(arguments.transfer), "srgb, power-0.45, sqrt or linear");
   scene.transfer = *transfer;
   const auto tone = tone_named(arguments.tone);
-  if (!tone) throw Error::at("--tone", printable(arguments.tone), "plain, neutral or agx-like");
+  if (!tone) throw Error::at("--tone", printable(arguments.tone), "plain, neutral, agx-like or false-color");
   scene.tone = *tone;
   scene.exposure = arguments.exposure;
   scene.shape = arguments.quad ? Shape::quad : Shape::sphere;
@@ -282,7 +281,7 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
       .one_at_a_time();
   rgb("--diffuse", arguments.diffuse, "diffuse colour, linear; conductors and semiconductors stay black");
   add_roughness_options(verb, arguments.rough, "of the surface");
-  verb.option("--opacity", arguments.opacity, "of the body, 0 to 1").show_default();
+  verb.option("--opacity", arguments.opacity, "of the body, 0 to 1").show_default("1, of clear bodies 0");
   verb.option("--lights", arguments.lights,
               "light setup, or sources: three lights and two hemispheres; default the studio and two flashes")
       .reads_file()
@@ -303,7 +302,7 @@ void add_scene_options(Command verb, SceneArguments& arguments) {
       .words({"srgb", "power-0.45", "sqrt", "linear"})
       .show_default();
   verb.option("--tone", arguments.tone, "tone curve before --transfer; neutral is Khronos PBR Neutral")
-      .words({"plain", "neutral", "agx-like"})
+      .words({"plain", "neutral", "agx-like", "false-color"})
       .show_default();
   add_library_options(verb, arguments.library);
 }

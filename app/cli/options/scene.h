@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct SceneArguments {
   std::vector<std::string> set;
   std::vector<double> diffuse, background;
   RoughnessArguments rough;
-  double opacity = 1, exposure = 1, field_of_view = 30;
+  std::optional<double> opacity;  // none: 1, and 0 of clear bodies
+  double exposure = 1, field_of_view = 30;
   std::string lights, environment, tone = "plain", transfer = "srgb", size = "512";
   bool quad = false, perspective = false;
   LightSetup (*standard_lights)() = default_lights;  // where nothing is said

@@ -56,6 +56,8 @@ ViewState view_state_of(const Document& document, const Look& look,
   out.ocio_display = view.display;
   out.ocio_view = view.view;
   out.tone = view.tone;
+  out.background = vec(view.background);
+  out.backdrop = view.backdrop;
   out.zone_overlay = look.zone_overlay;
   out.energy_overlay = look.energy_overlay;
   return out;

@@ -14,7 +14,7 @@ namespace etak::editor {
 namespace {
 
 // Part of the names of the files. It changes when the pictures change, so that older files are not used.
-constexpr const char* make = "etak-thumbnail-2";
+constexpr const char* make = "etak-thumbnail-3";
 constexpr int most_pictures = 4000;
 
 QImage drawn(const SurfaceValues& surface, Shape shape, int side) {

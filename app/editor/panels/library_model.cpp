@@ -8,6 +8,7 @@
 #include "app/viewport/qt_text.h"
 #include "app/viewport/viewport.h"
 #include "core/base/error.h"
+#include "core/material/appearance.h"
 #include "core/material/json.h"
 #include "core/material/quality.h"
 
@@ -32,6 +33,15 @@ QPixmap with_dot(QPixmap picture) {
   painter.setBrush(QColor(240, 180, 60));
   painter.drawEllipse(QPointF(side * 0.92, side * 0.08), side * 0.05, side * 0.05);
   return picture;
+}
+
+// All alike in gloss, but for clear bodies, through which little would be seen.
+SurfaceValues shown_surface(const Material& m) {
+  const bool clear = clarity(m, m.preferred_dataset()).clear;
+  const Vec3 diffuse = clear ? Vec3{0, 0, 0} : Vec3{0.25, 0.25, 0.25};
+  SurfaceValues out = surface_of(m, m.preferred_dataset(), diffuse, clear ? 1 : 0.7);
+  if (clear) out.opacity = 0;
+  return out;
 }
 
 }  // namespace
@@ -124,10 +134,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
           return *material;
         };
         return Thumbnails::Subject{[find] { return format_material(find()); },
-                                   [find] {
-                                     const Material m = find();
-                                     return surface_of(m, m.preferred_dataset(), {0.25, 0.25, 0.25}, 0.7);
-                                   }};
+                                   [find] { return shown_surface(find()); }};
       };
       const QPixmap picture = thumbnails_.get(row.id, shape_, side_, ratio_, subject);
       if (!picture.isNull()) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/panels/light_panel.h"
 
+#include <QButtonGroup>
 #include <QCheckBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QImage>
+#include <QPixmap>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -15,11 +18,14 @@
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
 #include "core/light/studio.h"
+#include "core/render/display.h"
+#include "core/render/environment.h"
 
 namespace etak::editor {
 namespace {
 
 constexpr std::array kinds{LightKind::point, LightKind::directional, LightKind::spot};
+constexpr QSize icon_size(54, 27);
 constexpr std::array forms{HemisphereForm::corrected, HemisphereForm::wide, HemisphereForm::printed};
 
 LinearRgb rgb(const Vec3& v) {
@@ -43,6 +49,17 @@ QWidget* three_boxes(const QString& name, const QString& tip, std::array<FineSpi
     row->addWidget(boxes[i]);
   }
   return out;
+}
+
+// A small lat-long picture of a studio, with pixels enough for twice the scale.
+QIcon studio_icon(const Studio& studio) {
+  const Image8 codes =
+      to_codes(environment_picture(studio, 2 * icon_size.width()), 1, Transfer::srgb, Tone::agx_like);
+  QImage out(codes.width, codes.height, QImage::Format_RGB888);
+  for (int y = 0; y < codes.height; ++y)
+    std::copy_n(codes.at(0, y).data(), std::size_t{3} * static_cast<std::size_t>(codes.width),
+                out.scanLine(y));
+  return QIcon(QPixmap::fromImage(out));
 }
 
 }  // namespace
@@ -236,6 +253,43 @@ Section* LightPanel::make_hemispheres() {
   return out;
 }
 
+// The computed environments as pictures. The one that lights the scene is pressed; where it is a file or none,
+// no button is.
+QWidget* LightPanel::make_strip() {
+  auto* out = new QWidget(this);
+  out->setAccessibleName(tr("Computed environments"));
+  auto* row = new QHBoxLayout(out);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2);
+  strip_ = new QButtonGroup(this);
+  strip_->setExclusive(false);
+  for (const NamedStudio& each : named_studios()) {
+    auto* button = new QToolButton(out);
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    button->setIconSize(icon_size);
+    button->setToolTip(tr("%1: %2").arg(qt_text(each.name), qt_text(each.title)));
+    button->setAccessibleName(tr("Environment %1").arg(qt_text(each.name)));
+    row->addWidget(button);
+    strip_->addButton(button);
+    connect(button, &QToolButton::clicked, this, [this, name = std::string(each.name)] {
+      edit_lights(tr("environment"), next_press_id(), [&](LightSetup& l) { choose_environment(l, name); });
+      show_view();  // a button that was pressed already stays so
+    });
+  }
+  row->addStretch(1);
+  return out;
+}
+
+// The pictures of the strip are drawn when they are seen first, not while the program starts.
+void LightPanel::showEvent(QShowEvent* event) {
+  PanelScroll::showEvent(event);
+  const QList<QAbstractButton*> buttons = strip_->buttons();
+  if (!buttons.front()->icon().isNull()) return;
+  for (qsizetype i = 0; i < buttons.size(); ++i)
+    buttons[i]->setIcon(studio_icon(named_studios()[static_cast<std::size_t>(i)].studio));
+}
+
 Section* LightPanel::make_environment() {
   auto* out = new Section(tr("Environment"), this);
   environment_ = new QuietComboBox(tr("Environment picture"), out);
@@ -251,6 +305,7 @@ Section* LightPanel::make_environment() {
   turn_->setToolTip(tr("Turn of the environment about the upright axis, in degrees"));
   auto* open = new QPushButton(tr("Open a lat-long HDR or EXR\u2026"), out);
   open->setAccessibleName(tr("Open an environment picture"));
+  out->add(make_strip());
   out->add(tr("Picture"), environment_);
   out->add(open);
   out->add(tr("Scale"), scale_);
@@ -340,6 +395,8 @@ void LightPanel::show_view() {
   if (environment_->findData(environment) < 0)
     environment_->addItem(environment.section(QLatin1Char('/'), -1), environment);
   environment_->setCurrentIndex(environment_->findData(environment));
+  for (std::size_t i = 0; i < named_studios().size(); ++i)
+    strip_->buttons()[static_cast<qsizetype>(i)]->setChecked(named_studios()[i].name == lights.environment);
   scale_->show_value(lights.environment_scale);
   turn_->show_value(view.environment_turn_deg);
   pi_scaled_->setChecked(lights.pi_scaled);

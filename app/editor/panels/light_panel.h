@@ -4,6 +4,7 @@
 #include "app/editor/document/document.h"
 #include "app/editor/panels/sections.h"
 
+class QButtonGroup;
 class QCheckBox;
 
 namespace etak::editor {
@@ -19,11 +20,15 @@ class LightPanel : public PanelScroll {
  public:
   explicit LightPanel(Document& document, QWidget* parent = nullptr);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   Section* make_light();
   void connect_light();
   Section* make_hemispheres();
   Section* make_environment();
+  QWidget* make_strip();
   void show_view();
   void edit_light(const QString& what, int press_id, const std::function<void(Light&)>& change);
   void edit_lights(const QString& what, int press_id, const std::function<void(LightSetup&)>& change);
@@ -35,6 +40,7 @@ class LightPanel : public PanelScroll {
               *turn_ = nullptr;
   std::array<FineSpinBox*, 3> position_{}, direction_{}, axis_{};
   QCheckBox *hemispheres_ = nullptr, *pi_scaled_ = nullptr;
+  QButtonGroup* strip_ = nullptr;
   bool showing_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 #include <cmath>
+#include <filesystem>
 
 #include "app/editor/panels/sections.h"
 #include "app/viewport/background.h"
@@ -21,26 +22,83 @@ namespace {
 constexpr int most_side = 1024;  // larger pictures are reduced to this side
 constexpr std::size_t most_texels = std::size_t{128} << 20;
 
+QImage rgb_image(const Image8& codes) {
+  QImage out(codes.width, codes.height, QImage::Format_RGB888);
+  for (int y = 0; y < codes.height; ++y)
+    std::copy_n(codes.at(0, y).data(), std::size_t{3} * static_cast<std::size_t>(codes.width),
+                out.scanLine(y));
+  return out;
+}
+
+// The colour of a channel in the first texel.
+QColor first_code(const SurfaceTextures& textures, Channel channel) {
+  SurfaceTextures texel{Image(1, 1, 4), Image(1, 1, 4)};
+  std::copy_n(textures.body.at(0, 0).data(), 4, texel.body.values.begin());
+  std::copy_n(textures.gloss.at(0, 0).data(), 4, texel.gloss.values.begin());
+  return rgb_image(channel_picture(texel, channel)).pixelColor(0, 0);
+}
+
+// When a file was written last, and its size. A file that cannot be asked has neither.
+std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> stamps_of(const ProjectMaterial& m) {
+  std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> out;
+  for (const auto& texture : m.textures) {
+    std::error_code none;
+    if (texture)
+      out.emplace_back(std::filesystem::last_write_time(texture->path, none),
+                       std::filesystem::file_size(texture->path, none));
+  }
+  return out;
+}
+
+using Pictures = std::array<QImage, all_channels.size()>;
+
 struct Loaded {
-  std::array<QImage, all_channels.size()> pictures;
+  Pictures pictures;
   std::shared_ptr<const SurfaceTextures> textures;
   QString text;
 };
 
-Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library) {
+}  // namespace
+
+// What was read of the files, for as long as they and the way in which they are used stay the same. Only the
+// worker's thread looks into it.
+struct TextureView::FilesRead {
+  std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> stamps;
+  Pictures pictures;
+  std::optional<SurfaceTextures> textures;
+  QString size;
+};
+
+namespace {
+
+template <class Read>
+void read_files(const ProjectMaterial& m, const MaterialLibrary& library, Read& read) {
+  read.textures.reset();
+  const MaterialPair pair = pictures_of(m, library, picture_door(), most_texels);
+  read.size = QObject::tr("%1 x %2 texels").arg(pair.diffuse_alpha.width).arg(pair.diffuse_alpha.height);
+  SurfaceTextures textures = surface_textures(pair, most_side);
+  for (const Channel channel : all_channels)
+    read.pictures[static_cast<std::size_t>(channel)] = rgb_image(channel_picture(textures, channel));
+  read.textures = std::move(textures);
+}
+
+// The textures of the material as it is now, from the files where those have changed.
+template <class Read>
+Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Read& read) {
   Loaded out;
   try {
-    const MaterialPair pair = pictures_of(m, library, picture_door(), most_texels);
-    for (const Channel channel : all_channels) {
-      const Image8 codes = channel_picture(pair, channel, most_side);
-      QImage picture(codes.width, codes.height, QImage::Format_RGB888);
-      for (int y = 0; y < codes.height; ++y)
-        std::copy_n(codes.at(0, y).data(), std::size_t{3} * static_cast<std::size_t>(codes.width),
-                    picture.scanLine(y));
-      out.pictures[static_cast<std::size_t>(channel)] = picture;
+    if (auto stamps = stamps_of(m); !read.textures || stamps != read.stamps) {
+      read.stamps = std::move(stamps);
+      read_files(m, library, read);
     }
-    out.textures = std::make_shared<const SurfaceTextures>(surface_textures(pair, most_side));
-    out.text = QObject::tr("%1 x %2 texels").arg(pair.diffuse_alpha.width).arg(pair.diffuse_alpha.height);
+    out.textures = std::make_shared<const SurfaceTextures>(with_numbers_of(m, library, *read.textures));
+    out.text = read.size;
+    out.pictures = read.pictures;
+    for (const Channel channel : all_channels)
+      if (!m.texture(channel)) {
+        QImage& picture = out.pictures[static_cast<std::size_t>(channel)];
+        picture.fill(first_code(*out.textures, channel));
+      }
   } catch (const Error& error) {
     out.text = QString::fromUtf8(error.what());
   } catch (const std::bad_alloc&) {
@@ -140,6 +198,7 @@ void TextureView::load() {
   if (m == nullptr || !has_textures(*m)) {
     const bool had = textures_ != nullptr;
     loaded_.reset();
+    read_.reset();
     reading_ = false;
     textures_.reset();
     pictures_ = {};
@@ -156,10 +215,18 @@ void TextureView::load() {
   key.parameters.clear();
   if (loaded_ == key) return;
   loaded_ = key;
+  // Numbers alone need no file: a drag of a slider reads none.
+  ProjectMaterial files;
+  files.textures = m->textures;
+  files.alpha_mode = m->alpha_mode;
+  files.alpha_cutoff = m->alpha_cutoff;
+  if (!read_ || files_ != files) read_ = std::make_shared<FilesRead>();
+  files_ = files;
   pool_.clear();
   reading_ = true;
   in_background(
-      pool_, this, [m = *m, library = document_.library()] { return loaded_from(m, *library); },
+      pool_, this,
+      [m = *m, library = document_.library(), read = read_] { return loaded_from(m, *library, *read); },
       [this, key](Loaded loaded) {
         if (loaded_ != key) return;
         reading_ = false;

@@ -34,6 +34,7 @@ class TextureView : public QWidget {
 
  private:
   class Sheet;
+  struct FilesRead;
   void load();
   void show_picture();
 
@@ -43,6 +44,8 @@ class TextureView : public QWidget {
   Sheet* sheet_;
   QThreadPool pool_;
   std::optional<ProjectMaterial> loaded_;
+  ProjectMaterial files_;  // what decides which files are read, and how
+  std::shared_ptr<FilesRead> read_;
   bool reading_ = false;
   std::array<QImage, all_channels.size()> pictures_;
   std::shared_ptr<const SurfaceTextures> textures_;

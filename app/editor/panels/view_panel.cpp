@@ -7,7 +7,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
+#include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/path_edit.h"
 #include "app/editor/panels/sections.h"
@@ -21,7 +23,8 @@
 namespace etak::editor {
 namespace {
 
-constexpr std::array tones{Tone::plain, Tone::neutral, Tone::agx_like};
+constexpr std::array tones{Tone::plain, Tone::neutral, Tone::agx_like, Tone::false_color};
+constexpr double most_stops = 8;
 
 // As the registry calls them.
 QStringList tone_titles() {
@@ -68,6 +71,7 @@ ViewPanel::ViewPanel(Document& document, Look& look, QWidget* parent)
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(4, 4, 4, 4);
   column->addWidget(make_display());
+  column->addWidget(make_backdrop());
   column->addWidget(make_shape());
   column->addWidget(make_compare());
   column->addStretch(1);
@@ -80,8 +84,10 @@ ViewPanel::ViewPanel(Document& document, Look& look, QWidget* parent)
 
 Section* ViewPanel::make_display() {
   auto* out = new Section(tr("Display"), this);
-  exposure_ = new NumberField(tr("Exposure"), 1.0 / 64, 64, 1, out);
-  exposure_->setToolTip(tr("Linear factor"));
+  exposure_ = new NumberField(tr("Exposure"), -most_stops, most_stops, 0, out);
+  exposure_->setToolTip(
+      tr("In stops (EV): each one more doubles the light. The view \"false colours of exposure\" "
+         "shows how many stops above or below 18 % grey each place is"));
   display_ = new QuietComboBox(tr("Display"), out);
   view_ = new QuietComboBox(tr("View of the display"), out);
   display_->setToolTip(
@@ -101,14 +107,14 @@ Section* ViewPanel::make_display() {
   own->setAccessibleName(tr("Take etak's own config"));
   line->addWidget(open);
   line->addWidget(own);
-  out->add(tr("Exposure"), exposure_);
+  out->add(tr("Exposure EV"), exposure_);
   out->add(tr("Display"), display_);
   out->add(tr("View"), view_);
   out->add(config_);
   out->add(buttons);
   connect(exposure_, &NumberField::edited, this, [this](double value, int press) {
     ProjectView view = document_.project().view;
-    view.exposure = value;
+    view.exposure = std::exp2(value);
     document_.edit_view(view, tr("exposure"), press);
   });
   connect(display_, &QComboBox::activated, this, [this] {
@@ -132,6 +138,45 @@ Section* ViewPanel::make_display() {
     if (!file.isEmpty()) take_config(file);
   });
   connect(own, &QPushButton::clicked, this, [take_config] { take_config({}); });
+  return out;
+}
+
+Section* ViewPanel::make_backdrop() {
+  auto* out = new Section(tr("Backdrop"), this);
+  behind_ = new QuietComboBox(tr("Behind the object"), out);
+  behind_->addItems({tr("plain colour"), tr("environment")});
+  behind_->setToolTip(tr("What is seen beside the object"));
+  background_ = new ColorField(tr("Background"), ProjectView().background, out);
+  background_->setToolTip(tr("Linear colour behind the object"));
+  blur_ = new NumberField(tr("Blur"), 0, 1, Backdrop().blur, out);
+  blur_->setToolTip(
+      tr("Of the environment behind the object: 0 shows it sharp, 1 as a rough surface mirrors it"));
+  ground_ = check(tr("ground with contact shadow"),
+                  tr("A level ground below the sphere, which shows the sphere's shadow alone"), out);
+  out->add(tr("Behind"), behind_);
+  out->add(tr("Blur"), blur_);
+  out->add_below(tr("Colour"), background_);
+  out->add(ground_);
+  const auto edit = [this](const QString& what, int press, auto change) {
+    ProjectView view = document_.project().view;
+    change(view);
+    document_.edit_view(view, what, press);
+  };
+  connect(behind_, &QComboBox::activated, this, [edit](int row) {
+    edit(tr("backdrop"), next_press_id(), [&](ProjectView& v) { v.backdrop.environment = row == 1; });
+  });
+  connect(blur_, &NumberField::edited, this, [edit](double value, int press) {
+    edit(tr("blur of the backdrop"), press,
+         [&](ProjectView& v) { v.backdrop.blur = std::clamp(value, 0.0, 1.0); });
+  });
+  connect(background_, &ColorField::edited, this, [edit](const LinearRgb& c, int press) {
+    edit(tr("background"), press, [&](ProjectView& v) {
+      v.background = {std::max(0.0, c.r), std::max(0.0, c.g), std::max(0.0, c.b)};
+    });
+  });
+  connect(ground_, &QCheckBox::clicked, this, [edit](bool on) {
+    edit(tr("ground"), next_press_id(), [&](ProjectView& v) { v.backdrop.ground = on; });
+  });
   return out;
 }
 
@@ -280,7 +325,8 @@ void ViewPanel::show_patch(const QString& difference) {
 void ViewPanel::show_look() {
   showing_ = true;
   const ProjectView& view = document_.project().view;
-  exposure_->show_value(view.exposure);
+  // A file may hold 0, which is no number of stops.
+  exposure_->show_value(std::log2(std::max(view.exposure, 1e-9)));
   fill_displays();
   display_->setCurrentIndex(view.display.empty() ? 0
                                                  : std::max(0, display_->findText(qt_text(view.display))));
@@ -291,6 +337,12 @@ void ViewPanel::show_look() {
   if (view.display.empty())
     view_->setCurrentIndex(static_cast<int>(std::ranges::find(tones, view.tone) - tones.begin()));
   view_->setEnabled(!views.isEmpty());
+  behind_->setCurrentIndex(view.backdrop.environment ? 1 : 0);
+  blur_->show_value(view.backdrop.blur);
+  blur_->setEnabled(view.backdrop.environment);
+  background_->show_color(view.background);
+  background_->setEnabled(!view.backdrop.environment);
+  ground_->setChecked(view.backdrop.ground);
   shape_->setCurrentIndex(view.wedge.on ? 2 : view.shape == etak::Shape::quad ? 1 : 0);
   QStringList parameters{QStringLiteral("gloss"), QStringLiteral("opacity")};
   if (const ProjectMaterial* m = document_.material())

@@ -13,10 +13,11 @@ class QPushButton;
 
 namespace etak::editor {
 
+class ColorField;
 class NumberField;
 class QuietSpinBox;
 
-/// Fields for exposure, display, shape, comparison and overlays.
+/// Fields for exposure, display, backdrop, shape, comparison and overlays.
 class ViewPanel : public PanelScroll {
   Q_OBJECT
 
@@ -34,6 +35,7 @@ class ViewPanel : public PanelScroll {
 
  private:
   Section* make_display();
+  Section* make_backdrop();
   Section* make_shape();
   Section* make_compare();
   struct ReadDisplays;
@@ -44,11 +46,12 @@ class ViewPanel : public PanelScroll {
 
   Document& document_;
   Look& look_;
-  NumberField* exposure_ = nullptr;
+  NumberField *exposure_ = nullptr, *blur_ = nullptr;
+  ColorField* background_ = nullptr;
   QuietComboBox *display_ = nullptr, *view_ = nullptr, *shape_ = nullptr, *parameter_ = nullptr,
-                *model_ = nullptr;
+                *model_ = nullptr, *behind_ = nullptr;
   QuietSpinBox* steps_ = nullptr;
-  QCheckBox *zone_ = nullptr, *energy_ = nullptr, *textured_ = nullptr, *split_ = nullptr;
+  QCheckBox *zone_ = nullptr, *energy_ = nullptr, *textured_ = nullptr, *split_ = nullptr, *ground_ = nullptr;
   QLabel *pinned_ = nullptr, *patch_ = nullptr, *config_ = nullptr;
   QPushButton* unpin_ = nullptr;
   RepeatedPress step_press_;

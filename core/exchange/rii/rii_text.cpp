@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/exchange/rii/axis_pages.h"
+#include "core/exchange/rii/page_class.h"
 #include "core/exchange/rii/rii_page.h"
 #include "core/exchange/rii/yaml_lines.h"
 #include "core/material/medium.h"
@@ -364,8 +365,12 @@ Material material_from_rii_page(std::string_view text, std::string_view path, st
   std::string_view name = book(place);
   material.id = id.empty() ? identifier(name, '_', "material") : std::string(id);
   if (const std::size_t dash = name.find(" - "); dash != name.npos) name.remove_prefix(dash + 3);
-  material.name = readable(name);
-  material.material_class = "crystal";
+  material.material_class = class_of_page(std::get<OpticalConstants>(dataset.optics), name);
+  // Samples of one metal differ: in a project each has a name of its own.
+  const bool differs =
+      optical_kind(material.material_class) == "conductor" && place.find("/nk/") != place.npos;
+  material.name =
+      readable(differs ? sample_name(name, file_stem(place), dataset.citation.year) : std::string(name));
   material.preferred_reason = "the only dataset";
   material.datasets.push_back(std::move(dataset));
   return material;

@@ -279,22 +279,30 @@ class Prepared {
     const Program& program = state.use(text);
     if (environment == nullptr) return;
     const auto [sharp, share] = environment->between(scene.surface.gloss);
-    const Environment::Level &above = environment->levels()[sharp], &below = environment->levels()[sharp + 1];
-    textures_.emplace_back(std::make_unique<FloatTexture>(0, environment->irradiance_map()));
-    textures_.emplace_back(std::make_unique<FloatTexture>(1, above.map));
-    textures_.emplace_back(std::make_unique<FloatTexture>(2, below.map));
-    program.set_sampler("environment_irradiance", 0);
-    program.set_sampler("environment_sharp", 1);
-    program.set_sampler("environment_dull", 2);
+    const Environment::Blurred behind = environment->blurred(scene.backdrop.blur);
+    const Environment::Level* const level = &environment->levels()[sharp];
+    const std::array maps{std::pair("environment_irradiance", &environment->irradiance_map()),
+                          std::pair("environment_sharp", &level[0].map),
+                          std::pair("environment_dull", &level[1].map),
+                          std::pair("backdrop_sharp", behind.sharp), std::pair("backdrop_dull", behind.dull)};
+    for (std::size_t unit = 0; unit < (scene.backdrop.environment ? 5 : 3); ++unit) {
+      textures_.emplace_back(std::make_unique<FloatTexture>(int(unit), *maps[unit].second));
+      program.set_sampler(maps[unit].first, int(unit));
+    }
+    program.set({"backdrop_share", 1, 1, false, {static_cast<float>(behind.share)}});
     program.set({"environment_share", 1, 1, false, {static_cast<float>(share)}});
   }
-
   int corners() const { return corners_; }
 
  private:
   int corners_ = 3;
   std::vector<std::unique_ptr<FloatTexture>> textures_;
 };
+
+void clear_to(const Vec3& background) {
+  glClearColor(float(background[0]), float(background[1]), float(background[2]), 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
 
 // A picture with rows from the top, made of rows that OpenGL gives from the bottom.
 Image rows_down(const Scene& scene, const std::vector<float>& rows_up) {
@@ -342,9 +350,7 @@ Image GlRunner::render(const Scene& scene, const Environment* environment, std::
   state_->context.make_current();
   const Target target(GL_RGBA32F, scene.width, scene.height);
   const Prepared prepared(*state_, linear, environment);
-  glClearColor(static_cast<float>(scene.background[0]), static_cast<float>(scene.background[1]),
-               static_cast<float>(scene.background[2]), 0);
-  glClear(GL_COLOR_BUFFER_BIT);
+  clear_to(scene.background);
   const GpuClock clock;
   clock.start();
   State::draw(prepared.corners());
@@ -364,9 +370,7 @@ Image GlRunner::render(const Scene& scene, const TextureUse& use, const Image8& 
   linear.lights.environment.clear();
   state_->context.make_current();
   const Target target(GL_RGBA32F, scene.width, scene.height);
-  glClearColor(static_cast<float>(scene.background[0]), static_cast<float>(scene.background[1]),
-               static_cast<float>(scene.background[2]), 0);
-  glClear(GL_COLOR_BUFFER_BIT);
+  clear_to(scene.background);
   const GlslText text = glsl_text(linear, use);
   const Program& program = state_->use(text);
   const CodeTexture a(0, diffuse_alpha), b(1, specular_gloss);

@@ -4,12 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/render/backdrop.h"
+#include "core/render/environment.h"
+
 namespace etak {
 namespace {
 
 // Draws a polygon around the object instead of the whole picture, because for a software rasteriser the
 // pixels beside the object cost as much as those of the object.
 void fan(GlslGlue& glue, const Scene& scene, const Camera& camera, bool sphere) {
+  if (has_backdrop(scene)) return;           // every pixel is drawn
   if (!sphere && scene.perspective) return;  // the square may be anywhere in the picture
   const int corners = sphere || camera.turned() ? 32 : 4;
   const double reach = (sphere ? 1 : std::sqrt(2.0)) + 2 * camera.pixel();
@@ -25,8 +29,28 @@ void fan(GlslGlue& glue, const Scene& scene, const Camera& camera, bool sphere) 
   glue.vertex_uniform({"fan_corners", 1, 1, false, {static_cast<float>(corners)}});
 }
 
+// Writes the variable `behind`, from the variable `at`.
+void backdrop(GlslGlue& glue, const Scene& scene, const Camera& camera) {
+  if (!has_backdrop(scene)) return;
+  const BackdropRays rays(camera);
+  glue.uniform("backdrop_rays", rays.distance, rays.slope);
+  const auto in_scene = [&](const std::string& seen) {
+    return scene.view ? "out_of_camera(" + seen + ", camera_axes[0], camera_axes[1], camera_axes[2])" : seen;
+  };
+  glue.line("  vec3 sight = " + in_scene("normalize(vec3(at * backdrop_rays.y, -1.0))") + ";");
+  glue.line("  vec3 behind = background;");
+  if (scene.backdrop.environment && !scene.lights.environment.empty()) {
+    glue.line("  behind = environment_behind(" + in_environment_map(scene, "sight") + ");");
+    glue.use("backdrop", "the environment");
+  }
+  if (scene.backdrop.ground && scene.shape == Shape::sphere) {
+    glue.line("  behind *= ground_light(" + in_scene("vec3(0.0, 0.0, backdrop_rays.x)") + ", sight);");
+    glue.use("ground", "with the sphere's shadow");
+  }
+}
+
 // Writes main() up to the position, the normal and the viewer of the pixel, for a camera at the front.
-void seen_from_the_front(GlslGlue& glue, const Scene& scene, bool sphere) {
+void seen_from_the_front(GlslGlue& glue, const Scene& scene, const Camera& camera, bool sphere) {
   glue.line("void main() {");
   glue.line("  float pixel = 2.2 / picture_size.y;");
   glue.line("  vec2 at = (gl_FragCoord.xy - picture_size * 0.5) * pixel;");
@@ -35,7 +59,8 @@ void seen_from_the_front(GlslGlue& glue, const Scene& scene, bool sphere) {
                                 : "  float side = 1.0;");
   glue.line(sphere ? "  float coverage = disc_coverage(at, pixel);"
                    : "  float coverage = square_coverage(at, side, pixel);");
-  glue.line("  vec3 color = background;\n  if (coverage > 0.0) {");
+  backdrop(glue, scene, camera);
+  glue.line("  vec3 color = " + backdrop_name(scene) + ";\n  if (coverage > 0.0) {");
   if (sphere) {
     glue.line(scene.perspective ? "    vec3 p = sphere_perspective(at, camera_distance, camera_spread);"
                                 : "    vec3 p = sphere_orthographic(at);");
@@ -76,7 +101,8 @@ void seen_from_anywhere(GlslGlue& glue, const Scene& scene, const Camera& camera
         "  float coverage = plane_coverage(place, camera_axes[2].z, square_rows[0], square_rows[1], "
         "square_rows[2], pixel);");
   }
-  glue.line("  vec3 color = background;\n  if (coverage > 0.0) {");
+  backdrop(glue, scene, camera);
+  glue.line("  vec3 color = " + backdrop_name(scene) + ";\n  if (coverage > 0.0) {");
   if (sphere) {
     glue.line("    vec3 p = " + out_of +
               (scene.perspective ? "sphere_perspective(at, camera_distance, camera_spread)"
@@ -96,12 +122,22 @@ void seen_from_anywhere(GlslGlue& glue, const Scene& scene, const Camera& camera
 
 }  // namespace
 
+bool has_backdrop(const Scene& scene) {
+  return (scene.backdrop.environment && !scene.lights.environment.empty()) ||
+         (scene.backdrop.ground && scene.shape == Shape::sphere);
+}
+
+std::string in_environment_map(const Scene& scene, const std::string& direction) {
+  const bool turned = scene.view || scene.environment_turn_deg != 0;
+  return turned ? "turned_to_map(" + direction + ", environment_turn)" : direction;
+}
+
 void camera_text(GlslGlue& glue, const Scene& scene, const Camera& camera) {
   const bool sphere = scene.shape == Shape::sphere;
   if (scene.view)
     seen_from_anywhere(glue, scene, camera, sphere);
   else
-    seen_from_the_front(glue, scene, sphere);
+    seen_from_the_front(glue, scene, camera, sphere);
 }
 
 }  // namespace etak

@@ -141,11 +141,10 @@ class SceneText {
   void environment() {
     if (scene_.lights.environment.empty()) return glue_.leave_out("environment", "none in the setup");
     std::string parts;
-    const bool turned = scene_.view || scene_.environment_turn_deg != 0;
-    const auto to_map = [turned](const std::string& d) {
-      return turned ? "turned_to_map(" + d + ", environment_turn)" : d;
-    };
-    if (turned && (has_diffuse_ || scene_.specular != nullptr)) {
+    const auto to_map = [this](const std::string& d) { return in_environment_map(scene_, d); };
+    const bool looked_at =
+        has_diffuse_ || scene_.specular != nullptr || scene_.backdrop.environment || is_clear_ball(scene_);
+    if (looked_at && (scene_.view || scene_.environment_turn_deg != 0)) {
       const EnvironmentTurn turn(scene_.environment_turn_deg);
       glue_.uniform("environment_turn", turn.cosine(), turn.sine());
     }
@@ -216,7 +215,7 @@ class SceneText {
     glue_.line("    vec3 object = shade(p, n, v);");
     transparency();
     marks();
-    glue_.line("    color = mix(background, object, coverage);\n  }");
+    glue_.line("    color = mix(" + backdrop_name(scene_) + ", object, coverage);\n  }");
     transfer();
     glue_.line("  pixel_color = vec4(color, coverage);\n}");
   }
@@ -270,11 +269,26 @@ class SceneText {
 
   std::string exposure_name() const { return scene_.exposure != 1 || scene_.view ? "exposure" : "1.0"; }
 
+  // The environment through a clear ball. An atlas has no clear bodies.
+  void clear_ball() {
+    glue_.uniform("opacity", opacity_);
+    glue_.uniform("ball_n", scene_.surface.n[1]);
+    glue_.uniform("ball_passing", *scene_.surface.passing);
+    glue_.line(
+        "    object += (1.0 - opacity) * through_ball(clamp(dot(n, v), 0.0, 1.0), ball_n, ball_passing) *");
+    glue_.line("              environment_specular(" +
+               in_environment_map(scene_, "beyond_ball(n, v, ball_n)") + ");");
+    glue_.use("transparency", "a clear ball bends the environment");
+  }
+
   void transparency() {
+    const std::string behind = " * " + backdrop_name(scene_) + ";";
+    if (textures_ == nullptr && is_clear_ball(scene_) && !scene_.lights.environment.empty())
+      return clear_ball();
     if (textured_) {
       glue_.line(
-          "    object += (1.0 - fresnel_opacity(body_here.w, luminance_of(gloss_here.xyz), dot(n, v))) * "
-          "background;");
+          "    object += (1.0 - fresnel_opacity(body_here.w, luminance_of(gloss_here.xyz), dot(n, v)))" +
+          behind);
       return glue_.use("transparency", "of the texture");
     }
     if (textures_ != nullptr && textures_->alpha == TextureUse::Alpha::blend) {
@@ -283,14 +297,14 @@ class SceneText {
         glue_.uniform("f0_luminance", luminance_of(scene_.surface.f0));
         f0 = "f0_luminance";
       }
-      glue_.line("    object += (1.0 - fresnel_opacity(texel_opacity, " + f0 + ", dot(n, v))) * background;");
+      glue_.line("    object += (1.0 - fresnel_opacity(texel_opacity, " + f0 + ", dot(n, v)))" + behind);
       return glue_.use("transparency", "alpha blends");
     }
     if (opacity_ >= 1) return glue_.leave_out("transparency", "opacity is 1");
     const Vec3& f0 = scene_.surface.f0;
     glue_.uniform("opacity", opacity_);
     glue_.uniform("f0_luminance", luminance_of(f0));
-    glue_.line("    object += (1.0 - fresnel_opacity(opacity, f0_luminance, dot(n, v))) * background;");
+    glue_.line("    object += (1.0 - fresnel_opacity(opacity, f0_luminance, dot(n, v)))" + behind);
     glue_.use("transparency", "opacity below 1");
   }
 
@@ -336,6 +350,9 @@ class SceneText {
         break;
       case Tone::agx_like:
         function = "tone_agx_like";
+        break;
+      case Tone::false_color:
+        function = "tone_false_color";
         break;
       case Tone::plain:
         break;

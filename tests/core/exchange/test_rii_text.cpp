@@ -119,6 +119,33 @@ TEST_CASE("ids and names come from the path, whatever characters it has") {
   CHECK(material_from_rii_page(rows, "+.yml", "").id == "material");
 }
 
+TEST_CASE("imported metals are metals, named by their sample") {
+  const auto import = [](const char* path, const char* n_and_k) {
+    const std::string table = "DATA:\n  - type: tabulated nk\n    data: |\n        0.3 " +
+                              std::string(n_and_k) + "\n        0.9 " + n_and_k + "\n";
+    return material_from_rii_page(
+        "REFERENCES: |\n    D. I. One.\n    Films\n    <a href=\"x\"><i>J.</i> (2017)</a>\n" + table, path,
+        "");
+  };
+  const Material gold = import("database/data/main/Au/nk/Yakubovsky-25nm.yml", "0.3 2.6");
+  CHECK(gold.material_class == "metal");
+  CHECK(gold.name == "Au, Yakubovsky 2017, 25 nm");
+  CHECK(gold.id == "au");
+  CHECK(import("main/W/nk/Rakic-LD.yml", "3.5 2.7").material_class == "metal");  // n is above k
+  CHECK(import("main/W/nk/Rakic-LD.yml", "3.5 2.7").name == "W, Rakic 2017, LD");
+  CHECK(import("main/TiN/nk/Beliaev-2017-b.yml", "0.9 2.1").material_class == "conductor");
+  CHECK(import("main/TiN/nk/Beliaev-2017-b.yml", "0.9 2.1").name == "TiN, Beliaev 2017, b");
+  CHECK(import("main/Si/nk/Green.yml", "4.08 0.028").material_class == "semiconductor");
+  CHECK(import("main/Ge/nk/One.yml", "5.2 2.3").material_class == "semiconductor");
+  CHECK(import("main/Ge/nk/One.yml", "5.2 2.3").name == "Ge");
+  CHECK(import("main/C/nk/Diamond.yml", "2.42 0").material_class == "crystal");
+  CHECK(import("main/TiO2/nk/Rutile.yml", "2.8 1e-5").material_class == "crystal");
+  // Data that do not reach visible light tell nothing of it.
+  const std::string infrared =
+      "DATA:\n  - type: tabulated nk\n    data: |\n        0.36 1.4 0\n        0.5 1.4 0\n        9 0.5 2\n";
+  CHECK(material_from_rii_page(infrared, "main/SiO2/nk/Ir.yml", "").material_class == "crystal");
+}
+
 TEST_CASE("rows with n at or below zero outside the visible are left out of the material, flagged") {
   const auto data = dataset_of_page("main/X/nk/Y.yml");
   CHECK(std::get<Spectrum>(std::get<OpticalConstants>(data.optics).n).value == std::vector<double>{1.5, 1.4});

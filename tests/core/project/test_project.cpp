@@ -49,6 +49,8 @@ Project full() {
   out.view.exposure = 1.5;
   out.view.display = "sRGB - Display";
   out.view.tone = Tone::neutral;
+  out.view.background = {0.05, 0.5, 1};
+  out.view.backdrop = {true, 0.25, true};
   out.view.compare = {true, m, "ggx-f82"};
   out.view.compare.pinned->texture(Channel::gloss).reset();
   out.view.wedge = {true, "opacity", 5};
@@ -98,6 +100,9 @@ TEST_CASE("what is wrong in a project is refused with its place") {
   CHECK(contains(view(R"("compare": {"model": "lambert"})"), "p.json#/view/compare/model"));
   CHECK(contains(view(R"("compare": {"on": 1})"), "p.json#/view/compare/on"));
   CHECK(contains(view(R"("wedge": {"steps": 17})"), "p.json#/view/wedge/steps"));
+  CHECK(contains(view(R"("backdrop": {"blur": 1.5})"), "p.json#/view/backdrop/blur"));
+  CHECK(contains(view(R"("backdrop": {"color": [0, -1, 0]})"), "p.json#/view/backdrop/color"));
+  CHECK(contains(view(R"("backdrop": {"sky": true})"), "p.json#/view/backdrop"));
   CHECK(contains(view(R"("wedge": {"steps": 2.5})"), "a whole number"));
 }
 

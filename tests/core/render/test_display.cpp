@@ -115,7 +115,8 @@ TEST_CASE(
 }
 
 TEST_CASE("tone curves are found by their names") {
-  for (const Tone each : {Tone::plain, Tone::neutral, Tone::agx_like}) CHECK(tone_named(name(each)) == each);
+  for (const Tone each : {Tone::plain, Tone::neutral, Tone::agx_like, Tone::false_color})
+    CHECK(tone_named(name(each)) == each);
   CHECK_FALSE(tone_named("aces"));
 }
 

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a material is shown in the editor: environments, backdrop, exposure, and textures whose numbers change.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QToolButton>
+#include <filesystem>
+
+#include "app/editor/fields/number_field.h"
+#include "app/editor/panels/inspector.h"
+#include "app/editor/panels/texture_section.h"
+#include "app/editor/panels/texture_view.h"
+#include "tests/gui/editor_hands.h"
+#include "tests/gui/gui_test.h"
+
+using namespace etak;
+using namespace etak::editor;
+
+namespace {
+
+constexpr int long_ms = 60000;
+
+const ProjectView& view_of(TestWindow& window) {
+  return window->document().project().view;
+}
+
+QString picture_of_tiles(TestWindow& window, const QString& name, int side) {
+  QImage out(side, side, QImage::Format_RGB32);
+  out.fill(QColor(90, 120, 150));
+  const QString file = window.file(name);
+  out.save(file);
+  return file;
+}
+
+void set_gloss(TestWindow& window, double gloss) {
+  ProjectMaterial next = *window->document().material();
+  next.gloss = gloss;
+  window->document().edit(window->document().current(), next, QStringLiteral("gloss"), 0);
+}
+
+double gloss_shown(TestWindow& window) {
+  const auto& textures = window->viewport().state().a.textures;
+  return textures ? double{textures->gloss.at(3, 3)[3]} : -1;
+}
+
+}  // namespace
+
+class EditorLight : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void the_strip_shows_five_environments_and_chooses_one_in_one_step() {
+    TestWindow window(true);
+    window->show();
+    window->inspector_tabs().setCurrentIndex(1);
+    ProjectView lit = view_of(window);
+    lit.lights = default_lights();
+    window->document().edit_view(lit, QStringLiteral("lights of the sources"), 0);
+    QVERIFY(view_of(window).lights.hemispheres);
+    const LightSetup before = view_of(window).lights;
+    std::set<QByteArray> pictures;
+    for (const NamedStudio& each : named_studios()) {
+      auto* button = named<QToolButton>(*window.window,
+                                        QStringLiteral("Environment ") + QString::fromUtf8(each.name.data()));
+      QVERIFY(button != nullptr);
+      const QImage icon = button->icon().pixmap(button->iconSize()).toImage();
+      QVERIFY(!icon.isNull());
+      pictures.insert(QByteArray(reinterpret_cast<const char*>(icon.constBits()), icon.sizeInBytes()));
+      QTest::mouseClick(button, Qt::LeftButton);
+      QCOMPARE(QString::fromStdString(view_of(window).lights.environment),
+               QString::fromUtf8(each.name.data()));
+      QVERIFY(!view_of(window).lights.hemispheres);
+      QVERIFY(button->isChecked());
+      QTest::mouseClick(button, Qt::LeftButton);  // the one that is chosen already stays so
+      QVERIFY(button->isChecked());
+      while (view_of(window).lights != before) window->document().undo_stack().undo();
+      QVERIFY(!button->isChecked());
+    }
+    QCOMPARE(pictures.size(), named_studios().size());
+    QVERIFY(window.settle());
+  }
+
+  void exposure_is_in_stops_and_false_colours_are_a_view() {
+    TestWindow window(true);
+    auto* exposure = named<NumberField>(*window.window, QStringLiteral("Exposure, field"));
+    QVERIFY(exposure != nullptr);
+    emit exposure->edited(1, 1);
+    QCOMPARE(view_of(window).exposure, 2.0);
+    QCOMPARE(exposure->value(), 1.0);
+    emit exposure->edited(-2, 2);
+    QCOMPARE(view_of(window).exposure, 0.25);
+    auto* view = named<QComboBox>(*window.window, QStringLiteral("View of the display"));
+    QVERIFY(view != nullptr);
+    const int row = view->findText(QStringLiteral("false colours of exposure"));
+    QVERIFY(row >= 0);
+    view->setCurrentIndex(row);
+    emit view->activated(row);
+    QVERIFY(view_of(window).tone == Tone::false_color);
+    QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().tone == Tone::false_color; }, long_ms));
+    QVERIFY(window.settle());
+  }
+
+  void the_backdrop_is_the_environment_blurred_a_colour_or_a_ground_and_is_saved() {
+    TestWindow window(true);
+    auto* behind = named<QComboBox>(*window.window, QStringLiteral("Behind the object"));
+    auto* blur = named<NumberField>(*window.window, QStringLiteral("Blur, field"));
+    auto* ground = named<QCheckBox>(*window.window, QStringLiteral("ground with contact shadow"));
+    QVERIFY(behind != nullptr && blur != nullptr && ground != nullptr);
+    QVERIFY(!blur->isEnabled());
+    behind->setCurrentIndex(1);
+    emit behind->activated(1);
+    emit blur->edited(0.6, 3);
+    ground->click();
+    QVERIFY((view_of(window).backdrop == Backdrop{true, 0.6, true}));
+    QVERIFY(blur->isEnabled());
+    QVERIFY(QTest::qWaitFor([&] { return window->viewport().state().backdrop == view_of(window).backdrop; },
+                            long_ms));
+    const Project& project = window->document().project();
+    QVERIFY(parse_project(format_project(project, {}), "saved.json").view == project.view);
+    for (int i = 0; i < 3; ++i) window->document().undo_stack().undo();
+    QVERIFY(view_of(window) == ProjectView());
+    QVERIFY(window.settle());
+  }
+
+  void numbers_of_a_textured_material_change_without_its_files() {
+    TestWindow window(true);
+    window->show();
+    QVERIFY(window->use_library_material(QStringLiteral("pmma")));
+    const QString file = picture_of_tiles(window, QStringLiteral("wood_diffuse.png"), 64);
+    window->inspector().textures().take_files({file}, Channel::diffuse);
+    set_gloss(window, 0.4);
+    QVERIFY(QTest::qWaitFor([&] { return std::abs(gloss_shown(window) - 0.4) < 0.01; }, long_ms));
+    // The file is of the same size and age, but no picture any more: whoever reads it finds out.
+    const std::filesystem::path path = file.toStdString();
+    const auto age = std::filesystem::last_write_time(path);
+    write(file, QByteArray(static_cast<qsizetype>(std::filesystem::file_size(path)), 'x'));
+    std::filesystem::last_write_time(path, age);
+    const float blue = window->viewport().state().a.textures->body.at(3, 3)[2];
+    set_gloss(window, 0.8);
+    QVERIFY(QTest::qWaitFor([&] { return std::abs(gloss_shown(window) - 0.8) < 0.01; }, long_ms));
+    QCOMPARE(window->viewport().state().a.textures->body.at(3, 3)[2], blue);
+    QVERIFY(window->texture_view().summary().startsWith(QLatin1String("64 x 64")));
+    // A file that was written anew is read.
+    std::filesystem::last_write_time(path, age + std::chrono::seconds(10));
+    set_gloss(window, 0.5);
+    QVERIFY(QTest::qWaitFor(
+        [&] { return !window->texture_view().summary().startsWith(QLatin1String("64 x 64")); }, long_ms));
+    QVERIFY(window.settle());
+  }
+
+  void a_large_environment_is_shown_soon_and_sharper_later_with_a_sign_of_work() {
+    TestWindow window(true);
+    window->show();
+    QVERIFY(window.settle(long_ms));
+    auto* work = named<QLabel>(*window.window, QStringLiteral("Work on the environment"));
+    QVERIFY(work != nullptr);
+    QVERIFY(work->text().isEmpty());
+    const QString file = window.file(QStringLiteral("room.hdr"));
+    QByteArray hdr("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 512 +X 1024\n");
+    for (int i = 0; i < 512 * 1024; ++i)
+      hdr += i % 700 < 40 ? QByteArray("\xff\xf0\xe0\x84", 4) : QByteArray("\x20\x40\x60\x7f", 4);
+    write(file, hdr);
+    const auto seen = [&] { return window->viewport().state().environment; };
+    const auto before = seen();
+    QElapsedTimer timer;
+    timer.start();
+    QVERIFY(drop(*window.window, {file}));
+    QVERIFY(QTest::qWaitFor([&] { return !work->text().isEmpty(); }, long_ms));
+    QVERIFY(QTest::qWaitFor([&] { return seen() != before; }, long_ms));
+    const qint64 first_ms = timer.elapsed();
+    const auto first = seen();
+    QVERIFY(first->levels().front().map.width < 256);
+    QVERIFY(!work->text().isEmpty());
+    QVERIFY(QTest::qWaitFor([&] { return seen() != first; }, long_ms));
+    QCOMPARE(seen()->levels().front().map.width, 256);
+    QVERIFY(work->text().isEmpty());
+    qInfo("first picture after %lld ms, the sharp one after %lld ms", first_ms, timer.elapsed());
+    QVERIFY(window.settle());
+  }
+
+  void imported_metals_are_metals() {
+    TestWindow window(true);
+    const QString file = window.file(QStringLiteral("Au/nk/Yakubovsky-25nm.yml"));
+    QVERIFY(QDir().mkpath(QFileInfo(file).path()));
+    write(file,
+          "REFERENCES: |\n    D. I. Yakubovsky. Optics of films. Opt. Express 25, 1 (2017)\nDATA:\n"
+          "  - type: tabulated nk\n    data: |\n        0.3 1.5 1.9\n        0.5 0.9 1.9\n        0.55 0.4 "
+          "2.4\n"
+          "        0.7 0.2 4.1\n        0.9 0.2 5.9\n");
+    QVERIFY(drop(*window.window, {file}));
+    QVERIFY(QTest::qWaitFor([&] { return window->document().material() != nullptr; }, long_ms));
+    const ProjectMaterial& material = *window->document().material();
+    QCOMPARE(QString::fromStdString(material.name), QStringLiteral("Au, Yakubovsky 2017, 25 nm"));
+    QVERIFY((material.diffuse == LinearRgb{0, 0, 0}));
+    QVERIFY(material.specular.r > 0.5);
+    QVERIFY(window.settle());
+  }
+};
+
+ETAK_GUI_TEST(EditorLight, "editor_light")
+#include "test_editor_light.moc"
