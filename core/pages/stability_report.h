@@ -10,8 +10,8 @@ namespace etak {
 
 // The results of the stiff and extreme cases.
 
-/// Three or more lines for each case, and a last line that begins with "PASSED:" or "FAILED:". Cases that fail
-/// come first, then those in which the usual formula fails.
+/// Three or more lines for each case, and a last line that begins with "PASSED:" or "FAILED:". Cases that
+/// fail come first, then those in which the usual formula fails.
 ///   all   false: the other cases are counted in one line instead
 std::string stability_text(const std::vector<StabilityCase>& cases, bool all = false);
 /// {"schema": "etak-stability/1", "passed": true, "cases": [...]}

@@ -32,7 +32,8 @@ struct RunTime {
 };
 
 /// What the report says of a way. A way is beaten by a way to the same truth that is closer to it and takes
-/// at most same_time times as long, or that is as close and faster by more than that factor.
+/// at most same_time times as long, or that is as close and faster by more than that factor. Errors within
+/// 1 % are equal, and errors below 1e-5 are none.
 enum class Verdict {
   not_timed,
   alone,        // no other way to the same truth was timed

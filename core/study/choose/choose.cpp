@@ -162,8 +162,8 @@ class Judge {
 };
 
 // ---- the steps in their order: each looks for the cheapest candidate within `limit`, drawn with what the
-// steps before have chosen. Its own error, beside the exact rest, counts on top of the errors that those steps
-// have spent, so that no choice is within the budget only because its error makes up for another.
+// steps before have chosen. Its own error, beside the exact rest, counts on top of the errors that those
+// steps have spent, so that no choice is within the budget only because its error makes up for another.
 
 struct FresnelStep {
   const FresnelForm* form = nullptr;

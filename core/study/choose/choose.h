@@ -109,9 +109,9 @@ struct ChooseOptions {
 /// below the forbidden zone and Schlick's form above it, because a colour tells no more of a metal; a GGX
 /// lobe with height-correlated Smith masking; trilinear filtering; F0 by the exact quadrature. The budget
 /// holds for all choices together, for F at any angle and for every pixel of rendered spheres (of textures:
-/// at levels of detail from twice magnified to eight mips down). The errors that the choices have alone are added,
-/// so that none is taken because it makes up for another. Everything reads both textures of a pair; a texture of
-/// one colour need not be read. Throws Error for data without a colour or
+/// at levels of detail from twice magnified to eight mips down). The errors that the choices have alone are
+/// added, so that none is taken because it makes up for another. Everything reads both textures of a pair; a
+/// texture of one colour need not be read. Throws Error for data without a colour or
 /// without n and k. Where no form of F stays within the budget, the closest one is chosen and `met` is false;
 /// the other choices then stay within the error of that form.
 Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs);
