@@ -72,6 +72,11 @@ std::string choice_text(const std::vector<Choice>& choices, const CostTable& cos
            cell(each.method.empty() ? "-" : each.method, 18) + cell(number(each.picture_error, 3), 11) +
            cell(number(each.fresnel_error, 3), 9) + saving(each.everything_ns, each.chosen_ns) +
            (each.met ? "" : ", over the budget: the least that can be reached") + "\n";
+  std::string remarks;
+  for (const Choice& each : choices)
+    if (const std::string why = saving_remark(each); !why.empty())
+      append(remarks, "  ", line_text(why), "\n");
+  if (!remarks.empty()) append(out, "\nsavings:\n", remarks);
   if (choices.size() == 1) {
     const Choice& one = choices[0];
     append(out, "\nlooked at, cheapest first, with the largest error in ", name(one.unit),

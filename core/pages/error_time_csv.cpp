@@ -12,8 +12,7 @@ constexpr int error_digits = 9, time_digits = 4;
 
 std::string error_time_csv(const ReportHeader&, std::span<const ErrorTimeFamily> families) {
   std::string out =
-      "family,table,row,metric,unit,error,time_unit,median,first_quartile,third_quartile,ratio,pareto,"
-      "dominated\n";
+      "family,table,row,metric,unit,error,time_unit,median,first_quartile,third_quartile,ratio,verdict\n";
   for (const ErrorTimeFamily& family : families)
     for (const ErrorTimeTable& table : family.tables)
       for (const ErrorTimeRow& row : table.rows)
@@ -21,11 +20,10 @@ std::string error_time_csv(const ReportHeader&, std::span<const ErrorTimeFamily>
           const ErrorMetric& metric = table.metrics[m];
           const RunTime time = row.time.value_or(RunTime());
           const auto shown = [&](double value) { return row.time ? number(value, time_digits) : ""; };
-          const auto yes = [&](bool value) { return row.time ? value ? "1" : "0" : ""; };
           append_csv_row(
               out, {family.id, table.id, row.id, metric.id, metric.unit, number(row.errors[m], error_digits),
                     row.time ? table.time_unit : "", shown(time.median_ns), shown(time.first_quartile_ns),
-                    shown(time.third_quartile_ns), shown(time.ratio), yes(row.pareto), yes(row.dominated)});
+                    shown(time.third_quartile_ns), shown(time.ratio), std::string(name(row.verdict))});
         }
   return out;
 }

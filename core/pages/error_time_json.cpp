@@ -14,13 +14,20 @@ std::string time_json(const RunTime& time) {
                      -1);
 }
 
+std::string point_json(const ErrorPoint& point) {
+  return json_object(
+      {{"material", json(point.material)}, {"error", json(point.error)}, {"doubtful", json(point.doubtful)}},
+      -1);
+}
+
 std::string row_json(const ErrorTimeRow& row) {
   return json_object({{"id", json(row.id)},
                       {"title", json(row.title)},
                       {"errors", json_array_of(row.errors)},
                       {"time", row.time ? time_json(*row.time) : "null"},
-                      {"pareto", json(row.pareto)},
-                      {"dominated", json(row.dominated)},
+                      {"verdict", json(name(row.verdict))},
+                      {"truth", json(row.truth)},
+                      {"points", '[' + joined(row.points, ", ", point_json) + ']'},
                       {"note", json(row.note)}},
                      -1);
 }
@@ -41,6 +48,15 @@ std::string table_json(const ErrorTimeTable& table) {
                      8);
 }
 
+std::string pick_json(const ErrorTimePick& pick) {
+  return json_object({{"whom", json(pick.whom)},
+                      {"table", json(pick.table)},
+                      {"row", json(pick.row)},
+                      {"why", json(pick.why)},
+                      {"command", json(pick.command)}},
+                     -1);
+}
+
 std::string family_json(const ErrorTimeFamily& family) {
   const JsonMember members[] = {
       {"id", json(family.id)},
@@ -49,6 +65,7 @@ std::string family_json(const ErrorTimeFamily& family) {
       {"reference", json(family.reference)},
       {"grid", json(family.grid)},
       {"advice", json(family.advice)},
+      {"picks", json_lines_of(family.picks, 6, pick_json)},
       {"tables", json_lines_of(family.tables, 6, table_json)},
       {"notes", json_lines_of(family.notes, 6, [](const std::string& note) { return json(note); })}};
   return json_object(members, 4);
@@ -67,7 +84,7 @@ std::string error_time_json(const ReportHeader& header, std::span<const ErrorTim
                               {"repeats", json(header.repeats)},
                               {"emptyLoopNs", json(header.empty_loop_ns)},
                               {"effort", json(header.effort)}};
-  return json_document("etak-error-time/1", {{"header", json_object(about, 2)},
+  return json_document("etak-error-time/2", {{"header", json_object(about, 2)},
                                              {"families", json_lines_of(families, 2, family_json)}});
 }
 

@@ -16,8 +16,14 @@ std::string error_time_json(const ReportHeader& header, std::span<const ErrorTim
 /// A line for every metric of every row, below a line of column names; the header is not written.
 std::string error_time_csv(const ReportHeader& header, std::span<const ErrorTimeFamily> families);
 /// A scatter plot of the metric table.metrics[table.plotted] over run time, both logarithmic, as an SVG
-/// element for an HTML page. Empty where no row was timed.
+/// element for an HTML page. Each dot has the number of its row, from 1, and its name where there is room
+/// beside it. Empty where no row was timed.
 std::string error_time_svg(const ErrorTimeFamily& family, const ErrorTimeTable& table);
+/// The CSS rules that error_time_svg() needs in the style sheet of the page.
+std::string_view error_time_plot_css();
+/// The same plot as a file that needs no page: with its colours, a light background and the names of all
+/// numbers. Empty where no row was timed.
+std::string error_time_svg_file(const ErrorTimeFamily& family, const ErrorTimeTable& table);
 /// All families as one HTML page, with plots and tables.
 ///   stability   table of the stiff and extreme cases from stability_html(); empty: none
 std::string error_time_page(const ReportHeader& header, std::span<const ErrorTimeFamily> families,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -21,21 +22,47 @@ struct ErrorMetric {
   std::string unit;   // "", "codes", "dE2000", "%"
 };
 
-/// Time of one evaluation: median and quartiles over interleaved repeats.
+/// Time of one evaluation. It is measured in rounds, each of a few short repeats of every way in a changing
+/// order. The shortest repeat of a round counts, because other programs can only make a repeat longer.
 struct RunTime {
-  double median_ns = 0, first_quartile_ns = 0, third_quartile_ns = 0;
-  double ratio = 1;     // to the time of the table's base row: median of the ratios of the repeats
-  double least_ns = 0;  // the shortest repeat, which other programs disturbed least
+  double median_ns = 0, first_quartile_ns = 0, third_quartile_ns = 0;  // over the rounds
+  double ratio = 1;               // to the time of the table's base row: median of the ratios of the rounds
+  double least_ns = 0;            // the shortest repeat of all
+  std::vector<double> rounds_ns;  // the shortest repeat of each round; NaN: no part of that round
+};
+
+/// What the report says of a way. A way is beaten by a way to the same truth that is closer to it and takes
+/// at most same_time times as long, or that is as close and faster by more than that factor. Errors within
+/// 1 % are equal, and errors below 1e-5 are none.
+enum class Verdict {
+  not_timed,
+  alone,        // no other way to the same truth was timed
+  unbeaten,     // no way beats it
+  beaten,       // a way beats it
+  not_settled,  // the rounds do not tell whether a way beats it
+};
+std::string_view name(Verdict verdict);  // "not timed", "alone", "unbeaten", "beaten", "not settled"
+
+/// Times within this factor count as equal: nobody gives up accuracy for a tenth of the time, and the order
+/// of ways that run the same instructions would be chance.
+inline constexpr double same_time = 1.1;
+
+/// The error of a way for one of the materials that the errors of a row are taken over.
+struct ErrorPoint {
+  std::string material;
+  double error = 0;       // by the plotted metric's measure
+  bool doubtful = false;  // its data are doubtful or computed: not in the errors of the row
 };
 
 /// One way of computing the same thing.
 struct ErrorTimeRow {
   std::string id, title;
-  std::vector<double> errors;   // one per metric of the table
-  std::optional<RunTime> time;  // none: not timed (a reference, or time has no meaning)
-  std::string note;
-  bool pareto = false;     // no other row is better in error or time and at least as good in the other
-  bool dominated = false;  // a row has a smaller error and is faster, with quartile ranges that do not meet
+  std::vector<double> errors = {};   // one per metric of the table
+  std::optional<RunTime> time = {};  // none: not timed (a reference, or time has no meaning)
+  std::string note = {};
+  std::string truth = {};               // what the errors are against; empty: the table's only truth
+  std::vector<ErrorPoint> points = {};  // one per material; empty: the errors are not by material
+  Verdict verdict = Verdict::not_timed;
 };
 
 /// Rows that may be compared with each other.
@@ -48,6 +75,14 @@ struct ErrorTimeTable {
   std::vector<ErrorTimeRow> rows;
 };
 
+/// A row of the report's overview: what to take, and for whom.
+struct ErrorTimePick {
+  std::string whom;          // "drawing metals"
+  std::string table, row;    // ids within the family
+  std::string why;           // half a sentence
+  std::string command = {};  // that takes it, or chooses for one material: "etak choose gold"; empty: none
+};
+
 /// The tables of a family, and the texts around them in the report.
 struct ErrorTimeFamily {
   std::string id;      // "fresnel": the name of --family
@@ -56,12 +91,17 @@ struct ErrorTimeFamily {
   std::string reference;  // what the errors are taken against
   std::string grid;       // the inputs that the errors are taken over
   std::string advice;     // one sentence: what a user should choose and why
+  std::vector<ErrorTimePick> picks;
   std::vector<ErrorTimeTable> tables;
   std::vector<std::string> notes;
 };
 
-/// Sets `pareto` and `dominated` of the rows with a time.
-void mark_dominated(ErrorTimeTable& table);
+/// Sets the verdicts of the rows. Ways are compared round by round, so that what slows a whole round down
+/// does not count; the median of the rounds must lie beyond the bound by a margin that their spread gives.
+void set_verdicts(ErrorTimeTable& table);
+
+/// Which rows need more rounds: those that are not settled, and those that they have to be told from.
+std::vector<bool> open_rows(const ErrorTimeTable& table);
 
 /// The program, machine and settings that a report was made with.
 struct ReportHeader {
@@ -82,15 +122,24 @@ struct TimedCase {
 /// How cases are timed.
 struct TimingOptions {
   std::size_t repeats = 31;     // of each case; all cases are interleaved, in a changing order
-  double seconds_a_case = 0.2;  // for all repeats of a case together
+  double seconds_a_case = 0.2;  // for these repeats of a case together; 0: a repeat is a single call
   std::function<void(std::size_t done, std::size_t all)> progress = {};  // called before each repeat
+  std::size_t more_rounds = 0;  // most rounds that are added where the first ones do not settle the verdicts
+  std::optional<std::chrono::steady_clock::time_point> until = {};  // no round is added after it
 };
+/// The repeats of a case in one round.
+inline constexpr std::size_t repeats_a_round = 3;
+
+/// Says by the times so far which cases need a further round; the answer may be longer than the cases.
+using OpenCases = std::function<std::vector<bool>(std::span<const RunTime>)>;
 
 /// Times the cases on one thread by Google Benchmark (target etak::study_run). Returns a RunTime for each
 /// case, with the ratio to the first case.
+///   open            not empty: asked after the rounds of `options.repeats` and after every further round,
+///                   until no case is open or the options allow no further round
 ///   empty_loop_ns   not null: set to the time of an empty loop
 std::vector<RunTime> time_cases(std::span<const TimedCase> cases, const TimingOptions& options,
-                                double* empty_loop_ns = nullptr);
+                                const OpenCases& open = {}, double* empty_loop_ns = nullptr);
 
 /// How much a family measures.
 struct ReportOptions {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -31,11 +32,51 @@ inline void keep(const void* memory) {
   asm volatile("" : : "g"(memory) : "memory");
 }
 
-/// Times the first rows of the table, row i by case i, and marks the rows that others dominate.
+inline constexpr double ms_of_ns = 1e-6;
+
+/// The time in another unit: all its times by `factor`.
+inline RunTime in_unit(RunTime time, double factor) {
+  for (double* part : {&time.median_ns, &time.first_quartile_ns, &time.third_quartile_ns, &time.least_ns})
+    *part *= factor;
+  for (double& each : time.rounds_ns) each *= factor;
+  return time;
+}
+
+/// Times the cases until the verdicts of all tables are settled, as far as the options allow.
+///   put    sets the times of the tables' rows
+///   case_of(table, row)   the case that timed a row, or the number of cases for a row without one
+template <class Put, class CaseOf>
+void time_tables(std::span<ErrorTimeTable> tables, std::span<const TimedCase> cases,
+                 const TimingOptions& timing, Put put, CaseOf case_of) {
+  const auto take = [&](std::span<const RunTime> times) {
+    put(times);
+    std::vector<bool> open(cases.size() + 1);
+    for (ErrorTimeTable& table : tables) {
+      set_verdicts(table);
+      const std::vector<bool> rows = open_rows(table);
+      for (std::size_t r = 0; r < rows.size(); ++r)
+        if (rows[r]) open[case_of(table, r)] = true;
+    }
+    open.pop_back();
+    return open;
+  };
+  time_cases(cases, timing, take);
+}
+
+/// Times the first rows of the tables, row i of each by case i, and sets the verdicts.
+///   scale   factor of the times, from nanoseconds to the unit of the tables
+inline void add_times(std::span<ErrorTimeTable> tables, std::span<const TimedCase> cases,
+                      const TimingOptions& timing, double scale = 1) {
+  time_tables(
+      tables, cases, timing,
+      [&](std::span<const RunTime> times) {
+        for (ErrorTimeTable& table : tables)
+          for (std::size_t i = 0; i < times.size(); ++i) table.rows[i].time = in_unit(times[i], scale);
+      },
+      [&](const ErrorTimeTable&, std::size_t row) { return std::min(row, cases.size()); });
+}
 inline void add_times(ErrorTimeTable& table, std::span<const TimedCase> cases, const ReportOptions& options) {
-  const auto times = time_cases(cases, options.timing);
-  for (std::size_t i = 0; i < times.size(); ++i) table.rows[i].time = times[i];
-  mark_dominated(table);
+  add_times(std::span(&table, 1), cases, options.timing);
 }
 
 }  // namespace etak

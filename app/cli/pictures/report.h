@@ -22,6 +22,7 @@ struct ReportArguments {
 struct StabilityArguments {
   OutputArguments output;
   std::string device = "cpu";
+  bool all = false;
 };
 
 /// Does the work of `etak report`, in the module of pictures.h. Returns the exit status; throws Error.

@@ -15,8 +15,8 @@ int show_stability(const StabilityArguments& arguments) {
   check_output(arguments.output);
   const std::vector<StabilityCase> cases =
       arguments.device == "cpu" ? stability_cases() : pictures("--device").stability_on_gl(arguments.device);
-  write_output(arguments.output,
-               arguments.output.format == "json" ? stability_json(cases) : stability_text(cases));
+  write_output(arguments.output, arguments.output.format == "json" ? stability_json(cases)
+                                                                   : stability_text(cases, arguments.all));
   return all_passed(cases) ? exit_ok : exit_findings;
 }
 
@@ -29,6 +29,8 @@ void add_stability(CommandLine& line) {
               "cpu: double and single precision; gl, all: and the formulas on OpenGL")
       .one_of({"cpu", "gl", "all"})
       .show_default();
+  verb.flag("--all", arguments->all,
+            "every case in the text, not only those in which the formula as usually written fails");
   add_output_options(verb, arguments->output, {"text", "json"});
   verb.footer("Exit status: 0 every case as expected, 1 some not.\nExample:\n  etak stability");
   verb.runs([arguments] { return show_stability(*arguments); });

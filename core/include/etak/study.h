@@ -31,7 +31,7 @@
 //   budget       at least 0, in ChooseOptions::unit: CIEDE2000 (D65) or 8-bit sRGB codes of the worst channel
 //   costs        nanoseconds per evaluation. The shipped table makes a choice the same on every machine;
 //                measure_costs() times this one
-//   RunTime      nanoseconds: median and quartiles over interleaved repeats on one thread
+//   RunTime      nanoseconds: median and quartiles over rounds of interleaved repeats on one thread
 //   errors       stand beside every time, in the units of ErrorMetric
 //
 // Errors

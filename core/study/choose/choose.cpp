@@ -24,6 +24,7 @@ constexpr std::size_t most_f0 = 16;  // colours of F0 of a texture that are judg
 // Costs within this factor count as equal, because two runs of measure_costs() differ by as much. Of forms of
 // equal cost the one with the least mean error is taken.
 constexpr double same_cost = 1.15;
+constexpr int textures_of_pair = 2;  // that the filters of the cost table read
 
 // The term of the registry that has the form's formula.
 std::string_view term_of(std::string_view form) {
@@ -115,6 +116,11 @@ class Judge {
   const ChooseSubject& subject() const { return subject_; }
   ErrorUnit unit() const { return unit_; }
   const Look& everything() const { return everything_; }
+
+  /// The cost of reading the textures that are not one colour.
+  double filter_cost(TextureFilter filter, int textures) const {
+    return cost("filter/", name(filter)) * textures / textures_of_pair;
+  }
   std::size_t pixels() const { return judge_->pixels(); }
   double cost(const char* of_what, std::string_view id) const { return costs_.of(of_what + std::string(id)); }
 
@@ -156,14 +162,16 @@ class Judge {
 };
 
 // ---- the steps in their order: each looks for the cheapest candidate within `limit`, drawn with what the
-// steps before have chosen
+// steps before have chosen. Its own error, beside the exact rest, counts on top of the errors that those
+// steps have spent, so that no choice is within the budget only because its error makes up for another.
 
 struct FresnelStep {
   const FresnelForm* form = nullptr;
   FresnelValues values{};
-  double error = 0;  // over all angles
-  bool met = true;   // false: no form is within the limit, and the closest one was taken
-  double limit = 0;  // for the steps that follow: the same, or the error of the closest form alone
+  double error = 0;    // over all angles
+  double picture = 0;  // of the worst pixel, beside the exact rest
+  bool met = true;     // false: no form is within the limit, and the closest one was taken
+  double limit = 0;    // for the steps that follow: the same, or the error of the closest form alone
   std::vector<Candidate> candidates;
 };
 
@@ -203,6 +211,7 @@ FresnelStep choose_fresnel(const Judge& judge, double limit) {
     found_mean = angles.mean;
     out.form = form;
     out.error = angles.worst;
+    out.picture = seen;
   }
   if (out.form == nullptr && closest != nullptr) {
     out.met = false;
@@ -211,6 +220,7 @@ FresnelStep choose_fresnel(const Judge& judge, double limit) {
     if (spectrum)
       closest_picture =
           std::max(out.error, judge.picture(with_form(judge.everything(), *closest, judge.truth())).worst);
+    out.picture = closest_picture;
     out.limit = std::max(limit, closest_picture);
   }
   out.values = out.form->fit(judge.truth());
@@ -219,34 +229,38 @@ FresnelStep choose_fresnel(const Judge& judge, double limit) {
 
 struct VisibilityStep {
   std::string_view term;
+  double own = 0;  // the error of the worst pixel beside the exact rest
   std::vector<Candidate> candidates;
 };
 
-// Chooses among the masking terms that fit a GGX lobe, the full one included. Of terms of equal cost the
-// closest is the one with the least error beside the exact F: beside the chosen form, the errors of form and
-// masking may cancel by chance.
-VisibilityStep choose_visibility(const Judge& judge, const Look& chosen, double limit) {
+// Chooses among the masking terms that fit a GGX lobe, the full one included. Of terms of equal cost the one
+// with the least error of its own is taken.
+VisibilityStep choose_visibility(const Judge& judge, const Look& chosen, const FresnelStep& fresnel) {
   std::vector<Ranked<const Term*>> ranked;
   for (const Term& term : terms())
     if (term.kind == TermKind::visibility && !term.id.starts_with("smith-beckmann"))
       ranked.push_back({&term, judge.cost("visibility/", term.id)});
   by_cost(ranked);
   VisibilityStep out;
-  double found_cost = 0, found_error = 0;
+  double found_cost = 0;
   for (const auto& [term, cost] : ranked) {
     if (!out.term.empty() && cost > found_cost * same_cost) break;
     const auto error_beside = [&judge, id = term->id](Look look) {
       look.visibility = id;
       return judge.picture(look).worst;
     };
-    const double error = error_beside(chosen);
-    out.candidates.push_back({std::string(term->id), std::string(term->title), cost, error, error <= limit});
-    if (error > limit) continue;
-    const double own = error_beside(judge.everything());
-    if (!out.term.empty() && own >= found_error) continue;
+    Candidate candidate{std::string(term->id), std::string(term->title), cost, error_beside(chosen), false};
+    double own = 0;
+    if (candidate.error <= fresnel.limit) {
+      own = error_beside(judge.everything());
+      candidate.error = std::max(candidate.error, fresnel.picture + own);
+      candidate.within = candidate.error <= fresnel.limit;
+    }
+    out.candidates.push_back(candidate);
+    if (!candidate.within || (!out.term.empty() && own >= out.own)) continue;
     if (out.term.empty()) found_cost = cost;
     out.term = term->id;
-    found_error = own;
+    out.own = own;
   }
   return out;
 }
@@ -256,7 +270,8 @@ struct FilterStep {
   std::vector<Candidate> candidates;
 };
 
-FilterStep choose_filter(const Judge& judge, Look look, double limit) {
+//   spent   by the form of F and the masking, in the worst pixel
+FilterStep choose_filter(const Judge& judge, Look look, double spent, double limit) {
   const ChooseSubject& subject = judge.subject();
   FilterStep out;
   out.filter = full_filter(subject);
@@ -264,11 +279,16 @@ FilterStep choose_filter(const Judge& judge, Look look, double limit) {
   std::vector<Ranked<TextureFilter>> ranked;
   for (const TextureFilter filter : all_filters)
     if (subject.mipmaps || !reads_mips(filter))
-      ranked.push_back({filter, judge.cost("filter/", name(filter))});
+      ranked.push_back({filter, judge.filter_cost(filter, subject.texture->varying())});
   by_cost(ranked);
   for (const auto& [filter, cost] : ranked) {
     look.filter = filter;
-    const double error = judge.picture(look).worst;
+    double error = judge.picture(look).worst;
+    if (error <= limit) {
+      Look alone = judge.everything();
+      alone.filter = filter;
+      error = std::max(error, spent + judge.picture(alone).worst);
+    }
     const std::string id(name(filter));
     out.candidates.push_back({id, id, cost, error, error <= limit});
     if (error > limit) continue;
@@ -316,7 +336,7 @@ MethodStep choose_method(const Judge& judge, const Look& chosen, const FresnelSt
     double at_angle = 0;
     if (own <= fresnel.limit) {
       at_angle = judge.at_any_angle(*fresnel.form, look.values).worst;
-      candidate.error = std::max({own, at_angle, judge.picture(look).worst});
+      candidate.error = std::max({fresnel.error + own, at_angle, judge.picture(look).worst});
     }
     candidate.within = candidate.error <= fresnel.limit;
     out.candidates.push_back(candidate);
@@ -348,9 +368,9 @@ void describe_model(const Judge& judge, const FresnelValues& values, Choice& out
 }
 
 double evaluation_cost(const Judge& judge, std::string_view form, std::string_view visibility,
-                       TextureFilter filter) {
+                       TextureFilter filter, int textures) {
   return judge.cost("fresnel/", form) + judge.cost("visibility/", visibility) +
-         (judge.subject().textured() ? judge.cost("filter/", name(filter)) : 0);
+         (judge.subject().textured() ? judge.filter_cost(filter, textures) : 0);
 }
 
 }  // namespace
@@ -363,6 +383,7 @@ Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const 
   out.budget = options.budget;
   out.unit = options.unit;
   out.textured = subject.textured();
+  out.textures = out.textured ? subject.texture->varying() : 0;
   out.pixels = judge.pixels();
   Look chosen = judge.everything();
 
@@ -373,12 +394,12 @@ Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const 
   out.fresnel_error = fresnel.error;
   out.fresnel_candidates = std::move(fresnel.candidates);
 
-  VisibilityStep visibility = choose_visibility(judge, chosen, fresnel.limit);
+  VisibilityStep visibility = choose_visibility(judge, chosen, fresnel);
   chosen.visibility = visibility.term;
   out.visibility = visibility.term;
   out.visibility_candidates = std::move(visibility.candidates);
 
-  FilterStep filter = choose_filter(judge, chosen, fresnel.limit);
+  FilterStep filter = choose_filter(judge, chosen, fresnel.picture + visibility.own, fresnel.limit);
   chosen.filter = out.filter = filter.filter;
   out.filter_candidates = std::move(filter.candidates);
 
@@ -387,18 +408,20 @@ Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const 
     chosen.values = method.values;
     out.method = method.method;
     out.method_error = method.method_error;
-    out.fresnel_error = method.fresnel_error;
+    out.fresnel_error = std::max(fresnel.error, method.fresnel_error);
     out.chosen_solve_ns = method.cost_ns;
     out.everything_solve_ns = judge.cost("quadrature/", name(Method::exact));
     out.method_candidates = std::move(method.candidates);
   }
 
   const PictureDifference together = judge.picture(chosen);
-  out.picture_error = together.worst;
+  // What can be reached is what the form reaches without luck: the other choices may make up for its error.
+  out.picture_error = out.met ? together.worst : std::max(together.worst, fresnel.picture);
   out.picture_mean = together.mean;
   describe_model(judge, chosen.values, out);
-  out.everything_ns = evaluation_cost(judge, judge.full_form(), full_visibility, full_filter(subject));
-  out.chosen_ns = evaluation_cost(judge, out.fresnel->id, out.visibility, out.filter);
+  out.everything_ns =
+      evaluation_cost(judge, judge.full_form(), full_visibility, full_filter(subject), textures_of_pair);
+  out.chosen_ns = evaluation_cost(judge, out.fresnel->id, out.visibility, out.filter, out.textures);
   return out;
 }
 

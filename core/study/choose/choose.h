@@ -86,6 +86,7 @@ struct Choice {
   SurfaceTexel texel;                               // the texel that model_values are of
   std::array<std::uint8_t, channel_count> codes{};  // that texel as a texture pair holds it
   bool textured = false;
+  int textures = 0;          // of the pair, those that are not one colour: the only ones that have to be read
   double fresnel_error = 0;  // the largest over all angles and every F0 that was judged
   double picture_error = 0;  // of the worst pixel, with all choices together against "everything"
   double picture_mean = 0;
@@ -108,7 +109,9 @@ struct ChooseOptions {
 /// below the forbidden zone and Schlick's form above it, because a colour tells no more of a metal; a GGX
 /// lobe with height-correlated Smith masking; trilinear filtering; F0 by the exact quadrature. The budget
 /// holds for all choices together, for F at any angle and for every pixel of rendered spheres (of textures:
-/// at levels of detail from twice magnified to eight mips down). Throws Error for data without a colour or
+/// at levels of detail from twice magnified to eight mips down). The errors that the choices have alone are
+/// added, so that none is taken because it makes up for another. Everything reads both textures of a pair; a
+/// texture of one colour need not be read. Throws Error for data without a colour or
 /// without n and k. Where no form of F stays within the budget, the closest one is chosen and `met` is false;
 /// the other choices then stay within the error of that form.
 Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs);
@@ -119,6 +122,11 @@ double largest_error(const Choice& choice);
 /// The remark on a choice that is not `met`: the smallest error that can be reached, and the way that is
 /// exact.
 std::string unmet_remark(const Choice& choice);
+
+/// Where the choice saves something that costs no error, or nothing at all: what, and why. Empty otherwise.
+/// "wall: one texture is read, the other is one colour"; "wall: nothing is saved within 1 dE2000: by_f0 is
+/// needed, for the closest cheaper one, schlick, is off by 5.2; ..."
+std::string saving_remark(const Choice& choice);
 
 /// The levels of PNG compression, the cheapest first. They are lossless, so that their errors are 0.
 std::vector<Candidate> png_levels(const CostTable& costs);

@@ -22,6 +22,20 @@ std::string rounded_up(double value) {
   return number(std::ceil(value / step) * step, 3);
 }
 
+// Why nothing cheaper than `id` was taken, of candidates in the order of cost.
+std::string why_needed(std::string_view id, const std::vector<Candidate>& candidates) {
+  const auto own = std::find_if(candidates.begin(), candidates.end(),
+                                [&](const Candidate& each) { return each.id == id; });
+  const Candidate* closest = nullptr;
+  for (auto each = candidates.begin(); each != own; ++each)
+    if (!each->within && (closest == nullptr || each->error < closest->error)) closest = &*each;
+  std::string out(id);
+  if (closest == nullptr) return out += " is the cheapest";
+  append(out, " is needed, for the closest cheaper one, ", closest->id, ", is off by ",
+         number(closest->error, 3));
+  return out;
+}
+
 }  // namespace
 
 double CostTable::of(std::string_view id) const {
@@ -74,6 +88,19 @@ std::string unmet_remark(const Choice& choice) {
     append(out, "a material of the library, whose F is known at every nanometre: a colour says no more");
   else
     append(out, "F at every nanometre: etak render ", choice.library, " --reference");
+  return out;
+}
+
+std::string saving_remark(const Choice& choice) {
+  std::string out;
+  if (choice.textures == 1) append(out, choice.material, ": one texture is read, the other is one colour");
+  // What rounds to "0 % less".
+  if (choice.chosen_ns < 0.995 * choice.everything_ns) return out;
+  append(out, out.empty() ? choice.material + ": " : "; ", "nothing is saved within ",
+         number(choice.budget, 6), " ", name(choice.unit), ": ",
+         why_needed(choice.fresnel->id, choice.fresnel_candidates), "; ",
+         why_needed(choice.visibility, choice.visibility_candidates));
+  if (choice.textured) append(out, "; ", why_needed(name(choice.filter), choice.filter_candidates));
   return out;
 }
 

@@ -73,7 +73,7 @@ TexelChain::TexelChain(const ConstPixelsView8& diffuse_alpha, const ConstPixelsV
   std::sort(f0_codes_.begin(), f0_codes_.end());
   f0_codes_.erase(std::unique(f0_codes_.begin(), f0_codes_.end()), f0_codes_.end());
   sort_by_luminance(f0_codes_);
-  constant_ = range.varying() == 0;
+  varying_ = !range.constant(Texture::diffuse_alpha) + !range.constant(Texture::specular_gloss);
 
   const double count = static_cast<double>(box.width) * box.height;
   for (std::size_t c = 0; c < 3; ++c)

@@ -51,7 +51,8 @@ class TexelChain {
   int width() const { return levels_[0].width; }
   int height() const { return levels_[0].height; }
   int levels() const { return static_cast<int>(levels_.size()); }
-  bool constant() const { return constant_; }  // every texel is the same
+  int varying() const { return varying_; }  // how many of the two textures are not one colour
+  bool constant() const { return varying_ == 0; }
 
   /// The texel that the filter gives at a place.
   ///   x, y    in texels of level 0, whose centres lie at one half; beyond the edges the edge texels repeat
@@ -79,7 +80,7 @@ class TexelChain {
   std::vector<Level> levels_;
   std::vector<std::uint32_t> f0_codes_;  // colours of F0 that occur, in the order of luminance
   std::array<std::uint8_t, channel_count> mean_codes_{};
-  bool constant_ = false;
+  int varying_ = 0;
 };
 
 }  // namespace etak

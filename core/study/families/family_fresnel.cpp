@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Family b: forms of Fresnel reflectance against the spectral truth.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <variant>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/material/f0.h"
 #include "core/material/library.h"
+#include "core/material/quality.h"
 #include "core/study/families/families.h"
 #include "core/study/fresnel_forms.h"
 #include "core/study/measure.h"
@@ -18,32 +21,58 @@ namespace {
 struct Group {
   const char* id;
   const char* title;
-  std::vector<const char*> materials;  // "id" or "id/dataset" of the library
+  const char* base;                    // the material whose numbers are timed
+  std::vector<const char*> classes;    // all materials of these classes that have n and k over the visible
+  std::vector<const char*> materials;  // and these
 };
 
 const std::vector<Group>& groups() {
-  static const std::vector<Group> all{
-      {"metals",
-       "Metals",
-       {"silver", "gold", "copper", "aluminum", "iron", "titanium", "chromium", "nickel", "palladium",
-        "tungsten", "zinc"}},
-      {"semiconductors", "Semiconductors", {"silicon", "germanium", "gallium_arsenide"}},
-      {"dielectrics", "Dielectrics", {"diamond", "fused_silica", "water", "polystyrene"}}};
+  static const std::vector<Group> all{{"metals", "Metals", "silver", {"metal"}, {}},
+                                      {"semiconductors", "Semiconductors", "silicon", {"semiconductor"}, {}},
+                                      {"dielectrics",
+                                       "Dielectrics",
+                                       "diamond",
+                                       {"glass", "salt"},
+                                       {"diamond", "water", "polystyrene", "pmma", "ice"}}};
   return all;
 }
 
-FresnelTruth truth_of(const MaterialLibrary& library, const std::string& id) {
-  const auto material = library.find(id);
-  if (!material) throw Error::at(id, "is not in the library");
-  const auto* optics = std::get_if<OpticalConstants>(&material->preferred_dataset().optics);
-  if (optics == nullptr) throw Error::at(id, "has no n and k");
-  return fresnel_truth(*optics, id);
+struct Subject {
+  std::string id;
+  bool doubtful;  // its data are named so, or computed: they are shown apart
+  FresnelTruth truth;
+};
+
+// The materials of a group by their preferred datasets, the timed one first.
+std::vector<Subject> subjects_of(const MaterialLibrary& library, const Group& group) {
+  std::vector<Subject> out;
+  const auto named = [](const auto& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (std::size_t i = 0; i < library.ids().size(); ++i) {
+    const Material material = library.at(i);
+    if (!named(group.classes, material.material_class) && !named(group.materials, material.id)) continue;
+    const Dataset& dataset = material.preferred_dataset();
+    const auto* optics = std::get_if<OpticalConstants>(&dataset.optics);
+    if (optics == nullptr || F0Solver({}).solve(dataset.optics).refused()) continue;
+    const Flags quality = quality_flags(material, dataset);
+    out.push_back({material.id, quality.has(Flag::doubtful) || quality.has(Flag::computed),
+                   fresnel_truth(*optics, material.id)});
+  }
+  const auto timed =
+      std::find_if(out.begin(), out.end(), [&](const Subject& each) { return each.id == group.base; });
+  if (timed == out.end()) throw Error::at(group.base, "is not in the library");
+  std::rotate(out.begin(), timed, timed + 1);
+  return out;
 }
 
-std::vector<RunTime> times_of(const FresnelTruth& truth, const ReportOptions& options) {
+std::vector<TimedCase> timed_forms(const FresnelTruth& truth) {
   std::vector<TimedCase> cases;
   const auto cosines = random_floats(4096, 0, 1);
   for (const FresnelForm& form : fresnel_forms()) {
+    // A form that rises above 1 without bound is not to be chosen: it stands in the table and, without a
+    // time, not in the plot.
+    if (!form.physical) continue;
     const auto values = form.fit(truth);
     std::array<float, 4> p{};
     for (std::size_t i = 0; i < 4; ++i) p[i] = static_cast<float>(values[0][i]);
@@ -53,42 +82,66 @@ std::vector<RunTime> times_of(const FresnelTruth& truth, const ReportOptions& op
                        keep(out->data());
                      }});
   }
-  return time_cases(cases, options.timing);
+  return cases;
 }
 
-ErrorTimeTable table_of(const MaterialLibrary& library, const Group& group, const ReportOptions& options) {
+// The value that `share` of the values do not exceed, on a straight line between two of them.
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  const double at = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  return std::lerp(values[below], values[std::min(below + 1, values.size() - 1)],
+                   at - static_cast<double>(below));
+}
+
+// The errors of a form over the materials whose data are sound, and a point for each material.
+ErrorTimeRow row_of(const FresnelForm& form, std::span<const Subject> subjects) {
+  ErrorTimeRow row;
+  row.id = form.id;
+  row.title = form.title;
+  std::vector<double> largest;
+  double mean = 0, max_de = 0, mean_de = 0, worst = 0, doubtful = 0;
+  for (const Subject& subject : subjects) {
+    const FresnelError error = fresnel_error(subject.truth, form, form.fit(subject.truth));
+    row.points.push_back({subject.id, error.max_abs, subject.doubtful});
+    if (subject.doubtful) {
+      doubtful = std::max(doubtful, error.max_abs);
+      continue;
+    }
+    largest.push_back(error.max_abs);
+    if (error.max_abs > worst) {
+      worst = error.max_abs;
+      row.note = "worst: " + subject.id + " at " + number(error.at_deg, 3) + "°";
+    }
+    mean += error.mean_abs;
+    max_de = std::max(max_de, error.max_de);
+    mean_de += error.mean_de;
+  }
+  const auto sound = static_cast<double>(largest.size());
+  row.errors = {quantile(largest, 0.9), quantile(largest, 0.5), worst, mean / sound, max_de, mean_de / sound};
+  if (std::any_of(subjects.begin(), subjects.end(), [](const Subject& each) { return each.doubtful; }))
+    row.errors.push_back(doubtful);
+  return row;
+}
+
+ErrorTimeTable table_of(const Group& group, std::span<const Subject> subjects, const ReportOptions& options) {
   ErrorTimeTable table;
   table.id = group.id;
-  table.title = group.title;
-  table.metrics = {{"max_abs", "largest error of F", ""},
+  const auto doubtful = static_cast<std::size_t>(
+      std::count_if(subjects.begin(), subjects.end(), [](const Subject& each) { return each.doubtful; }));
+  table.title = std::string(group.title) + ", " + std::to_string(subjects.size() - doubtful) + " materials";
+  if (doubtful > 0)
+    table.title += " (and " + std::to_string(doubtful) + " of doubtful or computed data, apart)";
+  table.metrics = {{"p90_abs", "error of F that 9 of 10 materials stay within", ""},
+                   {"p50_abs", "the same, half of the materials", ""},
+                   {"max_abs", "largest error of F", ""},
                    {"mean_abs", "mean over a sphere, worst channel", ""},
                    {"max_de", "largest colour difference", "ΔE2000"},
                    {"mean_de", "mean colour difference", "ΔE2000"}};
+  if (doubtful > 0) table.metrics.push_back({"doubtful_max_abs", "largest error of F, doubtful data", ""});
   table.base = "schlick";
-  std::vector<FresnelTruth> truths;
-  for (const char* id : group.materials) truths.push_back(truth_of(library, id));
-  const auto times = times_of(truths[0], options);
-  for (std::size_t f = 0; f < fresnel_forms().size(); ++f) {
-    const FresnelForm& form = fresnel_forms()[f];
-    ErrorTimeRow row;
-    row.id = form.id;
-    row.title = form.title;
-    row.errors = {0, 0, 0, 0};
-    for (std::size_t m = 0; m < truths.size(); ++m) {
-      const FresnelError error = fresnel_error(truths[m], form, form.fit(truths[m]));
-      if (error.max_abs > row.errors[0])
-        row.note = "worst: " + std::string(group.materials[m]) + " at " + number(error.at_deg, 3) + "°";
-      row.errors[0] = std::max(row.errors[0], error.max_abs);
-      row.errors[1] += error.mean_abs / static_cast<double>(truths.size());
-      row.errors[2] = std::max(row.errors[2], error.max_de);
-      row.errors[3] += error.mean_de / static_cast<double>(truths.size());
-    }
-    // A form that rises above 1 without bound is not to be chosen: it stands in the table and, without a
-    // time, not in the plot.
-    if (form.physical) row.time = times[f];
-    table.rows.push_back(row);
-  }
-  mark_dominated(table);
+  for (const FresnelForm& form : fresnel_forms()) table.rows.push_back(row_of(form, subjects));
+  add_times(table, timed_forms(subjects.front().truth), options);
   return table;
 }
 
@@ -103,7 +156,8 @@ ErrorTimeFamily fresnel_family(const ReportOptions& options) {
   family.reference = "F at every nanometre and angle, seen under D65, linear sRGB";
   family.grid =
       "0 to 90 degrees in steps of 0.25; preferred datasets of the library; means weighted by 2 cos";
-  for (const Group& group : groups()) family.tables.push_back(table_of(library, group, options));
+  for (const Group& group : groups())
+    family.tables.push_back(table_of(group, subjects_of(library, group), options));
   enum { metals, semiconductors, dielectrics };
   const auto error = [&](std::size_t table, std::string_view id, std::size_t metric) {
     const auto& rows = family.tables[table].rows;
@@ -112,7 +166,7 @@ ErrorTimeFamily fresnel_family(const ReportOptions& options) {
             ->errors[metric],
         2);
   };
-  constexpr std::size_t worst = 2, mean = 3;
+  constexpr std::size_t worst = 4, mean = 5;
   family.advice =
       "Draw dielectrics with the exact form from F0, which nothing can tell from the truth (Schlick misses "
       "by up "
@@ -123,6 +177,11 @@ ErrorTimeFamily fresnel_family(const ReportOptions& options) {
       error(semiconductors, "index", worst) + ", F82 " + error(semiconductors, "f82", worst) +
       "), and never take n and k at three wavelengths on coloured metals (" +
       error(metals, "three_wavelengths", worst) + ").";
+  family.picks = {
+      {"metals", "metals", "f82", "two colours to store, hardly dearer than Schlick", "etak choose gold"},
+      {"semiconductors", "semiconductors", "index", "dips that F82 has not", "etak choose silicon"},
+      {"glass, water, plastics", "dielectrics", "from_f0", "exact, and F0 is all it needs",
+       "etak choose glass_bk7"}};
   family.notes = {
       "The datasets are the library's own choice (tungsten and zinc, for one, not from electron-loss "
       "spectra); with "

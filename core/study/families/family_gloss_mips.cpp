@@ -164,6 +164,7 @@ ErrorTimeFamily gloss_mip_family(const ReportOptions& options) {
       number(rows[1].errors[1], 2) + " of the best single lobe everywhere, where averaging g loses up to " +
       number(rows[0].errors[1], 2) +
       "; etak's mips average 1 / e, as Toksvig does, because then the spread of normals adds to it.";
+  family.picks = {{"gloss in mip levels", "pairs", "mean_exponent", "where there are no normals to add"}};
   const double dark = 0.04, bright = 0.95;
   const double coded = srgb_decode((srgb_encode(dark) + srgb_encode(bright)) / 2);
   family.notes = {"Colour has the same trap: the mean of the sRGB codes of F0 " + number(dark, 2) + " and " +

@@ -221,16 +221,14 @@ ErrorTimeFamily hemisphere_family(const ReportOptions& options) {
   family.tables = {albedo_table(errors), share_table(errors)};
   std::vector<TimedCase> cases;
   for (const Form& form : forms) cases.push_back(timed(form));
-  const auto times = time_cases(cases, options.timing);
   for (ErrorTimeTable& table : family.tables) {
     table.base = forms[0].id;
     for (std::size_t f = 0; f < forms.size(); ++f) {
       table.rows[f].id = forms[f].id;
       table.rows[f].title = forms[f].title;
-      table.rows[f].time = times[f];
     }
-    mark_dominated(table);
   }
+  add_times(family.tables, cases, options.timing);
 
   // The transition of a polished surface is so narrow that few axes meet it: many more axes are taken.
   const auto polished = measure(1, make_axes(37, 25), 120);
@@ -240,6 +238,7 @@ ErrorTimeFamily hemisphere_family(const ReportOptions& options) {
       "surfaces (rms " +
       rms(1) + " at g = 1, where a step has " + rms(0) +
       ") and never divides by 1 - g; never use the printed one.";
+  family.picks = {{"light of a sky and a ground", "share", "wide", "never divides by 1 - g"}};
   family.notes = {
       "As printed, F(g nv) makes rough surfaces white (water at g = 0, face on: " +
           number(value(forms[2], 0.02, 0, 1, 0, 1, 1), 3) + " against " +

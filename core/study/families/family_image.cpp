@@ -21,7 +21,7 @@ namespace etak {
 namespace {
 
 constexpr int side = 256, rays = 4;
-constexpr int timed_side = 1024;  // in smaller frames the start and end of threads would take a visible share
+constexpr int timed_side = 1024;
 constexpr double timed_gloss = 0.5;
 constexpr const char* base_model = "schueler-full";
 
@@ -203,7 +203,7 @@ ErrorTimeTable empty_table(const char* id, std::string title) {
   return table;
 }
 
-ErrorTimeRow row_of(const Model& model, const PictureErrors& errors, std::optional<RunTime> time) {
+ErrorTimeRow row_of(const Model& model, const PictureErrors& errors) {
   ErrorTimeRow row;
   row.id = model.id;
   row.title = model.title;
@@ -211,26 +211,28 @@ ErrorTimeRow row_of(const Model& model, const PictureErrors& errors, std::option
   constexpr std::string_view usual = ", Smith height-correlated";
   if (row.title.ends_with(usual)) row.title.resize(row.title.size() - usual.size());
   row.errors = metrics_of(errors);
-  row.time = time;
   if (model.id == "ashikhmin-shirley") row.note = "with a body of its own; the reference has Lambert's";
   return row;
 }
 
-std::vector<RunTime> frame_times(const Gallery& gallery, const ReportOptions& options) {
+// The row of a model among others, each against the picture with its own lobe.
+ErrorTimeRow own_lobe_row(const Model& model, const PictureErrors& errors) {
+  ErrorTimeRow row = row_of(model, errors);
+  row.truth = lobe_model(model).id;
+  return row;
+}
+
+// Frames of all models on one thread: how busy the other cores are should not decide the order.
+std::vector<TimedCase> timed_frames(const Gallery& gallery) {
   std::vector<TimedCase> cases;
   for (const Model* model : gallery.models())
     cases.push_back({std::string(model->id), 1,
                      [scene = sphere_scene(*model, gallery.first(), timed_gloss, timed_side),
-                      codes = std::make_shared<Image8>(), threads = options.threads] {
-                       render_cpu_codes(scene, nullptr, threads, *codes);
+                      codes = std::make_shared<Image8>()] {
+                       render_cpu_codes(scene, nullptr, 1, *codes);
                        keep(codes->values.data());
                      }});
-  auto times = time_cases(cases, options.timing);
-  for (RunTime& time : times)
-    for (double RunTime::*part :
-         {&RunTime::median_ns, &RunTime::first_quartile_ns, &RunTime::third_quartile_ns, &RunTime::least_ns})
-      time.*part *= 1e-6;
-  return times;
+  return cases;
 }
 
 const ErrorTimeRow& row(const ErrorTimeTable& table, std::string_view id) {
@@ -244,7 +246,6 @@ void add_cpu_tables(const Gallery& gallery, const ReportOptions& options, ErrorT
     render_cpu(scene, nullptr, 1, Precision::f32, picture);
     return picture;
   });
-  const auto times = frame_times(gallery, options);
   const std::size_t count = gallery.models().size();
   for (const bool metals : {true, false}) {
     ErrorTimeTable table = metals ? empty_table("metals", "Metals and semiconductors, same lobe, CPU")
@@ -252,29 +253,40 @@ void add_cpu_tables(const Gallery& gallery, const ReportOptions& options, ErrorT
     const auto use = [metals](bool metal) { return metal == metals; };
     for (std::size_t m = 0; m < count; ++m)
       table.rows.push_back(
-          row_of(*gallery.models()[m], gallery.pooled(errors[m], &ModelErrors::own, use), times[m]));
+          own_lobe_row(*gallery.models()[m], gallery.pooled(errors[m], &ModelErrors::own, use)));
     ErrorTimeRow floor;
     floor.id = "one_ray";
     floor.title = "the reference with one ray";
     floor.errors = metrics_of(gallery.one_ray(metals));
     floor.note = "what 4 x 4 rays alone change";
     table.rows.push_back(floor);
-    mark_dominated(table);
     family.tables.push_back(table);
   }
 
   ErrorTimeTable table = empty_table("lobes", "Lobes against CookTorranceFull's, CPU");
   std::set<const Model*> seen_lobes;
+  std::vector<std::size_t> model_of_lobe;
   for (std::size_t m = 0; m < count; ++m) {
     const Model& model = *gallery.models()[m];
     if (!follows_gloss(model)) continue;
     // Of models that differ in F alone only the first is shown.
     if (model.distribution != nullptr && !seen_lobes.insert(&lobe_model(model)).second) continue;
     table.rows.push_back(
-        row_of(model, gallery.pooled(errors[m], &ModelErrors::full, [](bool) { return true; }), times[m]));
+        row_of(model, gallery.pooled(errors[m], &ModelErrors::full, [](bool) { return true; })));
+    model_of_lobe.push_back(m);
   }
-  mark_dominated(table);
   family.tables.push_back(table);
+
+  const auto case_of = [&](const ErrorTimeTable& of, std::size_t r) {
+    return &of == &family.tables.back() ? model_of_lobe[r] : std::min(r, count);
+  };
+  const auto put = [&](std::span<const RunTime> times) {
+    for (ErrorTimeTable& each : family.tables)
+      for (std::size_t r = 0; r < each.rows.size(); ++r)
+        if (const std::size_t at = case_of(each, r); at < count)
+          each.rows[r].time = in_unit(times[at], ms_of_ns);
+  };
+  time_tables(family.tables, timed_frames(gallery), options.timing, put, case_of);
 }
 
 // GL frames are timed in rounds over all models, a few frames of each in a round. The time is that of GL's
@@ -308,14 +320,15 @@ void add_gl_table(const Gallery& gallery, const ReportOptions& options, ErrorTim
     return values[(values.size() - 1) * quarter / 4];
   };
   for (std::size_t m = 0; m < count; ++m) {
-    RunTime time{quantile(ms[m], 2), quantile(ms[m], 1), quantile(ms[m], 3), 1};
+    RunTime time{quantile(ms[m], 2), quantile(ms[m], 1), quantile(ms[m], 3), 1, quantile(ms[m], 0), ms[m]};
     std::vector<double> ratios;
     for (std::size_t round = 0; round < ms[m].size(); ++round) ratios.push_back(ms[m][round] / ms[0][round]);
     time.ratio = quantile(ratios, 2);
-    table.rows.push_back(row_of(
-        *gallery.models()[m], gallery.pooled(errors[m], &ModelErrors::own, [](bool) { return true; }), time));
+    table.rows.push_back(own_lobe_row(
+        *gallery.models()[m], gallery.pooled(errors[m], &ModelErrors::own, [](bool) { return true; })));
+    table.rows.back().time = time;
   }
-  mark_dominated(table);
+  set_verdicts(table);
   family.tables.push_back(table);
   family.notes.push_back(std::string("OpenGL frames are timed ") +
                          (by_queries      ? "by timer queries"
@@ -347,7 +360,8 @@ ErrorTimeFamily image_family(const ReportOptions& options) {
   family.reference =
       "a sphere of 256 x 256 pixels with 4 x 4 rays each, F at every nanometre, with the model's own lobe, "
       "in "
-      "double; lobes among themselves: with CookTorranceFull's";
+      "double, so that only ways with one lobe are compared; lobes among themselves: with "
+      "CookTorranceFull's";
   family.grid =
       gallery.grid() +
       "; three directional lights 50, 100 and 150 degrees from the viewer; exposed so that the "
@@ -355,11 +369,14 @@ ErrorTimeFamily image_family(const ReportOptions& options) {
   if (options.cpu) {
     add_cpu_tables(gallery, options, family);
     family.advice = advice_of(family);
-    family.notes.push_back("CPU frames: single precision to sRGB codes, on " +
-                           std::to_string(options.threads) +
-                           (options.threads == 1 ? " thread." : " threads.") +
-                           " Lights and viewer are far away, so that F is computed once per light and "
-                           "frames differ by their lobes.");
+    family.picks = {
+        {"pictures of metals", "metals", "ggx-f82", "near the spectral picture", "etak choose gold"},
+        {"pictures of glass, water, plastics", "dielectrics", "ggx-from-f0",
+         "exact F, and F0 is all it needs", "etak choose glass_bk7"}};
+    family.notes.push_back(
+        "CPU frames: single precision to sRGB codes, on one thread. Lights and viewer are far away, so that "
+        "F is computed once per light and "
+        "frames differ by their lobes.");
   }
   family.notes.push_back(
       "FLIP at 67 pixels per degree, of the sRGB codes; mean over the judged pixels, those outside black.");

@@ -163,7 +163,7 @@ Measured measure(double gloss, int steps) {
   return out;
 }
 
-std::vector<RunTime> times_of(const ReportOptions& options) {
+std::vector<TimedCase> timed_ways() {
   constexpr std::size_t directions = 4096;
   auto arrays = std::make_shared<std::array<std::vector<float>, 6>>();
   Random random(7);
@@ -191,10 +191,10 @@ std::vector<RunTime> times_of(const ReportOptions& options) {
                        keep(rgb[0]);
                      }});
   }
-  return time_cases(cases, options.timing);
+  return cases;
 }
 
-ErrorTimeTable table_of(double gloss, const Measured& measured, std::span<const RunTime> times) {
+ErrorTimeTable table_of(double gloss, const Measured& measured) {
   ErrorTimeTable table;
   table.id = "gloss_" + number(gloss, 3);
   table.title = "Gloss " + number(gloss, 3) + " (exponent " + number(exponent_of_gloss(gloss), 4) + ")";
@@ -218,13 +218,9 @@ ErrorTimeTable table_of(double gloss, const Measured& measured, std::span<const 
     }
     for (std::size_t s = 0; s < count; ++s) row.errors.push_back(100 * sums.bias[s] / measured.whole[s]);
     row.errors.push_back(*std::max_element(sums.ratio.begin(), sums.ratio.end()));
-    row.time = times[w];
     if (w == 0) row.note = "the reference";
     table.rows.push_back(row);
   }
-  // The ratios of time_cases() are to its first case; those of the table are to Simplified.
-  for (ErrorTimeRow& row : table.rows) row.time->ratio /= times[1].ratio;
-  mark_dominated(table);
   return table;
 }
 
@@ -244,14 +240,20 @@ ErrorTimeFamily lobe_family(const ReportOptions& options) {
   const int steps = options.full ? 200 : 120;
   family.grid = "12 Gauss points in the view's cosine, " + std::to_string(steps) + " x " +
                 std::to_string(2 * steps) + " half vectors spread as GGX spreads them";
-  const auto times = times_of(options);
-  for (const double gloss : glosses) family.tables.push_back(table_of(gloss, measure(gloss, steps), times));
+  for (const double gloss : glosses) family.tables.push_back(table_of(gloss, measure(gloss, steps)));
+  add_times(family.tables, timed_ways(), options.timing);
+  // The ratios of add_times() are to its first case; those of the tables are to Simplified.
+  for (ErrorTimeTable& table : family.tables)
+    for (const double base = table.rows[1].time->ratio; ErrorTimeRow & row : table.rows)
+      row.time->ratio /= base;
   const ErrorTimeTable& glossy = family.tables[options.full ? 3 : 1];
   const auto mean = [&](std::size_t way) { return number(glossy.rows[way].errors[0], 2) + " %"; };
   family.advice = "Take a Beckmann or e + 2 lobe with Schlick's F: at gloss 0.75 they are " + mean(7) +
                   " and " + mean(5) + " from the full technique, where Simplified as printed is " + mean(1) +
                   " and bounded Optimized " + mean(4) + "; GGX is another lobe (" + mean(9) +
                   "), for materials that were authored with it.";
+  family.picks = {{"surfaces in Schüler's manner", glossy.id, "beckmann-schlick",
+                   "the cheapest lobe that is near the full technique at every gloss"}};
   family.notes = {
       "Relative L1 is the integral of |f - f*| nl nv over all light and view over that of f* nl nv, albedo "
       "bias "

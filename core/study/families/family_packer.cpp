@@ -29,10 +29,6 @@ constexpr std::size_t fewest_repeats = 3;
 // fourth set is made from a square of this side.
 constexpr int best_sides[] = {822, 1247, 535, page_side};
 
-double to_ms(double ns) {
-  return ns * 1e-6;
-}
-
 int between(Random& random, int low, int high) {
   return low + static_cast<int>(random.uniform() * (high - low + 1));
 }
@@ -124,20 +120,17 @@ std::string png_of(const MadePage& page, PngLevel level, unsigned threads) {
   return png_bytes(page.pixels, options);
 }
 
-// Times the cases with as many repeats as fit; `once` is the time of one round over all cases in seconds.
-std::vector<RunTime> timed(const std::vector<TimedCase>& cases, double once, const ReportOptions& options) {
+// Times the table's rows with as many repeats as fit; `once` is the time of one round over all cases in
+// seconds.
+void add_times(ErrorTimeTable& table, const std::vector<TimedCase>& cases, double once,
+               const ReportOptions& options) {
   TimingOptions timing = options.timing;
   const double fit = (options.full ? full_seconds : quick_seconds) / std::max(once, 1e-6) - 1;
   timing.repeats = std::clamp(static_cast<std::size_t>(std::max(fit, 0.0)), fewest_repeats,
                               std::max(fewest_repeats, timing.repeats));
+  timing.more_rounds = std::min<std::size_t>(timing.more_rounds, 4);
   timing.seconds_a_case = 0;  // a single call takes long enough to be timed
-  auto times = time_cases(cases, timing);
-  for (RunTime& time : times) {
-    time.median_ns = to_ms(time.median_ns);
-    time.first_quartile_ns = to_ms(time.first_quartile_ns);
-    time.third_quartile_ns = to_ms(time.third_quartile_ns);
-  }
-  return times;
+  etak::add_times(std::span(&table, 1), cases, timing, ms_of_ns);
 }
 
 template <class Act>
@@ -180,7 +173,6 @@ ErrorTimeTable effort_table(const ReportOptions& options) {
                      }});
   }
   table.base = table.rows.front().id;
-  const auto times = timed(cases, once, options);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     double mean = 0;
     std::vector<double> lost;
@@ -192,9 +184,8 @@ ErrorTimeTable effort_table(const ReportOptions& options) {
     }
     table.rows[r].errors = {mean};
     table.rows[r].errors.insert(table.rows[r].errors.end(), lost.begin(), lost.end());
-    table.rows[r].time = times[r];
   }
-  mark_dominated(table);
+  add_times(table, cases, once, options);
   return table;
 }
 
@@ -236,7 +227,6 @@ ErrorTimeTable codec_table(const ReportOptions& options) {
            }
          }});
   }
-  const auto times = timed(cases, once, options);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     ErrorTimeRow row;
     row.id = levels[i].id;
@@ -248,10 +238,9 @@ ErrorTimeTable codec_table(const ReportOptions& options) {
     }
     for (std::size_t p = 0; p < pages->size(); ++p)
       row.errors.push_back(8 * bytes[i][p] / (double(side) * side));
-    row.time = times[i];
     table.rows.push_back(row);
   }
-  mark_dominated(table);
+  add_times(table, cases, once, options);
   return table;
 }
 
@@ -282,6 +271,9 @@ ErrorTimeFamily packer_family(const ReportOptions& options) {
                   ") and level small: smallest takes several times as "
                   "long for the last " +
                   number(100 * (1 - 1 / error(1, "small")), 2) + " % of the bytes.";
+  family.picks = {{"an atlas while working", "effort", usual, "the default of etak pack"},
+                  {"an atlas to ship", "effort", "effort_300", "paid for once"},
+                  {"its files to ship", "png", "small", "smallest takes several times as long"}};
   family.notes = {"Both on " + std::to_string(options.threads) +
                   (options.threads == 1 ? " thread" : " threads") +
                   "; layouts and bytes are the same on any number."};

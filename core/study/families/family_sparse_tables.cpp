@@ -176,6 +176,8 @@ ErrorTimeFamily sparse_table_family(const ReportOptions& options) {
                   error(1, 1) + " with 10 rows, where straight lines give " + error(1, 0) +
                   "); from 40 rows on straight lines, the reference policy, are good to " + error(3, 0) +
                   " and faster.";
+  family.picks = {{"tables of 20 rows or fewer", "points_10", "pchip_nk", "curves between few rows",
+                   "etak f0 FILE --interpolation pchip"}};
   family.notes = {
       "R between the rows of n and k is not much worse than n and k themselves: what counts is how many rows "
       "there "

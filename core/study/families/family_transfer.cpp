@@ -94,11 +94,7 @@ ErrorTimeTable encode_table(const ReportOptions& options) {
     table.rows.push_back(
         {curve.id,
          curve.title,
-         {std::abs(worst_encode_error(curve)), encode_error(curve, 0.04), encode_error(curve, 0.5)},
-         {},
-         {},
-         false,
-         false});
+         {std::abs(worst_encode_error(curve)), encode_error(curve, 0.04), encode_error(curve, 0.5)}});
   add_times(table, encoders, options);
   return table;
 }
@@ -142,6 +138,9 @@ ErrorTimeFamily transfer_family(const ReportOptions& options) {
       "dielectrics "
       "by whole codes, and 2.2 in with 0.45 out is not even its own inverse.";
   family.tables = {encode_table(options), decode_table(options)};
+  family.picks = {
+      {"codes of linear light", "encode", "srgb", "shortcuts move dark dielectrics by whole codes"},
+      {"linear light of codes", "decode", "srgb", "a table of 256 entries or the GPU does it"}};
   family.notes = {
       "2.2 in and 0.45 out moves " + std::to_string(moved_codes(decoders[1], encoders[1])) +
           " of 256 codes; squaring in and root out " + std::to_string(moved_codes(decoders[2], encoders[3])) +

@@ -62,4 +62,8 @@ bool all_passed(const std::vector<StabilityCase>& cases) {
   return std::all_of(cases.begin(), cases.end(), [](const StabilityCase& one) { return one.passed; });
 }
 
+bool usual_fails(const StabilityCase& one) {
+  return one.naive_f64 && one.naive_f32 && !(one.naive_f64->passed && one.naive_f32->passed);
+}
+
 }  // namespace etak

@@ -44,4 +44,8 @@ std::vector<StabilityCase> stability_cases(const GlEvaluate& gl = {});
 
 bool all_passed(const std::vector<StabilityCase>& cases);
 
+/// Whether the formula as usually written is outside of the allowed error, in double or in single precision.
+/// False for cases without a usual formula.
+bool usual_fails(const StabilityCase& one);
+
 }  // namespace etak

@@ -257,6 +257,55 @@ TEST_CASE("found 1.11: a budget that nothing meets gives the closest, and says h
   CHECK(largest_error(codes) >= (codes.met ? 0 : 1));
 }
 
+TEST_CASE("found 2.7: no choice is within the budget because its error makes up for another's") {
+  for (const char* id : {"silver", "gold", "aluminum", "nickel"})
+    for (const double budget : {0.3, 0.35, 0.5, 1.0}) {
+      INFO(id << " " << budget);
+      const Choice choice = chosen(id, budget);
+      if (!choice.met) continue;
+      // What F alone spends and what the integration alone adds fit into the budget together.
+      double form = 0;
+      for (const Candidate& each : choice.fresnel_candidates)
+        if (each.id == choice.fresnel->id) form = each.error;
+      for (const Candidate& each : choice.method_candidates)
+        if (each.id == choice.method) {
+          CHECK(each.error >= 0.999 * choice.fresnel_error);
+          CHECK(each.error <= budget);
+        }
+      CHECK(form + choice.method_error <= budget + 1e-9);
+    }
+}
+
+TEST_CASE(
+    "found 2.7: a scene's material saves the texture that is one colour, or says why it saves nothing") {
+  // Gloss and F0 alike everywhere, and the diffuse colour is black: only the second texture is read.
+  const auto checks = chosen(textured_subject(32, [](int x, int y) {
+    return std::array<std::uint8_t, 4>{60, 60, 60, static_cast<std::uint8_t>((x + y) % 2 == 0 ? 40 : 220)};
+  }));
+  CHECK(checks.textures == 1);
+  CHECK(checks.chosen_ns < 0.6 * checks.everything_ns);
+  CHECK(contains(saving_remark(checks), "wall: one texture is read, the other is one colour"));
+
+  const auto even = chosen(textured_subject(32, [](int, int) {
+    return std::array<std::uint8_t, 4>{60, 60, 60, 150};
+  }));
+  CHECK(even.textures == 0);
+  CHECK(even.chosen_ns == even.everything_ns);
+  CHECK(contains(saving_remark(even), "nothing is saved within 1 ΔE2000: from_f0 is needed"));
+  CHECK(contains(choice_text({even}, shipped_costs()), "savings:\n  wall: nothing is saved"));
+  CHECK(saving_remark(chosen("gold")).empty());
+}
+
+TEST_CASE("found 1.17: the shipped costs have a row of its own for each level of PNG") {
+  const auto levels = png_levels(shipped_costs());
+  REQUIRE(levels.size() == 3);
+  CHECK(levels[0].id == "fast");
+  CHECK(levels[1].id == "small");
+  CHECK(levels[2].id == "smallest");
+  CHECK(levels[1].cost_ns > 2 * levels[0].cost_ns);
+  CHECK(levels[2].cost_ns > 2 * levels[1].cost_ns);
+}
+
 TEST_CASE("a material without n and k is an error") {
   CHECK_THROWS_AS(chosen("brick"), Error);
 }

@@ -73,3 +73,24 @@ TEST_CASE("a case that GL gets wrong fails, and text and JSON say so") {
   CHECK(contains(stability_json(wrong), "\"passed\": false"));
   CHECK(contains(stability_text(cases()), "PASSED"));
 }
+
+TEST_CASE("found 2.8: cases in which the usual formula fails come first, the others are folded") {
+  const std::string brief = stability_text(cases()), all = stability_text(cases(), true),
+                    page = stability_html(cases());
+  std::size_t shown = 0, folded = 0;
+  for (const auto& one : cases()) {
+    INFO(one.id);
+    const std::string line = "ok    " + one.title + " (" + one.input + ")";
+    CHECK(contains(all, line));
+    CHECK(contains(brief, line) == usual_fails(one));
+    (usual_fails(one) ? shown : folded) += 1;
+    CHECK(usual_fails(one) == (one.naive_f64 && (!one.naive_f64->passed || !one.naive_f32->passed)));
+  }
+  CHECK(shown >= 20);
+  CHECK(contains(brief, std::to_string(folded) + " more cases come out as expected"));
+  CHECK(10 * brief.size() < 7 * all.size());
+  CHECK(contains(page, "<details><summary>" + std::to_string(folded) + " more cases"));
+  // A case that fails is never folded.
+  const auto wrong = stability_cases([](std::string_view) { return 42.0; });
+  CHECK(stability_text(wrong).starts_with("FAIL  "));
+}
