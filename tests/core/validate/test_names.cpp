@@ -208,7 +208,8 @@ TEST_CASE("the files of each convention form the set that is judged") {
         "base-color=w_diff_4k metal-rough=w_arm_4k; normal=w_nor_gl_4k");
   CHECK(sets_text({"w_diff_4k.png", "w_rough_4k.png", "w_disp_4k.png"}) ==
         "base-color=w_diff_4k roughness=w_rough_4k");
-  CHECK(sets_text({"T_w_BC.png", "T_w_ORM.png", "T_w_N.png"}) == "base-color=T_w_BC metal-rough=T_w_ORM; normal=T_w_N");
+  CHECK(sets_text({"T_w_BC.png", "T_w_ORM.png", "T_w_N.png"}) ==
+        "base-color=T_w_BC metal-rough=T_w_ORM; normal=T_w_N");
   CHECK(sets_text({"T_w_D.png", "T_w_A.png", "T_w_R.png", "T_w_M.png"}) ==
         "base-color=T_w_D metallic=T_w_M roughness=T_w_R");
   CHECK(sets_text({"w_AlbedoTransparency.png", "w_MetallicSmoothness.png"}) ==
