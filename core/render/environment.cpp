@@ -189,6 +189,8 @@ Image lobe_map(const Image& map, double gloss, double widest, unsigned threads) 
   const LobeWeight weight(e);
   return filled(1 << static_cast<int>(std::ceil(std::log2(wanted))), threads, [&](const Vec3& r) {
     const auto [sum, total] = gather(source, r, weight.least(), [&](double c) { return weight.at(c); });
+    // Between the pixels of a map that is coarser than the lobe there may be none within it.
+    if (total == 0) return look_up(seen, place_of(r));
     return Vec3{sum[0] / total, sum[1] / total, sum[2] / total};
   });
 }

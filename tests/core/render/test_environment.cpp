@@ -33,6 +33,15 @@ TEST_CASE("a white environment gives radiance 1, irradiance std::numbers::pi, an
   }
 }
 
+TEST_CASE("every lobe sees light in maps that are coarser than it") {
+  for (const int width : {2, 4, 8, 16}) {
+    const Environment white(Image(width, width / 2 + 1, 3, 1.0f), 1, "white", 1);
+    for (const Vec3& d : {unit(0, 0, 1), unit(0.2, 1, 0), unit(-0.3, -0.9, 0.2), unit(0.7, 0.1, 0.4)})
+      for (const double gloss : {0.0, 0.5, 0.9, 1.0})
+        CHECK(white.specular(d, gloss)[1] == Approx(1).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("the middle of the map is -z, a quarter right of it +x, the top +y") {
   Image map(8, 4, 3, 0.0f);
   map.at(4, 1)[0] = 1;
