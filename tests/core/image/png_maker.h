@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image/files/png_chunks.h"
+
 /// Makes PNG files of every form byte by byte, for tests. Nothing of core/image is used, so that the tests
 /// are independent of it.
 namespace etak::test {
@@ -27,8 +29,6 @@ inline std::string png_chunk(const std::string& type, const std::string& data) {
   return big_endian(static_cast<std::uint32_t>(data.size())) + body +
          big_endian(static_cast<std::uint32_t>(crc));
 }
-
-inline const std::string png_signature("\x89PNG\r\n\x1a\n", 8);
 
 struct PngSpec {
   unsigned width = 1, height = 1;
@@ -101,7 +101,7 @@ inline std::string png_header(const PngSpec& spec) {
 
 /// The PNG file around a zlib stream. The stream may be invalid or of another size than the header says.
 inline std::string png_around(const PngSpec& spec, const std::string& stream) {
-  std::string out = png_signature + png_header(spec);
+  std::string out = std::string(png_signature) + png_header(spec);
   if (spec.colour == 3) {
     std::string palette;
     for (int i = 0; i < 3 << spec.bits; ++i) palette += static_cast<char>(i * 7);

@@ -367,7 +367,7 @@ TEST_CASE("broken files are refused with the place and the reason") {
     CHECK_THAT(png_refusal(bytes), Catch::StartsWith("t.png: "));
     CHECK_THAT(png_refusal(bytes), Catch::Contains(part));
   };
-  says(test::png_signature + whole.substr(8 + 25), "IDAT at byte 8 comes first, where IHDR belongs");
+  says(std::string(png_signature) + whole.substr(8 + 25), "IDAT at byte 8 comes first, where IHDR belongs");
   says(test::make_png({0, 5}), "is 0 x 5 pixels; expected 1 to 16384 on a side");
   says(test::make_png({16385, 1}), "is 16385 x 1 pixels");
   says(test::make_png({7, 5, 5, 8}), "colour type 5");
@@ -392,7 +392,7 @@ TEST_CASE("broken files are refused with the place and the reason") {
   std::string rows = test::png_filtered_rows(spec);
   rows[0] = 5;
   says(test::png_around(spec, test::zlib_stream(rows)), "row 0 has filter 5; expected 0 to 4");
-  says(test::png_signature + test::png_header(spec) + test::png_chunk("IEND", ""), "IEND at byte 33");
+  says(std::string(png_signature) + test::png_header(spec) + test::png_chunk("IEND", ""), "IEND at byte 33");
   const std::string closed = whole.substr(0, whole.size() - 12) + test::png_chunk("IEND", "x");
   says(closed, "is not empty");
   std::string text = with_chunk(spec, test::png_chunk("tEXt", "Comment"));

@@ -27,7 +27,7 @@ Scene scene_of(double gloss = 1) {
   return out;
 }
 
-Image drawn(const Scene& scene, Precision precision = Precision::f32) {
+Image drawn_with_backdrop(const Scene& scene, Precision precision = Precision::f32) {
   Image out;
   render_cpu(scene, &studio(), 2, precision, out);
   return out;
@@ -42,10 +42,10 @@ double at(const Image& picture, int x, int y) {
 TEST_CASE(
     "without a backdrop the background has one colour; with one it is the environment behind the object") {
   Scene scene = scene_of();
-  const Image plain = drawn(scene);
+  const Image plain = drawn_with_backdrop(scene);
   CHECK(at(plain, 0, 0) == Approx(0.18));
   scene.backdrop = {true, 0, false};
-  const Image seen = drawn(scene);
+  const Image seen = drawn_with_backdrop(scene);
   CHECK(seen.at(0, 0)[3] == 0);
   // The corner's ray: the camera sees 30 degrees over the height.
   const double slope = std::tan(15 * 3.14159265358979323846 / 180), at_corner = 63.0 / 64 * slope;
@@ -81,13 +81,13 @@ TEST_CASE("the ground is dark where the ball lies on it, and does not change a q
   Scene scene = scene_of();
   scene.view = View{0, 20, 0, 0, 0.5};
   scene.backdrop.ground = true;
-  const Image picture = drawn(scene);
+  const Image picture = drawn_with_backdrop(scene);
   // From 20 degrees above, below the ball: the shadow; far to the side and above the horizon: the background.
   CHECK(at(picture, 32, 48) < 0.5 * 0.18);
   CHECK(at(picture, 0, 63) > 0.8 * 0.18);
   CHECK(at(picture, 32, 0) == Approx(0.18).epsilon(0.05));
   scene.shape = Shape::quad;
-  CHECK(at(drawn(scene), 32, 63) == Approx(0.18));
+  CHECK(at(drawn_with_backdrop(scene), 32, 63) == Approx(0.18));
 }
 
 TEST_CASE("clear bodies of the library pass light by their k, others none") {
@@ -116,7 +116,7 @@ TEST_CASE("a clear ball shows the environment upside down, without its own colou
   scene.surface.opacity = 0;
   scene.surface.passing = Vec3{1, 0.5, 1};
   scene.background = {9, 9, 9};  // what lies behind in the old way must not be seen
-  const Image clear = drawn(scene);
+  const Image clear = drawn_with_backdrop(scene);
   // The middle looks straight through: both surfaces take 4 %, half of green is absorbed.
   const double straight = studio().specular({0, 0, -1}, 1)[1];
   const double mirrored = studio().specular({0, 0, 1}, 1)[1];
@@ -132,7 +132,7 @@ TEST_CASE("a clear ball shows the environment upside down, without its own colou
   const Reference reference = render_reference(scene, &studio(), options);
   scene.specular_values = std::vector<double>(scene.specular_values.size(), 0);
   scene.surface.f0 = {0, 0, 0};
-  const Image through = drawn(scene, Precision::f64);
+  const Image through = drawn_with_backdrop(scene, Precision::f64);
   CHECK(double{reference.picture.at(20, 40)[1]} == Approx(at(through, 20, 40)).epsilon(0.05));
   // Without an environment the background is seen as it always was.
   Image old;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/base64.h"
 #include "core/scene/gltf.h"
 
 namespace etak::test {
@@ -67,19 +68,6 @@ inline std::string glb(std::string json, std::string binary) {
   const std::string chunks =
       word(json.size()) + "JSON" + json + word(binary.size()) + std::string("BIN\0", 4) + binary;
   return "glTF" + word(2) + word(12 + chunks.size()) + chunks;
-}
-
-inline std::string base64(std::string_view bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += i + k <= bytes.size() ? digits[bits >> (18 - 6 * k) & 63] : '=';
-  }
-  return out;
 }
 
 /// The scene of such a document, named s.gltf, whose buffer "quad.bin" is that of a unit square.

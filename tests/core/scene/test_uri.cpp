@@ -27,7 +27,7 @@ TEST_CASE("data URIs hold any bytes; broken base64 is refused") {
   std::string bytes;
   for (int i = 0; i < 256; ++i) bytes += static_cast<char>(i);
   for (std::size_t n = 0; n <= bytes.size(); n += 17)
-    CHECK(data_of_uri("data:application/octet-stream;base64," + test::base64(bytes.substr(0, n)), "x") ==
+    CHECK(data_of_uri("data:application/octet-stream;base64," + base64(bytes.substr(0, n)), "x") ==
           bytes.substr(0, n));
   CHECK(data_of_uri("data:text/plain,a%20b", "x") == "a b");
   CHECK(!data_of_uri("data.bin", "x"));

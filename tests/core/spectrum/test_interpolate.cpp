@@ -36,13 +36,13 @@ Spectrum irregular(std::mt19937_64& random, Value value) {
   return s;
 }
 
-constexpr std::array rules{Interpolation::linear, Interpolation::pchip};
+constexpr std::array interpolations{Interpolation::linear, Interpolation::pchip};
 
 }  // namespace
 
 TEST_CASE("interpolation goes through every sample and holds the ends") {
   const Spectrum s{{400, 450, 520, 700}, {1.5, 0.3, 2.25, -1}};
-  for (const auto rule : rules) {
+  for (const auto rule : interpolations) {
     for (std::size_t i = 0; i < s.size(); ++i) CHECK(at(s, rule, s.wavelength_nm[i]) == s.value[i]);
     CHECK(at(s, rule, 399.999) == 1.5);
     CHECK(at(s, rule, 1) == 1.5);
@@ -52,7 +52,7 @@ TEST_CASE("interpolation goes through every sample and holds the ends") {
 }
 
 TEST_CASE("a single sample is a constant") {
-  for (const auto rule : rules)
+  for (const auto rule : interpolations)
     for (const double nm : {100.0, 589.3, 2000.0}) CHECK(at({{589.3}, {1.5}}, rule, nm) == 1.5);
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("both rules reproduce a straight line") {
   for (int repeat = 0; repeat < 20; ++repeat) {
     const Spectrum s = irregular(random, [](double nm) { return 3 - 0.004 * nm; });
     const auto nm = wavelengths(std::ceil(s.first_nm()), std::floor(s.last_nm()), 0.5);
-    for (const auto rule : rules) {
+    for (const auto rule : interpolations) {
       const auto got = at(s, rule, nm);
       for (std::size_t i = 0; i < nm.size(); ++i) REQUIRE(std::abs(got[i] - (3 - 0.004 * nm[i])) < 1e-14);
     }
@@ -89,7 +89,7 @@ TEST_CASE("interpolation never overshoots the two samples around") {
   for (int repeat = 0; repeat < 50; ++repeat) {
     const Spectrum s = irregular(random, [&](double) { return random() % 4 == 0 ? 0.0 : uniform(random); });
     const auto nm = wavelengths(s.first_nm(), s.last_nm(), 0.37);
-    for (const auto rule : rules) {
+    for (const auto rule : interpolations) {
       const auto got = at(s, rule, nm);
       for (std::size_t i = 0; i < nm.size(); ++i) {
         const auto above =
@@ -113,7 +113,7 @@ TEST_CASE("monotone data stay monotone") {
       return level += random() % 3 == 0 ? 0.0 : jump * jump * jump;
     });
     const auto nm = wavelengths(s.first_nm(), s.last_nm(), 0.23);
-    for (const auto rule : rules) {
+    for (const auto rule : interpolations) {
       const auto got = at(s, rule, nm);
       for (std::size_t i = 1; i < got.size(); ++i) REQUIRE(got[i] >= got[i - 1] - 1e-13);
     }
@@ -122,7 +122,7 @@ TEST_CASE("monotone data stay monotone") {
 
 TEST_CASE("a step from 1 to 0 never goes below 0, where an unconstrained cubic would") {
   const Spectrum s{{400, 450, 500, 550, 600, 650}, {1, 1, 1, 0, 0, 0}};
-  for (const auto rule : rules)
+  for (const auto rule : interpolations)
     for (const double v : at(s, rule, wavelengths(400, 650, 1))) {
       REQUIRE(v >= 0);
       REQUIRE(v <= 1 + 1e-15);
@@ -158,7 +158,7 @@ TEST_CASE("the fast linear rule gives the same numbers as the plain one, bit for
 }
 
 TEST_CASE("interpolation names read back") {
-  for (const auto rule : rules) CHECK(interpolation_named(name(rule)) == rule);
+  for (const auto rule : interpolations) CHECK(interpolation_named(name(rule)) == rule);
   CHECK(name(Interpolation::linear) == "linear");
   CHECK(name(Interpolation::pchip) == "pchip");
   CHECK(!interpolation_named("cubic"));

@@ -148,7 +148,8 @@ std::string write_defects(const TempFolder& folder) {
   return path;
 }
 
-const Finding* find(const ValidationReport& report, std::string_view rule, std::string_view material) {
+const Finding* finding_about(const ValidationReport& report, std::string_view rule,
+                             std::string_view material) {
   for (const CheckedFile& file : report.files)
     for (const Finding& f : file.findings)
       if (f.rule == rule && f.material == material) return &f;
@@ -164,9 +165,9 @@ TEST_CASE(
   const std::string scene = write_defects(folder);
   const ValidationReport input = said_of(scene);
   INFO("input\n" << text_of(told(input)));
-  CHECK(find(input, "ETK101", "plate") != nullptr);
-  CHECK(find(input, "ETK114", "dark") != nullptr);
-  CHECK(find(input, "ETK101", "number") != nullptr);
+  CHECK(finding_about(input, "ETK101", "plate") != nullptr);
+  CHECK(finding_about(input, "ETK114", "dark") != nullptr);
+  CHECK(finding_about(input, "ETK101", "number") != nullptr);
   for (const GltfForm form : all_forms)
     for (const bool islands : {false, true}) {
       const ValidationReport packed = said_while_packing(scene, folder.file("out"), with_form(form, islands));
@@ -196,10 +197,10 @@ TEST_CASE("a finding has its place on the page, of every island, and in UVs of t
       };
       const ValidationReport packed = said_while_packing(scene, folder.file("out"), options, keep);
       std::filesystem::remove_all(folder.file("out"));
-      const Finding* found = find(packed, "ETK101", "plate");
+      const Finding* found = finding_about(packed, "ETK101", "plate");
       REQUIRE(found != nullptr);
       CHECK(found->tile == "plate");
-      CHECK(found->area_px == find(input, "ETK101", "plate")->area_px);
+      CHECK(found->area_px == finding_about(input, "ETK101", "plate")->area_px);
       REQUIRE(found->box);
       REQUIRE(found->uv);
       CHECK(found->islands.size() == (islands ? 2 : 0));
@@ -220,7 +221,7 @@ TEST_CASE("a finding has its place on the page, of every island, and in UVs of t
       CHECK(contains(place_of(*found), "(UV 0.7"));
       CHECK(contains(place_of(*found), "and 1 more island"));
       // Numbers have no place.
-      const Finding* number = find(packed, "ETK101", "number");
+      const Finding* number = finding_about(packed, "ETK101", "number");
       REQUIRE(number != nullptr);
       CHECK(!number->box);
     }
@@ -241,9 +242,10 @@ TEST_CASE("what is judged of a packed scene is what its pages hold") {
   };
   PackOptions options;
   options.leave_out.keep = {"constant"};
-  CHECK(find(said_of(scene), "ETK101", "dark") == nullptr);
-  CHECK(find(said_while_packing(scene, folder.file("a"), options), "ETK101", "dark") == nullptr);
-  CHECK(find(said_while_packing(scene, folder.file("b"), options, spoil), "ETK101", "dark") != nullptr);
+  CHECK(finding_about(said_of(scene), "ETK101", "dark") == nullptr);
+  CHECK(finding_about(said_while_packing(scene, folder.file("a"), options), "ETK101", "dark") == nullptr);
+  CHECK(finding_about(said_while_packing(scene, folder.file("b"), options, spoil), "ETK101", "dark") !=
+        nullptr);
 }
 
 TEST_CASE("the folder of a packed scene gets no remark on sides, alpha and mips, which its packer chose") {
@@ -254,7 +256,7 @@ TEST_CASE("the folder of a packed scene gets no remark on sides, alpha and mips,
     const ValidationReport again = said_of(folder.file("out"));
     INFO(text_of(told(again)));
     CHECK(!again.incomplete);
-    CHECK(find(again, "ETK101", "plate") != nullptr);
+    CHECK(finding_about(again, "ETK101", "plate") != nullptr);
     for (const auto& [rule, severity, material] : told(again)) {
       CHECK(rule != "ETK009");
       CHECK(rule != "ETK503");
