@@ -51,8 +51,10 @@ void check_form(const ErrorTimeFamily& family) {
     INFO(t.id);
     CHECK(std::any_of(t.rows.begin(), t.rows.end(), [&](const ErrorTimeRow& r) { return r.id == t.base; }));
     CHECK(t.plotted < t.metrics.size());
-    CHECK(std::any_of(t.rows.begin(), t.rows.end(),
-                      [](const ErrorTimeRow& r) { return r.verdict == Verdict::unbeaten; }));
+    // On a busy machine the rounds may leave open which is the unbeaten one.
+    CHECK(std::any_of(t.rows.begin(), t.rows.end(), [](const ErrorTimeRow& r) {
+      return r.verdict == Verdict::unbeaten || r.verdict == Verdict::not_settled;
+    }));
     for (const ErrorTimeRow& r : t.rows) {
       INFO(r.id);
       REQUIRE(r.errors.size() == t.metrics.size());

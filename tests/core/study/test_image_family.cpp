@@ -53,8 +53,10 @@ void require_whole(const ErrorTimeFamily& family) {
       if (row.time) CHECK(row.time->median_ns > 0);
     }
     CHECK(ids.count(each.base) == 1);
-    CHECK(std::any_of(each.rows.begin(), each.rows.end(),
-                      [](const ErrorTimeRow& row) { return row.verdict == Verdict::unbeaten; }));
+    // On a busy machine the rounds may leave open which is the unbeaten one.
+    CHECK(std::any_of(each.rows.begin(), each.rows.end(), [](const ErrorTimeRow& row) {
+      return row.verdict == Verdict::unbeaten || row.verdict == Verdict::not_settled;
+    }));
   }
 }
 
