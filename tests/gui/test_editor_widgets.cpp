@@ -88,7 +88,7 @@ class EditorWidgets : public QObject {
     TestWindow window(true);
     window->show();
     QComboBox& view = combo_called(window, "View of the display");
-    QCOMPARE(view.count(), 3);
+    QCOMPARE(view.count(), 4);
     QVERIFY(view.isEnabled());
     choose(view, QStringLiteral("Khronos PBR Neutral"));
     QVERIFY(window->document().project().view.tone == Tone::neutral);
