@@ -23,14 +23,14 @@ struct Copy {
   std::string name, scene;
 };
 
-// Calls act(copy) for every altered copy of every model.
+// Calls act(copy) for the altered copies of every model.
 template <class Act>
 void each_copy(const Act& act) {
-  for (const std::string& model : real_models)
-    for (const Alteration& alteration : alterations) {
+  for (std::size_t m = 0; m < real_models.size(); ++m)
+    for (const Alteration& alteration : alterations_of(m)) {
       Copy copy;
-      copy.name = model + ", " + alteration.name;
-      copy.scene = altered_copy(*asset(model), alteration, PngLevel::small, copy.folder.path());
+      copy.name = real_models[m] + ", " + alteration.name;
+      copy.scene = altered_copy(*asset(real_models[m]), alteration, PngLevel::small, copy.folder.path());
       INFO(copy.name);
       act(copy);
     }
