@@ -89,7 +89,7 @@ class NameReader {
 
  private:
   struct TextHash : std::hash<std::string_view> {
-    using is_transparent = void;
+    using is_transparent = void;  // NOLINT(readability-identifier-naming): the name that containers look for
   };
   std::unordered_map<std::string, OwnName, TextHash, std::equal_to<>> own_;
 };
