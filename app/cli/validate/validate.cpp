@@ -83,9 +83,11 @@ void tell_not_checked(const ValidationReport& report, const ValidateArguments& a
   std::size_t count = 0;
   for (const CheckedFile& each : report.files) {
     if (!each.unreadable || ++count > most_named) continue;
+    // Of a pair or set, the finding names the file that is damaged.
     const auto why = std::ranges::find_if(each.findings, is_of_the_tool, &Finding::rule);
-    complain(shown_path(each.path, report.typed) + ": could not be checked" +
-             (why == each.findings.end() ? "" : ": " + sentence_of(*why)));
+    const bool told = why != each.findings.end();
+    complain(shown_path(told ? why->file : each.path, report.typed) + ": could not be checked" +
+             (told ? ": " + sentence_of(*why) : ""));
   }
   if (count > most_named) complain(grouped(count - most_named) + " more files could not be checked");
 }
