@@ -6,9 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <filesystem>
 #include <set>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -21,8 +19,6 @@
 
 namespace etak {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 bool is_path_below(std::string_view name) {
@@ -34,6 +30,11 @@ bool is_path_below(std::string_view name) {
   }
 }
 
+/// The last part of a path below the folder.
+std::string name_in_folder(const std::string& name) {
+  return name.substr(name.rfind('/') + 1);
+}
+
 }  // namespace
 
 struct OutputTree::State {
@@ -43,13 +44,42 @@ struct OutputTree::State {
   Temporary fresh;                 // holds the files by their numbers
   std::vector<std::string> names;  // of the files, by number
   std::set<std::string> taken;
+  std::vector<std::string> new_folders;  // paths below the folder, parents first
   DiskQueue disk;
+
+  Descriptor folder_of(const std::string& name, bool make);
 
   [[noreturn]] void fail(const char* what, const std::string& file = {}) const {
     const int why = errno;
     throw Error::at(file.empty() ? path : path + "/" + file, std::string(what) + ": " + reason_of(why));
   }
 };
+
+/// The open folder that holds the file `name`. It is reached from the handle of the tree's own folder, part by
+/// part, and a link is never followed: whoever puts one there between two steps cannot lead a file elsewhere.
+///   make   whether folders that are missing are made
+Descriptor OutputTree::State::folder_of(const std::string& name, bool make) {
+  Descriptor at(::fcntl(folder.get(), F_DUPFD_CLOEXEC, 0));
+  if (!at) fail("cannot be opened");
+  for (std::size_t begin = 0, slash; (slash = name.find('/', begin)) != name.npos; begin = slash + 1) {
+    const std::string part = name.substr(begin, slash - begin), below = name.substr(0, slash);
+    if (make && ::mkdirat(at.get(), part.c_str(), mode_of_new_folder()) == 0)
+      new_folders.push_back(below);
+    else if (make && errno != EEXIST)
+      fail("cannot be made", below);
+    Descriptor next = open_folder(at.get(), part);
+    if (!next) {
+      const int why = errno;
+      struct stat info {};
+      if (::fstatat(at.get(), part.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0 && !S_ISDIR(info.st_mode))
+        throw Error::at(path + "/" + below, S_ISLNK(info.st_mode) ? "is a link" : "is a file", "a folder");
+      errno = why;
+      fail("cannot be opened", below);
+    }
+    at = std::move(next);
+  }
+  return at;
+}
 
 OutputTree::OutputTree(const std::string& path, bool overwrite) : state_(std::make_unique<State>()) {
   State& s = *state_;
@@ -91,36 +121,33 @@ void OutputTree::prepare() {
     s.fail("cannot be written", failure->first);
   }
   for (const std::string& name : s.names) {
-    const fs::path target = fs::path(s.path) / name;
-    fs::path folder = s.path;
-    for (const fs::path& part : fs::path(name).parent_path()) {
-      folder /= part;
-      std::error_code failure;
-      // A link could lead out of the folder.
-      if (fs::is_symlink(fs::symlink_status(folder, failure)))
-        throw Error::at(folder.string(), "is a link", "a folder");
-      fs::create_directory(folder, failure);
-      if (failure) throw Error::at(folder.string(), "cannot be made: " + failure.message(), "a folder");
-    }
+    const Descriptor folder = s.folder_of(name, true);
     struct stat info {};
-    if (::fstatat(s.folder.get(), name.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) continue;
-    if (S_ISDIR(info.st_mode)) throw Error::at(target.string(), "is a folder", "a file to replace");
-    if (!s.overwrite) throw exists_already(target.string());
+    if (::fstatat(folder.get(), name_in_folder(name).c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) continue;
+    const std::string target = s.path + "/" + name;
+    if (S_ISDIR(info.st_mode)) throw Error::at(target, "is a folder", "a file to replace");
+    if (!s.overwrite) throw exists_already(target);
   }
 }
 
 void OutputTree::place() {
   State& s = *state_;
-  for (std::size_t i = 0; i < s.names.size(); ++i)
-    if (::renameat(s.fresh.open().get(), std::to_string(i).c_str(), s.folder.get(), s.names[i].c_str()) != 0)
+  for (std::size_t i = 0; i < s.names.size(); ++i) {
+    const Descriptor folder = s.folder_of(s.names[i], false);
+    if (::renameat(s.fresh.open().get(), std::to_string(i).c_str(), folder.get(),
+                   name_in_folder(s.names[i]).c_str()) != 0)
       s.fail("cannot be put in place (files written before it have been)", s.names[i]);
+  }
   ::fsync(s.folder.get());
   s.made = false;
+  s.new_folders.clear();
 }
 
 void OutputTree::tidy() {
   State& s = *state_;
   s.fresh.remove(-1);
+  for (; !s.new_folders.empty(); s.new_folders.pop_back())  // those that hold something stay
+    ::unlinkat(s.folder.get(), s.new_folders.back().c_str(), AT_REMOVEDIR);
   if (std::exchange(s.made, false)) ::rmdir(s.path.c_str());
 }
 
