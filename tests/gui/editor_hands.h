@@ -51,6 +51,22 @@ inline void choose_file(const QString& path) {
   });
 }
 
+/// A Radiance picture, width x height texels of RGBE without run lengths.
+///   rgbe   called with the number of a texel, row by row; gives its four bytes
+inline QByteArray radiance_picture(int width, int height, const std::function<QByteArray(int)>& rgbe) {
+  QByteArray out = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + QByteArray::number(height) + " +X " +
+                   QByteArray::number(width) + "\n";
+  for (int i = 0; i < width * height; ++i) out += rgbe(i);
+  return out;
+}
+
+/// A room with bright columns `apart` texels from each other.
+inline QByteArray radiance_room(int width, int height, int apart) {
+  return radiance_picture(width, height, [&](int i) {
+    return i % apart < 40 ? QByteArray("\xff\xf0\xe0\x84", 4) : QByteArray("\x20\x40\x60\x7f", 4);
+  });
+}
+
 inline QAction* action_named(const QObject& where, const QString& name) {
   for (QAction* each : where.findChildren<QAction*>())
     if (each->text().remove(QLatin1Char('&')).remove(QChar(0x2026)) == name) return each;

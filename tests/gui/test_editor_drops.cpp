@@ -85,9 +85,7 @@ class EditorDrops : public QObject {
     TestWindow window(true);
     window->show();
     const QString file = window.file(QStringLiteral("sky.hdr"));
-    QByteArray hdr("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n");
-    for (int i = 0; i < 8; ++i) hdr += QByteArray("\x80\x90\xa0\x81", 4);
-    write(file, hdr);
+    write(file, radiance_picture(4, 2, [](int) { return QByteArray("\x80\x90\xa0\x81", 4); }));
     const LightSetup before = window->document().project().view.lights;
     const auto seen = [&] { return window->viewport().state().environment; };
     QVERIFY(QTest::qWaitFor([&] { return seen() != nullptr && !window->is_busy(); }, 20000));

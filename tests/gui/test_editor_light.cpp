@@ -156,10 +156,7 @@ class EditorLight : public QObject {
     QVERIFY(work != nullptr);
     QVERIFY(work->text().isEmpty());
     const QString file = window.file(QStringLiteral("room.hdr"));
-    QByteArray hdr("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 512 +X 1024\n");
-    for (int i = 0; i < 512 * 1024; ++i)
-      hdr += i % 700 < 40 ? QByteArray("\xff\xf0\xe0\x84", 4) : QByteArray("\x20\x40\x60\x7f", 4);
-    write(file, hdr);
+    write(file, radiance_room(1024, 512, 700));
     const auto seen = [&] { return window->viewport().state().environment; };
     const auto before = seen();
     QElapsedTimer timer;

@@ -72,10 +72,7 @@ class EditorTimes : public QObject {
     std::vector<double> firsts, sharps;
     for (int i = 0; i < 5; ++i) {
       const QString file = window.file(QStringLiteral("room %1.hdr").arg(i));
-      QByteArray hdr("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 512 +X 1024\n");
-      for (int at = 0; at < 512 * 1024; ++at)
-        hdr += at % (700 + i) < 40 ? QByteArray("\xff\xf0\xe0\x84", 4) : QByteArray("\x20\x40\x60\x7f", 4);
-      write(file, hdr);
+      write(file, radiance_room(1024, 512, 700 + i));
       const auto seen = [&] { return window->viewport().state().environment; };
       const auto before = seen();
       QElapsedTimer timer;
