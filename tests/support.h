@@ -44,6 +44,8 @@ std::vector<std::vector<std::string>> read_csv(const std::string& path);
 /// what() of the Error that `act` throws; empty where it throws none.
 std::string error_of(const std::function<void()>& act);
 bool contains(std::string_view text, std::string_view part);
+/// How often `part`, which is not empty, begins in `text`.
+std::size_t count_of(std::string_view text, std::string_view part);
 
 /// The index of the column `name` in `header`; the test fails where there is no such column.
 std::size_t column(const std::vector<std::string>& header, std::string_view name);

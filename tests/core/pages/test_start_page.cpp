@@ -44,17 +44,11 @@ std::string page_of_samples() {
   return start_page(data);
 }
 
-std::size_t count_in(const std::string& text, std::string_view part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 }  // namespace
 
 TEST_CASE("the start page shows spheres with their errors, values to copy, texels, findings and cards") {
   const std::string page = page_of_samples();
-  CHECK(count_in(page, "class=\"balls\"") == 1);
+  CHECK(count_of(page, "class=\"balls\"") == 1);
   CHECK(contains(page, "<b>ΔE 2.35</b><br>worst 9.9"));
   CHECK(contains(page, "<b>ΔE 0.12</b><br>worst 0.5"));
   CHECK(contains(page, "<pre data-target=\"Unreal\">Base Color: (R=1)</pre>"));
@@ -67,14 +61,14 @@ TEST_CASE("the start page shows spheres with their errors, values to copy, texel
 
 TEST_CASE("only a difference that can be seen is marked") {
   const std::string page = page_of_samples();
-  CHECK(count_in(page, "<figure class=\"seen\">") == 1);
+  CHECK(count_of(page, "<figure class=\"seen\">") == 1);
 }
 
 TEST_CASE("the start page loads nothing, and foreign text cannot become markup in it") {
   const std::string page = page_of_samples();
   for (const char* loader : {"<link", "@import", "<iframe", "src=\"http", "url(", "fetch("})
     CHECK_FALSE(contains(page, loader));
-  CHECK(count_in(page, "src=\"") == count_in(page, "src=\"data:image/png;base64,"));
+  CHECK(count_of(page, "src=\"") == count_of(page, "src=\"data:image/png;base64,"));
   CHECK(contains(page, "Testium &amp; &lt;co&gt;"));
   CHECK_FALSE(contains(page, "<wall>"));
   CHECK(page_of_samples() == page);
@@ -83,7 +77,7 @@ TEST_CASE("the start page loads nothing, and foreign text cannot become markup i
 TEST_CASE("the chart has a dot, a name and a line for each way, inside of its square") {
   const StartPoint points[] = {{"fast", 0.4, 2, 0.5, 6}, {"slow", 20, 1e-5, 0, 1e-4}};
   const std::string chart = start_chart(points);
-  CHECK(count_in(chart, "<circle") == 2);
+  CHECK(count_of(chart, "<circle") == 2);
   CHECK(contains(chart, ">fast</text>"));
   CHECK(contains(chart, ">slow</text>"));
   CHECK_FALSE(contains(chart, "nan"));

@@ -20,12 +20,6 @@ namespace {
 
 const OutputOptions options{Severity::error, "1.2.3"};
 
-std::size_t count_of(std::string_view text, std::string_view part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 // A reader of RFC 4180, strict: CRLF ends a row, quotes only around whole fields.
 std::vector<std::vector<std::string>> csv_rows(std::string_view text) {
   std::vector<std::vector<std::string>> rows(1, {""});
@@ -131,9 +125,9 @@ TEST_CASE("the text tells errors first, then places; infos of one rule share a l
 }
 
 TEST_CASE("files are named as the user typed them") {
-  TypedFolders typed{{"../../work/set", "/show/set"}, {"props", "game/props"}, {"here", ""}, {"tree", "t/"}};
-  for (const auto& [label, shown] : {std::pair("../../work/set/a.png", "/show/set/a.png"),
-                                     {"../../work/set/deep/a.png", "/show/set/deep/a.png"},
+  TypedFolders typed{{"../../art/set", "/show/set"}, {"props", "game/props"}, {"here", ""}, {"tree", "t/"}};
+  for (const auto& [label, shown] : {std::pair("../../art/set/a.png", "/show/set/a.png"),
+                                     {"../../art/set/deep/a.png", "/show/set/deep/a.png"},
                                      {"props/a.png", "game/props/a.png"},
                                      {"here/a.png", "a.png"},
                                      {"tree/a.png", "t/a.png"},
