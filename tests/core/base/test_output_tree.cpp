@@ -68,10 +68,12 @@ TEST_CASE("a tree follows no link out of its folder") {
   CHECK(fs::is_empty(folder.file("elsewhere")));
   fs::remove(target + "/wood");
   spit(target + "/wood", "a file");
-  OutputTree other(target, true);
-  other.write("new/a.png", "x");
-  other.write("wood/a.png", "x");
-  CHECK(contains(error_of([&] { other.commit(); }), "is a file"));
+  {
+    OutputTree other(target, true);
+    other.write("new/a.png", "x");
+    other.write("wood/a.png", "x");
+    CHECK(contains(error_of([&] { other.commit(); }), "is a file"));
+  }
   CHECK_FALSE(fs::exists(target + "/new"));  // an empty folder of a commit that failed
 }
 
