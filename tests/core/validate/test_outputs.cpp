@@ -269,6 +269,17 @@ TEST_CASE("JUnit is well-formed; errors are failures, unreadable files are error
   CHECK(count_of(validation_junit(nasty_report(), {Severity::info, "1"}), "<failure ") == 3);
 }
 
+TEST_CASE("JUnit has a case for the findings of every rule") {
+  for (const Rule* rule : rules()) {
+    INFO(rule->id);
+    const std::string id(rule->id);
+    const std::string xml = validation_junit(
+        report_of({checked_file("a.png", {finding(id, "a.png", Severity::error)})}, {}), options);
+    CHECK(count_of(xml, "<failure ") + count_of(xml, "<error ") == 1);
+    CHECK(contains(xml, id + ' '));
+  }
+}
+
 TEST_CASE("GitHub gets at most 10 annotations of a level and a sum of the rest") {
   std::vector<CheckedFile> files;
   for (int i = 0; i < 25; ++i) {
