@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/edit_distance.h"
+#include "core/base/files/input.h"
 #include "core/validate/rules/rows.h"
 
 namespace etak {
@@ -52,8 +53,12 @@ const Rule* find_rule(std::string_view id_or_slug) {
   return nullptr;
 }
 
+const Rule& rule_of_unreadable(std::string_view message) {
+  return message.find(git_lfs_pointer) == message.npos ? etk001_unreadable : etk011_git_lfs_pointer;
+}
+
 bool is_of_the_tool(std::string_view rule) {
-  return rule == "ETK001" || rule.starts_with("ETK9");
+  return rule == etk001_unreadable.id || rule == etk011_git_lfs_pointer.id || rule.starts_with("ETK9");
 }
 
 std::vector<const Rule*> rules_with_prefix(std::string_view prefix) {

@@ -16,7 +16,12 @@ std::span<const Rule* const> rules();
 /// Null: none.
 const Rule* find_rule(std::string_view id_or_slug);
 
-/// Whether a rule, given by its id, is about what could not be checked (ETK001) or about etak itself (9xx).
+/// The rule about a file that cannot be read for the reason that the message tells: ETK011 for a pointer of
+/// Git LFS, else ETK001.
+const Rule& rule_of_unreadable(std::string_view message);
+
+/// Whether a rule, given by its id, is about what could not be checked (ETK001, ETK011) or about etak itself
+/// (9xx).
 bool is_of_the_tool(std::string_view rule);
 
 /// The rules whose ids begin with `prefix` ("ETK1", "ETK"); a whole id or a slug gives one rule. Empty: none

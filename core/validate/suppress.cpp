@@ -9,10 +9,6 @@
 namespace etak {
 namespace {
 
-bool never_allowed(std::string_view rule) {
-  return rule == "ETK001" || rule.starts_with("ETK9");
-}
-
 // Where the pattern does not fit on, the latest '*' takes one more character, else the latest "**". Only the
 // latest star of each kind is remembered, which bounds the number of steps.
 bool glob_part(std::string_view pattern, std::string_view path) {
@@ -58,7 +54,7 @@ bool glob_part(std::string_view pattern, std::string_view path) {
 }
 
 bool covers(const AllowEntry& entry, const Finding& finding) {
-  return finding.rule.starts_with(entry.rule) && !never_allowed(finding.rule) &&
+  return finding.rule.starts_with(entry.rule) && !is_of_the_tool(finding.rule) &&
          (entry.file.empty() || glob_matches(entry.file, finding.file)) &&
          (entry.tile.empty() || glob_part(entry.tile, finding.tile)) &&
          (entry.material.empty() || glob_part(entry.material, finding.material));

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -199,6 +200,17 @@ Pipe* accepted_pipe(const std::string& path) {
   throw Error::at(path, S_ISSOCK(mode) ? "is a socket" : "is a device", what_is_read);
 }
 
+// Git LFS checks a pointer out where a large file has not been fetched: a text of less than 1024 bytes that
+// begins as below (the specification of Git LFS, version 1).
+void refuse_git_lfs_pointer(const std::string& path, const OpenedInput& opened) {
+  constexpr std::string_view first_line = "version https://git-lfs.github.com/spec/v1\n";
+  if (opened.size < first_line.size() || opened.size >= 1024) return;
+  std::array<char, first_line.size()> head{};
+  if (::pread(opened.file.get(), head.data(), head.size(), 0) == static_cast<ssize_t>(head.size()) &&
+      std::string_view(head.data(), head.size()) == first_line)
+    throw Error::at(path, git_lfs_pointer, "the file, which `git lfs pull` fetches");
+}
+
 OpenedInput open_regular(const std::string& path) {
   OpenedInput out;
   // Looked at before it is opened, because the writer of a pipe notices that it is opened.
@@ -210,6 +222,7 @@ OpenedInput open_regular(const std::string& path) {
   if (::fstat(out.file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason_of(errno));
   if (!S_ISREG(info.st_mode)) refuse(path, info.st_mode);
   out.size = static_cast<std::size_t>(info.st_size);
+  refuse_git_lfs_pointer(path, out);
   return out;
 }
 

@@ -47,8 +47,12 @@ struct OpenedInput {
   std::size_t size = 0;
 };
 
+/// What a message says of a file that Git LFS has left in the place of a large one.
+inline constexpr std::string_view git_lfs_pointer = "is a pointer of Git LFS and not the file itself";
+
 /// Opens `path`. Throws Error that names it when it cannot be opened, is none of the above, holds more than
-/// `most` bytes (a pipe is not read further than that), or is a pipe that nothing came from in time.
+/// `most` bytes (a pipe is not read further than that), is a pipe that nothing came from in time, or is a
+/// pointer of Git LFS.
 OpenedInput open_input(const std::string& path, std::size_t most);
 
 /// The first `count` bytes, fewer where the file is shorter; of a pipe no more is read. Throws as

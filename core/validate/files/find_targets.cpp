@@ -76,7 +76,7 @@ class Finder {
     CheckedFile file;
     file.path = text;
     file.unreadable = true;
-    Finding& finding = file.findings.emplace_back(finding_of(*find_rule("ETK001"), Severity::error));
+    Finding& finding = file.findings.emplace_back(finding_of(rule_of_unreadable(message), Severity::error));
     finding.file = text;
     finding.message = message;
     if (!fix.empty()) finding.fix = fix;

@@ -96,7 +96,8 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrar
     try {
       add(out, check());
     } catch (const Error& error) {
-      out.findings.push_back(finding_with("ETK001", Severity::error, error.what()));
+      out.findings.push_back(
+          finding_with(rule_of_unreadable(error.what()).id, Severity::error, error.what()));
       out.unreadable = true;
     } catch (const std::bad_alloc&) {
       out.findings.push_back(

@@ -19,7 +19,7 @@ constexpr std::array families{
 
 // Whether a file could not be checked, which is an error in JUnit; findings of a high severity are failures.
 bool is_unreadable(const Finding& finding) {
-  return finding.rule == "ETK001" || finding.rule == "ETK901";
+  return finding.rule == "ETK001" || finding.rule == "ETK011" || finding.rule == "ETK901";
 }
 
 std::string line_of(const Finding& finding) {

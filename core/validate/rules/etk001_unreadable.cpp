@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/validate/rules.h"
 #include "core/validate/rules/rows.h"
+#include "core/validate/rules/unreadable.h"
 
 namespace etak {
 
-namespace {
-
-void etk001(RuleCheck& check) {
+void report_unreadable(RuleCheck& check, const Rule& rule) {
   for (const std::string& message : check.evidence.unreadable) {
+    if (&rule_of_unreadable(message) != &rule) continue;
     Finding& finding = check.report();
     finding.message = message;
     // Messages of readers begin with the name of the file, which the finding has itself.
@@ -17,6 +18,12 @@ void etk001(RuleCheck& check) {
       }
     finding.value = "unreadable";
   }
+}
+
+namespace {
+
+void etk001(RuleCheck& check) {
+  report_unreadable(check, etk001_unreadable);
 }
 
 }  // namespace
