@@ -51,14 +51,15 @@ struct ValidationRequest {
   bool renew_known = false;  // everything found counts as known, instead of `known`
 
   // How it is checked.
-  PictureDoor door;          // of pictures that are no plain PNG
-  std::string cache_folder;  // results of earlier runs; made where it is missing; empty: none
-  std::string cache_key;     // the bytes of a secret: only entries written with it count; empty: all of them
-  std::string version;       // of the program: results of other versions do not count
-  bool hashes = false;       // the report gives the SHA-256 of every file, which reads all files once more
-  bool must_check = false;   // a run that checks nothing is incomplete
-  bool list_files = false;   // for list_files()
-  unsigned threads = 1;      // the report is the same for any number of them
+  PictureDoor door;           // of pictures that are no plain PNG
+  std::string cache_folder;   // results of earlier runs; made where it is missing; empty: none
+  std::string cache_key;      // the bytes of a secret: only entries written with it count; empty: all of them
+  std::string version;        // of the program: results of other versions do not count
+  bool hashes = false;        // the report gives the SHA-256 of every file, which reads all files once more
+  bool must_check = false;    // a run that checks nothing is incomplete
+  bool pass_unknown = false;  // named files of no known kind are passed over, as those of folders are
+  bool list_files = false;    // for list_files()
+  unsigned threads = 1;       // the report is the same for any number of them
   // Called by the thread that called validate(), with how many of the checks are done.
   std::function<void(std::size_t done, std::size_t all)> progress;
   // Called before each check, from any thread; true: no other check is begun, and the report is marked

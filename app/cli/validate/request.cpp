@@ -82,6 +82,7 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   if (!arguments.cache_key.empty()) out.cache_key = read_cache_key(arguments.cache_key);
   out.version = ETAK_VERSION;
   out.must_check = !arguments.allow_empty;
+  out.pass_unknown = arguments.allow_empty;
   // JSON is the only form that holds hashes of the files.
   out.hashes = arguments.output.format == "json";
   out.threads = thread_count(arguments.threads);

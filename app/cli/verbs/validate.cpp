@@ -83,7 +83,8 @@ void add_validate(CommandLine& line) {
       .reads_file()
       .value_name("FILE");
   verb.flag("--allow-empty", a.allow_empty,
-            "pass where there is nothing to check, also with an empty --files-from; else that is status 2");
+            "pass where there is nothing to check, also with an empty --files-from, and pass over named files of no "
+            "known kind; else that is status 2");
   verb.flag("--list-files", a.list_files,
             "show what every file is taken for, and stop (--format text or json)");
   verb.option("--role", a.role, "what the pictures are (default: by their names)")

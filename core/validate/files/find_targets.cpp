@@ -90,7 +90,7 @@ class Finder {
     if (fs::is_directory(status)) return add_folder(path);
     remember_typed(folder_of(path));
     if (!fs::exists(status) && !is_pipe_input(path)) return fail(path, why_missing(path), missing_fix);
-    candidates_.push_back({path, Named::by_hand, {}});
+    candidates_.push_back({path, request_.pass_unknown ? Named::by_list : Named::by_hand, {}});
   }
 
   // Keeps a folder as the user typed it (ending in '/', or empty) by the name that labels have for it.
