@@ -6,6 +6,7 @@
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/empty_list.h"
 #include "app/cli/pictures/pictures.h"
+#include "app/cli/validate/changed.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
@@ -62,9 +63,17 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   ValidationRequest out;
   auto known = asked_materials(arguments.library);
   out.config = validate_config(arguments, std::move(known));
-  out.paths = arguments.paths;
   out.list = arguments.files_from;
   if (!arguments.files_from.empty()) out.listed = ListedNames(arguments.files_from).take();
+  if (!arguments.changed_since.empty()) {
+    if (!arguments.files_from.empty())
+      throw Error::at("--changed-since", "is given beside --files-from", "one of both");
+    arguments.allow_empty = true;
+    out.list = "--changed-since " + printable(arguments.changed_since);
+    out.listed = changed_since(arguments.changed_since, arguments.paths);
+  } else {
+    out.paths = arguments.paths;
+  }
   if (out.paths.empty() && out.listed.empty() && !arguments.allow_empty)
     throw empty_list(arguments.files_from);
   out.manifest.material = arguments.material;

@@ -182,8 +182,8 @@ int list_found_files(ValidateArguments& arguments) {
 
 int check_files(ValidateArguments& arguments) {
   const auto start = Clock::now();
-  if (arguments.paths.empty() && arguments.files_from.empty())
-    throw Error::at("etak validate", "nothing to check", "files, folders or --files-from");
+  if (arguments.paths.empty() && arguments.files_from.empty() && arguments.changed_since.empty())
+    throw Error::at("etak validate", "nothing to check", "files, folders, --files-from or --changed-since");
   if (!arguments.today.empty() && !is_date(arguments.today))
     throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
   if (!arguments.cache_key.empty() && arguments.cache_folder.empty())

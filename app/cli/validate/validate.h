@@ -18,7 +18,7 @@ inline constexpr const char* never_fails = "never";
 /// The options of `etak validate`.
 struct ValidateArguments {
   std::vector<std::string> paths;
-  std::string files_from, role, material, surface_class, alpha;
+  std::string files_from, changed_since, role, material, surface_class, alpha;
   std::string config, profile, transfer, fail_on, today;
   bool no_config = false;
   RuleChoice choice;

@@ -82,8 +82,14 @@ void add_validate(CommandLine& line) {
   verb.option("--files-from", a.files_from, "file with one path a line; - is standard input")
       .reads_file()
       .value_name("FILE");
+  verb.option("--changed-since", a.changed_since,
+              "of the given folders and files, only what differs from where this branch left COMMIT, or is "
+              "new to git; "
+              "nothing changed is no failure")
+      .value_name("COMMIT");
   verb.flag("--allow-empty", a.allow_empty,
-            "pass where there is nothing to check, also with an empty --files-from, and pass over named files of no "
+            "pass where there is nothing to check, also with an empty --files-from, and pass over named "
+            "files of no "
             "known kind; else that is status 2");
   verb.flag("--list-files", a.list_files,
             "show what every file is taken for, and stop (--format text or json)");
