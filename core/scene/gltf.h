@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -237,6 +238,8 @@ struct GltfOutput {
   // For each image of the document the one that stands for it: first_of_same_images() of image_roles.h. Empty:
   // each stands for itself.
   std::vector<int> stands_for;
+  // Images of the document that are written as another file, which reads the same: its name beside the scene.
+  std::map<int, std::string> rewritten;
   // The names that are taken in the folder of the written document. The files to which that still refers are
   // copied there; a number is put before a name that is taken, so that a picture of the scene does not
   // replace a page of the atlas of the same name. None: the files keep their URIs, and no name in `images`
