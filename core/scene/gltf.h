@@ -207,6 +207,8 @@ struct AtlasMaterial {
   // The two hold the texels of the material's own textures, under its own factors: lossless. Where one is absent
   // the material keeps that texture as it is.
   bool own_factors = false;
+  // Of own factors: these hold the one colour of that texture, which is not written.
+  bool base_color_in_factors = false, metal_rough_in_factors = false;
 
   // The material's other textures, where they lie on the pages as the pair does; none: they stay as they are.
   std::optional<int> normal_image, occlusion_image, emissive_image;

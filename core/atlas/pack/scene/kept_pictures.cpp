@@ -43,6 +43,7 @@ std::optional<OneTexel> one_texel_of(RowSource& rows) {
   png.level = PngLevel::smallest;
   OneTexel out;
   out.header = {1, 1, from.channels};
+  out.rgba = first;
   out.file = png_bytes({out.header, values.data(), values.size()}, png);
   out.name = name_of(values);
   return out;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,10 +11,12 @@
 namespace etak {
 
 /// One texel in place of a picture of one colour: samplers find the same wherever they look, in every mip.
+///   rgba   its values, as RowSource has them
 ///   file   a PNG file of the texel, in as many channels as the picture has
 ///   name   for the file: the same for the same texel
 struct OneTexel {
   PictureHeader header;
+  std::array<std::uint8_t, 4> rgba{};
   std::string file, name;
 };
 

@@ -10,6 +10,7 @@
 #include "core/atlas/pack/scene/scene_state.h"
 #include "core/atlas/pack/table.h"
 #include "core/base/files/steady_file.h"
+#include "core/color/srgb.h"
 #include "core/image/files/png_keep.h"
 #include "core/image/texture_bytes.h"
 #include "core/scene/image_roles.h"
@@ -95,6 +96,26 @@ bool reads_pages(const AtlasMaterial& m) {
   return std::any_of(images.begin(), images.end(), [](const auto& image) { return image.has_value(); });
 }
 
+// Puts the one colour of textures that stay beside the pages into the material's own factors.
+void fold_textures(const ScenePack::State& s, const GltfMaterial& m, AtlasMaterial& to) {
+  if (!to.own_factors) return;
+  const auto texel_of = [&](const std::optional<GltfTexture>& texture) -> const OneTexel* {
+    if (!texture) return nullptr;
+    const auto found = s.light.find(s.stands_for[static_cast<std::size_t>(texture->image)]);
+    return found != s.light.end() && found->second.texel ? &*found->second.texel : nullptr;
+  };
+  if (const OneTexel* one = to.base_color_image ? nullptr : texel_of(m.base_color_texture)) {
+    for (std::size_t c = 0; c < 3; ++c) to.base_color[c] *= srgb_decode(one->rgba[c] / 255.0);
+    to.base_color[3] *= one->rgba[3] / 255.0;
+    to.base_color_in_factors = true;
+  }
+  if (const OneTexel* one = to.metallic_roughness_image ? nullptr : texel_of(m.metallic_roughness_texture)) {
+    to.roughness *= one->rgba[1] / 255.0;
+    to.metallic *= one->rgba[2] / 255.0;
+    to.metal_rough_in_factors = true;
+  }
+}
+
 AtlasMaterial atlas_material(const ScenePack::State& s, const SceneMaps& scene_maps, std::size_t i,
                              const std::vector<GltfForm>& forms, const PackDecision& decision,
                              ImageList& images) {
@@ -124,6 +145,7 @@ AtlasMaterial atlas_material(const ScenePack::State& s, const SceneMaps& scene_m
   const auto maps = scene_maps.find(fate.owner);
   ImagesOfMaterial{forms, decision, images}.set(m, fate, maps == scene_maps.end() ? nullptr : &maps->second,
                                                 on.page, to);
+  fold_textures(s, m, to);
   if (on.own_page && lead != nullptr) to.sampler = lead->sampler;
   if (!reads_pages(to)) to.islands.clear(), to.region = {};
   return to;
