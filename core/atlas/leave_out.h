@@ -31,8 +31,11 @@ namespace etak {
 ///   resolution  detail that the content does not have, or that is never seen (only when asked for)
 ///   textures    one texture of regions that vary only in the other one, where a page of their own is smaller
 ///   mips        levels that no sampler reads, or in which no region has a texel of its own
-inline constexpr std::array<std::string_view, 10> leave_out_names{
-    "unreached", "equal", "alpha", "constant", "grey", "crop", "islands", "resolution", "textures", "mips"};
+///   files       of the pictures that scene.gltf reads beside the pages: all texels but one where they have one
+///               colour, and what PNG files say beside their texels
+inline constexpr std::array<std::string_view, 11> leave_out_names{
+    "unreached", "equal",      "alpha",    "constant", "grey", "crop",
+    "islands",   "resolution", "textures", "mips",     "files"};
 
 /// What is known of a material. Without `learned`, its texels have not been looked at yet: it is then taken
 /// to need them all.

@@ -18,6 +18,9 @@ struct Try {
   std::string name() const;
 };
 
+/// So many rectangles have a portfolio of their own, of many cheap tries.
+inline constexpr int most_few = 700;
+
 /// What is worth trying for n rectangles, the most promising first.
 std::vector<Try> portfolio(int n, bool rotate);
 

@@ -175,12 +175,15 @@ void Search::start(const Family& family, Best& best) {
     last = std::min(family.full(std::clamp(side, family.least, family.most)), family.most);
     tried(family.width_at(last), last);
   }
-  if (best.any) descend(family, best, how, order(how));
+  // Of few rectangles another rule will soon do better: where the first one ends is not worth its tries.
+  if (best.any) descend(family, best, how, order(how), !few());
 }
 
 // Tries smaller and smaller pages with a try that has just succeeded: first in longer and longer steps,
 // then in steps of half the length each.
-void Search::descend(const Family& family, Best& best, const Try& how, std::span<const int> order) {
+//   to_the_end   false: without the latter
+void Search::descend(const Family& family, Best& best, const Try& how, std::span<const int> order,
+                     bool to_the_end) {
   const std::uint64_t print = print_of(how, order);
   int bad = family.least - 1, jump = std::max(1, (side_of(family, best) - family.least) / 8);
   bool growing = true;
@@ -203,6 +206,7 @@ void Search::descend(const Family& family, Best& best, const Try& how, std::span
       spots_of(how, 0, best.spots);
       jump *= 2;
     } else {
+      if (!to_the_end) return;
       bad = target;
       growing = false;
     }
@@ -311,10 +315,12 @@ void Search::go(const Family& family, Best& best) {
   const auto finished = [&] { return target(family, best, 1) < family.least || !budget_.open(); };
   if (finished()) return;
   std::vector<Leader> leaders(portfolio_.size());
+  // The first rule, which start() left before its end, comes last.
+  const std::size_t first = few() ? 1 : 0;
   go_through(
       portfolio_.size(), family, best,
       [&](std::size_t i, Step& step) {
-        step.how = portfolio_[i];
+        step.how = portfolio_[(i + first) % portfolio_.size()];
         step.order = order(step.how);
         // The slower rules begin with a much smaller page, which pays for their time; they are not monotone and
         // may well succeed there.

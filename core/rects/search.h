@@ -57,11 +57,13 @@ class Search {
   std::uint64_t print_of(const Try& how, std::span<const int> order) const;
   const Outcome* known(std::uint64_t print) const;
   void learn(std::uint64_t print, const Outcome& outcome);
+  bool few() const { return set_.size() <= most_few; }
   bool all_equal() const { return first_equal_.empty() || first_equal_.back() == 0; }
   void make_canonical(std::vector<int>& order) const;
   int target(const Family& family, const Best& best, int depth) const;
   void start(const Family& family, Best& best);
-  void descend(const Family& family, Best& best, const Try& how, std::span<const int> order);
+  void descend(const Family& family, Best& best, const Try& how, std::span<const int> order,
+               bool to_the_end = true);
   bool settle(const Family& family, Best& best, Step& step);
   void go(const Family& family, Best& best);
   void note(const Best& best);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -206,6 +207,8 @@ struct AtlasMaterial {
   // The two hold the texels of the material's own textures, under its own factors: lossless. Where one is absent
   // the material keeps that texture as it is.
   bool own_factors = false;
+  // Of own factors: these hold the one colour of that texture, which is not written.
+  bool base_color_in_factors = false, metal_rough_in_factors = false;
 
   // The material's other textures, where they lie on the pages as the pair does; none: they stay as they are.
   std::optional<int> normal_image, occlusion_image, emissive_image;
@@ -237,6 +240,8 @@ struct GltfOutput {
   // For each image of the document the one that stands for it: first_of_same_images() of image_roles.h. Empty:
   // each stands for itself.
   std::vector<int> stands_for;
+  // Images of the document that are written as another file, which reads the same: its name beside the scene.
+  std::map<int, std::string> rewritten;
   // The names that are taken in the folder of the written document. The files to which that still refers are
   // copied there; a number is put before a name that is taken, so that a picture of the scene does not
   // replace a page of the atlas of the same name. None: the files keep their URIs, and no name in `images`

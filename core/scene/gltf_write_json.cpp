@@ -67,6 +67,16 @@ void share_images(GltfRewrite& rewrite) {
   });
 }
 
+/// Puts the files that stand for images of the document in their place.
+void rewrite_images(GltfRewrite& rewrite) {
+  for (const auto& [image, name] : rewrite.output.rewritten) {
+    Json& json = rewrite.root["images"][static_cast<std::size_t>(image)];
+    Json to{{"uri", uri_of_file(name)}};
+    if (json.contains("name")) to["name"] = json["name"];
+    json = std::move(to);
+  }
+}
+
 }  // namespace
 
 int GltfRewrite::append(const char* array, Json element) {
@@ -100,6 +110,7 @@ WrittenGltf written(const GltfScene& scene, const GltfOutput& output) {
   }
   const JsonDocument before(rewrite.root);
   share_images(rewrite);
+  rewrite_images(rewrite);
   remove_compression(rewrite.root);
   if (!scene.options.variants) remove_variants(rewrite.root);
   for (const AtlasMaterial& material : output.materials) {

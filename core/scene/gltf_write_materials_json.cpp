@@ -81,7 +81,7 @@ class Writer {
     const bool factors = material_.own_factors;
     if (color)
       out["baseColorTexture"] = info(*color);
-    else if (factors && own_.contains("baseColorTexture"))
+    else if (factors && !material_.base_color_in_factors && own_.contains("baseColorTexture"))
       out["baseColorTexture"] = own_["baseColorTexture"];
     if ((!color || factors) && color_factor != std::array<double, 4>{1, 1, 1, 1})
       out["baseColorFactor"] = color_factor;
@@ -91,7 +91,7 @@ class Writer {
     if (!metal_texture || (factors && metallic != 1)) out["metallicFactor"] = metallic;
     if (roughness)
       out["metallicRoughnessTexture"] = info(*roughness);
-    else if (factors && own_.contains("metallicRoughnessTexture"))
+    else if (factors && !material_.metal_rough_in_factors && own_.contains("metallicRoughnessTexture"))
       out["metallicRoughnessTexture"] = own_["metallicRoughnessTexture"];
     if ((!roughness || factors) && material_.roughness != 1) out["roughnessFactor"] = material_.roughness;
   }

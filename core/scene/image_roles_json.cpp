@@ -56,8 +56,9 @@ bool is_replaced(const std::string& key, const AtlasMaterial& by) {
   if (key == "normalTexture") return by.normal_image.has_value();
   if (key == "occlusionTexture") return by.occlusion_image.has_value();
   if (key == "emissiveTexture") return by.emissive_image.has_value();
-  if (by.own_factors && key == "baseColorTexture") return by.base_color_image.has_value();
-  if (by.own_factors && key == "metallicRoughnessTexture") return by.metallic_roughness_image.has_value();
+  if (by.own_factors && key == "baseColorTexture") return by.base_color_image || by.base_color_in_factors;
+  if (by.own_factors && key == "metallicRoughnessTexture")
+    return by.metallic_roughness_image || by.metal_rough_in_factors;
   const std::size_t kind = order_of(key);
   return kind < kinds.size() && kinds[kind].material;
 }

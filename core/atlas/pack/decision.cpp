@@ -11,6 +11,7 @@
 #include "core/atlas/sources/pictures.h"
 #include "core/base/error.h"
 #include "core/image/mips.h"
+#include "core/image/texture_bytes.h"
 
 namespace etak {
 namespace {
@@ -32,11 +33,12 @@ int levels_sampled(const PackOptions& options, const PackSource& source) {
   return source.scene ? source.scene->sampled_levels(asked) : asked;
 }
 
-LeaveOut left_out_of(const PackSource& source, const PackOptions& options, bool islands) {
+LeaveOut left_out_of(const PackSource& source, const PackOptions& options, const PackDecision& way) {
   std::vector<MaterialFacts> facts;
   for (const PackInput& m : source.inputs.materials) facts.push_back(m.facts);
   LeaveOutOptions what = options.leave_out;
-  what.islands = islands;
+  what.islands = way.islands;
+  if (way.whole) what.keep.insert("crop");
   what.levels = levels_sampled(options, source);
   what.gutter = options.layout.gutter;
   return leave_out(facts, what);
@@ -58,14 +60,15 @@ bool reads_around(const PackInput& m, const PixelBox& box) {
 
 // The regions at the full size of their boxes.
 std::vector<Region> regions_needed(const PackOptions& options, const PackSource& source,
-                                   const LeaveOut& left_out) {
+                                   const PackDecision& way) {
+  const LeaveOut& left_out = way.left_out;
   std::vector<Region> out;
   for (std::size_t i = 0; i < left_out.fates.size(); ++i) {
     const MaterialFate& fate = left_out.fates[i];
     if (!fate.texels || fate.owner != i) continue;
     std::array<bool, 2> in{false, false};
     int levels = 1;
-    bool own_page = false;
+    bool own_page = way.whole;
     each_user(source.inputs, left_out, i, [&](const PackInput& m, const MaterialFate& user) {
       own_page = own_page || m.own_page;
       for (std::size_t t = 0; t < 2; ++t) in[t] = in[t] || user.varies[t];
@@ -181,12 +184,15 @@ void teach_same_sources(PackInputs& inputs) {
   }
 }
 
-PackDecision decided(bool islands, const PackOptions& options, const PackSource& source,
+enum class Way { islands, crops, whole };
+
+PackDecision decided(Way way, const PackOptions& options, const PackSource& source,
                      const AtlasLayout* previous, FoundResolutions& found) {
   PackDecision out;
-  out.islands = islands;
-  out.left_out = left_out_of(source, options, islands);
-  for (const Region& region : regions_needed(options, source, out.left_out)) {
+  out.islands = way == Way::islands;
+  out.whole = way == Way::whole;
+  out.left_out = left_out_of(source, options, out);
+  for (const Region& region : regions_needed(options, source, out)) {
     out.resolutions.push_back(resolution_for(region, options, source.inputs, out.left_out, found));
     out.regions.push_back(stored(region, out.resolutions.back()));
   }
@@ -198,6 +204,25 @@ PackDecision decided(bool islands, const PackOptions& options, const PackSource&
   return out;
 }
 
+// Bytes of the pages' two textures on a GPU.
+std::uint64_t gpu_bytes(const PackingPlan& plan) {
+  std::uint64_t out = 0;
+  for (const PlannedPage& page : plan.pages)
+    for (const Texture texture : both_textures)
+      if (page.has[index_of(texture)]) out += texture_bytes({page.width, page.height, 4}, true);
+  return out;
+}
+
+// Adds the way of whole pictures where all others would take more than the textures that they replace.
+void add_whole(std::vector<PackDecision>& ways, const PackOptions& options, const PackSource& source,
+               FoundResolutions& found) {
+  std::uint64_t least = gpu_bytes(ways.front().plan);
+  for (const PackDecision& way : ways) least = std::min(least, gpu_bytes(way.plan));
+  if (least <= source.scene->replaced_gpu_bytes()) return;
+  PackDecision whole = decided(Way::whole, options, source, nullptr, found);
+  if (gpu_bytes(whole.plan) < least) ways.push_back(std::move(whole));
+}
+
 }  // namespace
 
 bool weighs_files(const PackOptions& options, const PackSource& source) {
@@ -207,17 +232,22 @@ bool weighs_files(const PackOptions& options, const PackSource& source) {
 std::vector<PackDecision> decide(const PackOptions& options, const PackSource& source,
                                  const AtlasLayout* previous, FoundResolutions& found) {
   std::vector<PackDecision> out;
-  if (options.leave_out.islands) out.push_back(decided(true, options, source, previous, found));
+  if (options.leave_out.islands) out.push_back(decided(Way::islands, options, source, previous, found));
   try {
-    out.push_back(decided(false, options, source, previous, found));
+    out.push_back(decided(Way::crops, options, source, previous, found));
   } catch (const Error&) {
     if (out.empty()) throw;
     return out;  // a whole box may fit no page where its islands do
   }
-  if (out.size() < 2 || weighs_files(options, source)) return out;
-  // Gutters around many islands can take more than what lies between them.
-  const bool whole = out[1].plan.page_texels() <= out[0].plan.page_texels();
-  out.erase(out.begin() + (whole ? 0 : 1));
+  if (source.scene && previous == nullptr && !options.layout.form && !options.layout.gutter)
+    add_whole(out, options, source, found);
+  if (weighs_files(options, source)) return out;
+  // Gutters around many islands can take more than what lies between them. Of ways that take the same the last is
+  // taken, which changes the least.
+  while (out.size() > 1) {
+    const bool last = out[1].plan.page_texels() <= out[0].plan.page_texels();
+    out.erase(out.begin() + (last ? 0 : 1));
+  }
   return out;
 }
 
@@ -228,8 +258,8 @@ bool learn(const std::vector<Learned>& learned, const PackOptions& options, Pack
     if (!inputs.materials[i].facts.learned && learned[i].seen[0] && learned[i].seen[1])
       teach(learned[i].range, learned[i].hash[0], learned[i].hash[1], inputs.materials[i].facts);
   teach_same_sources(inputs);
-  decision.left_out = left_out_of(source, options, decision.islands);
-  const std::vector<Region> now = regions_needed(options, source, decision.left_out);
+  decision.left_out = left_out_of(source, options, decision);
+  const std::vector<Region> now = regions_needed(options, source, decision);
   return std::equal(now.begin(), now.end(), decision.regions.begin(), decision.regions.end(),
                     [](const Region& a, const Region& b) {
                       return std::tie(a.material, a.box, a.in, a.own_page) ==

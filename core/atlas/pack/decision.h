@@ -27,7 +27,7 @@ struct PageLevels {
 };
 
 /// What the PNG files take that the pictures of a decision's pages would become, by their names, in every form
-/// that may be written.
+/// that may be written of one Others.
 ///   bare   the same without occlusion, of pictures that have it in their red channel
 struct PictureSizes {
   std::map<std::string, TextureTotals> files, bare;
@@ -36,13 +36,20 @@ struct PictureSizes {
 /// What an atlas is to hold and where it goes.
 struct PackDecision {
   bool islands = false;                 // texels between islands are left out; see decide()
+  bool whole = false;                   // each picture lies whole on a page of its own; see decide()
   LeaveOut left_out;                    // its fates: by material
   std::vector<Region> regions;          // the texels that are not left out
   std::vector<Resolution> resolutions;  // by region: with how many texels it is stored
   PackingPlan plan;                     // its places: by region
   std::vector<PageLevels> levels;       // by page
-  std::optional<PictureSizes> sizes;    // none where files are not weighed
+  // By Others; none where files are not weighed.
+  std::optional<std::array<PictureSizes, 2>> sizes;
 };
+
+/// What becomes of a scene's materials that are not of plain metal-rough form.
+///   written   they are written in the form that is asked for
+///   stay      beside plain ones they stay as they are, with their own textures and UVs
+enum class Others { written, stay };
 
 /// Resolutions that were found, by all that they depend on: looking for one takes the material's texels.
 using FoundResolutions = std::map<std::array<int, 7>, Resolution>;
@@ -53,7 +60,10 @@ using FoundResolutions = std::map<std::array<int, 7>, Resolution>;
 ///   previous   null: none
 ///   found      is looked up and added to
 ///   returns    one decision, with the islands that are asked for only if the pages get smaller by them;
-///              where files are to be weighed, those with and without islands
+///              where files are to be weighed, those with and without islands. Where the pages of a scene would
+///              take more than the textures that they replace, for the gutters around small pictures, each
+///              picture lies whole on a page of its own if that takes less; not where a form of pages, gutters
+///              or an earlier layout were asked for
 std::vector<PackDecision> decide(const PackOptions& options, const PackSource& source,
                                  const AtlasLayout* previous, FoundResolutions& found);
 

@@ -39,8 +39,8 @@ constexpr PackSettingRow setting_rows[] = {
      "layout.json of an earlier run: unchanged regions stay where they were"},
     {layout, "extra-area", &S::extra_area, 0, 1000, "", shown, "percent of page area that staying may cost"},
     {less, "keep", &S::keep, 0, 0, "WHAT", commas,
-     "do not leave out: unreached, equal, alpha, constant, grey, crop, islands, resolution, textures, mips "
-     "or all; may be given again"},
+     "do not leave out: unreached, equal, alpha, constant, grey, crop, islands, resolution, textures, mips, "
+     "files or all; may be given again"},
     {less, "choice", &S::choice, 0, 0, "FILE", file,
      "what etak choose found for this input (its JSON): defines of shaders, textures that may be one number, "
      "mips that nothing reads, F0's integration, PNG level"},

@@ -40,8 +40,9 @@ void add_rects(const PackInput& m, std::size_t owner, const PackDecision& decisi
     rect.gutter = at.gutter;
     rect.mips = at.clean_levels;
     rect.inset = plan.inset ? 0.5 * (1 << (at.clean_levels - 1)) : 0;
-    rect.repeats = regions[r].own_page;
-    rect.source_gutter = at.gutter > 0 && !(m.is_whole(box) && m.wrap == WrapBoth{Wrap::clamp, Wrap::clamp});
+    constexpr WrapBoth clamped{Wrap::clamp, Wrap::clamp};
+    rect.repeats = regions[r].own_page && m.wrap_of(box) != clamped;
+    rect.source_gutter = at.gutter > 0 && !(m.is_whole(box) && m.wrap == clamped);
     out.rects.push_back(rect);
   }
 }

@@ -61,19 +61,36 @@ LinearRgb color(const Quantities& v, std::size_t first) {
   return {double{v[first]}, double{v[first + 1]}, double{v[first + 2]}};
 }
 
-ResolutionError difference(const Quantities& a, const Quantities& b) {
-  if (a == b) return {};
-  ResolutionError out;
+// What CIEDE2000 of two colours cannot exceed. With its a' = (1 + G) a, G <= 0.5, and all of its divisors at least 1:
+// dE^2 <= (1 + |RT| / 2) (dL^2 + da'^2 + db^2), |RT| <= 2.
+double most_delta_e(const Lab& a, const Lab& b) {
+  const double l = a.l - b.l, x = 1.5 * (a.a - b.a), y = a.b - b.b;
+  return std::sqrt(2 * (l * l + x * x + y * y));
+}
+
+// Codes of sRGB rise by so much of linear light at most, near black.
+constexpr double steepest = 12.92;
+
+// Takes the difference of two places into the worst one. What cannot be worse is not computed.
+void widen(ResolutionError& worst, const Quantities& a, const Quantities& b) {
+  if (a == b) return;
   for (const Texture texture : both_textures) {
     const std::size_t first = first_channel(texture);
-    out.delta_e = std::max(out.delta_e, delta_e2000(to_lab(color(a, first)), to_lab(color(b, first))));
     const double plain = std::abs(double{a[first + 3]} - double{b[first + 3]});
-    out.delta_e = std::max(out.delta_e, 100 * plain);
-    out.codes = std::max(out.codes, 255 * plain);
-    for (std::size_t c = first; c < first + 3; ++c)
-      out.codes = std::max(out.codes, 255 * std::abs(srgb_encode(double{a[c]}) - srgb_encode(double{b[c]})));
+    worst.delta_e = std::max(worst.delta_e, 100 * plain);
+    worst.codes = std::max(worst.codes, 255 * plain);
+    double most = 0;
+    for (std::size_t c = first; c < first + 3; ++c) {
+      const double linear = std::abs(double{a[c]} - double{b[c]});
+      most = std::max(most, linear);
+      if (255 * steepest * linear > worst.codes)
+        worst.codes =
+            std::max(worst.codes, 255 * std::abs(srgb_encode(double{a[c]}) - srgb_encode(double{b[c]})));
+    }
+    if (most == 0) continue;
+    const Lab x = to_lab(color(a, first)), y = to_lab(color(b, first));
+    if (most_delta_e(x, y) > worst.delta_e) worst.delta_e = std::max(worst.delta_e, delta_e2000(x, y));
   }
-  return out;
 }
 
 // A normal map as unit vectors: their means over areas are the mean normals of the levels.
@@ -185,10 +202,8 @@ ResolutionError resolution_error(const MaterialPair& whole, const MaterialPair& 
     for (std::size_t row = begin; row < end && !stop; ++row)
       for (int column = 0; column <= 2 * a.width(); ++column) {
         const double x = 0.5 * column, y = 0.5 * static_cast<double>(row);
-        const ResolutionError here = difference(a.at(x, y), b.at(across * x, down * y));
-        worst[row].delta_e = std::max(worst[row].delta_e, here.delta_e);
-        worst[row].codes = std::max(worst[row].codes, here.codes);
-        if (here.delta_e > enough) {
+        widen(worst[begin], a.at(x, y), b.at(across * x, down * y));
+        if (worst[begin].delta_e > enough) {
           stop = true;
           return;
         }

@@ -65,4 +65,34 @@ PngWithChunks with_chunks_of(std::string_view made, ByteSource& original) {
   return out;
 }
 
+namespace {
+
+// Calls see(chunk) for the chunks that texels depend on; false where the file ends before its IEND does.
+template <class See>
+bool each_chunk_of_texels(ByteSource& file, const See& see) {
+  if (!has_png_signature(file)) return false;
+  for (auto chunk = png_chunk_at(file, png_signature.size()); chunk;
+       chunk = png_chunk_at(file, chunk->end())) {
+    if (chunk->critical() || chunk->type == "tRNS") see(*chunk);
+    if (chunk->type == "IEND") return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::string> texels_alone(ByteSource& file) {
+  std::string out(png_signature);
+  const bool whole = each_chunk_of_texels(
+      file, [&](const PngChunk& chunk) { out += file.view(chunk.start, chunk.end() - chunk.start); });
+  return whole ? std::optional(std::move(out)) : std::nullopt;
+}
+
+std::optional<std::size_t> size_of_texels_alone(ByteSource& file) {
+  std::size_t out = png_signature.size();
+  const bool whole =
+      each_chunk_of_texels(file, [&](const PngChunk& chunk) { out += chunk.end() - chunk.start; });
+  return whole ? std::optional(out) : std::nullopt;
+}
+
 }  // namespace etak

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,5 +26,12 @@ struct PngWithChunks {
 ///   made       a PNG file by write_png()
 ///   original   a whole PNG file
 PngWithChunks with_chunks_of(std::string_view made, ByteSource& original);
+
+/// A PNG file without what it says beside its texels: its critical chunks and tRNS stay. Read as glTF reads
+/// pictures, which takes no notice of colour profiles and transfer curves in files, it is the same picture.
+/// nullopt for what is no PNG file, or not a whole one.
+std::optional<std::string> texels_alone(ByteSource& file);
+/// How many bytes that would be; texels are not read.
+std::optional<std::size_t> size_of_texels_alone(ByteSource& file);
 
 }  // namespace etak

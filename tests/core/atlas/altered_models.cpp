@@ -2,6 +2,7 @@
 #include "tests/core/atlas/altered_models.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -44,8 +45,18 @@ Image8 resized(const Image8& from, double side) {
   return out;
 }
 
+using CodeTable = std::array<std::uint8_t, 256>;
+
+template <class Change>
+CodeTable table_of(const Change& change) {
+  CodeTable out;
+  for (std::size_t code = 0; code < out.size(); ++code) out[code] = change(static_cast<double>(code) / 255);
+  return out;
+}
+
 Image8 altered(const Image8& from, int image, const Kinds& kinds, const Alteration& how) {
-  const bool color = kinds.color.contains(image), normal = kinds.normal.contains(image);
+  const bool color = kinds.color.contains(image), normal = kinds.normal.contains(image),
+             metal_rough = kinds.metal_rough.contains(image);
   Image8 out = resized(from, color ? how.color_side : how.other_side);
   const auto channels = static_cast<std::size_t>(out.channels);
   for (int y = 0; y < out.height; ++y)
@@ -53,13 +64,16 @@ Image8 altered(const Image8& from, int image, const Kinds& kinds, const Alterati
       const auto left = out.at(x, y), right = out.at(out.width - 1 - x, y);
       std::swap_ranges(left.begin(), left.end(), right.begin());
     }
+  std::array<CodeTable, 3> gained;
+  for (std::size_t c = 0; c < 3; ++c)
+    gained[c] = table_of([&](double code) { return srgb_u8(srgb_decode(code) * how.color_gains[c]); });
+  const CodeTable rougher = table_of([&](double code) { return plain_u8(code * how.roughness_gain); });
   for (std::size_t i = 0; i < out.values.size(); i += channels) {
     std::uint8_t* const texel = out.values.data() + i;
     if (normal && how.mirrored) texel[0] = static_cast<std::uint8_t>(255 - texel[0]);
     for (std::size_t c = 0; color && c < std::min<std::size_t>(3, channels); ++c)
-      texel[c] = srgb_u8(srgb_decode(texel[c] / 255.0) * how.color_gains[c]);
-    if (kinds.metal_rough.contains(image) && channels >= 3)
-      texel[1] = plain_u8(texel[1] / 255.0 * how.roughness_gain);
+      texel[c] = gained[c][texel[c]];
+    if (metal_rough && channels >= 3) texel[1] = rougher[texel[1]];
   }
   return out;
 }

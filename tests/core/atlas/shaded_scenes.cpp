@@ -23,12 +23,13 @@ double dot(const Vec3& a, const Vec3& b) {
 struct Surface {
   Vec3 base{1, 1, 1}, dielectric{0, 0, 0};  // colour of metal and of diffuse light; F0 of the dielectric
   double metallic = 0, roughness = 1, opacity = 1, f90 = 1;
+  Vec3 normal{0, 0, 1};  // of length 1, in the frame of the triangle
 };
 
 // Textures as samplers find them at level 0.
 class Samplers {
  public:
-  Samplers(const GltfScene& scene, bool nearest) : pictures_(scene), nearest_(nearest) {}
+  Samplers(Pictures& pictures, bool nearest) : pictures_(pictures), nearest_(nearest) {}
 
   // Fractions; colours in linear light. Full where there is no texture.
   std::array<double, 4> at(const std::optional<GltfTexture>& texture, const Place& uv, bool color) {
@@ -69,13 +70,23 @@ class Samplers {
     for (std::size_t i = 0; i < 256; ++i) out[i] = srgb_decode(static_cast<double>(i) / 255);
     return out;
   }
-  Pictures pictures_;
+  Pictures& pictures_;
   bool nearest_;
   std::array<double, 256> decoded_ = decoded();
 };
 
+Vec3 normal_at(const GltfMaterial& m, Samplers& samplers, const Place& uv) {
+  if (!m.normal_texture) return {0, 0, 1};
+  const auto codes = samplers.at(m.normal_texture, uv, false);
+  Vec3 out{(2 * codes[0] - 1) * m.normal_scale, (2 * codes[1] - 1) * m.normal_scale, 2 * codes[2] - 1};
+  const double length = std::hypot(out[0], out[1], out[2]);
+  for (double& each : out) each /= length;
+  return out;
+}
+
 Surface surface_at(const GltfMaterial& m, Samplers& samplers, const Place& uv) {
   Surface out;
+  out.normal = normal_at(m, samplers, uv);
   if (m.specular_glossiness) {
     const auto d = samplers.at(m.diffuse_texture, uv, true),
                s = samplers.at(m.specular_glossiness_texture, uv, true);
@@ -116,7 +127,8 @@ std::array<double, 4> shaded(const Surface& s, const Light& light, const Vec3& v
   Vec3 half{to[0] + view[0], to[1] + view[1], to[2] + view[2]};
   const double length = std::hypot(half[0], half[1], half[2]);
   for (double& each : half) each /= length;
-  const double nl = to[2], nv = view[2], nh = half[2], vh = dot(view, half);
+  const double nl = dot(s.normal, to), nv = std::max(1e-4, dot(s.normal, view)), nh = dot(s.normal, half),
+               vh = dot(view, half);
   std::array<double, 4> out{0, 0, 0, 255 * s.opacity};
   if (nl <= 0) return out;
   const double rise = std::pow(1 - vh, 5), specular = lobe(s.roughness, nl, nv, nh);
@@ -177,8 +189,9 @@ ShadedDifference shaded_difference(const std::string& before_path, const std::st
   using namespace shading;
   const GltfScene before = read_gltf(before_path, {}), after = read_gltf(after_path, {});
   REQUIRE(before.uses.size() == after.uses.size());
-  Samplers old_nearest(before, true), new_nearest(after, true), old_bilinear(before, false),
-      new_bilinear(after, false);
+  Pictures old_pictures(before), new_pictures(after);
+  Samplers old_nearest(old_pictures, true), new_nearest(new_pictures, true),
+      old_bilinear(old_pictures, false), new_bilinear(new_pictures, false);
   double all = 0;
   for (const GltfUse& use : before.uses)
     if (use.same_uv_as < 0)
@@ -204,7 +217,8 @@ ShadedDifference shaded_difference(const std::string& before_path, const std::st
         out.bilinear = std::max(out.bilinear, largest_difference(surface_at(m, old_bilinear, old_uv),
                                                                  surface_at(p, new_bilinear, new_uv)));
         if (old_nearest.is_near_edge(m.base_color_texture, old_uv) ||
-            old_nearest.is_near_edge(m.metallic_roughness_texture, old_uv))
+            old_nearest.is_near_edge(m.metallic_roughness_texture, old_uv) ||
+            old_nearest.is_near_edge(m.normal_texture, old_uv))
           continue;
         out.nearest = std::max(out.nearest, largest_difference(surface_at(m, old_nearest, old_uv),
                                                                surface_at(p, new_nearest, new_uv)));

@@ -8,9 +8,9 @@ namespace etak::test {
 
 /// The largest difference in codes between two scenes of the same triangles, of what they look like in places
 /// all over their triangles: each place is shaded by glTF's own model (specification, appendix B; with
-/// KHR_materials_specular, _ior and _pbrSpecularGlossiness) under the key, fill and rim of default_lights(),
-/// each by itself, seen at 0, 20, 40, 60 and 75 degrees. The rim, which comes from behind, is turned to the
-/// front.
+/// KHR_materials_specular, _ior and _pbrSpecularGlossiness) and normal map under the key, fill and rim of
+/// default_lights(), each by itself, seen at 0, 20, 40, 60 and 75 degrees. The rim, which comes from behind, is
+/// turned to the front.
 ///   nearest, bilinear   how textures are filtered, at level 0; colours in linear light
 struct ShadedDifference {
   double nearest = 0, bilinear = 0;

@@ -58,3 +58,25 @@ TEST_CASE("a PNG file with new texels keeps what the old one said beside its tex
   const PngWithChunks other = with_chunks_of(png_bytes(PngRows(with_alpha), {}), source);
   CHECK(types_of(other.file) == "IHDR gAMA pHYs IDAT tEXt IEND");
 }
+
+TEST_CASE("of a PNG file only what its texels depend on is needed, up to IEND") {
+  const Image8 texels(8, 8, 3, 40);
+  const std::string plain = png_bytes(PngRows(texels), {});
+  const std::size_t behind_header = png_signature.size() + png_chunk_overhead + 13,
+                    before_end = plain.size() - png_chunk_overhead;
+  const std::string original = plain.substr(0, behind_header) + chunk_of("gAMA", number_of(45455)) +
+                               chunk_of("tRNS", std::string("\0\1\0\1\0\1", 6)) +
+                               plain.substr(behind_header, before_end - behind_header) +
+                               chunk_of("tEXt", std::string("Author\0etak", 11)) + plain.substr(before_end) +
+                               "behind its end";
+  BytesInMemory source(original);
+  const auto alone = texels_alone(source);
+  REQUIRE(alone);
+  CHECK(types_of(*alone) == "IHDR tRNS IDAT IEND");
+  CHECK(alone->size() == size_of_texels_alone(source));
+  BytesInMemory bare(plain), cut(std::string_view(original).substr(0, before_end)), other("no PNG at all");
+  CHECK(texels_alone(bare) == plain);
+  CHECK(texels_alone(cut) == std::nullopt);
+  CHECK(size_of_texels_alone(cut) == std::nullopt);
+  CHECK(texels_alone(other) == std::nullopt);
+}

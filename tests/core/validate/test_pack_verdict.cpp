@@ -2,73 +2,20 @@
 // One verdict: what is said of a scene while it is packed is what is said of the scene itself.
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <set>
-#include <tuple>
 
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/texels/page_pixels.h"
-#include "core/base/files/output.h"
-#include "core/validate/check_pack.h"
-#include "core/validate/output/formats.h"
-#include "core/validate/validate.h"
 #include "tests/core/atlas/altered_models.h"
 #include "tests/core/atlas/scene_support.h"
 #include "tests/core/image/png_of.h"
 #include "tests/core/scene/small_scene.h"
 #include "tests/core/validate/corpus.h"
+#include "tests/core/validate/scene_verdicts.h"
 
 using namespace etak;
 using namespace etak::test;
 
 namespace {
-
-// Rule, severity and material of everything that was said.
-using Told = std::set<std::tuple<std::string, Severity, std::string>>;
-
-Told told(const ValidationReport& report) {
-  Told out;
-  for (const CheckedFile& file : report.files)
-    for (const Finding& f : file.findings) out.emplace(f.rule, f.severity, f.material);
-  return out;
-}
-
-std::string text_of(const Told& all) {
-  std::string out;
-  for (const auto& [rule, severity, material] : all)
-    out += rule + ' ' + std::string(name(severity)) + ' ' + material + '\n';
-  return out;
-}
-
-ValidationReport said_of(const std::string& path) {
-  ValidationRequest request;
-  request.paths = {path};
-  request.door = picture_door();
-  request.threads = 2;
-  return validate(request);
-}
-
-// What is said of a scene while it is packed.
-ValidationReport said_while_packing(const std::string& scene, const std::string& out, PackOptions options,
-                                    const PageCheck& before = {}) {
-  options.input.pictures.door = picture_door();
-  PackCheckOptions asked;
-  asked.threads = 2;
-  PackCheck check(out, asked);
-  check.attach(options);
-  if (before)
-    options.check.page = [&, after = options.check.page](const AtlasLayout& layout, int page,
-                                                         const PagePixels& pixels) {
-      return before(layout, page, pixels) && after(layout, page, pixels);
-    };
-  options.check.beside = [&](PackResult& result, OutputFolder*) -> std::unique_ptr<Output> {
-    check.finish(result);
-    return nullptr;
-  };
-  options.run.threads = 2;
-  (void)pack(scene, out, options, test::library());
-  REQUIRE(check.report() != nullptr);
-  return *check.report();
-}
 
 PackOptions with_form(GltfForm form, bool islands) {
   PackOptions out;

@@ -9,11 +9,14 @@
 #include "core/atlas/pack/scene/scene_state.h"
 #include "core/atlas/sources/floats.h"
 #include "core/base/error.h"
+#include "core/base/files/steady_file.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/base/setting.h"
+#include "core/image/files/png_keep.h"
 #include "core/image/load.h"
+#include "core/image/texture_bytes.h"
 #include "core/scene/gltf_convert.h"
 #include "core/scene/image_roles.h"
 #include "core/scene/texel_scale.h"
@@ -227,6 +230,30 @@ void ScenePack::State::use_of(PackInput& in, Entry& entry, const GltfTexture& le
     in.facts.islands.push_back({island.x, island.y, island.width, island.height});
 }
 
+// Which pictures can do with less than their files. Only forms of PNG that are read row by row are looked at
+// for their colours: of others the first texel would take the whole picture.
+void ScenePack::State::find_light_pictures() {
+  if (!writes_scene() || !options.leave_out.leaves("files")) return;
+  for (std::size_t i = 0; i < scene.images.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    if (!scene.image_used[i] || stands_for[i] != index) continue;
+    const PictureFile& image = scene.images[i];
+    const PictureHeader& from = header(index);
+    const TextureTotals whole = image_totals(index);
+    LightPicture found{std::nullopt, whole};
+    if (!image.path.empty()) {
+      SteadyFile file(image.path, largest_picture_bytes);
+      found.totals.disk = size_of_texels_alone(file).value_or(whole.disk);
+    }
+    if (from.strips && from.bits == 8) {
+      auto texel = one_texel_of(*open_picture(image, options.input.pictures.door));
+      if (texel && texel->file.size() <= found.totals.disk)
+        found = {texel, {1, texel->file.size(), texture_bytes(texel->header, true)}};
+    }
+    if (found.totals != whole) light.emplace(index, std::move(found));
+  }
+}
+
 ScenePack::ScenePack(const std::string& path, const PackOptions& options)
     : state_(std::make_unique<State>(options)) {
   State& s = *state_;
@@ -243,6 +270,7 @@ ScenePack::ScenePack(const std::string& path, const PackOptions& options)
   for (const GltfMaterial& m : s.scene.materials) s.add_material(m, names);
   parallel_chunks(s.inputs.materials.size(), options.run.threads, 1,
                   [&](std::size_t begin, std::size_t, unsigned) { s.learn(begin); });
+  s.find_light_pictures();
   for (std::size_t i = 0; i < s.entries.size(); ++i) {
     const State::Entry& entry = s.entries[i];
     s.remarks.insert(s.remarks.end(), entry.remarks.begin(), entry.remarks.end());
@@ -298,6 +326,15 @@ void ScenePack::add_files(std::vector<std::string>& files) const {
 
 void ScenePack::add_remarks(std::vector<std::string>& remarks) const {
   remarks.insert(remarks.end(), state_->remarks.begin(), state_->remarks.end());
+  state_->tell_light_pictures(remarks);
+  if (!state_->costs.empty() && state_->others_in(state_->forms) == Others::stay)
+    for (const State::Entry& entry : state_->entries) {
+      const auto index = static_cast<std::size_t>(entry.material);
+      const GltfMaterial& m = state_->scene.materials[index];
+      if (state_->scene.material_used[index] && !is_plain_metal_rough(m))
+        remarks.push_back((m.name.empty() ? "material " + std::to_string(m.index) : m.name) +
+                          ": is not of plain metal-rough form and stays as it is in scene.gltf");
+    }
   if (!state_->writes_scene())
     remarks.push_back("no scene.gltf was written: its pictures are PNG, which " + setting("format") +
                       " does not name");

@@ -54,6 +54,10 @@ class ScenePack {
   void add_files(std::vector<std::string>& files) const;
   void add_remarks(std::vector<std::string>& remarks) const;
 
+  /// What the textures that the pages replace take on a GPU: those of colour, metal, roughness, F0 and gloss
+  /// that are read.
+  std::uint64_t replaced_gpu_bytes() const;
+
   /// Whether scene.gltf is among the files that are asked for.
   bool writes_scene() const;
 

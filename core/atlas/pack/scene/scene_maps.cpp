@@ -157,7 +157,7 @@ struct PageOfMaps {
   const TextureTotals* weighed(const std::string& what,
                                std::map<std::string, TextureTotals> PictureSizes::*which) const {
     if (!decision.sizes) return nullptr;
-    const auto& sizes = (*decision.sizes).*which;
+    const auto& sizes = (*decision.sizes)[static_cast<std::size_t>(weights.others)].*which;
     const auto found = sizes.find(scene_picture(number, what));
     return found == sizes.end() ? nullptr : &found->second;
   }
@@ -189,15 +189,23 @@ bool is_plain_metal_rough(const GltfMaterial& m) {
 }
 
 SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, const PackInputs& inputs,
-                     const PackDecision& decision, const std::function<PictureHeader(int image)>& header) {
+                     const PackDecision& decision, Others others,
+                     const std::function<PictureHeader(int image)>& header) {
   std::map<std::size_t, Users> users;
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const MaterialFate& fate = decision.left_out.fates[i];
     const auto material = static_cast<std::size_t>(materials[i]);
-    if (fate.texels && scene.material_used[material]) users[fate.owner].push_back(&scene.materials[material]);
+    if (!fate.texels || !scene.material_used[material]) continue;
+    Users& of_owner = users[fate.owner];
+    const GltfMaterial& m = scene.materials[material];
+    if (others == Others::written || is_plain_metal_rough(m)) of_owner.push_back(&m);
   }
   SceneMaps out;
   for (const auto& [owner, of] : users) {
+    if (of.empty()) {  // none of them is written
+      out[owner].exact = true;
+      continue;
+    }
     const Placing placing = placing_of(owner, decision);
     if (!placing.any || !placing.whole_size) continue;
     const PackInput& in = inputs.materials[owner];

@@ -25,8 +25,8 @@ bool is_plain_metal_rough(const GltfMaterial& material);
 /// none: there is no such texture, or it cannot be placed and stays a file of its own.
 struct MaterialMaps {
   std::optional<int> base_color, metal_rough, occlusion, normal, emissive;
-  // All materials that share the texels are of plain metal-rough form: written so, base colour and metal-rough
-  // are the material's own textures, placed or as they are, under its own factors.
+  // All materials that share the texels and are written are of plain metal-rough form: written so, base colour
+  // and metal-rough are the material's own textures, placed or as they are, under its own factors.
   bool exact = false;
 };
 
@@ -37,11 +37,13 @@ using SceneMaps = std::map<std::size_t, MaterialMaps>;
 ///   materials   of the document, beside the inputs
 ///   header      of an image of the document
 SceneMaps scene_maps(const GltfScene& scene, const std::vector<int>& materials, const PackInputs& inputs,
-                     const PackDecision& decision, const std::function<PictureHeader(int image)>& header);
+                     const PackDecision& decision, Others others,
+                     const std::function<PictureHeader(int image)>& header);
 
 /// How textures are weighed.
 ///   kept   what an image of the document takes as it is
 struct MapWeights {
+  Others others;
   TextureWeight weight;
   std::function<TextureTotals(int image)> kept;
 };

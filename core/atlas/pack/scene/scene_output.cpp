@@ -9,6 +9,9 @@
 #include "core/atlas/pack/scene/scene_pictures.h"
 #include "core/atlas/pack/scene/scene_state.h"
 #include "core/atlas/pack/table.h"
+#include "core/base/files/steady_file.h"
+#include "core/color/srgb.h"
+#include "core/image/files/png_keep.h"
 #include "core/image/texture_bytes.h"
 #include "core/scene/image_roles.h"
 
@@ -93,6 +96,26 @@ bool reads_pages(const AtlasMaterial& m) {
   return std::any_of(images.begin(), images.end(), [](const auto& image) { return image.has_value(); });
 }
 
+// Puts the one colour of textures that stay beside the pages into the material's own factors.
+void fold_textures(const ScenePack::State& s, const GltfMaterial& m, AtlasMaterial& to) {
+  if (!to.own_factors) return;
+  const auto texel_of = [&](const std::optional<GltfTexture>& texture) -> const OneTexel* {
+    if (!texture) return nullptr;
+    const auto found = s.light.find(s.stands_for[static_cast<std::size_t>(texture->image)]);
+    return found != s.light.end() && found->second.texel ? &*found->second.texel : nullptr;
+  };
+  if (const OneTexel* one = to.base_color_image ? nullptr : texel_of(m.base_color_texture)) {
+    for (std::size_t c = 0; c < 3; ++c) to.base_color[c] *= srgb_decode(one->rgba[c] / 255.0);
+    to.base_color[3] *= one->rgba[3] / 255.0;
+    to.base_color_in_factors = true;
+  }
+  if (const OneTexel* one = to.metallic_roughness_image ? nullptr : texel_of(m.metallic_roughness_texture)) {
+    to.roughness *= one->rgba[1] / 255.0;
+    to.metallic *= one->rgba[2] / 255.0;
+    to.metal_rough_in_factors = true;
+  }
+}
+
 AtlasMaterial atlas_material(const ScenePack::State& s, const SceneMaps& scene_maps, std::size_t i,
                              const std::vector<GltfForm>& forms, const PackDecision& decision,
                              ImageList& images) {
@@ -122,6 +145,7 @@ AtlasMaterial atlas_material(const ScenePack::State& s, const SceneMaps& scene_m
   const auto maps = scene_maps.find(fate.owner);
   ImagesOfMaterial{forms, decision, images}.set(m, fate, maps == scene_maps.end() ? nullptr : &maps->second,
                                                 on.page, to);
+  fold_textures(s, m, to);
   if (on.own_page && lead != nullptr) to.sampler = lead->sampler;
   if (!reads_pages(to)) to.islands.clear(), to.region = {};
   return to;
@@ -131,6 +155,7 @@ AtlasMaterial atlas_material(const ScenePack::State& s, const SceneMaps& scene_m
 struct SceneOutput {
   GltfOutput gltf;
   ImageList images;
+  Others others;
 
   // What the images that it names take.
   TextureTotals totals(const PackDecision& decision) const {
@@ -145,21 +170,30 @@ struct SceneOutput {
   TextureTotals file(std::size_t image, const PackDecision& decision) const {
     const std::string& name = images.names[image];
     if (decision.sizes) {
-      const auto& bare = decision.sizes->bare;
-      const auto& sizes =
-          bare.contains(name) && !images.occluded.contains(name) ? bare : decision.sizes->files;
+      const auto& [files, bare] = (*decision.sizes)[static_cast<std::size_t>(others)];
+      const auto& sizes = bare.contains(name) && !images.occluded.contains(name) ? bare : files;
       if (const auto found = sizes.find(name); found != sizes.end()) return found->second;
     }
     return {1, 0, texture_bytes(images.headers[image], true)};
   }
 };
+
+bool is_written(const ScenePack::State& s, int material, Others others) {
+  const auto index = static_cast<std::size_t>(material);
+  return s.scene.material_used[index] &&
+         (others == Others::written || is_plain_metal_rough(s.scene.materials[index]));
+}
+
 SceneOutput scene_output(const ScenePack::State& s, const SceneMaps& maps, const std::vector<GltfForm>& forms,
                          const PackDecision& decision) {
   SceneOutput out;
   out.gltf.forms = forms;
+  out.others = s.others_in(forms);
   out.gltf.stands_for = s.stands_for;
+  for (const auto& [image, picture] : s.light)
+    if (picture.texel) out.gltf.rewritten.emplace(image, picture.texel->name);
   for (std::size_t i = 0; i < s.entries.size(); ++i)
-    if (s.scene.material_used[static_cast<std::size_t>(s.entries[i].material)])
+    if (is_written(s, s.entries[i].material, out.others))
       out.gltf.materials.push_back(atlas_material(s, maps, i, forms, decision, out.images));
   out.gltf.images = out.images.names;
   return out;
@@ -178,7 +212,12 @@ TextureTotals ScenePack::State::image_totals(int index) {
   return {1, image.path.empty() ? image.bytes.size() : std::filesystem::file_size(image.path), gpu};
 }
 
-TextureTotals ScenePack::State::totals_of(const std::vector<bool>& images) {
+TextureTotals ScenePack::State::kept_totals(int image) {
+  const auto found = light.find(image);
+  return found == light.end() ? image_totals(image) : found->second.totals;
+}
+
+TextureTotals ScenePack::State::input_totals(const std::vector<bool>& images) {
   TextureTotals out;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -188,37 +227,87 @@ TextureTotals ScenePack::State::totals_of(const std::vector<bool>& images) {
   return out;
 }
 
+TextureTotals ScenePack::State::kept_totals(const std::vector<bool>& images) {
+  TextureTotals out;
+  std::vector<bool> as_they_are = images;
+  std::set<std::string> files;
+  for (const auto& [image, picture] : light) {
+    const auto i = static_cast<std::size_t>(image);
+    as_they_are[i] = false;
+    if (images[i] && files.insert(picture.texel ? picture.texel->name : scene.images[i].path).second)
+      out.add(picture.totals);
+  }
+  out.add(input_totals(as_they_are));
+  return out;
+}
+
+std::vector<int> ScenePack::State::kept_light() const {
+  if (light.empty() || costs.empty()) return {};  // nothing is decided yet
+  const std::vector<bool> kept = images_kept(scene, output);
+  std::vector<int> out;
+  for (const auto& [image, picture] : light)
+    if (kept[static_cast<std::size_t>(image)]) out.push_back(image);
+  return out;
+}
+
+void ScenePack::State::tell_light_pictures(std::vector<std::string>& remarks_) {
+  std::uint64_t bytes = 0;
+  for (const int image : kept_light()) {
+    const LightPicture& picture = light.at(image);
+    if (picture.texel)
+      remarks_.push_back(
+          std::filesystem::path(scene.images[static_cast<std::size_t>(image)].label).filename().string() +
+          ": is of one colour, and scene.gltf reads one texel of it");
+    else
+      bytes += image_totals(image).disk - picture.totals.disk;
+  }
+  if (bytes > 0)
+    remarks_.push_back(
+        std::to_string(bytes) +
+        " bytes of kept PNG files that say nothing of their texels are left out: texts, profiles "
+        "and the like, of which glTF takes no notice");
+}
+
 TextureTotals ScenePack::State::scene_totals(const std::vector<GltfForm>& of_forms, const SceneMaps& placed,
                                              const PackDecision& decision) {
   const SceneOutput of_scene = scene_output(*this, placed, of_forms, decision);
   TextureTotals out = of_scene.totals(decision);
-  out.add(totals_of(images_kept(scene, of_scene.gltf)));
+  out.add(kept_totals(images_kept(scene, of_scene.gltf)));
   return out;
 }
 
+Others ScenePack::State::others_in(const std::vector<GltfForm>& of_forms) const {
+  const bool plain_alone = of_forms == std::vector{GltfForm::metal_rough};
+  return options.output.smallest_form && plain_alone ? Others::stay : Others::written;
+}
+
 // Whether what is written of the form is what was read, but for the rounding of the pair's codes.
-bool ScenePack::State::is_exact(GltfForm form, const SceneMaps& of_form, const PackDecision& decision) const {
+bool ScenePack::State::is_exact(GltfForm form, const MapsOfOthers& maps_,
+                                const PackDecision& decision) const {
   if (form != GltfForm::metal_rough)
     return (form == GltfForm::specular_ior || gloss != GlossForm::schueler) &&
            std::all_of(entries.begin(), entries.end(), [&](const Entry& entry) {
              return entry.exact || !scene.material_used[static_cast<std::size_t>(entry.material)];
            });
+  const Others others = others_in({form});
+  const SceneMaps& of_form = maps_[static_cast<std::size_t>(others)];
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const MaterialFate& fate = decision.left_out.fates[i];
-    const auto material = static_cast<std::size_t>(entries[i].material);
-    if (!scene.material_used[material]) continue;
+    const int material = entries[i].material;
+    if (!is_written(*this, material, others)) continue;
     const auto found = of_form.find(fate.owner);
     if (fate.texels ? found == of_form.end() || !found->second.exact
-                    : !is_plain_metal_rough(scene.materials[material]))
+                    : !is_plain_metal_rough(scene.materials[static_cast<std::size_t>(material)]))
       return false;
   }
   return true;
 }
 
-SceneMaps ScenePack::State::placeable(const PackDecision& decision) {
+SceneMaps ScenePack::State::placeable(const PackDecision& decision, Others others) {
   std::vector<int> materials;
   for (const Entry& entry : entries) materials.push_back(entry.material);
-  SceneMaps out = scene_maps(scene, materials, inputs, decision, [&](int image) { return header(image); });
+  SceneMaps out =
+      scene_maps(scene, materials, inputs, decision, others, [&](int image) { return header(image); });
   for (auto& [owner, maps_] : out)
     for (std::optional<int>* image :
          {&maps_.base_color, &maps_.metal_rough, &maps_.occlusion, &maps_.normal, &maps_.emissive})
@@ -226,21 +315,26 @@ SceneMaps ScenePack::State::placeable(const PackDecision& decision) {
   return out;
 }
 
-std::vector<GltfForm> ScenePack::State::forms_to_weigh(const SceneMaps& maps_,
+ScenePack::State::MapsOfOthers ScenePack::State::placeable(const PackDecision& decision) {
+  return {placeable(decision, Others::written), placeable(decision, Others::stay)};
+}
+
+std::vector<GltfForm> ScenePack::State::forms_to_weigh(const MapsOfOthers& maps_,
                                                        const PackDecision& decision) const {
   if (!options.output.smallest_form) return options.output.forms;
   std::vector<GltfForm> out;
   for (const GltfForm form : all_forms)
     if (is_exact(form, maps_, decision)) out.push_back(form);
-  // None is where metal-rough cannot say one material and the pair not another: of these two the pair is meant.
+  // None is exact where a texture is stored with fewer texels: of these the pair is meant.
   if (out.empty()) out.push_back(GltfForm::specular_ior);
   return out;
 }
 
-SceneMaps ScenePack::State::placed(const SceneMaps& maps_, const std::vector<GltfForm>& of_forms,
+SceneMaps ScenePack::State::placed(const MapsOfOthers& maps_, const std::vector<GltfForm>& of_forms,
                                    const PackDecision& decision, const TextureWeight& weight) {
-  SceneMaps out =
-      worthwhile(maps_, of_forms, decision, {weight, [&](int image) { return image_totals(image); }});
+  const Others others = others_in(of_forms);
+  SceneMaps out = worthwhile(maps_[static_cast<std::size_t>(others)], of_forms, decision,
+                             {others, weight, [&](int image) { return kept_totals(image); }});
   // Pages were judged one by one; a texture that stays for one of them stays for all.
   SceneMaps none = none_placed(out);
   const auto weighed = [&](const SceneMaps& of) { return weight(scene_totals(of_forms, of, decision)); };
@@ -250,22 +344,30 @@ SceneMaps ScenePack::State::placed(const SceneMaps& maps_, const std::vector<Glt
 void ScenePack::weigh_page(int page, const PagePixels& pixels, PackDecision& decision,
                            const WriteOptions& options) {
   State& s = *state_;
-  const SceneMaps maps = s.placeable(decision);
-  std::vector<std::string> read;
-  for (const GltfForm form : s.forms_to_weigh(maps, decision))
-    for (const std::string& name : scene_output(s, maps, {form}, decision).gltf.images) read.push_back(name);
-  const MapPixels on_page = map_pixels(page, maps, s.inputs, decision, options.threads,
-                                       [&](int image) { return s.decoded(image); });
-  add_scene_picture_sizes({page, pixels, on_page, maps, decision, read, s.gloss}, options, *decision.sizes);
+  const State::MapsOfOthers all = s.placeable(decision);
+  for (const Others others : {Others::written, Others::stay}) {
+    const auto i = static_cast<std::size_t>(others);
+    const SceneMaps& maps = all[i];
+    std::vector<std::string> read;
+    for (const GltfForm form : s.forms_to_weigh(all, decision))
+      if (s.others_in({form}) == others)
+        for (const std::string& name : scene_output(s, maps, {form}, decision).gltf.images)
+          read.push_back(name);
+    if (read.empty()) continue;
+    const MapPixels on_page = map_pixels(page, maps, s.inputs, decision, options.threads,
+                                         [&](int image) { return s.decoded(image); });
+    add_scene_picture_sizes({page, pixels, on_page, maps, decision, read, s.gloss}, options,
+                            (*decision.sizes)[i]);
+  }
 }
 
 double ScenePack::choose_pictures(const PackDecision& decision) {
   State& s = *state_;
   if (!s.writes_scene()) return 0;
-  const SceneMaps maps = s.placeable(decision);
+  const State::MapsOfOthers maps = s.placeable(decision);
   const PackGoal goal = s.options.output.goal;
   const TextureWeight weight(goal,
-                             goal == PackGoal::both ? s.totals_of(s.scene.image_used) : TextureTotals{});
+                             goal == PackGoal::both ? s.input_totals(s.scene.image_used) : TextureTotals{});
   const std::vector<GltfForm> weighed = s.forms_to_weigh(maps, decision);
   s.costs.clear();
   const FormCost* best = nullptr;
@@ -285,6 +387,14 @@ double ScenePack::choose_pictures(const PackDecision& decision) {
   s.maps = s.placed(maps, s.forms, decision, weight);
   s.output = scene_output(s, s.maps, s.forms, decision).gltf;
   return weight(s.scene_totals(s.forms, s.maps, decision));
+}
+
+std::uint64_t ScenePack::replaced_gpu_bytes() const {
+  const GltfScene& scene = state_->scene;
+  const std::vector<ImageRole> roles = image_roles(*scene.json, scene.path);
+  std::vector<bool> replaced(roles.size());
+  for (std::size_t i = 0; i < roles.size(); ++i) replaced[i] = roles[i].material && scene.image_used[i];
+  return state_->input_totals(replaced).gpu;
 }
 
 bool ScenePack::writes_scene() const {
@@ -313,12 +423,22 @@ std::vector<std::string> ScenePack::write_scene(OutputFolder& folder, const Atla
   for (const AtlasPage& page : layout.pages)
     for (const auto& files : page.files) out.taken->insert(files.begin(), files.end());
   out.taken->insert({out.buffer_name, "scene.gltf", layout_file_name});
+  std::map<std::string, const std::string*> texels;
+  for (const int image : s.kept_light())
+    if (const auto& texel = s.light.at(image).texel) texels.emplace(texel->name, &texel->file);
+  for (const auto& [name, bytes] : texels) out.taken->insert(name);
   const WrittenGltf written = write_gltf(s.scene, out);
   std::vector<std::string> names(s.written.begin(), s.written.end());
+  for (const auto& [name, bytes] : texels) {
+    folder.write(name, *bytes);
+    names.push_back(name);
+  }
   for (const CopiedFile& copy : written.files) {
     FileBytes file;
     file.load(copy.from);
-    folder.write(copy.name, file.view());
+    BytesInMemory bytes(file.view());
+    const auto light = s.light.empty() ? std::nullopt : texels_alone(bytes);
+    folder.write(copy.name, light ? std::string_view(*light) : file.view());
     names.push_back(copy.name);
   }
   folder.write("scene.gltf", written.json);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -13,6 +14,7 @@
 #include "core/atlas/pack/pack.h"
 #include "core/atlas/pack/scene/conversion_cost.h"
 #include "core/atlas/pack/scene/gltf_pack.h"
+#include "core/atlas/pack/scene/kept_pictures.h"
 #include "core/atlas/pack/scene/scene_maps.h"
 #include "core/atlas/texels/page_memory.h"
 #include "core/scene/uv_use.h"
@@ -32,6 +34,12 @@ struct ScenePack::State {
     std::vector<std::string> remarks;  // from the thread that learned it
   };
 
+  /// A picture that is written as less than its file.
+  struct LightPicture {
+    std::optional<OneTexel> texel;  // none: its file, of what that says of texels alone
+    TextureTotals totals;
+  };
+
   GltfScene scene;
   std::optional<MaterialUses> uses;  // of the scene, once that is read
   const PackOptions& options;
@@ -44,6 +52,7 @@ struct ScenePack::State {
   std::mutex pictures_lock;
   std::map<int, PictureHeader> headers;  // by image, of those that were asked for
   std::vector<int> stands_for;           // by image: the first of the same bytes
+  std::map<int, LightPicture> light;     // by image that stands for itself, where its file can do with less
   // Of the decision that is being written.
   std::vector<GltfForm> forms;
   SceneMaps maps;
@@ -72,22 +81,36 @@ struct ScenePack::State {
   void normals_of(PackInput& in, const GltfMaterial& m, Entry& entry, const GltfTexture& lead);
   void use_of(PackInput& in, Entry& entry, const GltfTexture& lead);
 
+  void find_light_pictures();
+
   // Writing.
   bool writes_scene() const;
   TextureTotals image_totals(int image);
+  /// What the image takes beside the written scene, where no page has it: one texel may stand for it.
+  TextureTotals kept_totals(int image);
   /// Of images of the document, each file once.
-  TextureTotals totals_of(const std::vector<bool>& images);
+  TextureTotals input_totals(const std::vector<bool>& images);
+  TextureTotals kept_totals(const std::vector<bool>& images);
+  /// Images that are written as less than their files, beside the pages.
+  std::vector<int> kept_light() const;
+  void tell_light_pictures(std::vector<std::string>& remarks);
+  /// What becomes of other materials in these forms: where the smallest is asked for, they stay as they are
+  /// beside plain ones in metal-rough form.
+  Others others_in(const std::vector<GltfForm>& of_forms) const;
   /// Of all textures that scene.gltf would read, with these on its pages.
   TextureTotals scene_totals(const std::vector<GltfForm>& of_forms, const SceneMaps& placed,
                              const PackDecision& decision);
   /// Which of the scene's other textures may be placed.
-  SceneMaps placeable(const PackDecision& decision);
+  SceneMaps placeable(const PackDecision& decision, Others others);
+  /// By Others.
+  using MapsOfOthers = std::array<SceneMaps, 2>;
+  MapsOfOthers placeable(const PackDecision& decision);
   /// Those of `maps` that are placed in these forms.
-  SceneMaps placed(const SceneMaps& maps, const std::vector<GltfForm>& of_forms, const PackDecision& decision,
-                   const TextureWeight& weight);
+  SceneMaps placed(const MapsOfOthers& maps, const std::vector<GltfForm>& of_forms,
+                   const PackDecision& decision, const TextureWeight& weight);
   /// The forms one of which is written.
-  std::vector<GltfForm> forms_to_weigh(const SceneMaps& maps, const PackDecision& decision) const;
-  bool is_exact(GltfForm form, const SceneMaps& of_form, const PackDecision& decision) const;
+  std::vector<GltfForm> forms_to_weigh(const MapsOfOthers& maps, const PackDecision& decision) const;
+  bool is_exact(GltfForm form, const MapsOfOthers& maps, const PackDecision& decision) const;
 };
 
 }  // namespace etak
