@@ -6,6 +6,12 @@
 #include <QRunnable>
 #include <QThread>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
+
 #ifdef __SANITIZE_THREAD__
 extern "C" void __tsan_acquire(void* address);
 extern "C" void __tsan_release(void* address);
@@ -72,6 +78,17 @@ void run_in(QThreadPool& pool, std::function<void()> work, int priority) {
   auto* const task = new Task(std::move(work));
   hand_over(task);
   pool.start(task, priority);  // the pool deletes the task
+}
+
+void let_others_go_first() {
+#ifdef __linux__
+  // QThread::setPriority() has no effect under Linux's usual scheduling, in which a thread has a nice value of
+  // its own. A system that refuses it only makes others wait longer.
+  constexpr int nice = 10;
+  (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), nice);
+#else
+  QThread::currentThread()->setPriority(QThread::LowPriority);
+#endif
 }
 
 void call_in_ui(std::function<void()> call) {
