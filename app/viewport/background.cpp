@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QRunnable>
 #include <QThread>
+#include <algorithm>
 
 #ifdef __linux__
 #include <sys/resource.h>
@@ -84,8 +85,9 @@ void let_others_go_first() {
 #ifdef __linux__
   // QThread::setPriority() has no effect under Linux's usual scheduling, in which a thread has a nice value of
   // its own. A system that refuses it only makes others wait longer.
-  constexpr int nice = 10;
-  (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), nice);
+  constexpr int nicer = 10, nicest = 19;
+  const int nice = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::getpid())) + nicer;  // of the first thread
+  (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), std::min(nice, nicest));
 #else
   QThread::currentThread()->setPriority(QThread::LowPriority);
 #endif

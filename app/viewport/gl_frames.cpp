@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/gl_frames.h"
 
+#include "app/viewport/frame_share.h"
 #include "app/viewport/gl_textures.h"
-
 #include "core/base/error.h"
 
 namespace etak {
@@ -18,22 +18,19 @@ GlTarget& GlFrames::of_size(std::unique_ptr<GlTarget>& kept, const QSize& size) 
 GlFrame GlFrames::draw(const GlJob& job) {
   GlFrame out;
   out.size = job.size;
-  out.half = job.half;
-  const QSize drawn_size =
-      job.half ? QSize((job.size.width() + 1) / 2, (job.size.height() + 1) / 2) : job.size;
+  out.share = job.share;
+  out.drawn = FrameShare::size(job.size, job.share);
   std::vector<ViewTile> tiles;
   try {
-    tiles = view_tiles(job.state, drawn_size.width(), drawn_size.height());
+    tiles = view_tiles(job.state, out.drawn.width(), out.drawn.height());
   } catch (const Error& error) {
     out.refused = QString::fromUtf8(error.what());
   }
   try {
-    const GlTarget& whole = of_size(targets_[next_], job.size);
-    const GlTarget& target = job.half ? of_size(small_, drawn_size) : whole;
+    const GlTarget& target = of_size(targets_[next_], out.drawn);
     const GlPainter::Drawn drawn = painter_.draw(tiles, job.state.environment, job.display, target);
-    if (job.half) painter_.enlarge(target, whole);
     next_ = 1 - next_;
-    out.texture = whole.texture();
+    out.texture = target.texture();
     out.background = drawn.background;
     out.frame_ms = drawn.frame_ms;
     out.compile_ms = drawn.compile_ms;

@@ -17,15 +17,16 @@ struct GlJob {
   ViewState state;
   ViewDisplay display;
   QSize size;
-  bool half = false;  // the frame is drawn at half the size and then enlarged
+  double share = 1;  // of width and height that is drawn; the frame is enlarged when it is shown
 };
 
 /// A frame in a texture, or the reason why there is none.
 struct GlFrame {
   unsigned texture = 0;  // 0: nothing was drawn
-  QSize size;
+  QSize size;            // that the frame is shown in
+  QSize drawn;           // of the texture
   QColor background;
-  bool half = false;
+  double share = 1;
   double frame_ms = 0;
   double compile_ms =
       0;  // for the first tile's program and its first drawing, in this frame or an earlier one
@@ -53,7 +54,6 @@ class GlFrames {
 
   GlPainter painter_;
   std::array<std::unique_ptr<GlTarget>, 2> targets_;
-  std::unique_ptr<GlTarget> small_;
   std::size_t next_ = 0;
 };
 

@@ -90,7 +90,7 @@ void GlView::initializeGL() {
 GlJob GlView::next_job() {
   wanted_ = false;
   whole_ = picture_size();
-  return {state_, display_, whole_, hurry_ && whole_ms_ > fluid_ms};
+  return {state_, display_, whole_, hurry_ ? shares_.next() : 1};
 }
 
 void GlView::begin() {
@@ -131,12 +131,12 @@ void GlView::paintGL() {
   if (!fresh_) return;
   fresh_ = false;
   const double ms = frame_.frame_ms + static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  // A frame of half the size has a quarter of the pixels: a whole one takes at most four times as long.
-  whole_ms_ = frame_.half ? 4 * ms : ms;
+  shares_.took(frame_.share, ms);
   emit drawn(ms);
 }
 
-// Shows the last frame. Where the view has another size by now, the frame lies in its middle, not scaled.
+// Shows the last frame, enlarged where fewer pixels were drawn. Where the view has another size by now, the
+// frame lies in its middle, not scaled to that.
 void GlView::show_frame() {
   Gl& gl = current_gl();
   const GLuint target = defaultFramebufferObject();
@@ -154,8 +154,11 @@ void GlView::show_frame() {
   const QRect shown = from.intersected(QRect(
       (from.width() - view.width()) / 2, (from.height() - view.height()) / 2, view.width(), view.height()));
   const int x = (view.width() - shown.width()) / 2, y = (view.height() - shown.height()) / 2;
-  gl.glBlitFramebuffer(shown.x(), shown.y(), shown.x() + shown.width(), shown.y() + shown.height(), x, y,
-                       x + shown.width(), y + shown.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  const auto column = [&](int at) { return at * frame_.drawn.width() / frame_.size.width(); };
+  const auto row = [&](int at) { return at * frame_.drawn.height() / frame_.size.height(); };
+  gl.glBlitFramebuffer(column(shown.x()), row(shown.y()), column(shown.x() + shown.width()),
+                       row(shown.y() + shown.height()), x, y, x + shown.width(), y + shown.height(),
+                       GL_COLOR_BUFFER_BIT, frame_.drawn == frame_.size ? GL_NEAREST : GL_LINEAR);
   gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
   // The thread will draw into this texture again, which must be read before.
   gl.glFinish();
@@ -163,7 +166,7 @@ void GlView::show_frame() {
 
 QImage GlView::picture(const ViewState& state, const ViewDisplay& display, const QSize& size) {
   if (!thread_ && !frames_) (void)grabFramebuffer();  // a view that was never shown has no context yet
-  const GlJob job{state, display, size, false};
+  const GlJob job{state, display, size, 1};
   if (thread_) return thread_->picture(job);
   if (!frames_) throw Error::at("OpenGL", "gives no picture");
   makeCurrent();
