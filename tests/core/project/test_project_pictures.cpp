@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "core/image/image_io.h"
 #include "core/project/project_pictures.h"
 #include "tests/core/atlas/pack_support.h"
 
@@ -35,7 +36,7 @@ void spoil(const std::string& file) {
 
 MaterialPair kept_pair(KeptPictures& kept, const ProjectMaterial& m) {
   MaterialPair out;
-  kept.use(m, built_in_library(), {}, 0, [&](MaterialPair& pair) { out = pair; });
+  kept.use(m, built_in_library(), picture_door(), 0, [&](MaterialPair& pair) { out = pair; });
   return out;
 }
 

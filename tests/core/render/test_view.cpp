@@ -251,7 +251,7 @@ TEST_CASE("what a texture does not hold is a number of the surface") {
       using Has = SurfaceTextures::Quantities;
       bool Has::*const quantity[] = {&Has::diffuse, &Has::opacity, &Has::f0, &Has::gloss};
       Image& changed = other < 2 ? textures.body : textures.gloss;
-      for (int c = other % 2 == 0 ? 0 : 3; c < (other % 2 == 0 ? 3 : 4); ++c) changed.at(0, 0)[c] = 0.5F;
+      for (int c = other % 2 == 0 ? 0 : 3; c < (other % 2 == 0 ? 3 : 4); ++c) changed.at(0, 0)[c] = 0.35F;
       state.a.textures = std::make_shared<const SurfaceTextures>(textures);
       INFO(id << ", quantity " << other);
       CHECK(most_apart(drawn(scene_of(state)), expected) > 1e-3);
