@@ -281,13 +281,13 @@ class EditorShown : public QObject {
       window->document().edit_view(view, QStringLiteral("lights"), next_press_id());
     };
     set(LightKind::directional, false);
-    QCOMPARE(label("Intensity, field"), QStringLiteral("W/m\u00b2"));
+    QCOMPARE(label("Intensity, field"), QStringLiteral("E W/m\u00b2"));
     set(LightKind::directional, true);
-    QCOMPARE(label("Intensity, field"), QStringLiteral("\u03c0 W/m\u00b2"));
+    QCOMPARE(label("Intensity, field"), QStringLiteral("E/\u03c0 W/m\u00b2"));
     set(LightKind::point, false);
-    QCOMPARE(label("Intensity, field"), QStringLiteral("W/sr"));
+    QCOMPARE(label("Intensity, field"), QStringLiteral("I W/sr"));
     set(LightKind::spot, true);
-    QCOMPARE(label("Intensity, field"), QStringLiteral("\u03c0 W/sr"));
+    QCOMPARE(label("Intensity, field"), QStringLiteral("I/\u03c0 W/sr"));
     QCOMPARE(label("Light place"), QStringLiteral("Place r"));
     QCOMPARE(label("Inner cone, field"), QStringLiteral("Inner \u00b0"));
     QCOMPARE(label("Outer cone, field"), QStringLiteral("Outer \u00b0"));

@@ -374,9 +374,11 @@ void LightPanel::show_view() {
   kind_->setCurrentIndex(static_cast<int>(light.kind));
   color_->show_color(rgb(light.color));
   intensity_->show_value(light.intensity);
-  const QString unit =
-      light.kind == LightKind::directional ? QStringLiteral("W/m\u00b2") : QStringLiteral("W/sr");
-  intensity_unit_->setText(lights.pi_scaled ? QStringLiteral("\u03c0 ") + unit : unit);
+  // What the number is of, with its unit: an irradiance or a radiant intensity.
+  const bool far = light.kind == LightKind::directional;
+  intensity_unit_->setText((far ? QStringLiteral("E") : QStringLiteral("I")) +
+                           (lights.pi_scaled ? QStringLiteral("/\u03c0 ") : QStringLiteral(" ")) +
+                           (far ? QStringLiteral("W/m\u00b2") : QStringLiteral("W/sr")));
   inner_->show_value(light.inner_deg);
   outer_->show_value(light.outer_deg);
   for (std::size_t i = 0; i < 3; ++i) {
