@@ -72,8 +72,9 @@ class EditorTimes : public QObject {
         "gloss of 4096 x 4096 texels: files read in %.0f ms; then %.1f ms least, %.1f median to the screen, "
         "%.1f of processors",
         first, times.front(), times[times.size() / 2], work[work.size() / 2]);
-    // Files of this size are not read in that time: a hundred is wanted, and a busy machine is slower.
-    QVERIFY(times.front() < 500);
+    // Files of this size are not read in that time. A hundred by the clock is wanted; on a busy machine the clock
+    // runs on while the editor waits, so the work of all processors counts where it is less.
+    QVERIFY(std::min(times.front(), work.front()) < 200);
   }
 
   void large_environment() {
