@@ -19,20 +19,24 @@ GlFrame GlFrames::draw(const GlJob& job) {
   GlFrame out;
   out.size = job.size;
   out.share = job.share;
-  out.drawn = FrameShare::size(job.size, job.share);
+  const QSize drawn_size = FrameShare::size(job.size, job.share);
   std::vector<ViewTile> tiles;
   try {
-    tiles = view_tiles(job.state, out.drawn.width(), out.drawn.height());
+    tiles = view_tiles(job.state, drawn_size.width(), drawn_size.height());
   } catch (const Error& error) {
     out.refused = QString::fromUtf8(error.what());
   }
   try {
-    const GlTarget& target = of_size(targets_[next_], out.drawn);
+    // Enlarged here and not where it is shown, because the user-interface thread must not wait for the driver to
+    // compile how.
+    const bool whole = drawn_size == job.size;
+    const GlTarget& shown = of_size(targets_[next_], job.size);
+    const GlTarget& target = whole ? shown : of_size(small_, drawn_size);
     const GlPainter::Drawn drawn = painter_.draw(tiles, job.state.environment, job.display, target);
     next_ = 1 - next_;
-    out.texture = target.texture();
+    out.texture = shown.texture();
     out.background = drawn.background;
-    out.frame_ms = drawn.frame_ms;
+    out.frame_ms = drawn.frame_ms + (whole ? 0 : painter_.enlarge(target, shown));
     out.compile_ms = drawn.compile_ms;
     out.context_lost = drawn.context_lost;
   } catch (const Error& error) {

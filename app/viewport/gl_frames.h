@@ -17,14 +17,13 @@ struct GlJob {
   ViewState state;
   ViewDisplay display;
   QSize size;
-  double share = 1;  // of width and height that is drawn; the frame is enlarged when it is shown
+  double share = 1;  // of width and height that is drawn; the frame is then enlarged
 };
 
 /// A frame in a texture, or the reason why there is none.
 struct GlFrame {
   unsigned texture = 0;  // 0: nothing was drawn
-  QSize size;            // that the frame is shown in
-  QSize drawn;           // of the texture
+  QSize size;
   QColor background;
   double share = 1;
   double frame_ms = 0;
@@ -54,6 +53,7 @@ class GlFrames {
 
   GlPainter painter_;
   std::array<std::unique_ptr<GlTarget>, 2> targets_;
+  std::unique_ptr<GlTarget> small_;  // what is drawn before it is enlarged
   std::size_t next_ = 0;
 };
 

@@ -219,6 +219,18 @@ GlPainter::Drawn GlPainter::draw(const std::vector<ViewTile>& tiles,
   return state_->draw(tiles, display, target);
 }
 
+double GlPainter::enlarge(const GlTarget& small, const GlTarget& target) {
+  Gl& gl = state_->gl;
+  QElapsedTimer timer;
+  timer.start();
+  gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, small.frame());
+  gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.frame());
+  gl.glBlitFramebuffer(0, 0, small.size().width(), small.size().height(), 0, 0, target.size().width(),
+                       target.size().height(), GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  gl.glFinish();
+  return ms_of(timer);
+}
+
 QImage GlPainter::picture(const std::vector<ViewTile>& tiles,
                           const std::shared_ptr<const Environment>& environment, const ViewDisplay& display,
                           const QSize& size) {

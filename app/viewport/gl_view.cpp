@@ -135,8 +135,7 @@ void GlView::paintGL() {
   emit drawn(ms);
 }
 
-// Shows the last frame, enlarged where fewer pixels were drawn. Where the view has another size by now, the
-// frame lies in its middle, not scaled to that.
+// Shows the last frame. Where the view has another size by now, the frame lies in its middle, not scaled.
 void GlView::show_frame() {
   Gl& gl = current_gl();
   const GLuint target = defaultFramebufferObject();
@@ -154,11 +153,8 @@ void GlView::show_frame() {
   const QRect shown = from.intersected(QRect(
       (from.width() - view.width()) / 2, (from.height() - view.height()) / 2, view.width(), view.height()));
   const int x = (view.width() - shown.width()) / 2, y = (view.height() - shown.height()) / 2;
-  const auto column = [&](int at) { return at * frame_.drawn.width() / frame_.size.width(); };
-  const auto row = [&](int at) { return at * frame_.drawn.height() / frame_.size.height(); };
-  gl.glBlitFramebuffer(column(shown.x()), row(shown.y()), column(shown.x() + shown.width()),
-                       row(shown.y() + shown.height()), x, y, x + shown.width(), y + shown.height(),
-                       GL_COLOR_BUFFER_BIT, frame_.drawn == frame_.size ? GL_NEAREST : GL_LINEAR);
+  gl.glBlitFramebuffer(shown.x(), shown.y(), shown.x() + shown.width(), shown.y() + shown.height(), x, y,
+                       x + shown.width(), y + shown.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
   // The thread will draw into this texture again, which must be read before.
   gl.glFinish();
