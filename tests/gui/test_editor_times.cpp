@@ -54,7 +54,7 @@ class EditorTimes : public QObject {
       const double gloss = 0.2 + 0.05 * i;
       ProjectMaterial next = *window->document().material();
       next.gloss = gloss;
-      const int before = drawn.count();
+      const qsizetype before = drawn.count();
       const double worked = since_start().work_ms;
       timer.restart();
       window->document().edit(window->document().current(), next, QStringLiteral("gloss"), 1);
