@@ -148,7 +148,7 @@ void show_state(Window& window, const QString& state) {
       {QStringLiteral("textures"),
        [&] {
          if (const ProjectMaterial* m = window.document().material(); m == nullptr || !has_textures(*m)) {
-           window.use_library_material(QStringLiteral("pmma"));
+           window.use_library_material(QStringLiteral("chalk"));
            put_tiles_on(window);
          }
          window.tabs().setCurrentWidget(&window.texture_view());

@@ -62,8 +62,9 @@ RecoveryChoice Window::ask_recovery(const Recovery& recovery) {
                   tr("The editor ended without saving %1.")
                       .arg(recovery.path.isEmpty() ? tr("a project that was never saved") : recovery.path),
                   QMessageBox::NoButton, this);
-  box.setInformativeText(tr("%1 materials, last changed %2.")
-                             .arg(recovery.materials)
+  box.setInformativeText((recovery.materials == 1
+                              ? tr("One material, last changed %1.")
+                              : tr("%1 materials, last changed %2.").arg(recovery.materials))
                              .arg(QLocale().toString(recovery.when, QLocale::ShortFormat)));
   QPushButton* take = box.addButton(tr("Recover"), QMessageBox::AcceptRole);
   QPushButton* keep = box.addButton(tr("Keep for later"), QMessageBox::RejectRole);

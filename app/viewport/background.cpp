@@ -5,6 +5,13 @@
 #include <QEvent>
 #include <QRunnable>
 #include <QThread>
+#include <algorithm>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
 
 #ifdef __SANITIZE_THREAD__
 extern "C" void __tsan_acquire(void* address);
@@ -72,6 +79,18 @@ void run_in(QThreadPool& pool, std::function<void()> work, int priority) {
   auto* const task = new Task(std::move(work));
   hand_over(task);
   pool.start(task, priority);  // the pool deletes the task
+}
+
+void let_others_go_first() {
+#ifdef __linux__
+  // QThread::setPriority() has no effect under Linux's usual scheduling, in which a thread has a nice value of
+  // its own. A system that refuses it only makes others wait longer.
+  constexpr int nicer = 10, nicest = 19;
+  const int nice = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::getpid())) + nicer;  // of the first thread
+  (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), std::min(nice, nicest));
+#else
+  QThread::currentThread()->setPriority(QThread::LowPriority);
+#endif
 }
 
 void call_in_ui(std::function<void()> call) {

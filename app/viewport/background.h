@@ -18,6 +18,10 @@ namespace etak {
 /// use no object of the user-interface thread.
 void run_in(QThreadPool& pool, std::function<void()> work, int priority = 0);
 
+/// Lets threads that somebody waits for have the processors first, from now on and for as long as the calling
+/// thread lives. For threads of a pool of their own.
+void let_others_go_first();
+
 /// Makes `call` from the event loop of the user-interface thread, in the order in which call_in_ui() was
 /// called. Any thread may call it.
 void call_in_ui(std::function<void()> call);

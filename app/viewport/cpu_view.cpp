@@ -32,8 +32,8 @@ void CpuView::start() {
   if (!wanted_ || whole.isEmpty()) return;
   wanted_ = false;
   running_ = true;
-  const bool half = hurry_ && whole_ms_ > fluid_ms;
-  const QSize size = half ? QSize((whole.width() + 1) / 2, (whole.height() + 1) / 2) : whole;
+  const double share = hurry_ ? shares_.next() : 1;
+  const QSize size = FrameShare::size(whole, share);
   struct Drawn {
     QImage picture;
     QString message;
@@ -53,12 +53,13 @@ void CpuView::start() {
         out.ms = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
         return out;
       },
-      [this, half](const Drawn& drawn) { take(drawn.picture, drawn.message, drawn.ms, half); });
+      [this, share](const Drawn& drawn) { take(drawn.picture, drawn.message, drawn.ms, share); });
 }
 
-void CpuView::take(const QImage& picture, const QString& message, double ms, bool half) {
+void CpuView::take(const QImage& picture, const QString& message, double ms, double share) {
   running_ = false;
-  whole_ms_ = half ? 4 * ms : ms;
+  share_ = share;
+  shares_.took(share, ms);
   picture_ = picture;
   update();
   if (message.isEmpty())

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "app/viewport/display.h"
+#include "app/viewport/frame_share.h"
 
 namespace etak {
 
@@ -20,7 +21,7 @@ class CpuView : public QWidget {
 
   void show_state(const ViewState& state, const ViewDisplay& display, bool hurry);
   QSize picture_size() const { return size() * devicePixelRatioF(); }
-  double whole_frame_ms() const { return whole_ms_; }
+  double share() const { return share_; }  // of width and height that the last picture was drawn with
   bool is_drawing() const { return running_; }
 
  signals:
@@ -33,13 +34,14 @@ class CpuView : public QWidget {
 
  private:
   void start();
-  void take(const QImage& picture, const QString& message, double ms, bool half);
+  void take(const QImage& picture, const QString& message, double ms, double share);
 
   ViewState state_;
   ViewDisplay display_;
   QImage picture_;
   bool hurry_ = false, running_ = false, wanted_ = false;
-  double whole_ms_ = 0;
+  double share_ = 1;
+  FrameShare shares_;
   QThreadPool pool_;  // the last member, so that its thread ends before the others are destroyed
 };
 

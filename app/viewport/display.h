@@ -11,9 +11,6 @@
 
 namespace etak {
 
-/// Milliseconds. While the user drags, a view whose whole picture takes longer is drawn at half its size.
-inline constexpr double fluid_ms = 33;
-
 /// The transform from linear light to the screen: an OpenColorIO display for the CPU and for OpenGL, or a tone
 /// curve and sRGB where `cpu` and `gpu` are null.
 struct ViewDisplay {

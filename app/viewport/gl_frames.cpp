@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/viewport/gl_frames.h"
 
+#include "app/viewport/frame_share.h"
 #include "app/viewport/gl_textures.h"
-
 #include "core/base/error.h"
 
 namespace etak {
@@ -18,9 +18,8 @@ GlTarget& GlFrames::of_size(std::unique_ptr<GlTarget>& kept, const QSize& size) 
 GlFrame GlFrames::draw(const GlJob& job) {
   GlFrame out;
   out.size = job.size;
-  out.half = job.half;
-  const QSize drawn_size =
-      job.half ? QSize((job.size.width() + 1) / 2, (job.size.height() + 1) / 2) : job.size;
+  out.share = job.share;
+  const QSize drawn_size = FrameShare::size(job.size, job.share);
   std::vector<ViewTile> tiles;
   try {
     tiles = view_tiles(job.state, drawn_size.width(), drawn_size.height());
@@ -28,14 +27,16 @@ GlFrame GlFrames::draw(const GlJob& job) {
     out.refused = QString::fromUtf8(error.what());
   }
   try {
-    const GlTarget& whole = of_size(targets_[next_], job.size);
-    const GlTarget& target = job.half ? of_size(small_, drawn_size) : whole;
+    // Enlarged here and not where it is shown, because the user-interface thread must not wait for the driver to
+    // compile how.
+    const bool whole = drawn_size == job.size;
+    const GlTarget& shown = of_size(targets_[next_], job.size);
+    const GlTarget& target = whole ? shown : of_size(small_, drawn_size);
     const GlPainter::Drawn drawn = painter_.draw(tiles, job.state.environment, job.display, target);
-    if (job.half) painter_.enlarge(target, whole);
     next_ = 1 - next_;
-    out.texture = whole.texture();
+    out.texture = shown.texture();
     out.background = drawn.background;
-    out.frame_ms = drawn.frame_ms;
+    out.frame_ms = drawn.frame_ms + (whole ? 0 : painter_.enlarge(target, shown));
     out.compile_ms = drawn.compile_ms;
     out.context_lost = drawn.context_lost;
   } catch (const Error& error) {

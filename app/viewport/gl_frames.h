@@ -17,7 +17,7 @@ struct GlJob {
   ViewState state;
   ViewDisplay display;
   QSize size;
-  bool half = false;  // the frame is drawn at half the size and then enlarged
+  double share = 1;  // of width and height that is drawn; the frame is then enlarged
 };
 
 /// A frame in a texture, or the reason why there is none.
@@ -25,7 +25,7 @@ struct GlFrame {
   unsigned texture = 0;  // 0: nothing was drawn
   QSize size;
   QColor background;
-  bool half = false;
+  double share = 1;
   double frame_ms = 0;
   double compile_ms =
       0;  // for the first tile's program and its first drawing, in this frame or an earlier one
@@ -53,7 +53,7 @@ class GlFrames {
 
   GlPainter painter_;
   std::array<std::unique_ptr<GlTarget>, 2> targets_;
-  std::unique_ptr<GlTarget> small_;
+  std::unique_ptr<GlTarget> small_;  // what is drawn before it is enlarged
   std::size_t next_ = 0;
 };
 

@@ -122,7 +122,14 @@ struct GlPainter::State {
   Compiled draw_tile(const ViewTile& tile, int height) {
     GlslDisplay shown;
     if (display) shown = {display->text, display->function, "OpenColorIO"};
-    const GlslText text = glsl_text(tile.scene, GlslVersion::core_330, display ? &shown : nullptr);
+    const GlslParts parts = glsl_parts(tile.scene, display ? &shown : nullptr);
+    Compiled out;
+    if (parts.beside) out = draw_text(*parts.beside, tile, height);
+    const Compiled object = draw_text(parts.object, tile, height);
+    return {out.now_ms + object.now_ms, out.ms + object.ms};
+  }
+
+  Compiled draw_text(const GlslText& text, const ViewTile& tile, int height) {
     QElapsedTimer timer;
     timer.start();
     // Limits the memory of a session in which very many programs are used.
@@ -143,7 +150,7 @@ struct GlPainter::State {
     bind_textures(program, tile.scene);
     gl.glViewport(tile.x, bottom, tile.scene.width, tile.scene.height);
     gl.glScissor(tile.clip_first, bottom, tile.clip_last - tile.clip_first, tile.scene.height);
-    gl.glDrawArrays(GL_TRIANGLE_FAN, 0, text.corners);
+    gl.glDrawArrays(text.ring ? GL_TRIANGLE_STRIP : GL_TRIANGLE_FAN, 0, text.corners);
     if (program.drawn) return 0;
     // Drivers put off part of the compiling until the first drawing.
     gl.glFinish();
@@ -212,13 +219,16 @@ GlPainter::Drawn GlPainter::draw(const std::vector<ViewTile>& tiles,
   return state_->draw(tiles, display, target);
 }
 
-void GlPainter::enlarge(const GlTarget& small, const GlTarget& target) {
+double GlPainter::enlarge(const GlTarget& small, const GlTarget& target) {
   Gl& gl = state_->gl;
+  QElapsedTimer timer;
+  timer.start();
   gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, small.frame());
   gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.frame());
   gl.glBlitFramebuffer(0, 0, small.size().width(), small.size().height(), 0, 0, target.size().width(),
                        target.size().height(), GL_COLOR_BUFFER_BIT, GL_LINEAR);
   gl.glFinish();
+  return ms_of(timer);
 }
 
 QImage GlPainter::picture(const std::vector<ViewTile>& tiles,

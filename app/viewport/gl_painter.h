@@ -40,7 +40,8 @@ class GlPainter {
   Drawn draw(const std::vector<ViewTile>& tiles, const std::shared_ptr<const Environment>& environment,
              const ViewDisplay& display, const GlTarget& target);
 
-  void enlarge(const GlTarget& small, const GlTarget& target);
+  /// Copies `small` to the whole of `target`, waits for it, and returns the milliseconds that it took.
+  double enlarge(const GlTarget& small, const GlTarget& target);
 
   /// Draws the tiles and returns them as a picture of `size` pixels. Throws Error as draw() does.
   QImage picture(const std::vector<ViewTile>& tiles, const std::shared_ptr<const Environment>& environment,

@@ -90,7 +90,7 @@ void GlView::initializeGL() {
 GlJob GlView::next_job() {
   wanted_ = false;
   whole_ = picture_size();
-  return {state_, display_, whole_, hurry_ && whole_ms_ > fluid_ms};
+  return {state_, display_, whole_, hurry_ ? shares_.next() : 1};
 }
 
 void GlView::begin() {
@@ -131,8 +131,7 @@ void GlView::paintGL() {
   if (!fresh_) return;
   fresh_ = false;
   const double ms = frame_.frame_ms + static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  // A frame of half the size has a quarter of the pixels: a whole one takes at most four times as long.
-  whole_ms_ = frame_.half ? 4 * ms : ms;
+  shares_.took(frame_.share, ms);
   emit drawn(ms);
 }
 
@@ -163,7 +162,7 @@ void GlView::show_frame() {
 
 QImage GlView::picture(const ViewState& state, const ViewDisplay& display, const QSize& size) {
   if (!thread_ && !frames_) (void)grabFramebuffer();  // a view that was never shown has no context yet
-  const GlJob job{state, display, size, false};
+  const GlJob job{state, display, size, 1};
   if (thread_) return thread_->picture(job);
   if (!frames_) throw Error::at("OpenGL", "gives no picture");
   makeCurrent();

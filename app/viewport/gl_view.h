@@ -4,6 +4,7 @@
 #include <QOpenGLWidget>
 #include <memory>
 
+#include "app/viewport/frame_share.h"
 #include "app/viewport/gl_frames.h"
 
 namespace etak {
@@ -25,7 +26,7 @@ class GlView : public QOpenGLWidget {
   explicit GlView(QWidget* parent, bool threaded = true);
   ~GlView() override;
 
-  ///   hurry   the user drags: the picture has half the size where a whole one takes longer than fluid_ms
+  ///   hurry   the user drags: fewer pixels are drawn where whole frames take longer than fluid_ms
   void show_state(const ViewState& state, const ViewDisplay& display, bool hurry);
 
   /// The picture of a state, `size` in pixels. Waits for it and for the frame in work. Throws Error.
@@ -34,7 +35,7 @@ class GlView : public QOpenGLWidget {
 
   QString gl_name() const { return gl_name_; }
   double compile_ms() const { return frame_.compile_ms; }
-  double whole_frame_ms() const { return whole_ms_; }
+  double share() const { return frame_.share; }  // of width and height that the last frame was drawn with
   bool is_drawing() const { return drawing_; }
   bool is_threaded() const { return thread_ != nullptr; }
 
@@ -65,7 +66,7 @@ class GlView : public QOpenGLWidget {
   unsigned reader_ = 0;
   QString gl_name_;
   bool hurry_ = false, threaded_, wanted_ = true, drawing_ = false, fresh_ = false, lost_ = false;
-  double whole_ms_ = 0;
+  FrameShare shares_;
 };
 
 }  // namespace etak

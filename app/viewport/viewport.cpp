@@ -216,6 +216,9 @@ QString Viewport::fallback_reason() const {
 QString Viewport::message() const {
   return d_->message();
 }
+QString Viewport::readout() const {
+  return d_->readout;
+}
 double Viewport::compile_ms() const {
   return d_->gl == nullptr ? 0 : d_->gl->compile_ms();
 }

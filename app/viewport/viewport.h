@@ -56,6 +56,7 @@ class Viewport : public QWidget {
   QString gl_name() const;          // renderer and version, as the driver names them; empty without GL
   QString fallback_reason() const;  // why there is no GL, for the user; empty with GL
   QString message() const;  // the text over the picture: an error, or why there is no GL; may be empty
+  QString readout() const;  // the text over the picture of the colours under the cursor; may be empty
 
   /// The fragment shader of side a, below comments that list the features in it and those left out, with
   /// reasons.

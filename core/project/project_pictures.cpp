@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <system_error>
 
 #include "core/atlas/sources/pictures.h"
 #include "core/base/error.h"
@@ -37,11 +39,30 @@ Image linear_small(const Image8& codes, int most_side) {
   return out;
 }
 
-// Sets the components of all texels to those of the first texel of `from`.
-void fill_channel(Image& map, const Image& from, std::size_t first, std::size_t last) {
-  const auto value = from.at(0, 0);
-  for (std::size_t i = 0; i < map.pixel_count(); ++i)
-    for (std::size_t c = first; c < last; ++c) map.values[4 * i + c] = value[c];
+// Whether texels of a channel come from a picture. The mode opaque does not read the alpha.
+bool is_read(const ProjectMaterial& m, Channel channel) {
+  return m.texture(channel) && (channel != Channel::alpha || m.alpha_mode != AlphaMode::opaque);
+}
+
+// Sets the components of all texels, which have the same value everywhere, to those of `code`.
+void fill_channel(Image8& map, std::span<const std::uint8_t> code, std::size_t first, std::size_t last) {
+  bool same = true;
+  for (std::size_t c = first; c < last; ++c) same = same && map.values[c] == code[c];
+  if (same) return;
+  for (std::size_t i = 0; i < map.values.size(); i += 4)
+    for (std::size_t c = first; c < last; ++c) map.values[i + c] = code[c];
+}
+
+// Gives the channels without a picture the numbers that the material has now.
+void set_numbers(const ProjectMaterial& material, const MaterialLibrary& library, MaterialPair& pair) {
+  ProjectMaterial plain = material;
+  plain.textures = {};
+  const MaterialPair numbers = pictures_of(plain, library, PictureDoor());
+  const auto a = numbers.diffuse_alpha.at(0, 0), b = numbers.specular_gloss.at(0, 0);
+  if (!is_read(material, Channel::diffuse)) fill_channel(pair.diffuse_alpha, a, 0, 3);
+  if (!is_read(material, Channel::alpha)) fill_channel(pair.diffuse_alpha, a, 3, 4);
+  if (!is_read(material, Channel::specular)) fill_channel(pair.specular_gloss, b, 0, 3);
+  if (!is_read(material, Channel::gloss)) fill_channel(pair.specular_gloss, b, 3, 4);
 }
 
 }  // namespace
@@ -78,21 +99,40 @@ MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary&
   return {spread(pair.diffuse_alpha), spread(pair.specular_gloss)};
 }
 
-SurfaceTextures surface_textures(const MaterialPair& pair, int most_side) {
-  return {linear_small(pair.diffuse_alpha, most_side), linear_small(pair.specular_gloss, most_side)};
+PicturesKey::PicturesKey(const ProjectMaterial& material) {
+  files_.textures = material.textures;
+  files_.alpha_mode = material.alpha_mode;
+  files_.alpha_cutoff = material.alpha_cutoff;
+  for (const auto& texture : material.textures) {
+    std::error_code none;
+    if (texture)
+      stamps_.emplace_back(std::filesystem::last_write_time(texture->path, none),
+                           std::filesystem::file_size(texture->path, none));
+  }
 }
 
-SurfaceTextures with_numbers_of(const ProjectMaterial& material, const MaterialLibrary& library,
-                                const SurfaceTextures& read) {
-  ProjectMaterial plain = material;
-  plain.textures = {};
-  const PictureDoor no_pictures;
-  const SurfaceTextures numbers = surface_textures(pictures_of(plain, library, no_pictures), plain_side);
-  SurfaceTextures out = read;
-  if (!material.texture(Channel::diffuse)) fill_channel(out.body, numbers.body, 0, 3);
-  if (!material.texture(Channel::alpha)) fill_channel(out.body, numbers.body, 3, 4);
-  if (!material.texture(Channel::specular)) fill_channel(out.gloss, numbers.gloss, 0, 3);
-  if (!material.texture(Channel::gloss)) fill_channel(out.gloss, numbers.gloss, 3, 4);
+void KeptPictures::use(const ProjectMaterial& material, const MaterialLibrary& library,
+                       const PictureDoor& door, std::size_t most,
+                       const std::function<void(MaterialPair&)>& use) {
+  const std::lock_guard lock(guard_);
+  PicturesKey key(material);
+  if (kept_ && kept_->first == key) {
+    set_numbers(material, library, kept_->second);
+  } else {
+    kept_.reset();
+    kept_.emplace(std::move(key), pictures_of(material, library, door, most));
+  }
+  use(kept_->second);
+  if (kept_->second.diffuse_alpha.pixel_count() > most_texels) kept_.reset();
+}
+
+SurfaceTextures surface_textures(const ProjectMaterial& material, const MaterialPair& pair, int most_side) {
+  SurfaceTextures out{Image(1, 1, 4),
+                      Image(1, 1, 4),
+                      {is_read(material, Channel::diffuse), is_read(material, Channel::alpha),
+                       is_read(material, Channel::specular), is_read(material, Channel::gloss)}};
+  if (out.has.diffuse || out.has.opacity) out.body = linear_small(pair.diffuse_alpha, most_side);
+  if (out.has.f0 || out.has.gloss) out.gloss = linear_small(pair.specular_gloss, most_side);
   return out;
 }
 

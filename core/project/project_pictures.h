@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/atlas/sources/sources.h"
@@ -21,15 +26,38 @@ bool has_textures(const ProjectMaterial& material);
 MaterialPair pictures_of(const ProjectMaterial& material, const MaterialLibrary& library,
                          const PictureDoor& door, std::size_t most_texels = 0);
 
-/// The pair in linear light for a renderer, made smaller by means over areas until no side is above
-/// `most_side` texels.
-SurfaceTextures surface_textures(const MaterialPair& pair, int most_side);
+/// What decides about the texels that a material has from its pictures: which channels have one and how they
+/// are read, and when each file was written last and how large it is. A file that cannot be asked has neither.
+class PicturesKey {
+ public:
+  explicit PicturesKey(const ProjectMaterial& material);
+  friend bool operator==(const PicturesKey&, const PicturesKey&) = default;
 
-/// The same textures with other numbers: channels that have no picture are those of the material as it is now.
-/// No picture is read.
-///   read   surface_textures() of the material with the same pictures, alpha mode and cutoff
-SurfaceTextures with_numbers_of(const ProjectMaterial& material, const MaterialLibrary& library,
-                                const SurfaceTextures& read);
+ private:
+  ProjectMaterial files_;
+  std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> stamps_;
+};
+
+/// Keeps the pictures of the material that was asked for last, so that they are not read again while only its
+/// numbers change. Any thread may use it.
+class KeptPictures {
+ public:
+  /// Larger pairs are read each time.
+  static constexpr std::size_t most_texels = std::size_t{32} << 20;
+
+  /// Calls `use` with the pair that pictures_of() gives of a material with textures. `use` may change texels
+  /// of channels that have no texture.
+  void use(const ProjectMaterial& material, const MaterialLibrary& library, const PictureDoor& door,
+           std::size_t most, const std::function<void(MaterialPair&)>& use);
+
+ private:
+  std::mutex guard_;
+  std::optional<std::pair<PicturesKey, MaterialPair>> kept_;
+};
+
+/// The textures of a material in linear light for a renderer, made smaller by means over areas until no side is
+/// above `most_side` texels. They hold the channels that have a picture.
+SurfaceTextures surface_textures(const ProjectMaterial& material, const MaterialPair& pair, int most_side);
 
 /// One channel as RGB codes to be shown (gloss and alpha as greys).
 Image8 channel_picture(const SurfaceTextures& textures, Channel channel);

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "core/base/error.h"
@@ -14,6 +15,14 @@
 #include "core/base/text.h"
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
+
+// Compiled for two instruction sets, without fused operations, so that both give the same sums.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define ETAK_ENVIRONMENT_CLONES __attribute__((target_clones("default", "avx2"), optimize("O3")))
+#else
+#define ETAK_ENVIRONMENT_CLONES
+#endif
 
 namespace etak {
 namespace {
@@ -74,71 +83,6 @@ Image at_most(const Image& map, int width) {
   return map.width <= width ? map : shrunk(map, width, std::min(map.height, width / 2));
 }
 
-// The directions of the pixels of a map, factored into rows and columns, for sums over all pixels.
-struct Source {
-  const Image* map;
-  std::vector<double> sines, cosines;      // of the rows' polar angles
-  std::vector<double> column_x, column_z;  // of the columns, on the horizon
-
-  explicit Source(const Image& image) : map(&image) {
-    for (int y = 0; y < image.height; ++y) {
-      const Vec3 d = direction_at(0.75, (y + 0.5) / image.height);
-      sines.push_back(d[0]);
-      cosines.push_back(d[1]);
-    }
-    for (int x = 0; x < image.width; ++x) {
-      const Vec3 d = direction_at((x + 0.5) / image.width, 0.5);
-      column_x.push_back(d[0]);
-      column_z.push_back(d[2]);
-    }
-  }
-};
-
-// The sums of weight(c) radiance d_omega and of weight(c) d_omega over the pixels of the source whose cosine
-// c with `axis` is above `least`. Rows and columns without such pixels are skipped.
-template <class Weight>
-std::pair<Vec3, double> gather(const Source& source, const Vec3& axis, double least, Weight weight) {
-  const Image& map = *source.map;
-  const double reach = std::acos(std::clamp(least, -1.0, 1.0));
-  const MapPlace centre = place_of(axis);
-  const double row = centre.v * map.height, rows = reach / pi * map.height;
-  const int first_row = std::max(0, static_cast<int>(std::floor(row - rows)) - 1);
-  const int last_row = std::min(map.height, static_cast<int>(std::ceil(row + rows)) + 1);
-  // The largest distance in columns from the centre of a cap that holds no pole: asin(sin reach / sin polar
-  // angle).
-  const double sine = std::sin(pi * centre.v);
-  const bool holds_pole =
-      pi * centre.v - reach <= 0 || pi * centre.v + reach >= pi || sine <= std::sin(reach) || reach >= pi / 2;
-  const int columns =
-      holds_pole ? map.width / 2
-                 : std::min(map.width / 2,
-                            static_cast<int>(std::asin(std::sin(reach) / sine) / (2 * pi) * map.width) + 2);
-  const int middle = static_cast<int>(std::floor(centre.u * map.width));
-  const int count = std::min(map.width, 2 * columns + 1);
-  Vec3 sum{};
-  double total = 0;
-  for (int y = first_row; y < last_row; ++y) {
-    const auto iy = static_cast<std::size_t>(y);
-    const double omega = solid_angle(map, y);
-    Vec3 row_sum{};
-    double row_total = 0;
-    for (int step = 0; step < count; ++step) {
-      const int x = ((middle - columns + step) % map.width + map.width) % map.width;
-      const auto ix = static_cast<std::size_t>(x);
-      const double c = source.sines[iy] * (source.column_x[ix] * axis[0] + source.column_z[ix] * axis[2]) +
-                       source.cosines[iy] * axis[1];
-      if (c <= least) continue;
-      const double w = weight(c);
-      const auto pixel = map.at(x, y);
-      for (std::size_t i = 0; i < 3; ++i) row_sum[i] += w * double{pixel[i]};
-      row_total += w;
-    }
-    for (std::size_t i = 0; i < 3; ++i) sum[i] += row_sum[i] * omega;
-    total += row_total * omega;
-  }
-  return {sum, total};
-}
-
 // A map of width x width/2 pixels whose values are value(direction).
 template <class Value>
 Image filled(int width, unsigned threads, Value value) {
@@ -151,6 +95,89 @@ Image filled(int width, unsigned threads, Value value) {
                       for (std::size_t i = 0; i < 3; ++i) out.at(x, y)[i] = static_cast<float>(v[i]);
                     }
                   });
+  return out;
+}
+
+// Adds `from`, times a weight.
+ETAK_ENVIRONMENT_CLONES void add_weighted(double* to, const float* from, double weight, int count) {
+  for (int i = 0; i < count; ++i) to[i] += weight * double{from[i]};
+}
+
+// The rows of a map, so that a sum over neighbouring columns can be made for many places at once. Of the columns
+// every `stride`-th lies in one run, and each run stands three times, because columns wrap around.
+class Runs {
+ public:
+  Runs(const Image& map, int stride) : count_(map.width / stride), stride_(stride), rows_(map.height) {
+    values_.reserve(map.values.size() * 3);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      for (int y = 0; y < map.height; ++y)
+        for (int first = 0; first < stride; ++first)
+          for (int i = 0; i < 3 * count_; ++i)
+            values_.push_back(map.at(first + i % count_ * stride, y)[channel]);
+  }
+  // The columns column, column + stride, ... of a row, as many as a run has.
+  const float* from(std::size_t channel, int y, int column) const {
+    const int before = column < 0 ? (column + 1) / stride_ - 1 : column / stride_;
+    const int run = (static_cast<int>(channel) * rows_ + y) * stride_ + column - before * stride_;
+    return values_.data() + static_cast<std::ptrdiff_t>(run) * 3 * count_ + count_ + before;
+  }
+
+ private:
+  int count_, stride_, rows_;
+  std::vector<float> values_;
+};
+
+// A map of width x width/2 pixels: for each of its directions r the sums S of weight(c) radiance d_omega and T of
+// weight(c) d_omega, over the pixels of `seen` whose cosine c with r is above `least`, as finish(r, S, T).
+//
+// The cosine depends on both rows and on the difference of the columns alone. So a weight is computed once for
+// all pixels of a row of the result that lie alike between the columns of `seen`, and not once for each of them.
+template <class Weight, class Finish>
+Image summed(const Image& seen, int width, double least, unsigned threads, Weight weight, Finish finish) {
+  Image out(width, width / 2, 3);
+  // Pixels i * phases + p of a row lie alike for all i below `alike`.
+  const int alike = std::gcd(width, seen.width), phases = width / alike, stride = seen.width / alike;
+  const Runs runs(seen, stride);
+  const double reach = std::acos(std::clamp(least, -1.0, 1.0));
+  const auto row_of = [&](int row) {
+    const double v = (row + 0.5) / out.height, sine = std::sin(pi * v), cosine = std::cos(pi * v);
+    std::array<std::vector<double>, 3> sums;
+    for (auto& each : sums) each.resize(static_cast<std::size_t>(width));
+    std::vector<double> totals(static_cast<std::size_t>(phases));
+    const double middle = v * seen.height, rows = reach / pi * seen.height;
+    const int first_row = std::max(0, static_cast<int>(std::floor(middle - rows)) - 1);
+    const int last_row = std::min(seen.height, static_cast<int>(std::ceil(middle + rows)) + 1);
+    for (int y = first_row; y < last_row; ++y) {
+      const double theta = pi * (y + 0.5) / seen.height, omega = solid_angle(seen, y);
+      const double across = sine * std::sin(theta), along = cosine * std::cos(theta);
+      // Columns whose cosine may be above `least`: those with cos(difference) above (least - along) / across.
+      if (across + along <= least) continue;
+      const double side = std::acos(std::clamp((least - along) / std::max(across, 1e-300), -1.0, 1.0));
+      const int half = std::min(seen.width / 2, static_cast<int>(side / (2 * pi) * seen.width) + 2);
+      const int columns = std::min(seen.width, 2 * half + 1);
+      for (int p = 0; p < phases; ++p) {
+        const double place = (p + 0.5) * seen.width / width;
+        const int nearest = static_cast<int>(std::floor(place));
+        for (int k = nearest - half; k < nearest - half + columns; ++k) {
+          const double c = across * std::cos(2 * pi * (k + 0.5 - place) / seen.width) + along;
+          if (c <= least) continue;
+          const double w = weight(c) * omega;
+          totals[static_cast<std::size_t>(p)] += w;
+          for (std::size_t channel = 0; channel < 3; ++channel)
+            add_weighted(sums[channel].data() + p * alike, runs.from(channel, y, k), w, alike);
+        }
+      }
+    }
+    for (int x = 0; x < width; ++x) {
+      const auto at = static_cast<std::size_t>(x % phases * alike + x / phases);
+      const Vec3 sum{sums[0][at], sums[1][at], sums[2][at]};
+      const Vec3 value =
+          finish(direction_at((x + 0.5) / width, v), sum, totals[static_cast<std::size_t>(x % phases)]);
+      for (std::size_t i = 0; i < 3; ++i) out.at(x, row)[i] = static_cast<float>(value[i]);
+    }
+  };
+  parallel_chunks(static_cast<std::size_t>(out.height), threads, 1,
+                  [&](std::size_t row, std::size_t, unsigned) { row_of(static_cast<int>(row)); });
   return out;
 }
 
@@ -182,17 +209,20 @@ class LobeWeight {
 //   widest   columns of the result at most, a power of 2
 Image lobe_map(const Image& map, double gloss, double widest, unsigned threads) {
   const double e = exponent_of_gloss(gloss);
-  // A pixel of the result spans half the width of the lobe, and a pixel of the summed map spans a quarter.
+  // A pixel of the result spans half the width of the lobe, and a pixel of the summed map spans about a quarter:
+  // so that it has once or twice as many columns as the result, which summed() is quick with.
   const double wanted = std::clamp(6.3 * std::sqrt(e), 32.0, widest);
-  const Image seen = at_most(map, static_cast<int>(std::min(2 * wanted, double(prefilter_width))));
-  const Source source(seen);
+  const int width = 1 << static_cast<int>(std::ceil(std::log2(wanted)));
+  const int times = static_cast<int>(std::ceil(2 * wanted / width - 0.25));
+  const Image seen = at_most(map, std::min(times * width, prefilter_width));
   const LobeWeight weight(e);
-  return filled(1 << static_cast<int>(std::ceil(std::log2(wanted))), threads, [&](const Vec3& r) {
-    const auto [sum, total] = gather(source, r, weight.least(), [&](double c) { return weight.at(c); });
-    // Between the pixels of a map that is coarser than the lobe there may be none within it.
-    if (total == 0) return look_up(seen, place_of(r));
-    return Vec3{sum[0] / total, sum[1] / total, sum[2] / total};
-  });
+  return summed(
+      seen, width, weight.least(), threads, [&](double c) { return weight.at(c); },
+      [&](const Vec3& r, const Vec3& sum, double total) {
+        // Between the pixels of a map that is coarser than the lobe there may be none within it.
+        if (total == 0) return look_up(seen, place_of(r));
+        return Vec3{sum[0] / total, sum[1] / total, sum[2] / total};
+      });
 }
 
 }  // namespace
@@ -224,10 +254,9 @@ Environment::Environment(const Image& lat_long, double scale, const std::string&
   if (map_.width > sharpest_width) smaller_map_ = at_most(map_, sharpest_width);
   const bool quick = prefilter == Prefilter::quick;
   const Image seen = at_most(map_, quick ? quick_width : prefilter_width);
-  const Image coarse = at_most(seen, 128);
-  const Source source(coarse);
-  irradiance_ = filled(64, threads,
-                       [&](const Vec3& n) { return gather(source, n, 0, [](double c) { return c; }).first; });
+  irradiance_ = summed(
+      at_most(seen, 128), 64, 0, threads, [](double c) { return c; },
+      [](const Vec3&, const Vec3& sum, double) { return sum; });
   for (int i = 0; i < level_count; ++i) {
     const double gloss = 1 - double(i) / (level_count - 1);
     levels_.push_back({gloss, lobe_map(seen, gloss, quick ? widest_quick_map : widest_lobe_map, threads)});

@@ -111,9 +111,15 @@ struct View {
 /// The two textures of a surface, with four channels each in linear light. They are looked up bilinearly with
 /// repeated edges. On the quad they begin at the top left corner; on the sphere they lie in latitude and
 /// longitude, with the seam at the back.
+///   has   the quantities that the textures hold; the others are those of the scene's surface, so that a number
+///         can change while the textures stay as they are
 struct SurfaceTextures {
+  struct Quantities {
+    bool diffuse = true, opacity = true, f0 = true, gloss = true;
+  };
   Image body;   // diffuse colour and opacity
   Image gloss;  // F0 and gloss
+  Quantities has = {};
 };
 
 enum class Shape { sphere, quad };
@@ -165,7 +171,7 @@ struct Scene {
   std::vector<double> specular_values;
   const Model* diffuse = nullptr;  // null: no diffuse part, or `specular` is of kind both
   std::vector<double> diffuse_values;
-  // These replace the surface's diffuse, opacity, f0 and gloss; null: none.
+  // These replace what they hold of the surface's diffuse, opacity, f0 and gloss; null: none.
   std::shared_ptr<const SurfaceTextures> textures;
   bool mark_zone = false;          // stripes where the luminance of F0 is in the forbidden zone
   std::vector<float> mark_energy;  // by quick_albedo(): stripes where it is above 1; empty: no stripes

@@ -122,13 +122,18 @@ void respond_textured(const Model& model, const std::vector<double>& values, con
 
 void look_up_textures(const Shading& shading, Chunk& c) {
   const SurfaceTextures& textures = *shading.scene.textures;
+  const SurfaceValues& surface = shading.scene.surface;
   for (std::size_t i = 0; i < c.whole_blocks; ++i) {
     const bool there = i < c.count;
     const auto [u, v] = texture_place(
         shading.camera.shape(),
         there ? Vec3{double(c.position[0][i]), double(c.position[1][i]), double(c.position[2][i])}
               : Vec3{0, 0, 1});
-    const std::array<double, 4> body = texel(textures.body, u, v), gloss = texel(textures.gloss, u, v);
+    std::array<double, 4> body = texel(textures.body, u, v), gloss = texel(textures.gloss, u, v);
+    if (!textures.has.diffuse) std::copy_n(surface.diffuse.begin(), 3, body.begin());
+    if (!textures.has.opacity) body[3] = surface.opacity;
+    if (!textures.has.f0) std::copy_n(surface.f0.begin(), 3, gloss.begin());
+    if (!textures.has.gloss) gloss[3] = surface.gloss;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       c.texel_body[channel][i] = real(body[channel] * body[3]);
       c.texel_f0[channel][i] = real(gloss[channel]);

@@ -84,7 +84,7 @@ class Checks {
     const MaterialsToCheck& materials = request_.materials;
     if (i >= targets_.size()) {
       files_[i] = check_material(materials.materials[i - targets_.size()], *materials.library, request_.door,
-                                 settings, materials.most_texels, threads);
+                                 settings, materials.most_texels, threads, materials.kept.get());
     } else {
       files_[i] = check(targets_[i].target, request_.door, settings, threads);
       if (cache_) cache_->keep(keys_[i], targets_[i], files_[i]);

@@ -18,6 +18,8 @@
 
 namespace etak {
 
+class KeptPictures;
+
 // The interface of the validator (target etak::validate_files). check_pack.h checks an atlas while it is
 // packed, core/pages/finding_pictures.h makes masks and thumbnails of findings, and
 // core/validate/output/formats.h writes the report.
@@ -26,10 +28,13 @@ namespace etak {
 /// their F0 comes from.
 ///   library       with the project's own spectra (library_of); not null where there are materials
 ///   most_texels   larger pictures are not checked, which is a finding; 0: no limit
+///   kept          for a program that checks a material again after each change: its pictures are then read
+///                 once (core/project/project_pictures.h); null: each time
 struct MaterialsToCheck {
   std::vector<ProjectMaterial> materials;
   std::shared_ptr<const MaterialLibrary> library;
   std::size_t most_texels = 0;
+  std::shared_ptr<KeptPictures> kept;
 };
 
 /// What is to be checked, by which rules, and how.

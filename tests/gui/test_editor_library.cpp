@@ -102,7 +102,13 @@ class EditorLibrary : public QObject {
       if (const QModelIndex at = model->index(row, 0);
           at.data(LibraryModel::id_role).toString() == QLatin1String("zinc"))
         zinc = at.data(Qt::ToolTipRole).toString();
-    QVERIFY2(zinc.endsWith(QLatin1String("data computed; sparse")), qPrintable(zinc));
+    // Behind name and kind of the data, each flag is a sentence.
+    const QStringList told = zinc.split(QLatin1Char('\n'));
+    QVERIFY2(told.front().endsWith(QLatin1String("(zinc). Its data are computed.")), qPrintable(zinc));
+    QCOMPARE(told.size(), 3);
+    for (const QString& line : told.mid(1))
+      QVERIFY2(line.front().isUpper() && line.endsWith(QLatin1Char('.')) && line.contains(QLatin1Char(' ')),
+               qPrintable(zinc));
     QVERIFY(window->use_library_material(QStringLiteral("tantalum")));
     const auto* dataset = named<QComboBox>(*window, QStringLiteral("Dataset"));
     QVERIFY(dataset != nullptr);

@@ -16,6 +16,7 @@
 #include "app/editor/panels/findings_panel.h"
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/texture_section.h"
+#include "app/editor/panels/view_panel.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
 
@@ -201,6 +202,15 @@ class EditorShown : public QObject {
       QVERIFY(families > 1 || box->count() < 8);
     }
     QCOMPARE(listed, models().size());
+    // The box of side B has the same rows below its first one.
+    const auto* of_a = named<QComboBox>(window->inspector(), QStringLiteral("Specular model"));
+    const auto* of_b = named<QComboBox>(window->view_panel(), QStringLiteral("Specular model of side B"));
+    QVERIFY(of_b != nullptr);
+    QCOMPARE(of_b->count(), of_a->count());
+    for (int row = 1; row < of_b->count(); ++row) {
+      QCOMPARE(of_b->itemText(row), of_a->itemText(row));
+      QCOMPARE(of_b->itemData(row), of_a->itemData(row));
+    }
     // The keys step from model to model, over the names of families.
     auto* box = named<QComboBox>(window->inspector(), QStringLiteral("Specular model"));
     show_active(window);
@@ -243,9 +253,47 @@ class EditorShown : public QObject {
     const auto* difference = named<QLabel>(*window, QStringLiteral("Difference under the cursor"));
     QTRY_VERIFY(under->text().contains(QLatin1String("B - A")));
     QVERIFY(difference->text().contains(QLatin1String("B - A")));
+    QVERIFY(window->viewport().readout().contains(QLatin1String("difference")));
     QTest::keyClick(window.window.get(), Qt::Key_T, Qt::ControlModifier);
     QVERIFY(under->text().isEmpty() && difference->text().isEmpty());
     QTRY_VERIFY(!state.split);
+    QVERIFY2(!window->viewport().readout().contains(QLatin1String("difference")),
+             qPrintable(window->viewport().readout()));
+  }
+
+  void lights_and_scales_have_units() {
+    TestWindow window(true);
+    window->show();
+    window->inspector_tabs().setCurrentIndex(1);
+    const QWidget& page = *window.window;
+    // The text beside a field.
+    const auto label = [&](const char* field) {
+      const QWidget* wanted = named<QWidget>(page, QLatin1String(field));
+      for (const QLabel* each : page.findChildren<QLabel*>())
+        if (wanted != nullptr && each->buddy() == wanted) return each->text();
+      return QString();
+    };
+    const auto set = [&](LightKind kind, bool pi_scaled) {
+      ProjectView view = window->document().project().view;
+      view.lights.lights = {Light{}};
+      view.lights.lights[0].kind = kind;
+      view.lights.pi_scaled = pi_scaled;
+      window->document().edit_view(view, QStringLiteral("lights"), next_press_id());
+    };
+    set(LightKind::directional, false);
+    QCOMPARE(label("Intensity, field"), QStringLiteral("E W/m\u00b2"));
+    set(LightKind::directional, true);
+    QCOMPARE(label("Intensity, field"), QStringLiteral("E/\u03c0 W/m\u00b2"));
+    set(LightKind::point, false);
+    QCOMPARE(label("Intensity, field"), QStringLiteral("I W/sr"));
+    set(LightKind::spot, true);
+    QCOMPARE(label("Intensity, field"), QStringLiteral("I/\u03c0 W/sr"));
+    QCOMPARE(label("Light place"), QStringLiteral("Place r"));
+    QCOMPARE(label("Inner cone, field"), QStringLiteral("Inner \u00b0"));
+    QCOMPARE(label("Outer cone, field"), QStringLiteral("Outer \u00b0"));
+    QCOMPARE(label("Environment scale, field"), QStringLiteral("Scale \u00d7"));
+    QCOMPARE(label("Environment turn, field"), QStringLiteral("Turn \u00b0"));
+    QCOMPARE(label("Exposure, field"), QStringLiteral("Exposure EV"));
   }
 
   // What nothing in the material reads has no findings.

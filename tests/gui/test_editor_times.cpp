@@ -6,6 +6,7 @@
 
 #include "app/editor/panels/inspector.h"
 #include "app/editor/panels/texture_section.h"
+#include "app/editor/start_time.h"
 #include "tests/gui/editor_hands.h"
 #include "tests/gui/gui_test.h"
 
@@ -47,22 +48,33 @@ class EditorTimes : public QObject {
     const double first = until_drawn(window, timer, [&] { return textures() != nullptr; });
     QVERIFY(first > 0);
     QVERIFY(window.settle(most_ms));
-    std::vector<double> times;
+    std::vector<double> times, work;
+    QSignalSpy drawn(&window->viewport(), &Viewport::frame_drawn);
     for (int i = 0; i < 11; ++i) {
       const double gloss = 0.2 + 0.05 * i;
       ProjectMaterial next = *window->document().material();
       next.gloss = gloss;
+      const qsizetype before = drawn.count();
+      const double worked = since_start().work_ms;
       timer.restart();
       window->document().edit(window->document().current(), next, QStringLiteral("gloss"), 1);
-      times.push_back(until_drawn(
-          window, timer, [&] { return std::abs(double{textures()->gloss.at(0, 0)[3]} - gloss) < 0.01; }));
+      times.push_back(until_drawn(window, timer, [&] {
+        const ViewSide& side = window->viewport().state().a;
+        return side.textures && !side.textures->has.gloss && side.surface.gloss == gloss &&
+               drawn.count() > before;
+      }));
       QVERIFY(times.back() > 0);
+      work.push_back(since_start().work_ms - worked);
     }
     std::sort(times.begin(), times.end());
-    qInfo("gloss of 4096 x 4096 texels: files read in %.0f ms; then %.1f ms least, %.1f median to the screen",
-          first, times.front(), times[times.size() / 2]);
-    // Files of this size are not read in that time: a hundred is wanted, and a busy machine is slower.
-    QVERIFY(times.front() < 500);
+    std::sort(work.begin(), work.end());
+    qInfo(
+        "gloss of 4096 x 4096 texels: files read in %.0f ms; then %.1f ms least, %.1f median to the screen, "
+        "%.1f of processors",
+        first, times.front(), times[times.size() / 2], work[work.size() / 2]);
+    // Files of this size are not read in that time. A hundred by the clock is wanted; on a busy machine the clock
+    // runs on while the editor waits, so the work of all processors counts where it is less.
+    QVERIFY(std::min(times.front(), work.front()) < 200);
   }
 
   void large_environment() {

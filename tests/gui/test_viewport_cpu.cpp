@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QtTest>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
+
+#include "app/viewport/background.h"
+#include "app/viewport/frame_share.h"
 #include "app/viewport/viewport.h"
 #include "tests/gui/gui_test.h"
 
@@ -50,6 +58,46 @@ class ViewportCpu : public QObject {
     const QImage picture = viewport.grab_picture();
     QVERIFY(picture.pixelColor(100, 100) != picture.pixelColor(2, 2));
     QCOMPARE(viewport.compile_ms(), 0.0);
+  }
+
+#ifdef __linux__
+  void work_that_nobody_waits_for_lets_others_go_first() {
+    const int usual = ::getpriority(PRIO_PROCESS, 0);
+    int lowered = usual;
+    QThreadPool pool;
+    run_in(pool, [&] {
+      for (int i = 0; i < 2; ++i) let_others_go_first();
+      lowered = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)));
+    });
+    pool.waitForDone();
+    QCOMPARE(lowered, std::min(usual + 10, 19));
+    QCOMPARE(::getpriority(PRIO_PROCESS, 0), usual);
+  }
+#endif
+
+  void frames_of_a_drag_get_smaller_until_they_are_fluid() {
+    for (const double fixed_ms : {0.0, 5.0, 8.0})
+      for (const double whole_ms : {4.0, 15.0, 40.0, 90.0, 200.0, 350.0}) {
+        const auto ms = [&](double share) { return fixed_ms + whole_ms * share * share; };
+        FrameShare shares;
+        for (int i = 0; i < 2; ++i) shares.took(1, ms(1));
+        for (int i = 0; i < 20; ++i) {
+          const double share = shares.next();
+          QVERIFY2(ms(share) <= fluid_ms || share == FrameShare::shares.back(),
+                   qPrintable(QStringLiteral("%1 ms at %2").arg(ms(share)).arg(share)));
+          shares.took(share, ms(share));
+        }
+        // A view that is drawn fast enough is drawn whole, and no view smaller than it must be.
+        if (ms(1) < 20) QCOMPARE(shares.next(), 1.0);
+        if (fixed_ms == 0 && whole_ms == 90) QCOMPARE(shares.next(), 0.5);
+        // One frame during which another program had the processors changes nothing.
+        const double before = shares.next();
+        shares.took(before, 400);
+        QCOMPARE(shares.next(), before);
+        shares.took(before, ms(before));
+        QCOMPARE(shares.next(), before);
+      }
+    QCOMPARE(FrameShare::size(QSize(1921, 3), 0.25), QSize(481, 1));
   }
 
   void the_note_that_the_cpu_draws_fades() {

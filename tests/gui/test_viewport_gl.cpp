@@ -34,10 +34,14 @@ class ViewportGl : public QObject {
     return surface_textures(&body, &gloss, surface);
   }
 
-  void check(const ViewState& state, const QByteArray& what, const ViewDisplay& display = {}) {
+  //   beside   what lies beside the object is compared, too
+  void check(const ViewState& state, const QByteArray& what, const ViewDisplay& display = {},
+             bool beside = false) {
     viewport->set_state(state);
     const QImage picture = on_screen();
-    const Image linear = draw_view(state, picture.width(), picture.height(), 2);
+    Image linear = draw_view(state, picture.width(), picture.height(), 2);
+    for (std::size_t i = 3; beside && i < linear.values.size(); i += 4)
+      if (linear.values[i] == 0) linear.values[i] = 1;
     const QImage expected = shown(linear, display, 2);
     const Apart found = apart(picture, expected, linear);
     QVERIFY2(found.pixels > 1000, what + " covers nothing");
@@ -73,6 +77,20 @@ class ViewportGl : public QObject {
     check(state, id + " under two hemispheres in an environment");
     state.a.textures = textures_of(state.a.surface);
     check(state, id + " with textures under two hemispheres in an environment");
+  }
+
+  void textures_that_hold_a_part_of_the_quantities() {
+    ViewState state = state_with(*find_model("ggx-schlick"));
+    state.environment = environment;
+    state.a.surface.opacity = 0.8;
+    const SurfaceTextures all = *textures_of(state.a.surface);
+    // Every combination, down to textures that hold nothing.
+    for (int bits = 0; bits < 16; ++bits) {
+      SurfaceTextures part = all;
+      part.has = {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
+      state.a.textures = std::make_shared<const SurfaceTextures>(part);
+      check(state, "textures with the quantities " + QByteArray::number(bits));
+    }
   }
 
   void microfacet_of_three_terms() {
@@ -121,6 +139,27 @@ class ViewportGl : public QObject {
     state.exposure = 0.6;
     state.a.surface.opacity = 0.5;
     check(state, "environment");
+  }
+
+  void backdrop_beside_and_behind_the_object() {
+    ViewState state = state_with(*find_model("ggx-schlick"));
+    state.environment = environment;
+    state.environment_turn_deg = 20;
+    for (const ViewShape shape : {ViewShape::sphere, ViewShape::quad, ViewShape::wedge})
+      for (const Backdrop& backdrop : {Backdrop{true, 0.3, true}, Backdrop{false, 0, true}})
+        for (const double opacity : {1.0, 0.4})
+          for (const View& view :
+               {View{}, View{40, 20, 0.4, -0.3, 1.6}, View{-150, -70, 1.5, 0.2, 0.5}, View{0, 0, 0, 0, 20}}) {
+            state.shape = shape;
+            state.backdrop = backdrop;
+            state.a.surface.opacity = opacity;
+            state.camera = view;
+            state.split = shape != ViewShape::wedge && opacity < 1;
+            check(state,
+                  "backdrop behind shape " + QByteArray::number(static_cast<int>(shape)) + " at zoom " +
+                      QByteArray::number(view.zoom),
+                  {}, true);
+          }
   }
 
   void split_and_wedge() {

@@ -34,6 +34,7 @@ ViewState view_state_of(const Document& document, const Look& look,
   const ProjectMaterial& other = view.compare.pinned ? *view.compare.pinned : m;
   out.b = side_of(document, other, view.compare.model);
   out.a = side_of(document, m, {});
+  if (&m == &nothing) out.a.label = out.b.label = nothing.name;  // whatever its model
   if (look.textured && !look.preview) out.a.textures = std::move(textures);
   if (look.textured && !view.compare.pinned) out.b.textures = out.a.textures;
   out.split = view.compare.on;

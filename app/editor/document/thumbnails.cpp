@@ -69,7 +69,6 @@ QString picture_key(const QString& key, Shape shape) {
 Thumbnails::Thumbnails(const QString& folder, QObject* parent)
     : QObject(parent), folder_(folder), pictures_(most_pictures) {
   pool_.setMaxThreadCount(std::max(1, QThread::idealThreadCount() - 1));
-  pool_.setThreadPriority(QThread::LowPriority);
 }
 
 Thumbnails::~Thumbnails() {
@@ -87,6 +86,7 @@ QPixmap Thumbnails::get(const QString& key, Shape shape, int side, double ratio,
   in_background(
       pool_, this,
       [subject = subject(), shape, pixels, folder = folder_] {
+        let_others_go_first();
         return thumbnail(subject, shape, pixels, folder);
       },
       [this, whole, key, ratio](const QImage& image) {

@@ -5,6 +5,7 @@
 
 #include "app/viewport/background.h"
 #include "core/image/image_io.h"
+#include "core/project/project_pictures.h"
 #include "core/validate/validate.h"
 
 namespace etak::editor {
@@ -16,9 +17,9 @@ constexpr std::size_t most_texels = std::size_t{64} << 20;
 
 }  // namespace
 
-Validator::Validator(Document& document, QObject* parent) : QObject(parent), document_(document) {
+Validator::Validator(Document& document, QObject* parent)
+    : QObject(parent), document_(document), kept_(std::make_shared<KeptPictures>()) {
   pool_.setMaxThreadCount(1);
-  pool_.setThreadPriority(QThread::LowPriority);
   timer_.setSingleShot(true);
   timer_.setInterval(check_delay_ms);
   connect(&timer_, &QTimer::timeout, this, &Validator::begin);
@@ -32,6 +33,7 @@ Validator::Validator(Document& document, QObject* parent) : QObject(parent), doc
   connect(&document, &Document::materials_removed, this, [this] { timer_.start(); });
   connect(&document, &Document::replaced, this, [this] {
     findings_.clear();
+    kept_ = std::make_shared<KeptPictures>();  // a check that still runs has the one before
     emit findings_changed();
     check_all();
   });
@@ -72,9 +74,10 @@ void Validator::begin() {
   running_ = true;
   in_background(
       pool_, this,
-      [this, batch = std::move(batch), library = document_.library()]() mutable {
+      [this, batch = std::move(batch), library = document_.library(), kept = kept_]() mutable {
+        let_others_go_first();
         ValidationRequest request;
-        request.materials = {std::move(batch), std::move(library), most_texels};
+        request.materials = {std::move(batch), std::move(library), most_texels, std::move(kept)};
         request.door = picture_door();
         request.stop = [this] { return stop_.load(); };  // the destructor waits for this thread
         return validate(std::move(request)).files;

@@ -10,10 +10,15 @@
 #include "app/editor/document/document.h"
 #include "core/validate/finding.h"
 
+namespace etak {
+class KeptPictures;
+}
+
 namespace etak::editor {
 
 /// Runs the rules of the validator over materials that have changed, a moment after the change, on a thread
-/// of its own.
+/// of its own. The pictures of the material that was checked last are kept in memory, so that a change of a
+/// number reads no file.
 class Validator : public QObject {
   Q_OBJECT
 
@@ -37,6 +42,7 @@ class Validator : public QObject {
   Document& document_;
   std::map<std::string, std::vector<Finding>> findings_;
   std::set<std::string> dirty_;
+  std::shared_ptr<KeptPictures> kept_;
   QTimer timer_;
   QThreadPool pool_;
   std::atomic<bool> stop_{false};

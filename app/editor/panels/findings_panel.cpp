@@ -146,7 +146,7 @@ FindingsPanel::FindingsPanel(Validator& validator, QWidget* parent)
             advice_->setText(
                 finding == nullptr
                     ? QString()
-                    : qt_text(finding->cause.empty() ? finding->fix : finding->cause + " " + finding->fix));
+                    : qt_text(finding->cause.empty() ? finding->fix : finding->cause + ".\n" + finding->fix));
           });
   connect(table_, &QTreeView::activated, this, [this](const QModelIndex& now) {
     if (const Finding* finding = model_.at(sorted_.mapToSource(now).row()))

@@ -5,6 +5,7 @@
 #include <QMimeData>
 #include <QPainter>
 
+#include "app/editor/panels/data_sentences.h"
 #include "app/viewport/qt_text.h"
 #include "app/viewport/viewport.h"
 #include "core/base/error.h"
@@ -67,11 +68,8 @@ void LibraryModel::set_library(std::shared_ptr<const MaterialLibrary> library) {
             QString::fromStdString(m.name),
             QString::fromStdString(m.material_class),
             {},
-            {},
             {}};
-    const Flags flags = quality_flags(m, m.preferred_dataset());
-    row.quality = QString::fromStdString(quality_text(m.preferred_dataset().origin, flags));
-    row.marked = !flags.none();
+    row.marked = !quality_flags(m, m.preferred_dataset()).none();
     row.keys = row.id + QLatin1Char(' ') + row.name + QLatin1Char(' ') + row.material_class;
     row.keys += QLatin1Char(' ') + QString::fromStdString(m.group);
     for (const std::string& alias : m.aliases) row.keys += QLatin1Char(' ') + QString::fromStdString(alias);
@@ -115,7 +113,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return row.name;
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
-      return tr("%1, %2 (%3), data %4").arg(row.name, row.material_class, row.id, row.quality);
+      return about(row);
     case id_role:
       return row.id;
     case class_role:
@@ -124,8 +122,6 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return row.keys;
     case names_role:
       return row.names;
-    case quality_role:
-      return row.quality;
     case Qt::DecorationRole: {
       const auto subject = [this, id = row.id.toStdString()] {
         const auto find = [library = library_, id] {
@@ -152,6 +148,15 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     default:
       return {};
   }
+}
+
+QString LibraryModel::about(const Row& row) const {
+  const auto material = library_->find(row.id.toStdString());
+  if (!material) return row.name;
+  const Dataset& data = material->preferred_dataset();
+  return tr("%1, %2 (%3). Its data are %4.")
+             .arg(row.name, row.material_class, row.id, qt_text(name(data.origin))) +
+         data_sentences(quality_flags(*material, data), doubt(*material, data));
 }
 
 Qt::ItemFlags LibraryModel::flags(const QModelIndex& index) const {

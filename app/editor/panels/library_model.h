@@ -16,7 +16,7 @@ class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  enum Role { id_role = Qt::UserRole, class_role, keys_role, names_role, quality_role };
+  enum Role { id_role = Qt::UserRole, class_role, keys_role, names_role };
 
   LibraryModel(Thumbnails& thumbnails, QObject* parent = nullptr);
 
@@ -36,9 +36,10 @@ class LibraryModel : public QAbstractListModel {
   struct Row {
     QString id, name, material_class, keys;
     QStringList names;    // search keys of id, name and aliases
-    QString quality;      // quality_text() of the preferred dataset
     bool marked = false;  // the data are computed, sparse or doubtful: the picture gets a dot
   };
+  QString about(const Row& row) const;  // name, class, id, and in sentences what the data are worth
+
   std::shared_ptr<const MaterialLibrary> library_;
   std::vector<Row> rows_;
   Thumbnails& thumbnails_;

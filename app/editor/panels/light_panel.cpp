@@ -141,8 +141,12 @@ Section* LightPanel::make_light() {
   for (const LightKind each : kinds) kind_->addItem(qt_text(name(each)));
   color_ = new ColorField(tr("Light colour"), {1, 1, 1}, out);
   intensity_ = new NumberField(tr("Intensity"), 0, 20, 1, out);
-  intensity_->setToolTip(tr("Factor of the light's colour"));
-  color_->setToolTip(tr("Linear, times the intensity"));
+  intensity_->setToolTip(tr(
+      "Factor of the light's colour. Of a directional light both together are the irradiance on a plane that "
+      "faces it, in W/m\u00b2; of a point or a spot the radiant intensity in W/sr, which is the irradiance "
+      "at a "
+      "distance of one radius of the sphere"));
+  color_->setToolTip(tr("Linear colour, times the intensity"));
   intensity_->box().setRange(0, 1e6);
   inner_ = new NumberField(tr("Inner cone"), 0, 90, 20, out);
   outer_ = new NumberField(tr("Outer cone"), 0, 90, 30, out);
@@ -151,10 +155,12 @@ Section* LightPanel::make_light() {
   out->add(row);
   out->add(tr("Kind"), kind_);
   out->add_below(tr("Colour"), color_);
-  out->add(tr("Intensity"), intensity_);
-  out->add(tr("Place"), three_boxes(tr("Light place"),
-                                    tr("Where the light is, in radii of the sphere: right, up, towards you"),
-                                    position_, out));
+  out->add(QString(), intensity_);  // show_view() writes the unit there
+  intensity_unit_ = qobject_cast<QLabel*>(out->rows().labelForField(intensity_));
+  out->add(
+      tr("Place r"),
+      three_boxes(tr("Light place"), tr("Where the light is, in radii of the sphere: right, up, towards you"),
+                  position_, out));
   out->add(tr("Direction"),
            three_boxes(tr("Light direction"), tr("Where the light shines to, of length 1"), direction_, out));
   out->add(tr("Inner \u00b0"), inner_);
@@ -212,8 +218,9 @@ Section* LightPanel::make_hemispheres() {
       "is never a step; printed, as the article has it, white on rough surfaces"));
   for (const HemisphereForm each : forms) form_->addItem(qt_text(name(each)));
   hemispheres_->setToolTip(tr("Light from two half spheres, one colour each"));
-  upper_->setToolTip(tr("Linear colour of the half sphere around the axis"));
-  lower_->setToolTip(tr("Linear colour of the half sphere opposite to the axis"));
+  upper_->setToolTip(tr("Linear colour of the half sphere around the axis: its radiance in W/(m\u00b2 sr)"));
+  lower_->setToolTip(
+      tr("Linear colour of the half sphere opposite to the axis: its radiance in W/(m\u00b2 sr)"));
   out->add(hemispheres_);
   out->add_below(tr("Upper"), upper_);
   out->add_below(tr("Lower"), lower_);
@@ -299,7 +306,7 @@ Section* LightPanel::make_environment() {
   scale_ = new NumberField(tr("Environment scale"), 0, 4, 1, out);
   environment_->setToolTip(
       tr("A lat-long picture of light from all sides; choosing one switches the two hemispheres off"));
-  scale_->setToolTip(tr("Factor of the picture's values"));
+  scale_->setToolTip(tr("Factor of the picture's values, which make its radiance in W/(m\u00b2 sr)"));
   scale_->box().setRange(0, 1e6);
   turn_ = new NumberField(tr("Environment turn"), -180, 180, 0, out);
   turn_->setToolTip(tr("Turn of the environment about the upright axis, in degrees"));
@@ -308,7 +315,7 @@ Section* LightPanel::make_environment() {
   out->add(make_strip());
   out->add(tr("Picture"), environment_);
   out->add(open);
-  out->add(tr("Scale"), scale_);
+  out->add(tr("Scale \u00d7"), scale_);
   out->add(tr("Turn \u00b0"), turn_);
   connect(environment_, &QComboBox::activated, this, [this] {
     edit_lights(tr("environment"), next_press_id(), [&](LightSetup& l) {
@@ -367,6 +374,11 @@ void LightPanel::show_view() {
   kind_->setCurrentIndex(static_cast<int>(light.kind));
   color_->show_color(rgb(light.color));
   intensity_->show_value(light.intensity);
+  // What the number is of, with its unit: an irradiance or a radiant intensity.
+  const bool far = light.kind == LightKind::directional;
+  intensity_unit_->setText((far ? QStringLiteral("E") : QStringLiteral("I")) +
+                           (lights.pi_scaled ? QStringLiteral("/\u03c0 ") : QStringLiteral(" ")) +
+                           (far ? QStringLiteral("W/m\u00b2") : QStringLiteral("W/sr")));
   inner_->show_value(light.inner_deg);
   outer_->show_value(light.outer_deg);
   for (std::size_t i = 0; i < 3; ++i) {

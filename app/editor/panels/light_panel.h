@@ -40,6 +40,7 @@ class LightPanel : public PanelScroll {
               *turn_ = nullptr;
   std::array<FineSpinBox*, 3> position_{}, direction_{}, axis_{};
   QCheckBox *hemispheres_ = nullptr, *pi_scaled_ = nullptr;
+  QLabel* intensity_unit_ = nullptr;
   QButtonGroup* strip_ = nullptr;
   bool showing_ = false;
 };

@@ -5,6 +5,7 @@
 #include <QLineEdit>
 
 #include "app/editor/fields/press_id.h"
+#include "app/editor/panels/data_sentences.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
@@ -22,20 +23,6 @@ struct SourceText {
   QString result, body, spread, citation;
 };
 
-// What the flags of a result mean, one sentence a line. A doubt is told by its reason.
-QString sentences(const F0Result& result, const std::string& doubt) {
-  QString out;
-  const auto add = [&](QString text) {
-    text[0] = text[0].toUpper();
-    out += QLatin1Char('\n') + text + QLatin1Char('.');
-  };
-  result.flags.for_each([&](Flag flag) {
-    if (flag != Flag::doubtful) add(qt_text(meaning(flag)));
-  });
-  if (!doubt.empty()) add(QObject::tr("the data are doubtful: %1").arg(qt_text(doubt)));
-  return out;
-}
-
 SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& library) {
   SourceText out;
   const MeasuredF0& measured = *material.measured;
@@ -48,7 +35,7 @@ SourceText source_text(const ProjectMaterial& material, const MaterialLibrary& l
                           r.f82 ? qt_text(hex(srgb_u8(*r.f82))) : QStringLiteral("-"));
     out.result += QStringLiteral("\n") +
                   QObject::tr("data %1").arg(qt_text(quality_text(found.chosen().origin, r.flags)));
-    out.result += sentences(r, doubt(found.material, found.chosen()));
+    out.result += data_sentences(r.flags, doubt(found.material, found.chosen()));
     out.body = qt_text(body_note(material, found));
     out.citation = qt_text(one_line(found.chosen().citation));
     MaterialReport report{found.material, {}};

@@ -7,7 +7,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 #include <cmath>
-#include <filesystem>
+#include <optional>
 
 #include "app/editor/panels/sections.h"
 #include "app/viewport/background.h"
@@ -30,30 +30,11 @@ QImage rgb_image(const Image8& codes) {
   return out;
 }
 
-// The colour of a channel in the first texel.
-QColor first_code(const SurfaceTextures& textures, Channel channel) {
-  SurfaceTextures texel{Image(1, 1, 4), Image(1, 1, 4)};
-  std::copy_n(textures.body.at(0, 0).data(), 4, texel.body.values.begin());
-  std::copy_n(textures.gloss.at(0, 0).data(), 4, texel.gloss.values.begin());
-  return rgb_image(channel_picture(texel, channel)).pixelColor(0, 0);
-}
-
-// When a file was written last, and its size. A file that cannot be asked has neither.
-std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> stamps_of(const ProjectMaterial& m) {
-  std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> out;
-  for (const auto& texture : m.textures) {
-    std::error_code none;
-    if (texture)
-      out.emplace_back(std::filesystem::last_write_time(texture->path, none),
-                       std::filesystem::file_size(texture->path, none));
-  }
-  return out;
-}
-
 using Pictures = std::array<QImage, all_channels.size()>;
 
 struct Loaded {
-  Pictures pictures;
+  Pictures pictures;  // one texel for channels that have none
+  QSize shown_size;   // in which all of them are shown
   std::shared_ptr<const SurfaceTextures> textures;
   QString text;
 };
@@ -63,9 +44,10 @@ struct Loaded {
 // What was read of the files, for as long as they and the way in which they are used stay the same. Only the
 // worker's thread looks into it.
 struct TextureView::FilesRead {
-  std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> stamps;
+  std::optional<PicturesKey> key;
   Pictures pictures;
-  std::optional<SurfaceTextures> textures;
+  QSize shown_size;  // of the pictures
+  std::shared_ptr<const SurfaceTextures> textures;
   QString size;
 };
 
@@ -74,12 +56,25 @@ namespace {
 template <class Read>
 void read_files(const ProjectMaterial& m, const MaterialLibrary& library, Read& read) {
   read.textures.reset();
+  read.shown_size = {};
   const MaterialPair pair = pictures_of(m, library, picture_door(), most_texels);
   read.size = QObject::tr("%1 x %2 texels").arg(pair.diffuse_alpha.width).arg(pair.diffuse_alpha.height);
-  SurfaceTextures textures = surface_textures(pair, most_side);
-  for (const Channel channel : all_channels)
-    read.pictures[static_cast<std::size_t>(channel)] = rgb_image(channel_picture(textures, channel));
-  read.textures = std::move(textures);
+  const auto textures = std::make_shared<const SurfaceTextures>(surface_textures(m, pair, most_side));
+  for (const Channel channel : all_channels) {
+    if (!m.texture(channel)) continue;
+    QImage& picture = read.pictures[static_cast<std::size_t>(channel)];
+    picture = rgb_image(channel_picture(*textures, channel));
+    read.shown_size = read.shown_size.expandedTo(picture.size());
+  }
+  read.textures = textures;
+}
+
+// The codes of a channel without a picture, as they would be packed.
+QColor packed_color(const MaterialPair& numbers, Channel channel) {
+  const bool color = channel == Channel::diffuse || channel == Channel::specular;
+  const bool body = channel == Channel::diffuse || channel == Channel::alpha;
+  const auto texel = (body ? numbers.diffuse_alpha : numbers.specular_gloss).at(0, 0);
+  return color ? QColor(texel[0], texel[1], texel[2]) : QColor(texel[3], texel[3], texel[3]);
 }
 
 // The textures of the material as it is now, from the files where those have changed.
@@ -87,17 +82,23 @@ template <class Read>
 Loaded loaded_from(const ProjectMaterial& m, const MaterialLibrary& library, Read& read) {
   Loaded out;
   try {
-    if (auto stamps = stamps_of(m); !read.textures || stamps != read.stamps) {
-      read.stamps = std::move(stamps);
+    PicturesKey key(m);
+    if (!read.textures || key != read.key) {
       read_files(m, library, read);
+      read.key = std::move(key);
     }
-    out.textures = std::make_shared<const SurfaceTextures>(with_numbers_of(m, library, *read.textures));
+    out.textures = read.textures;
     out.text = read.size;
     out.pictures = read.pictures;
+    out.shown_size = read.shown_size;
+    ProjectMaterial plain = m;
+    plain.textures = {};
+    const MaterialPair numbers = pictures_of(plain, library, PictureDoor());
     for (const Channel channel : all_channels)
       if (!m.texture(channel)) {
         QImage& picture = out.pictures[static_cast<std::size_t>(channel)];
-        picture.fill(first_code(*out.textures, channel));
+        picture = QImage(1, 1, QImage::Format_RGB888);
+        picture.fill(packed_color(numbers, channel));
       }
   } catch (const Error& error) {
     out.text = QString::fromUtf8(error.what());
@@ -117,8 +118,10 @@ class TextureView::Sheet : public QWidget {
     setMinimumHeight(60);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   }
-  void set_picture(const QImage& picture) {
+  //   size   in which a picture of one texel is shown, too
+  void set_picture(const QImage& picture, const QSize& size) {
     picture_ = picture;
+    size_ = size;
     update();
   }
 
@@ -127,8 +130,8 @@ class TextureView::Sheet : public QWidget {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(60, 60, 60));
     if (picture_.isNull()) return;
-    const double fit = std::min(double(width()) / picture_.width(), double(height()) / picture_.height());
-    const QSizeF size = QSizeF(picture_.size()) * fit * zoom_;
+    const double fit = std::min(double(width()) / size_.width(), double(height()) / size_.height());
+    const QSizeF size = QSizeF(size_) * fit * zoom_;
     painter.setRenderHint(QPainter::SmoothPixmapTransform, fit * zoom_ < 2);
     painter.drawImage(
         QRectF(QPointF((width() - size.width()) / 2, (height() - size.height()) / 2) + shift_, size),
@@ -153,6 +156,7 @@ class TextureView::Sheet : public QWidget {
 
  private:
   QImage picture_;
+  QSize size_;
   double zoom_ = 1;
   QPointF shift_, last_;
 };
@@ -174,7 +178,7 @@ TextureView::TextureView(Document& document, QWidget* parent)
   column->addLayout(row);
   column->addWidget(sheet_, 1);
   connect(channel_, &QComboBox::currentIndexChanged, this, &TextureView::show_picture);
-  connect(&document, &Document::current_changed, this, &TextureView::load);
+  connect(&document, &Document::current_changed, this, &TextureView::take_current);
   connect(&document, &Document::replaced, this, &TextureView::load);
   connect(&document, &Document::material_changed, this, &TextureView::load);
   load();
@@ -191,6 +195,19 @@ QString TextureView::summary() const {
 
 void TextureView::show_channel(Channel channel) {
   channel_->setCurrentIndex(static_cast<int>(channel));
+}
+
+// The pictures of the material before are not shown with the numbers of this one.
+void TextureView::take_current() {
+  const ProjectMaterial* m = document_.material();
+  if (textures_ && loaded_ && (m == nullptr || m->textures != loaded_->textures)) {
+    textures_.reset();
+    pictures_ = {};
+    summary_->clear();
+    show_picture();
+    emit textures_changed();
+  }
+  load();
 }
 
 void TextureView::load() {
@@ -215,13 +232,7 @@ void TextureView::load() {
   key.parameters.clear();
   if (loaded_ == key) return;
   loaded_ = key;
-  // Numbers alone need no file: a drag of a slider reads none.
-  ProjectMaterial files;
-  files.textures = m->textures;
-  files.alpha_mode = m->alpha_mode;
-  files.alpha_cutoff = m->alpha_cutoff;
-  if (!read_ || files_ != files) read_ = std::make_shared<FilesRead>();
-  files_ = files;
+  if (!read_) read_ = std::make_shared<FilesRead>();
   pool_.clear();
   reading_ = true;
   in_background(
@@ -231,15 +242,18 @@ void TextureView::load() {
         if (loaded_ != key) return;
         reading_ = false;
         pictures_ = std::move(loaded.pictures);
+        shown_size_ = loaded.shown_size;
+        const bool other = loaded.textures != textures_;
         textures_ = std::move(loaded.textures);
         summary_->setText(loaded.text);
         show_picture();
-        emit textures_changed();
+        if (other) emit textures_changed();
       });
 }
 
 void TextureView::show_picture() {
-  sheet_->set_picture(pictures_[static_cast<std::size_t>(std::max(0, channel_->currentIndex()))]);
+  sheet_->set_picture(pictures_[static_cast<std::size_t>(std::max(0, channel_->currentIndex()))],
+                      shown_size_);
 }
 
 }  // namespace etak::editor

@@ -35,6 +35,7 @@ class TextureView : public QWidget {
  private:
   class Sheet;
   struct FilesRead;
+  void take_current();
   void load();
   void show_picture();
 
@@ -44,10 +45,10 @@ class TextureView : public QWidget {
   Sheet* sheet_;
   QThreadPool pool_;
   std::optional<ProjectMaterial> loaded_;
-  ProjectMaterial files_;  // what decides which files are read, and how
   std::shared_ptr<FilesRead> read_;
   bool reading_ = false;
-  std::array<QImage, all_channels.size()> pictures_;
+  std::array<QImage, all_channels.size()> pictures_;  // one texel for channels that have none
+  QSize shown_size_;                                  // in which they are shown
   std::shared_ptr<const SurfaceTextures> textures_;
 };
 

@@ -12,6 +12,7 @@
 #include "app/editor/fields/color_field.h"
 #include "app/editor/fields/number_field.h"
 #include "app/editor/fields/path_edit.h"
+#include "app/editor/panels/model_list.h"
 #include "app/editor/panels/sections.h"
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
@@ -280,8 +281,7 @@ Section* ViewPanel::make_compare() {
   model_ = new QuietComboBox(tr("Specular model of side B"), out);
   model_->setToolTip(tr("The formula of side B's reflection"));
   model_->addItem(tr("as the material"), QString());
-  for (const Model& each : models())
-    if (each.kind != ModelKind::diffuse) model_->addItem(qt_text(each.id), qt_text(each.id));
+  add_models(*model_, [](const Model& each) { return each.kind != ModelKind::diffuse; });
   auto* buttons = new QWidget(out);
   buttons->setAccessibleName(tr("Side B, choice"));
   auto* line = new QHBoxLayout(buttons);

@@ -12,7 +12,13 @@ namespace etak {
 /// uniforms picture_size, background and, in perspective, camera_distance and camera_spread.
 /// Where the scene has a backdrop that is not plain, main() begins with the variable `behind`, by
 /// backdrop_text(); backdrop_name() is what the radiance behind the pixel is called.
-void camera_text(GlslGlue& glue, const Scene& scene, const Camera& camera);
+///   backdrop_apart   the backdrop beside the object is drawn by beside_text(), so that this is drawn around the
+///                    object alone
+void camera_text(GlslGlue& glue, const Scene& scene, const Camera& camera, bool backdrop_apart = false);
+
+/// Writes the beginning of the main() that draws the backdrop of a window's scene beside the object, up to the
+/// variable `color`.
+void beside_text(GlslGlue& glue, const Scene& scene, const Camera& camera);
 
 /// Whether the backdrop differs from pixel to pixel.
 bool has_backdrop(const Scene& scene);

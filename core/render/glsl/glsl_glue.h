@@ -75,8 +75,9 @@ class GlslGlue {
         (version == GlslVersion::es_300 ? "precision highp float;\nprecision highp int;\n"
                                           "precision highp sampler2D;\n"
                                         : "");
-    const std::string_view vertex =
-        glsl_file(text.corners > 3 ? "shaders/around_object.vert" : "shaders/full_screen.vert");
+    const std::string_view vertex = glsl_file(text.ring          ? "shaders/beside_object.vert"
+                                              : text.corners > 3 ? "shaders/around_object.vert"
+                                                                 : "shaders/full_screen.vert");
     text.vertex = head + std::string(vertex.substr(vertex.find('\n') + 1));
     text.fragment = head + "#define real float\n\n" + glsl_needed_by(glue) + "// ---- this scene\n" + glue;
     return std::move(text);

@@ -21,9 +21,11 @@ namespace {
 // Writes the shaders of one scene, part by part.
 class SceneText {
  public:
-  SceneText(const Scene& scene, const GlslDisplay* display, const TextureUse* textures)
+  SceneText(const Scene& scene, const GlslDisplay* display, const TextureUse* textures,
+            bool backdrop_apart = false)
       : scene_(scene),
         display_(display),
+        backdrop_apart_(backdrop_apart),
         textures_(textures),
         camera_(scene),
         textured_(scene.textures != nullptr),
@@ -54,6 +56,18 @@ class SceneText {
     return std::move(glue_).finish(version);
   }
 
+  // The backdrop beside the object, alone.
+  GlslText beside(GlslVersion version) {
+    if (display_ != nullptr) glue_.line(display_->text);
+    environment_turn();
+    glue_.line("out vec4 pixel_color;\n");
+    glue_.uniform("background", scene_.background);
+    beside_text(glue_, scene_, camera_);
+    transfer();
+    glue_.line("  pixel_color = vec4(color, 0.0);\n}");
+    return std::move(glue_).finish(version);
+  }
+
  private:
   bool body_is_black(bool combined) const {
     return is_black(scene_.surface.diffuse) ||
@@ -68,10 +82,35 @@ class SceneText {
       if (scene_.view) glue_.leave_out("textures", "the surface is the same everywhere");
       return;
     }
-    glue_.declare("sampler2D", "surface_body");
-    glue_.declare("sampler2D", "surface_gloss");
-    glue_.line("vec4 body_here;\nvec4 gloss_here;\n");
-    glue_.use("textures", "diffuse and opacity, F0 and gloss");
+    const SurfaceTextures::Quantities& has = scene_.textures->has;
+    const SurfaceValues& surface = scene_.surface;
+    texel_of("body", has.diffuse, surface.diffuse, has.opacity, surface.opacity);
+    texel_of("gloss", has.f0, surface.f0, has.gloss, surface.gloss);
+    std::string held;
+    for (const auto& [is_held, quantity] :
+         {std::pair(has.diffuse, "diffuse"), std::pair(has.opacity, "opacity"), std::pair(has.f0, "F0"),
+          std::pair(has.gloss, "gloss")})
+      if (is_held) held += (held.empty() ? "" : ", ") + std::string(quantity);
+    glue_.use("textures", held.empty() ? "they hold nothing" : held);
+  }
+
+  // Declares the texture `name` and the variable of its texel. What the texture does not hold is a uniform.
+  void texel_of(const std::string& name, bool holds_color, const Vec3& color, bool holds_number,
+                double number) {
+    const std::string here = "    " + name + "_here";
+    glue_.line("vec4 " + name + "_here;\n");
+    if (holds_color || holds_number) {
+      glue_.declare("sampler2D", "surface_" + name);
+      texels_ += here + " = texture(surface_" + name + ", texel_at);\n";
+    }
+    if (!holds_color) {
+      glue_.uniform(name + "_color", color);
+      texels_ += here + ".xyz = " + name + "_color;\n";
+    }
+    if (!holds_number) {
+      glue_.uniform(name + "_number", number);
+      texels_ += here + ".w = " + name + "_number;\n";
+    }
   }
 
   void brdf() {
@@ -144,10 +183,7 @@ class SceneText {
     const auto to_map = [this](const std::string& d) { return in_environment_map(scene_, d); };
     const bool looked_at =
         has_diffuse_ || scene_.specular != nullptr || scene_.backdrop.environment || is_clear_ball(scene_);
-    if (looked_at && (scene_.view || scene_.environment_turn_deg != 0)) {
-      const EnvironmentTurn turn(scene_.environment_turn_deg);
-      glue_.uniform("environment_turn", turn.cosine(), turn.sine());
-    }
+    if (looked_at) environment_turn();
     if (has_diffuse_) {
       body_uniform();
       light_code_ += "  sum += " + body_color() + " * environment_diffuse(" + to_map("n") + ");\n";
@@ -161,6 +197,12 @@ class SceneText {
     }
     if (parts.empty()) return glue_.leave_out("environment", "neither a diffuse nor a specular part");
     glue_.use("environment", parts);
+  }
+
+  void environment_turn() {
+    if (!scene_.view && scene_.environment_turn_deg == 0) return;
+    const EnvironmentTurn turn(scene_.environment_turn_deg);
+    glue_.uniform("environment_turn", turn.cosine(), turn.sine());
   }
 
   std::string no_body() const { return is_black(scene_.surface.diffuse) ? "K_d is 0" : "no diffuse model"; }
@@ -205,11 +247,10 @@ class SceneText {
     const bool sphere = scene_.shape == Shape::sphere;
     glue_.use("shape", sphere ? "sphere" : "quad");
     glue_.use("camera", scene_.perspective ? "perspective" : "orthographic");
-    camera_text(glue_, scene_, camera_);
+    camera_text(glue_, scene_, camera_, backdrop_apart_);
     if (textured_) {
       glue_.line(sphere ? "    vec2 texel_at = sphere_texel(p);" : "    vec2 texel_at = square_texel(p);");
-      glue_.line("    body_here = texture(surface_body, texel_at);");
-      glue_.line("    gloss_here = texture(surface_gloss, texel_at);");
+      glue_.line(texels_);
     }
     if (fetching_) glue_.line("    fetch(p.xy);");
     glue_.line("    vec3 object = shade(p, n, v);");
@@ -365,12 +406,14 @@ class SceneText {
 
   const Scene& scene_;
   const GlslDisplay* display_;
+  const bool backdrop_apart_;   // whether the backdrop beside the object is drawn by itself
   const TextureUse* textures_;  // what is fetched from an atlas; null: nothing
   const Camera camera_;
   const bool textured_;
   const double opacity_;
   GlslGlue glue_;
   std::string brdf_, light_code_;
+  std::string texels_;  // the code that sets the variables of the textures
   std::string body_ = "body_K", mirror_f0_ = "gloss_K", mirror_gloss_ = "gloss";  // names of the values
   bool any_light_;         // whether a discrete light lights a model
   bool fetching_ = false;  // whether a texture of an atlas is read
@@ -391,6 +434,14 @@ const GlslFeature* GlslText::feature(std::string_view feature_name) const {
 
 GlslText glsl_text(const Scene& scene, GlslVersion version, const GlslDisplay* display) {
   return SceneText(scene, display, nullptr).finish(version);
+}
+
+GlslParts glsl_parts(const Scene& scene, const GlslDisplay* display) {
+  constexpr auto version = GlslVersion::core_330;
+  const bool apart = scene.view && has_backdrop(scene) && !(scene.shape == Shape::quad && scene.perspective);
+  GlslParts out{SceneText(scene, display, nullptr, apart).finish(version), std::nullopt};
+  if (apart) out.beside = SceneText(scene, display, nullptr).beside(version);
+  return out;
 }
 
 GlslText glsl_text(const Scene& scene, const TextureUse& textures, GlslVersion version) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,9 +43,10 @@ struct GlslText {
   std::string vertex, fragment;
   std::vector<GlslFeature> features;
   std::vector<GlslUniform> uniforms;
-  // How many corners to draw as a triangle fan. 3 covers the whole target; a larger number covers the object
-  // alone, and the caller must clear the rest.
+  // How many corners to draw. 3 are a triangle that covers the whole target; a larger number is a fan around the
+  // object alone, and the caller must clear the rest; those of a ring are a strip around the object.
   int corners = 3;
+  bool ring = false;
 
   const GlslFeature* feature(std::string_view feature_name) const;
 };
@@ -65,6 +67,15 @@ struct GlslDisplay {
 /// pixel in the target.
 GlslText glsl_text(const Scene& scene, GlslVersion version = GlslVersion::core_330,
                    const GlslDisplay* display = nullptr);
+
+/// The same in two parts for a software rasteriser, for which code costs time in pixels too where its result is
+/// not used: the object with its edge, and the backdrop beside it, which must be drawn first.
+///   beside   none where the caller can clear the target, or where the object may be anywhere
+struct GlslParts {
+  GlslText object;
+  std::optional<GlslText> beside;
+};
+GlslParts glsl_parts(const Scene& scene, const GlslDisplay* display = nullptr);
 
 /// Which values the shader of a material fetches from the two textures of an atlas; the others are uniforms
 /// with the values of the scene. By default it fetches all but alpha, which fits every opaque material.

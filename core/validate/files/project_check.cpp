@@ -6,7 +6,6 @@
 #include "core/base/error.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"
-#include "core/project/project_pictures.h"
 #include "core/validate/engine.h"
 #include "core/validate/files/material_evidence.h"
 #include "core/validate/rules.h"
@@ -35,7 +34,7 @@ bool black_is_right(const ProjectMaterial& material, const MaterialLibrary& libr
 
 CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary& library,
                          const PictureDoor& door, const Settings& settings, std::size_t most_texels,
-                         unsigned threads) {
+                         unsigned threads, KeptPictures* kept) {
   CheckTarget target;
   target.label = material.name;
   target.files = {{FileRole::diffuse_alpha, "", material.name + " (diffuse, alpha)", false},
@@ -51,15 +50,24 @@ CheckedFile check_texels(const ProjectMaterial& material, const MaterialLibrary&
   // In the mode opaque nothing reads the alpha, constant or not.
   const bool opaque = material.alpha_mode == AlphaMode::opaque;
   if (opaque) own.rules["ETK503"].severity = Severity::off;
-  MaterialPair pair = pictures_of(material, library, door, most_texels);
-  if (opaque || !has_textures(material)) {
-    // A constant alpha hides no texel: the surface reflects by its F0 even where the body is transparent.
-    std::vector<std::uint8_t>& texels = pair.diffuse_alpha.values;
-    for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
-  }
   if (!has_textures(material) && black_is_right(material, library))
     own.rules["ETK202"].severity = Severity::off;
-  return check_pictures(target, {&pair.diffuse_alpha, &pair.specular_gloss, nullptr}, own, threads);
+  CheckedFile out;
+  const auto look = [&](MaterialPair& pair) {
+    if (opaque || !has_textures(material)) {
+      // A constant alpha hides no texel: the surface reflects by its F0 even where the body is transparent.
+      std::vector<std::uint8_t>& texels = pair.diffuse_alpha.values;
+      for (std::size_t i = 3; i < texels.size(); i += 4) texels[i] = 255;
+    }
+    out = check_pictures(target, {&pair.diffuse_alpha, &pair.specular_gloss, nullptr}, own, threads);
+  };
+  if (kept != nullptr && has_textures(material)) {
+    kept->use(material, library, door, most_texels, look);
+  } else {
+    MaterialPair pair = pictures_of(material, library, door, most_texels);
+    look(pair);
+  }
+  return out;
 }
 
 CheckedFile check_record(const ProjectMaterial& material, const MaterialLibrary& library,
@@ -89,7 +97,7 @@ CheckedFile check_record(const ProjectMaterial& material, const MaterialLibrary&
 
 CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrary& library,
                            const PictureDoor& door, const Settings& settings, std::size_t most_texels,
-                           unsigned threads) {
+                           unsigned threads, KeptPictures* kept) {
   CheckedFile out;
   out.path = material.name;
   const auto part = [&](auto check) {
@@ -105,7 +113,7 @@ CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrar
       out.unreadable = true;
     }
   };
-  part([&] { return check_texels(material, library, door, settings, most_texels, threads); });
+  part([&] { return check_texels(material, library, door, settings, most_texels, threads, kept); });
   if (material.measured) part([&] { return check_record(material, library, settings); });
   for (Finding& each : out.findings) each.material = material.name;
   return out;

@@ -3,6 +3,7 @@
 
 #include "core/atlas/sources/sources.h"
 #include "core/project/project.h"
+#include "core/project/project_pictures.h"
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
 
@@ -14,9 +15,10 @@ namespace etak {
 /// material are findings, not exceptions. Findings have its name as material.
 ///   library       with the project's own spectra (library_of)
 ///   most_texels   larger pictures are not checked, which is a finding; 0: no limit
+///   kept          where pictures of an earlier check are; null: they are read
 CheckedFile check_material(const ProjectMaterial& material, const MaterialLibrary& library,
                            const PictureDoor& door, const Settings& settings, std::size_t most_texels = 0,
-                           unsigned threads = 1);
+                           unsigned threads = 1, KeptPictures* kept = nullptr);
 
 /// Which field of a material a rule is about; none: the measured record, a file, or the rules themselves.
 std::optional<Channel> field_of(std::string_view rule);

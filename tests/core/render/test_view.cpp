@@ -234,6 +234,34 @@ TEST_CASE("a texture of one colour is the surface of that colour") {
   }
 }
 
+TEST_CASE("what a texture does not hold is a number of the surface") {
+  ViewState state = two_golds();
+  state.a.surface.opacity = 0.7;
+  state.a.surface.diffuse = {0.1, 0.2, 0.3};
+  for (const char* id : {"schueler-optimized-bounded", "ggx-schlick", "ashikhmin-shirley"}) {
+    const Model& model = *find_model(id);
+    state.a.specular = &model;
+    state.a.diffuse = model.kind == ModelKind::combined ? nullptr : find_model("lambert");
+    const auto same = surface_textures(nullptr, nullptr, state.a.surface);
+    state.a.textures = same;
+    const Image expected = drawn(scene_of(state));
+    for (int other = 0; other < 4; ++other) {
+      // Of the four quantities one has another value in the texture, which does not count.
+      SurfaceTextures textures = *same;
+      using Has = SurfaceTextures::Quantities;
+      bool Has::*const quantity[] = {&Has::diffuse, &Has::opacity, &Has::f0, &Has::gloss};
+      Image& changed = other < 2 ? textures.body : textures.gloss;
+      for (int c = other % 2 == 0 ? 0 : 3; c < (other % 2 == 0 ? 3 : 4); ++c) changed.at(0, 0)[c] = 0.35F;
+      state.a.textures = std::make_shared<const SurfaceTextures>(textures);
+      INFO(id << ", quantity " << other);
+      CHECK(most_apart(drawn(scene_of(state)), expected) > 1e-3);
+      textures.has.*quantity[other] = false;
+      state.a.textures = std::make_shared<const SurfaceTextures>(textures);
+      CHECK(most_apart(drawn(scene_of(state)), expected) < 1e-5);
+    }
+  }
+}
+
 TEST_CASE("textures are looked up between their texels, from the left upper corner") {
   Image two(2, 2, 4);
   two.at(1, 0)[0] = 1;

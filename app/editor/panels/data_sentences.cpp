@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/editor/panels/data_sentences.h"
+
+#include "app/viewport/qt_text.h"
+
+namespace etak::editor {
+
+QString data_sentences(Flags flags, const std::string& doubt) {
+  QString out;
+  const auto add = [&](QString text) {
+    text[0] = text[0].toUpper();
+    out += QLatin1Char('\n') + text + QLatin1Char('.');
+  };
+  flags.for_each([&](Flag flag) {
+    if (flag != Flag::doubtful) add(qt_text(meaning(flag)));
+  });
+  if (!doubt.empty()) add(QObject::tr("the data are doubtful: %1").arg(qt_text(doubt)));
+  return out;
+}
+
+}  // namespace etak::editor

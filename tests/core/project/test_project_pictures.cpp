@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "core/image/image_io.h"
+#include "core/project/project_pictures.h"
+#include "tests/core/atlas/pack_support.h"
+
+using namespace etak;
+using namespace etak::test;
+
+namespace {
+
+constexpr int kept_side = 8;
+
+// A material whose channels have pictures where the bits of `textured` are set.
+ProjectMaterial pictured(const TempFolder& folder, unsigned textured) {
+  ProjectMaterial out;
+  out.name = "m";
+  for (const Channel channel : all_channels) {
+    if ((textured >> static_cast<unsigned>(channel) & 1U) == 0) continue;
+    const std::string file = folder.file(std::string(name(channel)) + ".png");
+    const bool grey = channel == Channel::gloss || channel == Channel::alpha;
+    save_png(file, noise(kept_side, kept_side, grey ? 1 : 3, 5 + static_cast<unsigned>(channel)));
+    out.texture(channel) = ImageSource{file, "", ""};
+  }
+  return out;
+}
+
+// Leaves a file as old and as large as it is, but no picture any more: whoever reads it finds out.
+void spoil(const std::string& file) {
+  const auto age = std::filesystem::last_write_time(file);
+  spit(file, std::string(std::filesystem::file_size(file), 'x'));
+  std::filesystem::last_write_time(file, age);
+}
+
+MaterialPair kept_pair(KeptPictures& kept, const ProjectMaterial& m) {
+  MaterialPair out;
+  kept.use(m, built_in_library(), picture_door(), 0, [&](MaterialPair& pair) { out = pair; });
+  return out;
+}
+
+bool same_pair(const MaterialPair& a, const MaterialPair& b) {
+  return a.diffuse_alpha.values == b.diffuse_alpha.values &&
+         a.specular_gloss.values == b.specular_gloss.values && a.diffuse_alpha.width == b.diffuse_alpha.width;
+}
+
+}  // namespace
+
+TEST_CASE("kept pictures give the pair of changed numbers, byte for byte, and read no file") {
+  for (unsigned textured = 1; textured < 16; ++textured)
+    for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::mask, AlphaMode::blend}) {
+      INFO("channels " << textured << ", mode " << name(mode));
+      const TempFolder folder;
+      ProjectMaterial m = pictured(folder, textured);
+      m.alpha_mode = mode;
+      ProjectMaterial other = m;
+      other.diffuse = {0.1, 0.4, 0.7};
+      other.specular = {0.5, 0.3, 0.2};
+      other.gloss = Gloss::of_roughness(0.4);
+      other.alpha = 0.3;
+      const MaterialPair expected = pictures_of(other, built_in_library(), {});
+      KeptPictures kept;
+      CHECK(same_pair(kept_pair(kept, m), pictures_of(m, built_in_library(), {})));
+      for (const auto& texture : m.textures)
+        if (texture) spoil(texture->path);
+      CHECK(same_pair(kept_pair(kept, other), expected));
+      // What the one who uses them does to channels without pictures, the next one does not see.
+      kept.use(other, built_in_library(), {}, 0, [&](MaterialPair& pair) {
+        if (m.texture(Channel::gloss)) return;
+        for (std::size_t i = 3; i < pair.specular_gloss.values.size(); i += 4)
+          pair.specular_gloss.values[i] = 1;
+      });
+      CHECK(same_pair(kept_pair(kept, other), expected));
+    }
+}
+
+TEST_CASE("pictures are read again where a file, the mode or another material asks for it") {
+  const TempFolder folder;
+  ProjectMaterial m = pictured(folder, 0b0101);
+  KeptPictures kept;
+  (void)kept_pair(kept, m);
+  const std::string gloss = m.texture(Channel::gloss)->path;
+  save_png(gloss, noise(kept_side, kept_side, 1, 77));
+  std::filesystem::last_write_time(gloss, std::filesystem::last_write_time(gloss) + std::chrono::seconds(9));
+  CHECK(same_pair(kept_pair(kept, m), pictures_of(m, built_in_library(), {})));
+  m.texture(Channel::gloss).reset();
+  CHECK(same_pair(kept_pair(kept, m), pictures_of(m, built_in_library(), {})));
+  spoil(m.texture(Channel::diffuse)->path);
+  m.alpha_mode = AlphaMode::mask;
+  CHECK(!error_of([&] { (void)kept_pair(kept, m); }).empty());
+}
+
+TEST_CASE("textures for the viewport hold the channels that have a picture") {
+  for (unsigned textured = 0; textured < 16; ++textured) {
+    const TempFolder folder;
+    ProjectMaterial m = pictured(folder, textured);
+    for (const AlphaMode mode : {AlphaMode::opaque, AlphaMode::blend}) {
+      m.alpha_mode = mode;
+      const SurfaceTextures seen = surface_textures(m, pictures_of(m, built_in_library(), {}), 64);
+      CHECK(seen.has.diffuse == ((textured & 1) != 0));
+      CHECK(seen.has.f0 == ((textured & 2) != 0));
+      CHECK(seen.has.gloss == ((textured & 4) != 0));
+      CHECK(seen.has.opacity == ((textured & 8) != 0 && mode == AlphaMode::blend));
+      // A texture that holds nothing is no larger than it must be.
+      CHECK(seen.gloss.width == ((textured & 6) != 0 ? kept_side : 1));
+    }
+  }
+}
