@@ -21,7 +21,7 @@ namespace etak {
 namespace {
 
 constexpr int full_side = 256, quick_side = 128, rays = 4;
-constexpr int timed_side = 1024;
+constexpr int timed_side = 512;
 constexpr double timed_gloss = 0.5;
 constexpr const char* base_model = "schueler-full";
 
@@ -203,7 +203,7 @@ ErrorTimeTable empty_table(const char* id, std::string title) {
                    {"mean_de", "mean \u0394E", "\u0394E2000"},
                    {"max_de", "largest \u0394E", "\u0394E2000"},
                    {"mean_flip", "mean FLIP", ""}};
-  table.time_unit = "ms per frame of 1024 x 1024";
+  table.time_unit = "ms per frame of 512 x 512";
   table.base = base_model;
   return table;
 }
