@@ -43,7 +43,17 @@ article .many td.wide { min-width: 6rem; }
 article .data td.truth { white-space: normal; min-width: 6rem; overflow-wrap: anywhere; }
 article .many tbody th { min-width: 6rem; }
 details > summary { cursor: pointer; margin: 0.8rem 0; color: var(--link); }
-@media (max-width: 600px) { .key span { white-space: normal; display: block; } }
+@media (max-width: 600px) {
+  .key span { white-space: normal; display: block; }
+  .scatters figure { overflow-x: auto; }
+  .scatters .scatter { width: 520px; }
+  .data caption { max-width: calc(100vw - 4rem); }
+  .overview thead { display: none; }
+  .overview tbody, .overview tr, .overview caption, article .overview tbody th, article .overview td { display: block; }
+  article .overview small { display: inline; margin-left: 0.5em; }
+  .overview tr { padding: 0.6rem 0; border-top: 1px solid var(--line); }
+  article .overview tbody th, article .overview td { border: 0; padding: 0.1rem 0.45rem; text-align: left; }
+}
 )css";
 
 // Turns the column titles of the tables into buttons that sort the rows. The page is complete without it.
@@ -137,9 +147,9 @@ void append_table(std::string& out, const ErrorTimeFamily& family, const ErrorTi
   if (timed)
     append(out, " ", std::to_string(count_of(table, Verdict::unbeaten)), " unbeaten, ",
            std::to_string(count_of(table, Verdict::not_settled)), " not settled",
-           truths ? "; only ways to the same truth are compared" : "",
+           truths ? "; only those of the same lobe or size are compared" : "",
            ". Times are medians, quartiles below.");
-  append(out, "</caption><thead><tr><th>No.</th><th>Way</th>", truths ? "<th>Truth: the lobe of</th>" : "");
+  append(out, "</caption><thead><tr><th>No.</th><th>Way</th>", truths ? "<th>Compared among</th>" : "");
   for (const ErrorMetric& metric : table.metrics)
     append(out, "<th>", with_unit(metric.title, metric.unit), "</th>");
   if (timed) append(out, "<th>", escape_html(table.time_unit), "</th><th>Ratio</th><th>Verdict</th>");

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,7 +27,7 @@ struct ErrorMetric {
 /// order. The shortest repeat of a round counts, because other programs can only make a repeat longer.
 struct RunTime {
   double median_ns = 0, first_quartile_ns = 0, third_quartile_ns = 0;  // over the rounds
-  double ratio = 1;               // to the time of the table's base row: median of the ratios of the rounds
+  double ratio = 1;               // to the time of the table's base row: see set_ratios()
   double least_ns = 0;            // the shortest repeat of all
   std::vector<double> rounds_ns;  // the shortest repeat of each round; NaN: no part of that round
 };
@@ -60,7 +61,7 @@ struct ErrorTimeRow {
   std::vector<double> errors = {};   // one per metric of the table
   std::optional<RunTime> time = {};  // none: not timed (a reference, or time has no meaning)
   std::string note = {};
-  std::string truth = {};               // what the errors are against; empty: the table's only truth
+  std::string truth = {};               // only ways of the same are compared; empty: the table has one
   std::vector<ErrorPoint> points = {};  // one per material; empty: the errors are not by material
   Verdict verdict = Verdict::not_timed;
 };
@@ -83,6 +84,21 @@ struct ErrorTimePick {
   std::string command = {};  // that takes it, or chooses for one material: "etak choose gold"; empty: none
 };
 
+/// Work to be timed: one call of `body` makes `evaluations` evaluations.
+struct TimedCase {
+  std::string id;
+  std::size_t evaluations = 1;
+  std::function<void()> body;
+};
+
+/// Cases that are timed in the same rounds. A case times the rows of its id in every table of `tables`.
+struct TimedSet {
+  std::vector<std::string> tables;  // ids within the family
+  std::vector<TimedCase> cases;
+  double scale = 1;             // from nanoseconds to the time unit of the tables
+  bool starts_threads = false;  // the cases work on several threads: their time is that of the wall clock
+};
+
 /// The tables of a family, and the texts around them in the report.
 struct ErrorTimeFamily {
   std::string id;      // "fresnel": the name of --family
@@ -94,7 +110,12 @@ struct ErrorTimeFamily {
   std::vector<ErrorTimePick> picks;
   std::vector<ErrorTimeTable> tables;
   std::vector<std::string> notes;
+  std::vector<TimedSet> timed = {};  // what time_families() has to time; empty once it has
 };
+
+/// Sets the ratio of each timed row to the base row of its table: the median over the rounds that both were
+/// part of.
+void set_ratios(ErrorTimeTable& table);
 
 /// Sets the verdicts of the rows. Ways are compared round by round, so that what slows a whole round down
 /// does not count; the median of the rounds must lie beyond the bound by a margin that their spread gives.
@@ -102,6 +123,10 @@ void set_verdicts(ErrorTimeTable& table);
 
 /// Which rows need more rounds: those that are not settled, and those that they have to be told from.
 std::vector<bool> open_rows(const ErrorTimeTable& table);
+
+/// Replaces each pick that another way beats by the one of these ways that is closest and is not beaten
+/// itself, and says so in its `why`. Which way is beaten depends on the machine; what to pick must not.
+void settle_picks(ErrorTimeFamily& family);
 
 /// The program, machine and settings that a report was made with.
 struct ReportHeader {
@@ -112,53 +137,50 @@ struct ReportHeader {
   std::string effort;        // "quick" or "full"
 };
 
-/// Work to be timed: one call of `body` makes `evaluations` evaluations.
-struct TimedCase {
-  std::string id;
-  std::size_t evaluations = 1;
-  std::function<void()> body;
-};
-
 /// How cases are timed.
 struct TimingOptions {
   std::size_t repeats = 31;     // of each case; all cases are interleaved, in a changing order
   double seconds_a_case = 0.2;  // for these repeats of a case together; 0: a repeat is a single call
   std::function<void(std::size_t done, std::size_t all)> progress = {};  // called before each repeat
+  // Where the repeats of all cases of a set would take longer than this, there are fewer; one at least.
+  double most_seconds = std::numeric_limits<double>::infinity();
   std::size_t more_rounds = 0;  // most rounds that are added where the first ones do not settle the verdicts
   std::optional<std::chrono::steady_clock::time_point> until = {};  // no round is added after it
 };
-/// The repeats of a case in one round.
+/// The repeats of a case in one round, where a call is short enough for several.
 inline constexpr std::size_t repeats_a_round = 3;
 
-/// Says by the times so far which cases need a further round; the answer may be longer than the cases.
-using OpenCases = std::function<std::vector<bool>(std::span<const RunTime>)>;
-
-/// Times the cases on one thread by Google Benchmark (target etak::study_run). Returns a RunTime for each
-/// case, with the ratio to the first case.
-///   open            not empty: asked after the rounds of `options.repeats` and after every further round,
-///                   until no case is open or the options allow no further round
+/// Times the cases by Google Benchmark (target etak::study_run). Times are processor time of the calling
+/// thread, which goes on only while the thread runs, so that a repeat that was interrupted is no longer than
+/// another.
 ///   empty_loop_ns   not null: set to the time of an empty loop
 std::vector<RunTime> time_cases(std::span<const TimedCase> cases, const TimingOptions& options,
-                                const OpenCases& open = {}, double* empty_loop_ns = nullptr);
+                                double* empty_loop_ns = nullptr);
 
 /// How much a family measures.
 struct ReportOptions {
   bool full = false;  // false: coarser grids where these take long, and fewer repeats; errors stay comparable
-  TimingOptions timing;
   unsigned threads = 1;
   bool cpu = true, gl = false;
 };
 
+/// Times the cases of all families and sets times, ratios and verdicts of their rows. Each set of cases gets
+/// a round; then the sets get their further rounds in turn, the quickest set first, so that none uses up the
+/// time of the others: first rounds of all their cases, then rounds of those whose verdicts are open. A set
+/// that is settled gets none. `options.progress` gets the number of sets that had a round.
+void time_families(std::span<ErrorTimeFamily> families, const TimingOptions& options);
+
 /// A family before it is measured.
 struct FamilyEntry {
   std::string_view id;  // that of the ErrorTimeFamily
+  // Measures the errors of a family and names the cases to be timed.
   ErrorTimeFamily (*measure)(const ReportOptions&);
 };
 /// All families, in the order of core/study/families/families.inc (target etak::study_run).
 std::span<const FamilyEntry> all_families();
 
-/// The header for this machine and this build, with repeats, threads and effort of `options`. The caller
-/// fills in `gpu` and `empty_loop_ns`.
+/// The header for this machine and this build, with threads and effort of `options`. The caller fills in
+/// the rest.
 ReportHeader report_header(const ReportOptions& options);
 
 }  // namespace etak

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -13,8 +12,8 @@
 
 namespace etak {
 
-// Shared by the families of error_time.h: random inputs that are the same in every run, and a function that
-// keeps timed loops from being optimised away.
+// Shared by the families of error_time.h and what times them: random inputs that are the same in every run,
+// and a function that keeps timed loops from being optimised away.
 
 using Random = SplitMix;
 
@@ -40,43 +39,6 @@ inline RunTime in_unit(RunTime time, double factor) {
     *part *= factor;
   for (double& each : time.rounds_ns) each *= factor;
   return time;
-}
-
-/// Times the cases until the verdicts of all tables are settled, as far as the options allow.
-///   put    sets the times of the tables' rows
-///   case_of(table, row)   the case that timed a row, or the number of cases for a row without one
-template <class Put, class CaseOf>
-void time_tables(std::span<ErrorTimeTable> tables, std::span<const TimedCase> cases,
-                 const TimingOptions& timing, Put put, CaseOf case_of) {
-  const auto take = [&](std::span<const RunTime> times) {
-    put(times);
-    std::vector<bool> open(cases.size() + 1);
-    for (ErrorTimeTable& table : tables) {
-      set_verdicts(table);
-      const std::vector<bool> rows = open_rows(table);
-      for (std::size_t r = 0; r < rows.size(); ++r)
-        if (rows[r]) open[case_of(table, r)] = true;
-    }
-    open.pop_back();
-    return open;
-  };
-  time_cases(cases, timing, take);
-}
-
-/// Times the first rows of the tables, row i of each by case i, and sets the verdicts.
-///   scale   factor of the times, from nanoseconds to the unit of the tables
-inline void add_times(std::span<ErrorTimeTable> tables, std::span<const TimedCase> cases,
-                      const TimingOptions& timing, double scale = 1) {
-  time_tables(
-      tables, cases, timing,
-      [&](std::span<const RunTime> times) {
-        for (ErrorTimeTable& table : tables)
-          for (std::size_t i = 0; i < times.size(); ++i) table.rows[i].time = in_unit(times[i], scale);
-      },
-      [&](const ErrorTimeTable&, std::size_t row) { return std::min(row, cases.size()); });
-}
-inline void add_times(ErrorTimeTable& table, std::span<const TimedCase> cases, const ReportOptions& options) {
-  add_times(std::span(&table, 1), cases, options.timing);
 }
 
 }  // namespace etak

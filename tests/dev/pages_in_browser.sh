@@ -15,10 +15,15 @@ mkdir -p "$scratch"
 cd "$scratch"
 export HOME="$scratch" XDG_CONFIG_HOME="$scratch/config" XDG_CACHE_HOME="$scratch/cache"
 
+pages='index f0 findings atlas scene-atlas report'
+
 fault() { echo "$*" | tee -a faults; }
 
 "$demo_scene" scene
 "$etak" pack scene/manifest.json -o atlas --no-validate --report none --page-report atlas.html
+"$etak" pack scene/scene.gltf --islands -o scene-atlas --no-validate --report none --page-report scene-atlas.html
+"$etak" report --family transfer,quantisation -o report -q
+cp report/report.html report.html
 "$etak" f0 gold silicon water cardboard --format html -q -o f0.html
 "$etak" validate scene atlas --no-config --format html --exit-zero -q -o findings.html
 "$start_page" .
@@ -33,7 +38,7 @@ see() { # DARK OPTIONS...: what the browser makes of a page
 }
 
 # A page inside of a frame has the width of the frame; browsers do not make windows as narrow as a telephone.
-for page in index f0 findings atlas; do
+for page in $pages; do
   sed 's|</body>|<script>addEventListener("load", () => {\
     const root = document.documentElement, balls = document.querySelector(".balls.copies");\
     const out = [...document.querySelectorAll("main > *, header > *, article, h2, h3, p, figure, table:not(.scroll *)")]\
@@ -53,13 +58,13 @@ for width in 360 1400 2560; do
   document.body.append(line);
 })</script>
 EOF
-  for page in index f0 findings atlas; do
+  for page in $pages; do
     echo "<iframe width=\"$width\" height=\"900\" style=\"border:0\" src=\"measured_$page.html\"></iframe>" >>frames.html
   done
   for dark in 0 1; do
     see $dark --virtual-time-budget=8000 --dump-dom "file://$scratch/frames.html" |
       grep -o '<p>measured [^<]*' | sed 's/^<p>//' >told || true
-    [ "$(wc -l <told)" -eq 4 ] || { fault "at $width: $(wc -l <told) of 4 pages answered"; cat told; }
+    [ "$(wc -l <told)" -eq 6 ] || { fault "at $width: $(wc -l <told) of 6 pages answered"; cat told; }
     while IFS='|' read -r seen over out color copied; do
       [ "$seen" = "measured $width" ] || fault "wanted $width, $seen"
       [ "$over" = 0 ] || fault "at $width: a page is $over pixels too wide: $out"

@@ -22,12 +22,14 @@
 namespace etak::cli {
 namespace {
 
+// Few first rounds of short repeats are enough for most ways. What they leave open gets more, until it is
+// settled: a quick report, which must be done within a minute on a busy machine as well, adds none after
+// quick_until.
 constexpr std::size_t quick_repeats = 15, full_repeats = 33;
-constexpr double quick_seconds = 0.06, full_seconds = 0.6;
-// Rounds that are added for the ways whose order the first rounds leave open. A quick report must be done
-// within a minute on a busy machine as well.
-constexpr std::size_t quick_more_rounds = 24, full_more_rounds = 100;
-constexpr auto quick_until = std::chrono::seconds(30);
+constexpr double quick_seconds = 0.015, full_seconds = 0.6;         // for these repeats of a way
+constexpr double quick_most_seconds = 0.5, full_most_seconds = 60;  // for those of a table
+constexpr std::size_t quick_more_rounds = 100, full_more_rounds = 200;
+constexpr auto quick_until = std::chrono::seconds(40);
 
 std::vector<FamilyEntry> chosen_families(const std::vector<std::string>& names) {
   const auto all = all_families();
@@ -89,14 +91,17 @@ int measure(ReportArguments& arguments) {
   check_report_folder(arguments, entries);
   ReportOptions options;
   options.full = arguments.full;
-  options.timing.repeats = options.full ? full_repeats : quick_repeats;
-  options.timing.seconds_a_case = options.full ? full_seconds : quick_seconds;
-  options.timing.more_rounds = options.full ? full_more_rounds : quick_more_rounds;
-  if (!options.full) options.timing.until = std::chrono::steady_clock::now() + quick_until;
+  TimingOptions timing;
+  timing.repeats = options.full ? full_repeats : quick_repeats;
+  timing.seconds_a_case = options.full ? full_seconds : quick_seconds;
+  timing.most_seconds = options.full ? full_most_seconds : quick_most_seconds;
+  timing.more_rounds = options.full ? full_more_rounds : quick_more_rounds;
+  if (!options.full) timing.until = std::chrono::steady_clock::now() + quick_until;
   options.threads = thread_count(arguments.threads);
   options.gl = arguments.device != "cpu";
   options.cpu = arguments.device != "gl";
   ReportHeader header = report_header(options);
+  header.repeats = timing.repeats;
   GlEvaluate evaluate;
   std::optional<GlRunner> gl;
   if (options.gl) {
@@ -107,25 +112,29 @@ int measure(ReportArguments& arguments) {
   }
   // The time of an empty case, which is the error of the clock.
   const TimedCase nothing[] = {{"nothing", 1, [] {}}};
-  time_cases(nothing, options.timing, {}, &header.empty_loop_ns);
+  time_cases(nothing, timing, &header.empty_loop_ns);
 
   OutputArguments output;
   output.quiet = arguments.quiet;
   output.progress = arguments.progress;
   std::vector<ErrorTimeFamily> families;
   {
-    Progress progress(output, entries.size(), "report");
-    // Redraws the line while a family is timed, so that its seconds go on.
-    options.timing.progress = [&](std::size_t, std::size_t) {
-      progress.set(families.size(), entries.size());
-    };
+    // The errors of each family are measured first; then all are timed, which counts as much.
+    const std::size_t steps = 2 * entries.size();
+    Progress progress(output, steps, "report");
     for (const FamilyEntry& entry : entries) {
       if (!progress.draws_line()) remark(output, "measuring " + std::string(entry.id));
       progress.stage(entry.id);
       families.push_back(entry.measure(options));
-      progress.set(families.size(), entries.size());
+      progress.set(families.size(), steps);
     }
-    options.timing.progress = {};
+    if (!progress.draws_line()) remark(output, "timing");
+    progress.stage("times");
+    timing.progress = [&](std::size_t begun, std::size_t all) {
+      progress.set(entries.size() * (all + begun) / all, steps);
+    };
+    time_families(families, timing);
+    for (ErrorTimeFamily& family : families) settle_picks(family);
   }
   const auto stability = stability_cases(evaluate);
 

@@ -39,7 +39,6 @@ ReportHeader report_header(const ReportOptions& options) {
   header.compiler = report_build::compiler;
   header.flags = report_build::flags;
   header.threads = options.threads;
-  header.repeats = options.timing.repeats;
   header.effort = options.full ? "full" : "quick";
   return header;
 }

@@ -124,7 +124,8 @@ ErrorTimeRow row_of(const FresnelForm& form, std::span<const Subject> subjects) 
   return row;
 }
 
-ErrorTimeTable table_of(const Group& group, std::span<const Subject> subjects, const ReportOptions& options) {
+ErrorTimeTable table_of(const Group& group, std::span<const Subject> subjects,
+                        std::vector<TimedSet>& timings) {
   ErrorTimeTable table;
   table.id = group.id;
   const auto doubtful = static_cast<std::size_t>(
@@ -141,13 +142,13 @@ ErrorTimeTable table_of(const Group& group, std::span<const Subject> subjects, c
   if (doubtful > 0) table.metrics.push_back({"doubtful_max_abs", "largest error of F, doubtful data", ""});
   table.base = "schlick";
   for (const FresnelForm& form : fresnel_forms()) table.rows.push_back(row_of(form, subjects));
-  add_times(table, timed_forms(subjects.front().truth), options);
+  timings.push_back({{table.id}, timed_forms(subjects.front().truth)});
   return table;
 }
 
 }  // namespace
 
-ErrorTimeFamily fresnel_family(const ReportOptions& options) {
+ErrorTimeFamily fresnel_family(const ReportOptions&) {
   const auto library = MaterialLibrary::builtin();
   ErrorTimeFamily family;
   family.id = "fresnel";
@@ -157,7 +158,7 @@ ErrorTimeFamily fresnel_family(const ReportOptions& options) {
   family.grid =
       "0 to 90 degrees in steps of 0.25; preferred datasets of the library; means weighted by 2 cos";
   for (const Group& group : groups())
-    family.tables.push_back(table_of(group, subjects_of(library, group), options));
+    family.tables.push_back(table_of(group, subjects_of(library, group), family.timed));
   enum { metals, semiconductors, dielectrics };
   const auto error = [&](std::size_t table, std::string_view id, std::size_t metric) {
     const auto& rows = family.tables[table].rows;

@@ -219,16 +219,17 @@ ErrorTimeFamily hemisphere_family(const ReportOptions& options) {
       "5 reflectances from 0.02 to 0.9, 6 glosses, 7 view cosines from 1 to 0.05, 13 tilts and 5 azimuths of "
       "the axis";
   family.tables = {albedo_table(errors), share_table(errors)};
-  std::vector<TimedCase> cases;
-  for (const Form& form : forms) cases.push_back(timed(form));
+  TimedSet timings;
+  for (const Form& form : forms) timings.cases.push_back(timed(form));
   for (ErrorTimeTable& table : family.tables) {
     table.base = forms[0].id;
+    timings.tables.push_back(table.id);
     for (std::size_t f = 0; f < forms.size(); ++f) {
       table.rows[f].id = forms[f].id;
       table.rows[f].title = forms[f].title;
     }
   }
-  add_times(family.tables, cases, options.timing);
+  family.timed = {std::move(timings)};
 
   // The transition of a polished surface is so narrow that few axes meet it: many more axes are taken.
   const auto polished = measure(1, make_axes(37, 25), 120);

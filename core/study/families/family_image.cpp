@@ -20,8 +20,8 @@
 namespace etak {
 namespace {
 
-constexpr int side = 256, rays = 4;
-constexpr int timed_side = 1024;
+constexpr int full_side = 256, quick_side = 128, rays = 4;
+constexpr int timed_side = 512;
 constexpr double timed_gloss = 0.5;
 constexpr const char* base_model = "schueler-full";
 
@@ -69,7 +69,10 @@ struct ModelErrors {
 class Gallery {
  public:
   Gallery(const ReportOptions& options)
-      : models_(specular_models()), judged_(sphere_pixels(side)), threads_(options.threads) {
+      : side_(options.full ? full_side : quick_side),
+        models_(specular_models()),
+        judged_(sphere_pixels(side_)),
+        threads_(options.threads) {
     const MaterialLibrary library = MaterialLibrary::builtin();
     for (const Subject& subject : subjects())
       if (options.full || subject.quick) {
@@ -80,6 +83,7 @@ class Gallery {
   }
 
   const std::vector<const Model*>& models() const { return models_; }
+  int side() const { return side_; }  // of the pictures that are judged
   const SphereMaterial& first() const { return materials_.front(); }
   std::string grid() const {
     return joined(materials_, ", ", &SphereMaterial::id) + "; gloss " +
@@ -115,7 +119,7 @@ class Gallery {
         const SeenPicture own = seen(truth.picture(*models_[lobe[0]], material), full.exposure, judged_);
         for (const std::size_t m : lobe) {
           const SeenPicture test =
-              seen(draw(sphere_scene(*models_[m], material, gloss, side)), full.exposure, judged_);
+              seen(draw(sphere_scene(*models_[m], material, gloss, side_)), full.exposure, judged_);
           out[m][at].own.add(picture_errors(own, test, judged_));
           out[m][at].full.add(picture_errors(full.picture, test, judged_));
         }
@@ -135,7 +139,7 @@ class Gallery {
     for (std::size_t g = 0; g < glosses_.size(); ++g)
       for (std::size_t at = 0; at < materials_.size(); ++at) {
         if (metal_[at] != metals) continue;
-        const Scene scene = sphere_scene(model, materials_[at], glosses_[g], side);
+        const Scene scene = sphere_scene(model, materials_[at], glosses_[g], side_);
         const Full& full = full_[g][at];
         sum.add(picture_errors(
             full.picture, seen(render_reference(scene, nullptr, options).picture, full.exposure, judged_),
@@ -163,7 +167,7 @@ class Gallery {
 
   const SphereTruth& truth_of(std::size_t g) const {
     if (truths_.size() == g) {
-      truths_.push_back(std::make_unique<SphereTruth>(models_, glosses_[g], side, rays, threads_));
+      truths_.push_back(std::make_unique<SphereTruth>(models_, glosses_[g], side_, rays, threads_));
       std::vector<Full>& all = full_.emplace_back(materials_.size());
       parallel_chunks(all.size(), threads_, 1, [&](std::size_t at, std::size_t, unsigned) {
         const Image picture = truths_[g]->picture(*find_model(base_model), materials_[at]);
@@ -174,6 +178,7 @@ class Gallery {
     return *truths_[g];
   }
 
+  int side_;
   std::vector<const Model*> models_;
   std::vector<bool> judged_;
   unsigned threads_;
@@ -198,7 +203,7 @@ ErrorTimeTable empty_table(const char* id, std::string title) {
                    {"mean_de", "mean \u0394E", "\u0394E2000"},
                    {"max_de", "largest \u0394E", "\u0394E2000"},
                    {"mean_flip", "mean FLIP", ""}};
-  table.time_unit = "ms per frame of 1024 x 1024";
+  table.time_unit = "ms per frame of 512 x 512";
   table.base = base_model;
   return table;
 }
@@ -222,7 +227,7 @@ ErrorTimeRow own_lobe_row(const Model& model, const PictureErrors& errors) {
   return row;
 }
 
-// Frames of all models on one thread: how busy the other cores are should not decide the order.
+// Frames of all models, on one thread.
 std::vector<TimedCase> timed_frames(const Gallery& gallery) {
   std::vector<TimedCase> cases;
   for (const Model* model : gallery.models())
@@ -265,7 +270,6 @@ void add_cpu_tables(const Gallery& gallery, const ReportOptions& options, ErrorT
 
   ErrorTimeTable table = empty_table("lobes", "Lobes against CookTorranceFull's, CPU");
   std::set<const Model*> seen_lobes;
-  std::vector<std::size_t> model_of_lobe;
   for (std::size_t m = 0; m < count; ++m) {
     const Model& model = *gallery.models()[m];
     if (!follows_gloss(model)) continue;
@@ -273,20 +277,12 @@ void add_cpu_tables(const Gallery& gallery, const ReportOptions& options, ErrorT
     if (model.distribution != nullptr && !seen_lobes.insert(&lobe_model(model)).second) continue;
     table.rows.push_back(
         row_of(model, gallery.pooled(errors[m], &ModelErrors::full, [](bool) { return true; })));
-    model_of_lobe.push_back(m);
   }
   family.tables.push_back(table);
 
-  const auto case_of = [&](const ErrorTimeTable& of, std::size_t r) {
-    return &of == &family.tables.back() ? model_of_lobe[r] : std::min(r, count);
-  };
-  const auto put = [&](std::span<const RunTime> times) {
-    for (ErrorTimeTable& each : family.tables)
-      for (std::size_t r = 0; r < each.rows.size(); ++r)
-        if (const std::size_t at = case_of(each, r); at < count)
-          each.rows[r].time = in_unit(times[at], ms_of_ns);
-  };
-  time_tables(family.tables, timed_frames(gallery), options.timing, put, case_of);
+  TimedSet timed{{}, timed_frames(gallery), ms_of_ns};
+  for (const ErrorTimeTable& each : family.tables) timed.tables.push_back(each.id);
+  family.timed = {std::move(timed)};
 }
 
 // GL frames are timed in rounds over all models, a few frames of each in a round. The time is that of GL's
@@ -321,13 +317,11 @@ void add_gl_table(const Gallery& gallery, const ReportOptions& options, ErrorTim
   };
   for (std::size_t m = 0; m < count; ++m) {
     RunTime time{quantile(ms[m], 2), quantile(ms[m], 1), quantile(ms[m], 3), 1, quantile(ms[m], 0), ms[m]};
-    std::vector<double> ratios;
-    for (std::size_t round = 0; round < ms[m].size(); ++round) ratios.push_back(ms[m][round] / ms[0][round]);
-    time.ratio = quantile(ratios, 2);
     table.rows.push_back(own_lobe_row(
         *gallery.models()[m], gallery.pooled(errors[m], &ModelErrors::own, [](bool) { return true; })));
     table.rows.back().time = time;
   }
+  set_ratios(table);
   set_verdicts(table);
   family.tables.push_back(table);
   family.notes.push_back(std::string("OpenGL frames are timed ") +
@@ -357,11 +351,12 @@ ErrorTimeFamily image_family(const ReportOptions& options) {
   family.id = "image";
   family.letter = "h";
   family.title = "The rendered sphere";
-  family.reference =
-      "a sphere of 256 x 256 pixels with 4 x 4 rays each, F at every nanometre, with the model's own lobe, "
-      "in "
-      "double, so that only ways with one lobe are compared; lobes among themselves: with "
-      "CookTorranceFull's";
+  const std::string side = std::to_string(gallery.side());
+  family.reference = "a sphere of " + side + " x " + side +
+                     " pixels with 4 x 4 rays each, F at every nanometre, with the model's own lobe, "
+                     "in "
+                     "double, so that only ways with one lobe are compared; lobes among themselves: with "
+                     "CookTorranceFull's";
   family.grid =
       gallery.grid() +
       "; three directional lights 50, 100 and 150 degrees from the viewer; exposed so that the "

@@ -241,11 +241,9 @@ ErrorTimeFamily lobe_family(const ReportOptions& options) {
   family.grid = "12 Gauss points in the view's cosine, " + std::to_string(steps) + " x " +
                 std::to_string(2 * steps) + " half vectors spread as GGX spreads them";
   for (const double gloss : glosses) family.tables.push_back(table_of(gloss, measure(gloss, steps)));
-  add_times(family.tables, timed_ways(), options.timing);
-  // The ratios of add_times() are to its first case; those of the tables are to Simplified.
-  for (ErrorTimeTable& table : family.tables)
-    for (const double base = table.rows[1].time->ratio; ErrorTimeRow & row : table.rows)
-      row.time->ratio /= base;
+  TimedSet timed{{}, timed_ways()};
+  for (const ErrorTimeTable& table : family.tables) timed.tables.push_back(table.id);
+  family.timed = {std::move(timed)};
   const ErrorTimeTable& glossy = family.tables[options.full ? 3 : 1];
   const auto mean = [&](std::size_t way) { return number(glossy.rows[way].errors[0], 2) + " %"; };
   family.advice = "Take a Beckmann or e + 2 lobe with Schlick's F: at gloss 0.75 they are " + mean(7) +

@@ -2,7 +2,6 @@
 // Family i: how much effort to spend on packing rectangles, and on compressing their pages.
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -22,9 +21,6 @@ using Sizes = std::vector<RectSize>;
 constexpr int efforts[] = {1, 3, 10, 30, 100, 300, 1000, 3000};
 constexpr int most_quick_effort = 300, default_effort = 100;
 constexpr int page_side = most_page_side, quick_page_side = 512;
-// Seconds for all repeats of all rows of a table; where a round takes long, there are fewer repeats.
-constexpr double quick_seconds = 2.5, full_seconds = 60;
-constexpr std::size_t fewest_repeats = 3;
 // Sides of the smallest squares known for the sets below. Effort 200,000 has found the first three; the
 // fourth set is made from a square of this side.
 constexpr int best_sides[] = {822, 1247, 535, page_side};
@@ -120,27 +116,12 @@ std::string png_of(const MadePage& page, PngLevel level, unsigned threads) {
   return png_bytes(page.pixels, options);
 }
 
-// Times the table's rows with as many repeats as fit; `once` is the time of one round over all cases in
-// seconds.
-void add_times(ErrorTimeTable& table, const std::vector<TimedCase>& cases, double once,
-               const ReportOptions& options) {
-  TimingOptions timing = options.timing;
-  const double fit = (options.full ? full_seconds : quick_seconds) / std::max(once, 1e-6) - 1;
-  timing.repeats = std::clamp(static_cast<std::size_t>(std::max(fit, 0.0)), fewest_repeats,
-                              std::max(fewest_repeats, timing.repeats));
-  timing.more_rounds = std::min<std::size_t>(timing.more_rounds, 4);
-  timing.seconds_a_case = 0;  // a single call takes long enough to be timed
-  etak::add_times(std::span(&table, 1), cases, timing, ms_of_ns);
+// The set that times the table's rows. Etak packs and compresses on all threads it is given.
+TimedSet timed_set(const ErrorTimeTable& table, std::vector<TimedCase> cases, const ReportOptions& options) {
+  return {{table.id}, std::move(cases), ms_of_ns, options.threads > 1};
 }
 
-template <class Act>
-double seconds_of(Act act) {
-  const auto start = std::chrono::steady_clock::now();
-  act();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-ErrorTimeTable effort_table(const ReportOptions& options) {
+ErrorTimeTable effort_table(const ReportOptions& options, std::vector<TimedSet>& timings) {
   auto sets = std::make_shared<std::vector<RectSet>>(rect_sets());
   ErrorTimeTable table;
   table.id = "effort";
@@ -151,7 +132,6 @@ ErrorTimeTable effort_table(const ReportOptions& options) {
   table.time_unit = "ms per layout";
   std::vector<TimedCase> cases;
   std::vector<std::vector<std::size_t>> page_sides;  // of each row's layouts
-  double once = 0;
   for (const int effort : efforts) {
     if (!options.full && effort > most_quick_effort) break;
     ErrorTimeRow row;
@@ -159,12 +139,10 @@ ErrorTimeTable effort_table(const ReportOptions& options) {
     row.title = "effort " + std::to_string(effort);
     table.rows.push_back(row);
     auto& own = page_sides.emplace_back();
-    once += seconds_of([&] {
-      for (RectSet& set : *sets) {
-        own.push_back(static_cast<std::size_t>(packed(set, effort, options.threads).pages[0].width));
-        set.best_side = std::min(set.best_side, own.back());
-      }
-    });
+    for (RectSet& set : *sets) {
+      own.push_back(static_cast<std::size_t>(packed(set, effort, options.threads).pages[0].width));
+      set.best_side = std::min(set.best_side, own.back());
+    }
     cases.push_back({row.id, sets->size(), [sets, effort, threads = options.threads] {
                        for (const RectSet& set : *sets) {
                          const RectLayout layout = packed(set, effort, threads);
@@ -185,7 +163,7 @@ ErrorTimeTable effort_table(const ReportOptions& options) {
     table.rows[r].errors = {mean};
     table.rows[r].errors.insert(table.rows[r].errors.end(), lost.begin(), lost.end());
   }
-  add_times(table, cases, once, options);
+  timings.push_back(timed_set(table, std::move(cases), options));
   return table;
 }
 
@@ -197,7 +175,7 @@ struct Level {
 constexpr std::array levels{Level{"fast", "fast", PngLevel::fast}, Level{"small", "small", PngLevel::small},
                             Level{"smallest", "smallest", PngLevel::smallest}};
 
-ErrorTimeTable codec_table(const ReportOptions& options) {
+ErrorTimeTable codec_table(const ReportOptions& options, std::vector<TimedSet>& timings) {
   const int side = options.full ? page_side : quick_page_side;
   const auto pages = std::make_shared<const std::vector<MadePage>>(made_pages(side));
   ErrorTimeTable table;
@@ -213,12 +191,9 @@ ErrorTimeTable codec_table(const ReportOptions& options) {
   table.base = levels.front().id;
   std::vector<TimedCase> cases;
   std::array<std::vector<double>, levels.size()> bytes;
-  double once = 0;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    once += seconds_of([&] {
-      for (const MadePage& page : *pages)
-        bytes[i].push_back(double(png_of(page, levels[i].level, options.threads).size()));
-    });
+    for (const MadePage& page : *pages)
+      bytes[i].push_back(double(png_of(page, levels[i].level, options.threads).size()));
     cases.push_back(
         {levels[i].id, pages->size(), [pages, level = levels[i].level, threads = options.threads] {
            for (const MadePage& page : *pages) {
@@ -240,7 +215,7 @@ ErrorTimeTable codec_table(const ReportOptions& options) {
       row.errors.push_back(8 * bytes[i][p] / (double(side) * side));
     table.rows.push_back(row);
   }
-  add_times(table, cases, once, options);
+  timings.push_back(timed_set(table, std::move(cases), options));
   return table;
 }
 
@@ -257,7 +232,7 @@ ErrorTimeFamily packer_family(const ReportOptions& options) {
   family.grid = "four sets of 250 rectangles, one square page, no rotation; three pages of " +
                 std::string(options.full ? "1024 x 1024" : "512 x 512") +
                 " pixels with four channels, made by formula";
-  family.tables = {effort_table(options), codec_table(options)};
+  family.tables = {effort_table(options, family.timed), codec_table(options, family.timed)};
   const auto error = [&](std::size_t table, std::string_view id) {
     const auto& rows = family.tables[table].rows;
     return std::find_if(rows.begin(), rows.end(), [&](const ErrorTimeRow& row) { return row.id == id; })

@@ -89,9 +89,9 @@ F0Solver solver_of(const Way& way) {
   return F0Solver(options);
 }
 
-// The errors of every way over `tables`, against the results `truth` of the same index, and its times.
+// The errors of every way over `tables`, against the results `truth` of the same index.
 ErrorTimeTable table_of(std::string id, std::string title, std::span<const NkTable> tables,
-                        std::span<const F0Result> truth, const ReportOptions& options) {
+                        std::span<const F0Result> truth, std::vector<TimedSet>& timings) {
   ErrorTimeTable table;
   table.id = std::move(id);
   table.title = std::move(title);
@@ -129,7 +129,7 @@ ErrorTimeTable table_of(std::string id, std::string title, std::span<const NkTab
                        keep(&sum);
                      }});
   }
-  add_times(table, cases, options);
+  timings.push_back({{table.id}, std::move(cases)});
   return table;
 }
 
@@ -145,7 +145,7 @@ constexpr std::array<std::size_t, 4> kept{5, 10, 20, 40};
 
 }  // namespace
 
-ErrorTimeFamily sparse_table_family(const ReportOptions& options) {
+ErrorTimeFamily sparse_table_family(const ReportOptions&) {
   const std::vector<NkTable> dense = pages_with(dense_rows, 1000000);
   ErrorTimeFamily family;
   family.id = "sparse-tables";
@@ -159,7 +159,7 @@ ErrorTimeFamily sparse_table_family(const ReportOptions& options) {
     std::vector<NkTable> thin;
     for (const NkTable& page : dense) thin.push_back(decimated(page, points));
     family.tables.push_back(table_of("points_" + std::to_string(points),
-                                     std::to_string(points) + " rows kept", thin, truth, options));
+                                     std::to_string(points) + " rows kept", thin, truth, family.timed));
   }
   // Johnson and Christy's metals have about ten rows in the visible range, and there are no denser data to
   // compare them with.
@@ -168,7 +168,7 @@ ErrorTimeFamily sparse_table_family(const ReportOptions& options) {
                 [](const NkTable& page) { return page.name.find("/johnson-197") == std::string::npos; });
   family.tables.push_back(table_of("johnson",
                                    "Johnson and Christy's metals, drawn otherwise than by n and k linear",
-                                   johnson, truth_of(johnson), options));
+                                   johnson, truth_of(johnson), family.timed));
   const auto error = [&](std::size_t table, std::size_t row) {
     return number(family.tables[table].rows[row].errors[1], 2);
   };

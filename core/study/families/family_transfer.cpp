@@ -76,13 +76,13 @@ TimedCase timed(const Curve& curve) {
 }
 
 template <std::size_t N>
-void add_times(ErrorTimeTable& table, const std::array<Curve, N>& curves, const ReportOptions& options) {
+TimedSet timed_set(const ErrorTimeTable& table, const std::array<Curve, N>& curves) {
   std::vector<TimedCase> cases;
   for (const Curve& curve : curves) cases.push_back(timed(curve));
-  add_times(table, cases, options);
+  return {{table.id}, std::move(cases)};
 }
 
-ErrorTimeTable encode_table(const ReportOptions& options) {
+ErrorTimeTable encode_table(std::vector<TimedSet>& timings) {
   ErrorTimeTable table;
   table.id = "encode";
   table.title = "Linear light to codes";
@@ -95,11 +95,11 @@ ErrorTimeTable encode_table(const ReportOptions& options) {
         {curve.id,
          curve.title,
          {std::abs(worst_encode_error(curve)), encode_error(curve, 0.04), encode_error(curve, 0.5)}});
-  add_times(table, encoders, options);
+  timings.push_back(timed_set(table, encoders));
   return table;
 }
 
-ErrorTimeTable decode_table(const ReportOptions& options) {
+ErrorTimeTable decode_table(std::vector<TimedSet>& timings) {
   ErrorTimeTable table;
   table.id = "decode";
   table.title = "Codes to linear light";
@@ -120,13 +120,13 @@ ErrorTimeTable decode_table(const ReportOptions& options) {
       row.errors.push_back(100 * (curve.in_double(code / 255.0) / srgb_decode(code / 255.0) - 1));
     table.rows.push_back(row);
   }
-  add_times(table, decoders, options);
+  timings.push_back(timed_set(table, decoders));
   return table;
 }
 
 }  // namespace
 
-ErrorTimeFamily transfer_family(const ReportOptions& options) {
+ErrorTimeFamily transfer_family(const ReportOptions&) {
   ErrorTimeFamily family;
   family.id = "transfer";
   family.letter = "e";
@@ -137,7 +137,7 @@ ErrorTimeFamily transfer_family(const ReportOptions& options) {
       "Use the exact curve, from a table of 256 entries or the GPU's sRGB formats: the shortcuts move dark "
       "dielectrics "
       "by whole codes, and 2.2 in with 0.45 out is not even its own inverse.";
-  family.tables = {encode_table(options), decode_table(options)};
+  family.tables = {encode_table(family.timed), decode_table(family.timed)};
   family.picks = {
       {"codes of linear light", "encode", "srgb", "shortcuts move dark dielectrics by whole codes"},
       {"linear light of codes", "decode", "srgb", "a table of 256 entries or the GPU does it"}};

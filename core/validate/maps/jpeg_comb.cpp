@@ -74,6 +74,7 @@ JpegComb JpegCombSearch::comb_of(const Grid& grid) {
         const auto middle = static_cast<std::size_t>(bins_a_code) * most_code,
                    away = static_cast<std::size_t>(i);
         const double both = bins[middle + away] + bins[middle - away];
+        if (both == 0) continue;
         count += both;
         agreement += both * std::cos(2 * std::numbers::pi * i / (bins_a_code * step));
       }

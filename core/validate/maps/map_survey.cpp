@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <bitset>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "core/base/random.h"
@@ -61,6 +63,20 @@ void for_each_band(const PictureHeader& map, Read read, Look look) {
   }
 }
 
+// The loops below run over whole rows, each with one thing to do and without a branch, so that compilers make
+// vector code of them. A texel is read as one number for the same reason.
+std::uint32_t texel_at(const std::uint8_t* rgba, std::size_t i) {
+  std::uint32_t out = 0;
+  std::memcpy(&out, rgba + 4 * i, sizeof out);
+  return out;
+}
+
+// The code of a channel in such a number.
+std::int32_t code_in(std::uint32_t texel, unsigned channel) {
+  const unsigned byte = std::endian::native == std::endian::little ? channel : 3 - channel;
+  return static_cast<std::int32_t>(texel >> 8 * byte & 255);
+}
+
 // A row of normals, a component each, with the surface's slope along the row and in green's direction.
 struct NormalRow {
   std::vector<float> x, y, z, length, along, green;
@@ -72,18 +88,50 @@ struct NormalRow {
   void decode(const std::uint8_t* rgba) {
     // Beyond 76 degrees a slope is held back, so that a few texels do not outweigh all others.
     constexpr float least_z = 0.1f, most_slope = 4;
-    for (std::size_t i = 0; i < x.size(); ++i, rgba += 4) {
-      const auto component = [](std::uint8_t code) { return static_cast<float>(2 * code - 255) / 255; };
-      x[i] = component(rgba[0]);
-      y[i] = component(rgba[1]);
-      z[i] = component(rgba[2]);
-      length[i] = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-      const float down = std::max(z[i], least_z);
-      along[i] = std::clamp(-x[i] / down, -most_slope, most_slope);
-      green[i] = std::clamp(-y[i] / down, -most_slope, most_slope);
+    const std::size_t width = x.size();
+    const std::array<float*, 3> components{x.data(), y.data(), z.data()};
+    for (unsigned channel = 0; channel < components.size(); ++channel) {
+      float* const out = components[channel];
+      for (std::size_t i = 0; i < width; ++i)
+        out[i] = static_cast<float>(2 * code_in(texel_at(rgba, i), channel) - 255) / 255;
     }
+    for (std::size_t i = 0; i < width; ++i) length[i] = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    const auto slope = [&](const std::vector<float>& of, std::vector<float>& out) {
+      for (std::size_t i = 0; i < width; ++i)
+        out[i] = std::clamp(-of[i] / std::max(z[i], least_z), -most_slope, most_slope);
+    };
+    slope(x, along);
+    slope(y, green);
   }
 };
+
+// Adds pairs of a row, of which `counted` are real and the others (0, 0). The sums of four columns side by
+// side are added at the end, always in the same order.
+void add_pairs(PairSums& sums, const std::vector<float>& xs, const std::vector<float>& ys,
+               std::uint64_t counted) {
+  constexpr std::size_t lanes = 4;
+  std::array<double, lanes> x{}, y{}, xx{}, yy{}, xy{};
+  const auto add = [&](std::size_t lane, double a, double b) {
+    x[lane] += a;
+    y[lane] += b;
+    xx[lane] += a * a;
+    yy[lane] += b * b;
+    xy[lane] += a * b;
+  };
+  std::size_t i = 0;
+  for (; i + lanes <= xs.size(); i += lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      add(lane, static_cast<double>(xs[i + lane]), static_cast<double>(ys[i + lane]));
+  for (; i < xs.size(); ++i) add(0, static_cast<double>(xs[i]), static_cast<double>(ys[i]));
+  sums.count += counted;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    sums.x += x[lane];
+    sums.y += y[lane];
+    sums.xx += xx[lane];
+    sums.yy += yy[lane];
+    sums.xy += xy[lane];
+  }
+}
 
 class NormalSurvey {
  public:
@@ -112,59 +160,104 @@ class NormalSurvey {
   }
 
   MapEvidence finish() {
-    out_.shape.steep_colors = static_cast<std::uint32_t>(steep_colors_.count());
     out_.jpeg = jpeg_.finish();
     return std::move(out_);
   }
 
  private:
   static constexpr std::int64_t most_blocks = 4096;
+  static constexpr float smooth_loss = 2e-5f;
 
   std::size_t at(std::size_t x, int y) const { return 4 * (static_cast<std::size_t>(y) * width_ + x); }
 
   void count_grey(const std::uint8_t* rgba) {
-    std::uint64_t grey = 0;
-    for (std::size_t i = 0; i < width_; ++i, rgba += 4) {
-      const auto [least, most] = std::minmax({rgba[0], rgba[1], rgba[2]});
-      grey += most - least <= 2;
+    std::uint32_t grey = 0;
+    for (std::size_t i = 0; i < width_; ++i) {
+      const std::uint32_t texel = texel_at(rgba, i);
+      const std::int32_t red = code_in(texel, 0), green = code_in(texel, 1), blue = code_in(texel, 2);
+      const std::int32_t least = std::min(std::min(red, green), blue),
+                         most = std::max(std::max(red, green), blue);
+      grey += most - least <= 2 ? 1u : 0u;
     }
     out_.shape.grey += grey;
   }
 
   void look_at_row(int y) {
+    if (width_ < 3) return;
     const NormalRow &row = rows_[static_cast<std::size_t>(y)],
                     &above = rows_[static_cast<std::size_t>(y) - 1],
                     &below = rows_[static_cast<std::size_t>(y) + 1];
-    NormalShape& shape = out_.shape;
-    constexpr float one_code = 1 / 127.5f, smooth = 2e-5f, steep = 2e-4f, twisted = 1.5f / 127.5f;
-    for (std::size_t i = 1; i + 1 < width_; ++i) {
-      const float lacks = 1 - row.length[i];
-      ++shape.texels;
-      shape.off += std::abs(lacks) > 2.5f * one_code;
-      shape.too_short += lacks > one_code;
-      shape.too_long += lacks < -one_code;
-      const auto half_squared = [](float a, float b) { return (a - b) * (a - b) / 4; };
-      // The mean of 2 x 2 normals whose neighbours after the shrinking are d apart lacks d * d / 32 per axis.
-      const float loss =
-          (half_squared(row.x[i + 1], row.x[i - 1]) + half_squared(row.y[i + 1], row.y[i - 1]) +
-           half_squared(row.z[i + 1], row.z[i - 1]) + half_squared(below.x[i], above.x[i]) +
-           half_squared(below.y[i], above.y[i]) + half_squared(below.z[i], above.z[i])) /
+    const std::size_t inner = width_ - 2;  // the texels with a neighbour on each side
+    for (std::vector<float>* part : {&lacks_, &loss_, &down_, &across_}) part->resize(inner);
+    const auto half_squared = [](float a, float b) { return (a - b) * (a - b) / 4; };
+    for (std::size_t i = 0; i < inner; ++i) lacks_[i] = 1 - row.length[i + 1];
+    // The mean of 2 x 2 normals whose neighbours after the shrinking are d apart lacks d * d / 32 per axis.
+    for (std::size_t i = 0; i < inner; ++i)
+      loss_[i] = half_squared(row.x[i + 2], row.x[i]) + half_squared(row.y[i + 2], row.y[i]) +
+                 half_squared(row.z[i + 2], row.z[i]);
+    for (std::size_t i = 0; i < inner; ++i)
+      loss_[i] =
+          (loss_[i] + half_squared(below.x[i + 1], above.x[i + 1]) +
+           half_squared(below.y[i + 1], above.y[i + 1]) + half_squared(below.z[i + 1], above.z[i + 1])) /
           32;
-      shape.loss.add(loss, lacks);
-      if (loss < smooth) {
-        ++shape.smooth;
-        shape.smooth_short += lacks > one_code;
-      } else if (loss > steep) {
-        const auto bits = static_cast<std::uint64_t>(row.x[i] * 255 + 255) << 40 |
-                          static_cast<std::uint64_t>(row.y[i] * 255 + 255) << 20 |
-                          static_cast<std::uint64_t>(row.z[i] * 255 + 255);
-        steep_colors_.set(SplitMix::mixed(bits) % steep_colors_.size());
-      }
-      const float down = (below.along[i] - above.along[i]) / 2,
-                  across = (row.green[i + 1] - row.green[i - 1]) / 2;
-      if (std::max(std::abs(down), std::abs(across)) > twisted)
-        shape.twist.add(std::clamp(down, -1.0f, 1.0f), std::clamp(across, -1.0f, 1.0f));
+    count_lengths();
+    add_pairs(out_.shape.loss, loss_, lacks_, inner);
+    if (out_.shape.steep_colors < steep_colors_.size()) collect_steep_colors(row);
+
+    for (std::size_t i = 0; i < inner; ++i) {
+      down_[i] = (below.along[i + 1] - above.along[i + 1]) / 2;
+      across_[i] = (row.green[i + 2] - row.green[i]) / 2;
     }
+    add_twists();
+  }
+
+  void count_lengths() {
+    constexpr float one_code = 1 / 127.5f;
+    std::uint32_t off = 0, too_short = 0, too_long = 0, smooth = 0, smooth_short = 0;
+    for (std::size_t i = 0; i < lacks_.size(); ++i) {
+      const bool is_short = lacks_[i] > one_code, is_smooth = loss_[i] < smooth_loss;
+      off += std::abs(lacks_[i]) > 2.5f * one_code ? 1u : 0u;
+      too_short += is_short ? 1u : 0u;
+      too_long += lacks_[i] < -one_code ? 1u : 0u;
+      smooth += is_smooth ? 1u : 0u;
+      smooth_short += is_short & is_smooth ? 1u : 0u;
+    }
+    NormalShape& shape = out_.shape;
+    shape.texels += lacks_.size();
+    shape.off += off;
+    shape.too_short += too_short;
+    shape.too_long += too_long;
+    shape.smooth += smooth;
+    shape.smooth_short += smooth_short;
+  }
+
+  // Marks the colours of texels with a loss, until there are as many as are counted.
+  void collect_steep_colors(const NormalRow& row) {
+    constexpr float steep = 2e-4f;
+    bool any = false;
+    for (std::size_t i = 0; i < loss_.size(); ++i) {
+      if (!(loss_[i] > steep)) continue;
+      any = true;
+      const auto bits = static_cast<std::uint64_t>(row.x[i + 1] * 255 + 255) << 40 |
+                        static_cast<std::uint64_t>(row.y[i + 1] * 255 + 255) << 20 |
+                        static_cast<std::uint64_t>(row.z[i + 1] * 255 + 255);
+      steep_colors_.set(SplitMix::mixed(bits) % steep_colors_.size());
+    }
+    if (any) out_.shape.steep_colors = static_cast<std::uint32_t>(steep_colors_.count());
+  }
+
+  // Adds the texels that are twisted one way or the other.
+  void add_twists() {
+    constexpr float twisted = 1.5f / 127.5f;
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < down_.size(); ++i) {
+      const float down = down_[i], across = across_[i];
+      const bool counts = std::max(std::abs(down), std::abs(across)) > twisted;
+      count += counts ? 1u : 0u;
+      down_[i] = counts ? std::clamp(down, -1.0f, 1.0f) : 0.0f;
+      across_[i] = counts ? std::clamp(across, -1.0f, 1.0f) : 0.0f;
+    }
+    if (count > 0) add_pairs(out_.shape.twist, down_, across_, count);
   }
 
   void compare_with_heights(int y, const std::uint8_t* heights) {
@@ -217,6 +310,7 @@ class NormalSurvey {
   const GlossPlace place_;
   MapEvidence out_;
   std::array<NormalRow, map_band_rows> rows_;
+  std::vector<float> lacks_, loss_, down_, across_;  // of the row that is looked at, without its ends
   std::bitset<4096> steep_colors_;
   JpegCombSearch jpeg_;
   std::size_t block_ = 0, block_step_ = 1;

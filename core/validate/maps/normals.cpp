@@ -2,7 +2,10 @@
 #include "core/validate/maps/normals.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #include "core/color/srgb.h"
 
@@ -11,9 +14,6 @@ namespace etak {
 namespace {
 
 constexpr int unit_length = 255;  // length 1 in the unit of 2 c - 255
-constexpr std::int64_t squared_value(std::int64_t v) {
-  return v * v;
-}
 // Squared lengths, rounded outwards.
 constexpr auto least_unit =
     static_cast<std::int64_t>((1 - normal_tolerance) * (1 - normal_tolerance) * unit_length * unit_length);
@@ -25,22 +25,22 @@ bool is_unit(std::int64_t squared) {
   return squared >= least_unit && squared <= most_unit;
 }
 
-// 2 c - 255 of each code, after one of sRGB's curves.
-struct ComponentsOfCodes {
-  std::array<std::int32_t, 256> as_is{}, decoded{}, encoded{};
+// The square of 2 c - 255 of each code, after one of sRGB's curves.
+struct SquaresOfCodes {
+  std::array<std::int32_t, 256> decoded{}, encoded{};
 };
 
-const ComponentsOfCodes& components_of_codes() {
-  static const ComponentsOfCodes table = [] {
-    ComponentsOfCodes out;
+const SquaresOfCodes& squares_of_codes() {
+  static const SquaresOfCodes table = [] {
+    SquaresOfCodes out;
     for (std::size_t code = 0; code < 256; ++code) {
       const double value = static_cast<double>(code) / unit_length;
-      const auto component = [](double v) {
-        return static_cast<std::int32_t>(std::lround(2 * unit_length * v - unit_length));
+      const auto square = [](double v) {
+        const auto component = static_cast<std::int32_t>(std::lround(2 * unit_length * v - unit_length));
+        return component * component;
       };
-      out.as_is[code] = component(value);
-      out.decoded[code] = component(srgb_decode(value));
-      out.encoded[code] = component(srgb_encode(value));
+      out.decoded[code] = square(srgb_decode(value));
+      out.encoded[code] = square(srgb_encode(value));
     }
     return out;
   }();
@@ -77,26 +77,72 @@ double NormalFacts::mean(std::size_t component) const {
   return texels == 0 ? 0 : static_cast<double>(sum[component]) / (unit_length * static_cast<double>(texels));
 }
 
-void add_normals(NormalFacts& facts, const std::uint8_t* rgba, int width) {
-  const ComponentsOfCodes& table = components_of_codes();
-  for (int i = 0; i < width; ++i, rgba += 4) {
-    const auto squared = [&](const std::array<std::int32_t, 256>& of) {
-      return squared_value(of[rgba[0]]) + squared_value(of[rgba[1]]) + squared_value(of[rgba[2]]);
-    };
-    const std::int64_t length = squared(table.as_is);
-    facts.shortest = facts.texels == 0 ? length : std::min(facts.shortest, length);
-    facts.longest = std::max(facts.longest, length);
-    ++facts.texels;
-    facts.not_unit += !is_unit(length);
-    facts.not_unit_decoded += !is_unit(squared(table.decoded));
-    facts.not_unit_encoded += !is_unit(squared(table.encoded));
-    facts.below += rgba[2] < least_upward_code;
-    facts.outside += squared_value(table.as_is[rgba[0]]) + squared_value(table.as_is[rgba[1]]) > most_unit;
-    for (std::size_t c = 0; c < 3; ++c) {
-      facts.least[c] = std::min(facts.least[c], rgba[c]);
-      facts.most[c] = std::max(facts.most[c], rgba[c]);
-      facts.sum[c] += table.as_is[rgba[c]];
+namespace {
+
+// 2 c - 255 of a channel of texel `i`.
+std::int32_t component_at(const std::uint8_t* rgba, std::size_t i, unsigned channel) {
+  std::uint32_t texel = 0;
+  std::memcpy(&texel, rgba + 4 * i, sizeof texel);
+  const unsigned byte = std::endian::native == std::endian::little ? channel : 3 - channel;
+  return 2 * static_cast<std::int32_t>(texel >> 8 * byte & 255) - unit_length;
+}
+
+// What adds to the facts in the same way for every texel: loops of whole numbers without a branch, of which
+// compilers make vector code. Squares are made by floats, which hold them exactly, because not every
+// processor multiplies vectors of whole numbers.
+void add_lengths(NormalFacts& facts, const std::uint8_t* rgba, std::size_t width) {
+  constexpr auto least_length = static_cast<std::int32_t>(least_unit),
+                 most_length = static_cast<std::int32_t>(most_unit);
+  const auto square = [](std::int32_t v) { return static_cast<float>(v) * static_cast<float>(v); };
+  std::uint32_t not_unit = 0, below = 0, outside = 0;
+  std::int32_t shortest = std::numeric_limits<std::int32_t>::max(), longest = 0;
+  for (std::size_t i = 0; i < width; ++i) {
+    const std::int32_t z = component_at(rgba, i, 2);
+    const float flat = square(component_at(rgba, i, 0)) + square(component_at(rgba, i, 1));
+    const auto length = static_cast<std::int32_t>(flat + square(z));
+    shortest = std::min(shortest, length);
+    longest = std::max(longest, length);
+    not_unit += (length < least_length ? 1u : 0u) + (length > most_length ? 1u : 0u);
+    below += z < 2 * least_upward_code - unit_length ? 1u : 0u;
+    outside += static_cast<std::int32_t>(flat) > most_length ? 1u : 0u;
+  }
+  for (unsigned c = 0; c < 3; ++c) {
+    std::int32_t least = unit_length, most = -unit_length, sum = 0;
+    for (std::size_t i = 0; i < width; ++i) {
+      const std::int32_t v = component_at(rgba, i, c);
+      least = std::min(least, v);
+      most = std::max(most, v);
+      sum += v;
     }
+    const auto code = [](std::int32_t v) { return static_cast<std::uint8_t>((v + unit_length) / 2); };
+    facts.least[c] = std::min(facts.least[c], code(least));
+    facts.most[c] = std::max(facts.most[c], code(most));
+    facts.sum[c] += sum;
+  }
+  facts.not_unit += not_unit;
+  facts.below += below;
+  facts.outside += outside;
+  facts.shortest = facts.texels == 0 ? shortest : std::min<std::int64_t>(facts.shortest, shortest);
+  facts.longest = std::max<std::int64_t>(facts.longest, longest);
+  facts.texels += width;
+}
+
+}  // namespace
+
+void add_normals(NormalFacts& facts, const std::uint8_t* rgba, int width) {
+  if (width <= 0) return;
+  const auto texels = static_cast<std::size_t>(width);
+  add_lengths(facts, rgba, texels);
+  const SquaresOfCodes& table = squares_of_codes();
+  const auto squared = [](const std::array<std::int32_t, 256>& of, const std::uint8_t* texel) {
+    return of[texel[0]] + of[texel[1]] + of[texel[2]];
+  };
+  for (std::size_t i = 0; i < texels; ++i) {
+    facts.not_unit_decoded += !is_unit(squared(table.decoded, rgba + 4 * i));
+    facts.not_unit_encoded += !is_unit(squared(table.encoded, rgba + 4 * i));
+  }
+  if (facts.most[2] < 254) return;
+  for (std::size_t i = 0; i < texels; ++i, rgba += 4) {
     const bool is_flat =
         rgba[2] >= 254 && (rgba[0] == 127 || rgba[0] == 128) && (rgba[1] == 127 || rgba[1] == 128);
     if (!is_flat) continue;

@@ -159,6 +159,27 @@ auto place_key(const Finding& f) {
                     f.box ? f.box->y : -1, f.box ? f.box->x : -1, std::string_view(f.rule));
 }
 
+// What was repaired and what was left. Findings below `least` that were left are only counted; those that came
+// up after a repair are told in any case.
+std::string told_repairs(const ValidationReport& report, Severity least) {
+  std::map<std::pair<std::string_view, std::string_view>, Severity> worst;  // by rule and file
+  for (const CheckedFile& file : report.files)
+    for (const Finding& finding : file.findings) {
+      Severity& severity = worst.try_emplace({finding.rule, finding.file}, Severity::off).first->second;
+      severity = std::max(severity, finding.severity);
+    }
+  RepairReport told = *report.repairs;
+  const std::size_t lower = std::erase_if(told.left, [&](const LeftFinding& left) {
+    const auto at = worst.find({left.rule, left.file});
+    return at != worst.end() && at->second < least;
+  });
+  std::string out = repairs_text(told, report.typed);
+  if (lower > 0)
+    out += counted(lower, "finding") + " below " + std::string(name(least)) +
+           " left too; --min-severity info lists " + (lower == 1 ? "it" : "them") + ".\n";
+  return out;
+}
+
 }  // namespace
 
 std::string validation_text(const ValidationReport& report, const TextOptions& options) {
@@ -200,7 +221,7 @@ std::string validation_text(const ValidationReport& report, const TextOptions& o
     out += ' ' + first.rule + ' ' + first.slug + ": ";
     add_sentences(out, first);
   }
-  if (report.repairs) out += repairs_text(*report.repairs, report.typed);
+  if (report.repairs) out += told_repairs(report, options.least);
   return out + verdict_of(report) + '\n';
 }
 

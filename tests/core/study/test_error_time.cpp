@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/base/random.h"
 #include "tests/support.h"
 
 using namespace etak;
@@ -93,6 +94,69 @@ TEST_CASE(
   // A round of one of them alone says nothing.
   rows[0].time->rounds_ns[3] = std::nan("");
   CHECK(table_of(rows).rows[1].verdict == Verdict::unbeaten);
+}
+
+TEST_CASE("what to pick is beaten by no other way to the same truth, whatever the times are") {
+  // A pick that a closer way beats gives way to it, one that is not beaten stays.
+  auto one = family();
+  one.picks[0].row = "beaten & slow";
+  settle_picks(one);
+  CHECK(one.picks[0].row == "fast");
+  CHECK(one.picks[0].why == "on this machine closer than \"beaten & slow\" for at most a tenth more time");
+  CHECK(one.picks[0].command.empty());
+  auto other = family();
+  settle_picks(other);
+  CHECK(other.picks[0].row == "fast");
+  CHECK(other.picks[0].why == "it is fast");
+  CHECK(other.picks[0].command == "etak choose gold");
+  // As a property: of any errors and times, of one truth or two, no pick is beaten afterwards.
+  SplitMix random(20);
+  int replaced = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::vector<ErrorTimeRow> rows;
+    const auto count = 2 + static_cast<std::size_t>(random.uniform(0, 8));
+    for (std::size_t i = 0; i < count; ++i) {
+      // Few different errors, so that some are equal.
+      rows.push_back(
+          row(std::to_string(i), 0.1 * std::floor(random.uniform(0, 4)), random.uniform(0.5, 2), 0.02));
+      rows.back().truth = random.uniform() < 0.3 ? "another" : "";
+    }
+    auto each = family();
+    each.tables = {table_of(rows)};
+    each.picks.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      each.picks.push_back({"all", "metals", std::to_string(i), "", "x"});
+    settle_picks(each);
+    REQUIRE(each.picks.size() == count);
+    const auto& judged = each.tables[0].rows;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto at = static_cast<std::size_t>(std::stoi(each.picks[i].row));
+      CHECK(judged[at].verdict != Verdict::beaten);
+      CHECK(judged[at].truth == judged[i].truth);
+      CHECK((at == i) == (judged[i].verdict != Verdict::beaten));
+      replaced += at != i;
+    }
+  }
+  CHECK(replaced > 100);
+}
+
+TEST_CASE("a ratio is the median over the rounds that a way and the table's base were both part of") {
+  auto rows = table_of({row("a", 0.1, 2, 0), row("b", 0.1, 3, 0)}).rows;
+  rows[0].time->rounds_ns = {2, 2, 2, std::nan("")};
+  rows[1].time->rounds_ns = {3, 4, 100, 1};
+  ErrorTimeTable table;
+  table.base = "a";
+  table.rows = rows;
+  set_ratios(table);
+  CHECK(table.rows[0].time->ratio == 1);
+  CHECK(table.rows[1].time->ratio == 2);
+}
+
+TEST_CASE("found 2.3: few rounds settle less than many that differ as much") {
+  auto rows = table_of({row("a", 0.1, 1, 0), row("bb", 0.2, 0.8, 0.05)}).rows;
+  CHECK(table_of(rows).rows[1].verdict == Verdict::unbeaten);
+  for (ErrorTimeRow& each : rows) each.time->rounds_ns.resize(3);
+  CHECK(table_of(rows).rows[1].verdict == Verdict::not_settled);
 }
 
 TEST_CASE("found 2.2: only ways to the same truth are compared, and a truth with one way has no front") {
