@@ -209,10 +209,12 @@ void CommandLine::add_help_verb() {
   });
 }
 
-Work CommandLine::read(int argc, const char* const* argv) {
+Work CommandLine::read(const std::vector<std::string>& words) {
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
   use_plain_help(*app_);
   try {
-    app_->parse(argc, argv);
+    app_->parse(static_cast<int>(pointers.size()), pointers.data());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw Error(message_of(*app_, error));
     // --help and --help-all. The text is written as the work of the line, so that standard output that cannot be
