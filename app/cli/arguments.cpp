@@ -165,7 +165,8 @@ void Command::runs(Work work) {
 CommandLine::CommandLine(const std::string& title, const std::string& name)
     : app_(std::make_unique<CLI::App>(title, name)) {
   app_->require_subcommand(0, 1);
-  // Before the verbs, which take these two over.
+  // Before the verbs, which take these three over.
+  app_->allow_windows_style_options(false);  // /a is a path, on Windows too
   app_->set_help_flag("-h,--help", "help with the options that are used most");
   app_->set_help_all_flag("--help-all", "help with all options");
 }

@@ -19,10 +19,48 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <cwchar>
 #include <map>
 #include <mutex>
 
 #include "core/base/system.h"
+
+// libstdc++ makes a std::filesystem::path of narrow text by mbrtowc(), and Microsoft's C library knows no locale of
+// UTF-8 for it. The linker puts this function in its place (CMakeLists.txt), which reads UTF-8 always. A character
+// beyond the first 65,536 gives its two halves in two calls; the second half waits in the state meanwhile.
+extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t count,
+                                      std::mbstate_t* state);
+extern "C" std::size_t __wrap_mbrtowc(wchar_t* to, const char* from, std::size_t count,
+                                      std::mbstate_t* state) {
+  constexpr auto broken = static_cast<std::size_t>(-1), unfinished = static_cast<std::size_t>(-2);
+  static_assert(sizeof *state >= sizeof(std::uint16_t));
+  std::uint16_t waiting = 0;
+  if (state != nullptr) std::memcpy(&waiting, state, sizeof waiting);
+  const auto give = [&](std::uint32_t code, std::uint16_t next, std::size_t length) {
+    if (to != nullptr) *to = static_cast<wchar_t>(code);
+    if (state != nullptr) std::memcpy(state, &next, sizeof next);
+    return length;
+  };
+  if (from == nullptr) return 0;
+  if (count == 0) return unfinished;
+  if (waiting != 0) return give(waiting, 0, 1);
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(from[i]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return give(first, 0, first == 0 ? 0 : 1);
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4) return broken;
+  if (count < length) return unfinished;
+  std::uint32_t code = first & (0xFFU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return broken;
+    code = code << 6 | (byte(i) & 0x3FU);
+  }
+  constexpr std::uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+  if (code < least[length] || code > 0x10FFFF || (code >= 0xD800 && code < 0xE000)) return broken;
+  if (length < 4) return give(code, 0, length);
+  code -= 0x10000;
+  return give(0xD800 + (code >> 10), static_cast<std::uint16_t>(0xDC00 + (code & 0x3FF)), 3);
+}
 
 // Descriptors are those of Microsoft's C library, each of them around a handle. Files are opened so that other
 // programs may read, write, rename and delete them meanwhile, as POSIX systems have it; names in an open folder
@@ -72,6 +110,7 @@ int errno_of(DWORD fault) {
     case ERROR_INVALID_HANDLE:
       return EBADF;
     case ERROR_BROKEN_PIPE:
+    case ERROR_PIPE_NOT_CONNECTED:
     case ERROR_NO_DATA:
       return EPIPE;
     case ERROR_FILENAME_EXCED_RANGE:
