@@ -165,7 +165,8 @@ void Command::runs(Work work) {
 CommandLine::CommandLine(const std::string& title, const std::string& name)
     : app_(std::make_unique<CLI::App>(title, name)) {
   app_->require_subcommand(0, 1);
-  // Before the verbs, which take these two over.
+  // Before the verbs, which take these three over.
+  app_->allow_windows_style_options(false);  // /a is a path, on Windows too
   app_->set_help_flag("-h,--help", "help with the options that are used most");
   app_->set_help_all_flag("--help-all", "help with all options");
 }
@@ -209,10 +210,12 @@ void CommandLine::add_help_verb() {
   });
 }
 
-Work CommandLine::read(int argc, const char* const* argv) {
+Work CommandLine::read(const std::vector<std::string>& words) {
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
   use_plain_help(*app_);
   try {
-    app_->parse(argc, argv);
+    app_->parse(static_cast<int>(pointers.size()), pointers.data());
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) throw Error(message_of(*app_, error));
     // --help and --help-all. The text is written as the work of the line, so that standard output that cannot be

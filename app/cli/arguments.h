@@ -107,7 +107,8 @@ class CommandLine {
 
   /// Reads the line. Returns the work of the verb, or of --help; empty where the line names no verb. Throws
   /// Error with a text "PLACE: FOUND; expected EXPECTED" for a mistake on the line.
-  Work read(int argc, const char* const* argv);
+  ///   words   the name of the program and its arguments
+  Work read(const std::vector<std::string>& words);
 
  private:
   std::unique_ptr<CLI::App> app_;

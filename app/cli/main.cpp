@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <unistd.h>
-
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "app/cli/options/files.h"
 #include "app/cli/output/output.h"
@@ -15,6 +15,7 @@
 #include "core/base/json_text.h"
 #include "core/base/setting.h"
 #include "core/base/signals.h"
+#include "core/base/system.h"
 
 namespace etak::cli {
 namespace {
@@ -33,19 +34,19 @@ int print_version(bool as_json) {
 
 // The verb that begins the line, where it needs no other verb: to declare the options of all of them would take
 // about half the time of `etak f0 gold`. Empty where the line needs all verbs.
-std::string_view only_verb(int argc, char** argv) {
+std::string_view only_verb(const std::vector<std::string>& words) {
   constexpr std::string_view needs_all = "completion";
-  if (argc < 2 || argv[1] == needs_all) return {};
+  if (words.size() < 2 || words[1] == needs_all) return {};
   for (const std::string_view verb : {
 #define ETAK_VERB(name) #name,
 #include "app/cli/verbs.inc"
 #undef ETAK_VERB
        })
-    if (verb == argv[1]) return verb;
+    if (verb == words[1]) return verb;
   return {};
 }
 
-int run(int argc, char** argv) {
+int run(const std::vector<std::string>& words) {
   CommandLine line("etak: measured optics into materials a renderer can trust", "etak");
   bool version = false, as_json = false;
   line.top().flag("--version", version, "print the version and stop");
@@ -53,14 +54,14 @@ int run(int argc, char** argv) {
   line.top().footer(
       "Exit status: 0 done, 1 a named input was refused, 2 bad input, option or output.\n"
       "Example:\n  etak f0 gold copper");
-  const std::string_view only = only_verb(argc, argv);
+  const std::string_view only = only_verb(words);
 #define ETAK_VERB(name) \
   if (only.empty() || only == #name) add_##name(line);
 #include "app/cli/verbs.inc"
 #undef ETAK_VERB
   line.add_help_verb();
   add_input_timeout(line);
-  const Work work = line.read(argc, argv);
+  const Work work = line.read(words);
   if (version) return print_version(as_json);
   if (!work) {
     complain("no verb given; see etak --help");
@@ -71,19 +72,19 @@ int run(int argc, char** argv) {
 
 // The message where memory ran out in code that reports no file of its own: it names the largest file of the
 // line, which is the likely reason.
-std::string out_of_memory(int argc, char** argv) {
+std::string out_of_memory(const std::vector<std::string>& words) {
   std::string largest;
   std::uintmax_t most = 0;
-  for (int i = 1; i < argc; ++i) {
+  for (std::size_t i = 1; i < words.size(); ++i) {
     std::error_code failure;
-    if (!std::filesystem::is_regular_file(argv[i], failure)) continue;
-    const std::uintmax_t size = std::filesystem::file_size(argv[i], failure);
+    if (!std::filesystem::is_regular_file(words[i], failure)) continue;
+    const std::uintmax_t size = std::filesystem::file_size(words[i], failure);
     if (failure || size < most) continue;
-    largest = argv[i];
+    largest = words[i];
     most = size;
   }
   if (largest.empty())
-    return Error::at(argc > 1 ? std::string("etak ") + argv[1] : "etak", "needs more memory than there is",
+    return Error::at(words.size() > 1 ? "etak " + words[1] : "etak", "needs more memory than there is",
                      "fewer or smaller inputs at once")
         .what();
   return Error::at(largest,
@@ -101,8 +102,8 @@ namespace {
 // no handler of main() sees.
 [[noreturn]] void tell_want_and_end() {
   const auto end = [](std::string_view text) {
-    (void)!::write(STDERR_FILENO, text.data(), text.size());
-    ::_exit(etak::cli::exit_failure);
+    (void)etak::sys::write(etak::sys::standard_error, text.data(), text.size());
+    std::_Exit(etak::cli::exit_failure);
   };
   try {
     if (std::current_exception()) throw;
@@ -118,24 +119,25 @@ namespace {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::vector<std::string> words = etak::sys::start_program(argc, argv);
   etak::end_by_signals();
   etak::settings_are_options();
   // The libraries of libetak-pictures.so start threads when they are loaded, and end the program where they
   // cannot.
   std::set_terminate(tell_want_and_end);
   try {
-    return etak::cli::run(argc, argv);
+    return etak::cli::run(words);
   } catch (const etak::Error& error) {
     etak::cli::complain(error.what());
   } catch (const std::filesystem::filesystem_error& error) {
-    etak::cli::complain(etak::Error::at(etak::printable(error.path1().string(), 200), error.code().message(),
-                                        "a file or folder that can be reached")
+    etak::cli::complain(etak::Error::at(etak::printable(etak::sys::path_text(error.path1()), 200),
+                                        error.code().message(), "a file or folder that can be reached")
                             .what());
   } catch (const std::bad_alloc&) {
-    etak::cli::complain(etak::cli::out_of_memory(argc, argv));
+    etak::cli::complain(etak::cli::out_of_memory(words));
   } catch (const std::exception& error) {
     // A fault of etak. The message holds the library's own text for a bug report.
-    const std::string verb = argc > 1 ? std::string(" ") + argv[1] : "";
+    const std::string verb = words.size() > 1 ? " " + words[1] : "";
     etak::cli::complain("etak" + verb + ": internal error (" + error.what() + ")");
   }
   return etak::cli::exit_failure;

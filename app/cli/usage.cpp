@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/usage.h"
 
-#include <unistd.h>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -13,6 +11,7 @@
 #include "app/cli/output/terminal.h"
 #include "core/base/edit_distance.h"
 #include "core/base/error.h"
+#include "core/base/system.h"
 #include "core/base/text.h"
 #include "core/base/wrap.h"
 
@@ -130,14 +129,14 @@ class PlainFormatter : public CLI::Formatter {
     return out + "\n" +
            wrapped("etak " + app->get_name() + " --help-all lists " + std::to_string(count) +
                        " more: " + listed(left_out, ", ", " and ") + ".",
-                   0, columns_of(STDOUT_FILENO));
+                   0, columns_of(sys::standard_output));
   }
 
   // As the parser does, and no line longer than the terminal's.
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     const std::string name = "  " + make_option_name(option, is_positional) + make_option_opts(option);
     const std::size_t indent = get_column_width();
-    const std::string text = wrapped(make_option_desc(option), indent, columns_of(STDOUT_FILENO));
+    const std::string text = wrapped(make_option_desc(option), indent, columns_of(sys::standard_output));
     if (text.empty() || name.size() >= indent) return name + "\n" + text;
     return name + text.substr(name.size());
   }

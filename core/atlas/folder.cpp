@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/files/links.h"
 #include "core/base/setting.h"
+#include "core/base/system.h"
 
 namespace etak {
 namespace {
@@ -75,15 +76,15 @@ AtlasManifest manifest_of_folder(const std::string& folder, const std::string& p
   if (failure) throw Error::at(folder, "cannot be read: " + failure.message(), "a folder of pictures");
   for (const auto& entry : files) {
     std::string name, role;
-    if (!split(entry.path().filename().string(), pattern, name, role)) continue;
+    if (!split(sys::path_text(entry.path().filename()), pattern, name, role)) continue;
     if (!entry.is_regular_file(failure) && entry.exists(failure)) {
-      if (skipped != nullptr) skipped->push_back(entry.path().string());
+      if (skipped != nullptr) skipped->push_back(sys::path_text(entry.path()));
       continue;
     }
-    const std::string path = path_beside(folder, entry.path().filename().string());
+    const std::string path = path_beside(folder, sys::path_text(entry.path().filename()));
     ManifestMaterial& material = found[name];
     material.name = name;
-    material.place = (fs::path(folder) / name).string();
+    material.place = sys::path_text(fs::path(folder) / name);
     if (role == "normal")
       material.normal = path;
     else

@@ -11,6 +11,7 @@
 
 #include "core/base/files/links.h"
 #include "core/base/node_json.h"
+#include "core/base/system.h"
 #include "core/material/limits.h"
 #include "core/scene/gltf.h"
 
@@ -63,7 +64,7 @@ std::string read_channels(const JsonNode& image, bool color) {
 std::string read_path(const JsonNode& node, const std::filesystem::path& folder) {
   const std::string text = node.text();
   if (text.empty() || text.find('\0') != text.npos) node.fail_type("a file name");
-  return path_beside(folder.string(), text);
+  return path_beside(sys::path_text(folder), text);
 }
 
 }  // namespace

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/signals.h"
 
-#include <dirent.h>
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -33,38 +27,18 @@ std::atomic<int> held{0};  // threads that hold signals
 thread_local int held_here = 0;
 std::atomic<int> ending{0};  // the signal that ends the program
 
-// Removes the files of a folder; false where nothing could be removed.
-bool remove_files(int folder) {
-  bool removed = false;
-  ::lseek(folder, 0, SEEK_SET);
-  // Aligned as the kernel writes its records.
-  alignas(dirent64) std::array<char, 8192> records{};
-  for (;;) {
-    const long length = ::syscall(SYS_getdents64, folder, records.data(), records.size());
-    if (length <= 0) return removed;
-    for (long at = 0; at < length;) {
-      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the kernel's records
-      const auto* const record = reinterpret_cast<const dirent64*>(records.data() + at);
-      const char* const name = static_cast<const char*>(record->d_name);
-      const bool dots = std::strcmp(name, ".") == 0 || std::strcmp(name, "..") == 0;
-      if (!dots && ::unlinkat(folder, name, 0) == 0) removed = true;
-      at += record->d_reclen;
-    }
-  }
-}
-
 void remove_entry(const Entry& entry) {
   const char* const name = entry.name.data();
   if (entry.opened < 0) {
-    ::unlinkat(entry.folder, name, 0);
+    sys::remove_in(entry.folder, name);
     return;
   }
   // Nothing is removed where the name stands for another folder than the open one by now.
   if (!stands_for(entry.folder, name, entry.opened)) return;
   // Other threads may still make files in the folder for a moment.
-  while (::unlinkat(entry.folder, name, AT_REMOVEDIR) != 0) {
-    if (!remove_files(entry.opened)) {
-      ::unlinkat(entry.folder, name, AT_REMOVEDIR);
+  while (!sys::remove_folder_in(entry.folder, name)) {
+    if (!sys::remove_files_of(entry.opened)) {
+      sys::remove_folder_in(entry.folder, name);
       return;
     }
   }
@@ -73,15 +47,7 @@ void remove_entry(const Entry& entry) {
 [[noreturn]] void clean_and_end() {
   for (const Entry& entry : entries)
     if (entry.state == Entry::remembered) remove_entry(entry);
-  const int number = ending;
-  ::signal(number, SIG_DFL);
-  sigset_t only;
-  ::sigemptyset(&only);
-  ::sigaddset(&only, number);
-  ::pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
-  ::raise(number);
-  // The first process of a container does not die of a signal.
-  ::_exit(128 + number);
+  sys::end_by(ending);
 }
 
 void handle(int number) {
@@ -93,16 +59,7 @@ void handle(int number) {
 }  // namespace
 
 void end_by_signals() {
-  struct sigaction action {};
-  action.sa_handler = handle;
-  action.sa_flags = SA_RESTART;
-  ::sigemptyset(&action.sa_mask);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction before {};
-    if (::sigaction(number, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
-      ::sigaction(number, &action, nullptr);
-  }
-  ::signal(SIGXFSZ, SIG_IGN);
+  sys::on_end(handle);
 }
 
 SignalsHeld::SignalsHeld() {
@@ -112,7 +69,7 @@ SignalsHeld::SignalsHeld() {
   if (ending == 0) return;
   // A signal has come: no new work begins, and the last thread that held it back ends the program.
   if (--held == 0) clean_and_end();
-  for (;;) ::pause();
+  sys::wait_for_end();
 }
 
 SignalsHeld::~SignalsHeld() {

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/exchange/data_folder.h"
 
-#include <dirent.h>
-#include <fcntl.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <set>
 #include <utility>
 
 #include "core/base/ascii.h"
 #include "core/base/error.h"
+#include "core/base/files/descriptor.h"
 #include "core/base/parallel.h"
 #include "core/exchange/material_file.h"
 
 namespace etak {
 namespace {
 
-using Identity = std::pair<dev_t, ino_t>;
+using Identity = std::pair<std::uint64_t, std::uint64_t>;
+using Kind = sys::FileInfo::Kind;
 
 // What one folder holds; paths whole, folders with '/' at the end.
 struct Listing {
@@ -29,52 +28,52 @@ struct Listing {
 };
 
 bool is_folder(const std::string& path) {
-  struct stat info {};
-  return ::stat(path.c_str(), &info) == 0 && S_ISDIR(info.st_mode);
+  sys::FileInfo info;
+  return sys::file_info(path, info) && info.kind == Kind::folder;
 }
 
 bool exists(const std::string& path) {
-  struct stat info {};
-  return ::stat(path.c_str(), &info) == 0;
+  sys::FileInfo info;
+  return sys::file_info(path, info);
 }
 
 enum class EntryKind { file, folder, linked_folder, other };
 
-EntryKind entry_kind(DIR* folder, const dirent& entry) {
-  if (entry.d_type == DT_REG) return EntryKind::file;
-  if (entry.d_type == DT_DIR) return EntryKind::folder;
-  if (entry.d_type != DT_LNK && entry.d_type != DT_UNKNOWN) return EntryKind::other;
-  struct stat info {};
+EntryKind entry_kind(int folder, const sys::FolderReader::Entry& entry) {
+  if (entry.kind == Kind::file) return EntryKind::file;
+  if (entry.kind == Kind::folder) return EntryKind::folder;
+  if (entry.kind && entry.kind != Kind::link) return EntryKind::other;
+  sys::FileInfo info;
   // A dangling link counts as a file, so that reading it gives the message.
-  if (::fstatat(::dirfd(folder), entry.d_name, &info, 0) != 0) return EntryKind::file;
-  if (S_ISREG(info.st_mode)) return EntryKind::file;
-  if (!S_ISDIR(info.st_mode)) return EntryKind::other;
-  struct stat link {};
-  const bool linked =
-      ::fstatat(::dirfd(folder), entry.d_name, &link, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(link.st_mode);
+  if (!sys::file_info_in(folder, entry.name, info, true)) return EntryKind::file;
+  if (info.kind == Kind::file) return EntryKind::file;
+  if (info.kind != Kind::folder) return EntryKind::other;
+  sys::FileInfo link;
+  const bool linked = sys::file_info_in(folder, entry.name, link) && link.kind == Kind::link;
   return linked ? EntryKind::linked_folder : EntryKind::folder;
 }
 
 Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
   Listing out;
-  DIR* folder = ::opendir(path.c_str());
-  if (folder == nullptr) {
+  Descriptor opened(sys::open_file(path, sys::Open::folder));
+  sys::FolderReader folder(opened.get());
+  if (!folder) {
     out.failure = reason_of(errno);
     return out;
   }
-  struct stat info {};
-  if (::fstat(::dirfd(folder), &info) == 0) out.identity = {info.st_dev, info.st_ino};
-  while (const dirent* entry = ::readdir(folder)) {
-    if (entry->d_name[0] == '.') continue;
-    const EntryKind kind = entry_kind(folder, *entry);
-    if ((kind == EntryKind::file || kind == EntryKind::other) && keep(entry->d_name))
-      (kind == EntryKind::file ? out.files : out.skipped).push_back(path + entry->d_name);
+  (void)opened.release();
+  sys::FileInfo info;
+  if (sys::file_info(folder.folder(), info)) out.identity = {info.device, info.number};
+  for (sys::FolderReader::Entry entry; folder.next(entry);) {
+    if (entry.name[0] == '.') continue;
+    const EntryKind kind = entry_kind(folder.folder(), entry);
+    if ((kind == EntryKind::file || kind == EntryKind::other) && keep(entry.name))
+      (kind == EntryKind::file ? out.files : out.skipped).push_back(path + entry.name);
     else if (kind == EntryKind::folder)
-      out.folders.push_back(path + entry->d_name + '/');
+      out.folders.push_back(path + entry.name + '/');
     else if (kind == EntryKind::linked_folder)
-      out.linked_folders.push_back(path + entry->d_name + '/');
+      out.linked_folders.push_back(path + entry.name + '/');
   }
-  ::closedir(folder);
   return out;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/exchange/material_input.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "core/base/error.h"
@@ -118,19 +117,20 @@ MaterialFileKind kind_of_pipe(const std::string& path, const std::string& format
 
 void add_name(const std::string& name, const InputNames& asked, const LibraryWhenAsked& library,
               unsigned threads, std::vector<std::string>* remarks, std::vector<MaterialInput>& out) {
-  struct stat info {};
-  const bool exists = ::stat(name.c_str(), &info) == 0;
+  sys::FileInfo info;
+  const bool exists = sys::file_info(name, info);
   const MaterialFileKind kind = material_file_kind(name);
   const bool pipe = is_pipe_input(name);
-  const bool path_like = name.starts_with('/') || name.starts_with('.') || name.ends_with('/') ||
-                         (pipe && typed_input(name) != name);
+  const bool path_like = std::filesystem::path(name).has_root_path() || name.starts_with('.') ||
+                         name.ends_with('/') || (pipe && typed_input(name) != name);
   if (!path_like && kind == MaterialFileKind::none && add_material(name, asked, library, exists, out)) return;
-  if (exists && S_ISDIR(info.st_mode)) return add_folder(name, asked, threads, remarks, out);
+  if (exists && info.kind == sys::FileInfo::Kind::folder)
+    return add_folder(name, asked, threads, remarks, out);
   if (pipe && kind == MaterialFileKind::none) {
     out.push_back(file_input(name, kind_of_pipe(name, asked.pipe_format), asked));
     return;
   }
-  if (kind == MaterialFileKind::none && exists && S_ISREG(info.st_mode))
+  if (kind == MaterialFileKind::none && exists && info.kind == sys::FileInfo::Kind::file)
     throw Error::at(name, "has no ending that etak knows",
                     ".yml, .csv, .tsv, .txt, .dat or .json, or - for standard input");
   if (!exists && !path_like && kind == MaterialFileKind::none)

@@ -9,15 +9,12 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/system.h"
 #include "core/base/text.h"
 #include "core/material/embedded/blob.h"
+#include "core/material/embedded/library_words.h"
 #include "core/material/json.h"
 #include "core/material/names.h"
-
-// The bytes of encode_library(materials/**.json, resources/unmeasured.json), put into the program by
-// library_blob.S.
-extern "C" const char etak_library_begin[];
-extern "C" const char etak_library_end[];
 
 namespace etak {
 namespace {
@@ -25,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string_view builtin_blob() {
-  return {etak_library_begin, static_cast<std::size_t>(etak_library_end - etak_library_begin)};
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): words as bytes
+  return {reinterpret_cast<const char*>(library_words), library_bytes};
 }
 
 std::vector<std::string> json_files(const std::string& folder, std::vector<std::string>* skipped) {
@@ -37,9 +35,9 @@ std::vector<std::string> json_files(const std::string& folder, std::vector<std::
     if (status) throw Error::at(folder, "cannot be read: " + status.message());
     if (it->path().extension() != ".json" || it->is_directory(status)) continue;
     if (it->is_regular_file(status))
-      files.push_back(it->path().string());
+      files.push_back(sys::path_text(it->path()));
     else if (skipped != nullptr)
-      skipped->push_back(it->path().string());
+      skipped->push_back(sys::path_text(it->path()));
   }
   if (files.empty()) throw Error::at(folder, "no *.json", "material files");
   std::sort(files.begin(), files.end());

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/free_names.h"
+#include "core/base/system.h"
 #include "core/exchange/engine_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
@@ -222,7 +223,7 @@ class PictureFolder {
  public:
   explicit PictureFolder(const std::string& document)
       : folder_(std::filesystem::path(document).parent_path()),
-        stem_(std::filesystem::path(document).stem().string()) {}
+        stem_(sys::path_text(std::filesystem::path(document).stem())) {}
 
   /// Makes names of the bytes.
   void take(const std::string& material, MaterialXPictures& pictures) {
@@ -253,7 +254,7 @@ class PictureFolder {
 
   // False where another file has the name.
   bool write(const std::string& name, const std::string& bytes) const {
-    const std::string path = (folder_ / name).string();
+    const std::string path = sys::path_text(folder_ / name);
     std::error_code missing;
     if (std::filesystem::exists(std::filesystem::symlink_status(path, missing))) {
       std::error_code error;

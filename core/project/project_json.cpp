@@ -5,6 +5,7 @@
 
 #include "core/atlas/material_nodes_json.h"
 #include "core/base/json_text.h"
+#include "core/base/system.h"
 #include "core/image/image.h"
 #include "core/light/studio.h"
 #include "core/material/json.h"
@@ -65,7 +66,7 @@ class Reader {
       const JsonNode lights = node.at("lights");
       out.lights = parse_lights(lights.value.dump(), std::string(node.file) + '#' + lights.pointer);
       if (!out.lights.environment.empty() && find_studio(out.lights.environment) == nullptr)
-        out.lights.environment = path_beside(folder_.string(), out.lights.environment);
+        out.lights.environment = path_beside(sys::path_text(folder_), out.lights.environment);
     }
     if (node.has("environment_turn_deg"))
       out.environment_turn_deg = ranged(node.at("environment_turn_deg"), -360, 360);
@@ -244,9 +245,9 @@ class Writer {
   std::string path(const std::string& picture) const {
     std::error_code failure;
     const fs::path whole = fs::absolute(picture, failure).lexically_normal();
-    if (folder_.empty()) return whole.string();
+    if (folder_.empty()) return sys::path_text(whole);
     const fs::path near = whole.lexically_relative(folder_);
-    return near.empty() || *near.begin() == ".." ? whole.string() : near.generic_string();
+    return near.empty() || *near.begin() == ".." ? sys::path_text(whole) : near.generic_string();
   }
 
   std::string view(const ProjectView& view) const {

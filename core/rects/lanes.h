@@ -14,7 +14,8 @@ using Lanes [[gnu::vector_size(32)]] = int;
 inline constexpr int lane_count = 8;
 
 // Not under the thread sanitizer, which is not ready yet when the choice is made.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
+#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_THREAD__)
 #define LANES_FUNCTION __attribute__((target_clones("default", "avx2")))
 #else
 #define LANES_FUNCTION

@@ -9,6 +9,7 @@
 #include "core/base/files/input.h"
 #include "core/base/files/links.h"
 #include "core/base/memory.h"
+#include "core/base/system.h"
 #include "core/exchange/content_kind.h"
 #include "core/scene/glb.h"
 #include "core/scene/uri.h"
@@ -45,7 +46,7 @@ void check_head(const GltfDocument& document) {
 }
 
 std::string beside(std::string_view scene, const std::string& file) {
-  return path_beside(std::filesystem::path(scene).parent_path().string(), file);
+  return path_beside(sys::path_text(std::filesystem::path(scene).parent_path()), file);
 }
 
 std::vector<std::string> buffers_of(const GltfDocument& document,
@@ -192,7 +193,8 @@ GltfFiles files_of_gltf(const std::string& path) {
     const auto folder = std::filesystem::path(path).parent_path();
     each_file(*read, [&](const Json& uri, bool picture) {
       try {
-        out.all.push_back((folder / file_of_uri(uri.get<std::string>(), path)).lexically_normal().string());
+        out.all.push_back(
+            sys::path_text((folder / file_of_uri(uri.get<std::string>(), path)).lexically_normal()));
       } catch (const Error&) {
         return;
       }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "core/base/system.h"
 #include "core/scene/uri.h"
 
 namespace etak {
@@ -51,7 +52,7 @@ std::map<std::string, std::string> names_beside(const GltfRewrite& rewrite) {
     std::string& name = out[uri.get<std::string>()];
     if (!name.empty()) return;
     const std::string file = file_of_uri(uri.get<std::string>(), rewrite.scene.path);
-    const std::string plain = name = std::filesystem::path(file).filename().string();
+    const std::string plain = name = sys::path_text(std::filesystem::path(file).filename());
     for (int i = 1; !taken.insert(name).second; ++i) name = std::to_string(i) + "_" + plain;
   });
   return out;
@@ -134,7 +135,7 @@ WrittenGltf written(const GltfScene& scene, const GltfOutput& output) {
   const auto folder = std::filesystem::path(scene.path).parent_path();
   for (const auto& [uri, name] : names)
     if (used.contains(uri_of_file(name)))
-      out.files.push_back({(folder / file_of_uri(uri, scene.path)).string(), name});
+      out.files.push_back({sys::path_text(folder / file_of_uri(uri, scene.path)), name});
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
+#include "core/base/system.h"
 #include "core/base/text.h"
 #include "core/validate/nearest.h"
 #include "core/validate/rules.h"
@@ -37,7 +38,7 @@ std::string find_config(const std::string& path) {
     if (fs::is_regular_file(candidate, failure)) {
       // Messages name the file relative to the working folder where it lies below that.
       const fs::path near = candidate.lexically_relative(fs::current_path(failure));
-      return near.empty() || *near.begin() == ".." ? candidate.string() : near.string();
+      return near.empty() || *near.begin() == ".." ? sys::path_text(candidate) : sys::path_text(near);
     }
     if (folder == folder.parent_path()) return {};
   }

@@ -32,6 +32,7 @@ struct NoToml {};
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
+#include "core/base/system.h"
 #include "core/base/text.h"
 #include "core/validate/config.h"
 #include "core/validate/rules.h"
@@ -386,7 +387,7 @@ ValidateConfig read_config(const std::string& file) {
   out.file = file;
   const fs::path root =
       file.empty() ? fs::current_path(failure) : fs::absolute(file, failure).lexically_normal().parent_path();
-  out.root = root.string();
+  out.root = sys::path_text(root);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <ctime>
 #include <filesystem>
 
+#include "core/base/system.h"
 #include "core/validate/engine.h"
 #include "core/validate/rules.h"
 #include "core/validate/suppress.h"
@@ -12,9 +13,7 @@ namespace etak {
 namespace {
 
 std::string system_date() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  ::localtime_r(&now, &parts);
+  const std::tm parts = sys::local_time(std::time(nullptr));
   std::array<char, 16> text{};
   return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts)};
 }
@@ -28,7 +27,7 @@ void mark_allowed(ValidationReport& report, const ValidateConfig& config, const 
                        [&](const Rule* rule) { return severity_of(*rule, settings) != Severity::off; });
   };
   const std::string today = run.today.empty() ? system_date() : run.today;
-  const std::string label = std::filesystem::path(config.file).filename().string();
+  const std::string label = sys::path_text(std::filesystem::path(config.file).filename());
   apply_allowances(report, settings.allow,
                    {today, label, severity_of(*find_rule("ETK903"), settings), run.whole_tree, is_active});
 }

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/f0/run.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <optional>
 #include <set>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/empty_list.h"
@@ -21,6 +16,7 @@
 #include "core/base/files/input.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/system.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
 #include "core/pages/f0/worker.h"
@@ -166,7 +162,7 @@ void print_remarks(const F0Arguments& arguments, std::size_t inputs, const Tally
 void hint_at_policy(const F0Arguments& arguments, const F0Options& options) {
   const OutputArguments& output = arguments.output;
   if (output.format != "table" || arguments.verbose || !is_standard_output(output)) return;
-  if (::isatty(STDOUT_FILENO) != 0)
+  if (sys::is_terminal(sys::standard_output))
     remark(output, short_policy(options) + "; -v tells the whole policy and what the flags mean");
 }
 
@@ -185,11 +181,8 @@ void print_stats(const F0StageTimes& times, double find, double wall, std::size_
 // pages that it reads; memory that is given back to the system comes again with page faults, for which
 // threads wait.
 void keep_worker_memory() {
-#ifdef __GLIBC__
   constexpr int kept_bytes = 64 << 20;
-  mallopt(M_TRIM_THRESHOLD, kept_bytes);
-  mallopt(M_MMAP_THRESHOLD, kept_bytes);
-#endif
+  sys::keep_freed_memory(kept_bytes, kept_bytes);
 }
 
 using Clock = std::chrono::steady_clock;
@@ -288,7 +281,7 @@ class F0Run {
     const F0Options& options = job_.solver.options();
     if (output.format == "json") text_ = f0_json(rows_, options);
     if (output.format == "table") {
-      const std::size_t columns = is_standard_output(output) ? columns_of(STDOUT_FILENO) : 0;
+      const std::size_t columns = is_standard_output(output) ? columns_of(sys::standard_output) : 0;
       text_ = f0_table(rows_, options, use_color(output), columns);
       if (arguments_.verbose && !output.quiet) text_ += f0_legend(rows_, options, columns);
     }

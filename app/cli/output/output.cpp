@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/output/output.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdlib>
 
@@ -16,7 +14,8 @@ namespace etak::cli {
 namespace {
 
 void write_standard_output(std::string_view bytes) {
-  if (!write_all(STDOUT_FILENO, bytes)) throw Error::at("<stdout>", "cannot be written: " + reason_of(errno));
+  if (!write_all(sys::standard_output, bytes))
+    throw Error::at("<stdout>", "cannot be written: " + reason_of(errno));
 }
 
 // Standard output is written in prepare(), before other outputs are put in place, because the program that
@@ -68,7 +67,7 @@ bool use_color(const OutputArguments& arguments) {
   // The order of precedence is that of no-color.org and bixense.com/clicolors.
   if (!is_standard_output(arguments) || !variable("NO_COLOR").empty()) return false;
   if (const auto forced = variable("CLICOLOR_FORCE"); !forced.empty() && forced != "0") return true;
-  return ::isatty(STDOUT_FILENO) != 0 && variable("CLICOLOR") != "0" && variable("TERM") != "dumb";
+  return sys::is_terminal(sys::standard_output) && variable("CLICOLOR") != "0" && variable("TERM") != "dumb";
 }
 
 std::unique_ptr<Output> output(const OutputArguments& arguments, std::string bytes) {
@@ -83,7 +82,7 @@ void write_output(const OutputArguments& arguments, std::string_view bytes) {
 
 void complain(std::string_view message) {
   // Where standard error cannot be written, there is no other place for the message.
-  (void)write_all(STDERR_FILENO, "etak: " + line_text(message) + "\n");
+  (void)write_all(sys::standard_error, "etak: " + line_text(message) + "\n");
 }
 
 void remark(const OutputArguments& arguments, std::string_view message) {

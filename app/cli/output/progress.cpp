@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/output/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 
 #include "app/cli/output/terminal.h"
@@ -37,7 +35,7 @@ void add_progress_option(Command verb, std::string& progress) {
 Progress::Mode Progress::mode_of(const OutputArguments& arguments) {
   if (arguments.quiet || arguments.progress == "none") return Mode::none;
   if (arguments.progress == "json") return Mode::json;
-  return ::isatty(STDERR_FILENO) != 0 ? Mode::line : Mode::none;
+  return sys::is_terminal(sys::standard_error) ? Mode::line : Mode::none;
 }
 
 Progress::Progress(const OutputArguments& arguments, std::size_t total, std::string_view task)
@@ -53,7 +51,7 @@ Progress::~Progress() {
 
 void Progress::take_away() {
   // Where standard error cannot be written, there is no other place for a message.
-  if (mode_ == Mode::line && shown_) (void)write_all(STDERR_FILENO, "\r\x1b[K");
+  if (mode_ == Mode::line && shown_) (void)write_all(sys::standard_error, "\r\x1b[K");
 }
 
 void Progress::advance(std::size_t count, unsigned worker) {
@@ -100,9 +98,9 @@ void Progress::draw_line() const {
            std::to_string(done), "/", std::to_string(total_), " ");
   }
   append(line, task_, stage_.empty() ? "" : " ", stage_, ", ", fixed(seconds(), 0), " s");
-  const std::size_t columns = columns_of(STDERR_FILENO);
+  const std::size_t columns = columns_of(sys::standard_error);
   // The last column stays free: a character there would make some terminals begin a new line.
-  (void)write_all(STDERR_FILENO, "\r\x1b[K" + cut(line, columns == 0 ? 79 : columns - 1));
+  (void)write_all(sys::standard_error, "\r\x1b[K" + cut(line, columns == 0 ? 79 : columns - 1));
 }
 
 void Progress::write_object(bool ended) const {
@@ -113,7 +111,7 @@ void Progress::write_object(bool ended) const {
                                 {"total", json(total_)},
                                 {"seconds", fixed(seconds(), 3)},
                                 {"ended", json(ended)}};
-  (void)write_all(STDERR_FILENO, json_object(members, -1) + "\n");
+  (void)write_all(sys::standard_error, json_object(members, -1) + "\n");
 }
 
 }  // namespace etak::cli

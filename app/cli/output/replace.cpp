@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/output/replace.h"
 
-#include <sys/stat.h>
-
 #include <cstdlib>
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/output_target.h"
+#include "core/base/system.h"
 #include "core/validate/user_config.h"
 
 namespace etak::cli {
@@ -22,16 +22,17 @@ std::string variable(const char* name) {
 
 // A relative path in XDG_CONFIG_HOME is ignored, as the XDG Base Directory Specification demands.
 std::string user_config_file() {
-  if (const std::string home = variable("XDG_CONFIG_HOME"); home.starts_with('/'))
+  if (const std::string home = variable("XDG_CONFIG_HOME"); std::filesystem::path(home).has_root_directory())
     return home + "/etak/config.toml";
+  if (const std::string home = sys::settings_folder(); !home.empty()) return home + "/etak/config.toml";
   const std::string home = variable("HOME");
   return home.empty() ? "" : home + "/.config/etak/config.toml";
 }
 
 UserConfig user_config() {
   const std::string file = user_config_file();
-  struct stat info {};
-  if (file.empty() || ::stat(file.c_str(), &info) != 0) return {};
+  sys::FileInfo info;
+  if (file.empty() || !sys::file_info(file, info)) return {};
   return parse_user_config(read_file(file), file);
 }
 

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/system.h"
 
 namespace etak::cli {
 namespace {
@@ -42,7 +43,7 @@ Stamps stamps(const std::string& input, const std::string& out) {
     if (!it->is_regular_file(gone)) continue;
     const auto time = it->last_write_time(gone);
     const auto size = it->file_size(gone);
-    if (!gone) found[it->path().string()] = {time, size};
+    if (!gone) found[sys::path_text(it->path())] = {time, size};
   }
   return found;
 }
@@ -55,7 +56,7 @@ int pack_batch(PackArguments& line) {
   const std::vector<PackSettings> jobs = parse_pack_jobs(read_file(line.batch), line.batch, line.settings);
   std::map<std::string, std::size_t> outs;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
-    const auto [same, fresh] = outs.try_emplace(fs::path(jobs[i].out).lexically_normal().string(), i);
+    const auto [same, fresh] = outs.try_emplace(sys::path_text(fs::path(jobs[i].out).lexically_normal()), i);
     if (!fresh)
       throw Error::at(line.batch + "#/jobs/" + std::to_string(i) + "/out",
                       jobs[i].out + " is that of job " + std::to_string(same->second) + " too",

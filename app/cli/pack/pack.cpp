@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/pack/pack.h"
 
-#include <cstdlib>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -25,6 +21,7 @@
 #include "core/base/files/output_target.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
+#include "core/base/system.h"
 #include "core/project/project_pack.h"
 #include "core/validate/check_pack.h"
 #include "core/validate/output/formats.h"
@@ -81,11 +78,7 @@ void say(const PackArguments& a, const PackResult& report, const PackCheck* chec
 // back to the kernel, their memory would come again with page faults that cost more than the work on the
 // texels.
 void keep_memory_of_regions() {
-#ifdef __GLIBC__
-  (void)::mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  (void)::mallopt(M_TRIM_THRESHOLD, 512 << 20);
-  (void)::mallopt(M_TOP_PAD, 16 << 20);
-#endif
+  sys::keep_freed_memory(32 << 20, 512 << 20, 16 << 20);
 }
 
 // The path of the OpenColorIO config in use, because a change of its bytes is a change of the input; empty

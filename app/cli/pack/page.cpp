@@ -7,6 +7,7 @@
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/output_file.h"
+#include "core/base/system.h"
 #include "core/image/files/png.h"
 #include "core/pages/validation_pictures.h"
 
@@ -107,7 +108,8 @@ bool is_in_atlas_folder(const PackArguments& arguments) {
 std::unique_ptr<Output> PackPage::output(const PackResult& result, const ValidationReport* findings,
                                          OutputFolder* folder) {
   if (arguments_.page_report.empty()) return nullptr;
-  data_.title = "Atlas of " + std::filesystem::path(result.input).lexically_normal().filename().string();
+  data_.title =
+      "Atlas of " + sys::path_text(std::filesystem::path(result.input).lexically_normal().filename());
   data_.layout = result.layout;
   data_.left_out = result.left_out.lines;
   data_.before = result.left_out.before;
@@ -115,7 +117,7 @@ std::unique_ptr<Output> PackPage::output(const PackResult& result, const Validat
   data_.findings = findings;
   if (folder == nullptr || !is_in_atlas_folder(arguments_))
     return std::make_unique<OutputFile>(arguments_.page_report, atlas_page(data_), true);
-  folder->write(std::filesystem::path(arguments_.page_report).filename().string(), atlas_page(data_));
+  folder->write(sys::path_text(std::filesystem::path(arguments_.page_report).filename()), atlas_page(data_));
   return nullptr;
 }
 

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/pictures/pictures.h"
 
-#include <dlfcn.h>
-#include <pthread.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <climits>
-#include <latch>
 
 #include "core/base/error.h"
+#include "core/base/system.h"
 
 namespace etak::cli {
 namespace {
@@ -22,49 +16,15 @@ constexpr const char* module_file = "libetak-pictures.so";
 // it. The module is looked for in no other place, such as the working folder or the search path of the
 // loader: a file of its name there may be anybody's.
 std::string program_folder() {
-  std::array<char, PATH_MAX> path{};
-  const ssize_t length = ::readlink("/proc/self/exe", path.data(), path.size());
-  if (length <= 0 || path[0] != '/' || static_cast<std::size_t>(length) == path.size()) return {};
-  const std::string whole(path.data(), static_cast<std::size_t>(length));
+  const std::string whole = sys::program_path();
   return whole.substr(0, whole.rfind('/') + 1);
 }
 
 // Address space and threads that the libraries of the module take while the loader initialises them.
 // Liblog4cplus, which Debian's OpenImageIO links, starts its threads then, and ends or halts the process
-// where it cannot. Therefore has_room() asks before.
+// where it cannot. Therefore sys::has_room() is asked before.
 constexpr std::size_t library_bytes = std::size_t{448} << 20;
 constexpr std::size_t library_threads = 4;
-
-// Whether the process may have that many threads more. Threads of the system, since those of the standard library
-// free memory when they end, for which the C library would give each a heap of 64 MiB of addresses and keep it.
-bool may_start_threads() {
-  std::latch all_started(1);
-  std::array<pthread_t, library_threads> threads{};
-  std::size_t started = 0;
-  const auto wait = [](void* latch) -> void* {
-    static_cast<std::latch*>(latch)->wait();
-    return nullptr;
-  };
-  while (started < threads.size() && ::pthread_create(&threads[started], nullptr, wait, &all_started) == 0)
-    ++started;
-  all_started.count_down();
-  for (std::size_t i = 0; i < started; ++i) ::pthread_join(threads[i], nullptr);
-  return started == threads.size();
-}
-
-// Whether the process may have that many addresses more.
-bool has_addresses() {
-  void* const room =
-      ::mmap(nullptr, library_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (room == MAP_FAILED) return false;
-  ::munmap(room, library_bytes);
-  return true;
-}
-
-// The threads come first, since the C library keeps their stacks.
-bool has_room() {
-  return may_start_threads() && has_addresses();
-}
 
 struct OpenModule {
   const PicturesModule* module = nullptr;
@@ -79,22 +39,22 @@ OpenModule open_module() {
     return {nullptr, "the folder of etak, where it lies, cannot be told without /proc/self/exe"};
   const std::array candidates{here + module_file, here + ETAK_MODULES_FROM_BIN + "/" + module_file};
   const auto there = std::find_if(candidates.begin(), candidates.end(),
-                                  [](const std::string& file) { return ::access(file.c_str(), R_OK) == 0; });
+                                  [](const std::string& file) { return sys::may_read(file); });
   if (there == candidates.end()) return {nullptr, "is neither " + candidates[0] + " nor " + candidates[1]};
-  if (!has_room())
+  if (!sys::has_room(library_threads, library_bytes))
     return {nullptr, "there is not room for its libraries: 448 MiB of addresses and four threads"};
-  void* const module = ::dlopen(there->c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* const module = sys::open_library(*there);
   using Open = const PicturesModule* (*)();
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the one way from a symbol to a function
-  const auto open =
-      module == nullptr ? nullptr : reinterpret_cast<Open>(::dlsym(module, "etak_pictures_module"));
+  const auto open = module == nullptr
+                        ? nullptr
+                        : reinterpret_cast<Open>(sys::library_symbol(module, "etak_pictures_module"));
   if (open != nullptr) {
     const PicturesModule* const found = open();
     if (found->version == std::string_view(ETAK_VERSION)) return {found, {}};
     return {nullptr, *there + " is of etak " + found->version + ", not " + ETAK_VERSION};
   }
-  const char* const why = ::dlerror();
-  return {nullptr, "cannot be opened: " + std::string(why == nullptr ? "" : why)};
+  return {nullptr, "cannot be opened: " + sys::library_fault()};
 }
 
 }  // namespace

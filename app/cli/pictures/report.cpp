@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/files/output_folder.h"
 #include "core/base/files/output_target.h"
+#include "core/base/system.h"
 #include "core/base/text.h"
 #include "core/pages/error_time_report.h"
 #include "core/pages/stability_report.h"
@@ -54,7 +55,7 @@ void check_report_folder(const ReportArguments& arguments, const std::vector<Fam
   std::vector<std::string> names{"report.html", "report.json", "report.csv"};
   std::error_code failure;
   for (const auto& entry : std::filesystem::directory_iterator(arguments.folder, failure)) {
-    const std::string name = entry.path().filename().string();
+    const std::string name = sys::path_text(entry.path().filename());
     const auto is_plot = [&](const FamilyEntry& each) {
       return name.starts_with(std::string(each.id) + "-");
     };

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/validate/changed.h"
 
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/base/files/descriptor.h"
+#include "core/base/system.h"
 
 namespace etak::cli {
 namespace {
@@ -26,31 +21,11 @@ constexpr const char* option = "--changed-since";
 std::string git(const std::string& folder, std::vector<std::string> words, const std::string& given,
                 const char* expected) {
   words.insert(words.begin(), {"git", "-C", folder});
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Error::at("git", "cannot be run: " + reason_of(errno));
-  Descriptor from(ends[0]), to(ends[1]);
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_adddup2(&actions, to.get(), STDOUT_FILENO);
-  pid_t process = 0;
-  const int failure = ::posix_spawnp(&process, "git", &actions, nullptr, arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (failure != 0) throw Error::at(option, "git cannot be run: " + reason_of(failure), "git in PATH");
-  to = Descriptor();
   std::string out;
-  std::array<char, 1 << 16> block{};
-  for (;;) {
-    const ssize_t got = ::read(from.get(), block.data(), block.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) break;
-    out.append(block.data(), static_cast<std::size_t>(got));
-  }
   int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw Error::at(option, given, expected);
+  if (!sys::run_program(words, out, status))
+    throw Error::at(option, "git cannot be run: " + reason_of(errno), "git in PATH");
+  if (status != 0) throw Error::at(option, given, expected);
   return out;
 }
 
@@ -58,7 +33,7 @@ std::string git(const std::string& folder, std::vector<std::string> words, const
 void add_names(std::string_view list, const fs::path& folder, std::vector<std::string>& out) {
   while (!list.empty()) {
     const std::size_t end = std::min(list.find('\0'), list.size());
-    if (end > 0) out.push_back((folder / list.substr(0, end)).lexically_normal().string());
+    if (end > 0) out.push_back(sys::path_text((folder / list.substr(0, end)).lexically_normal()));
     list.remove_prefix(std::min(end + 1, list.size()));
   }
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <unistd.h>
-
 #include <memory>
 
 #include "app/cli/output/output.h"
 #include "app/cli/output/terminal.h"
 #include "app/cli/verbs.h"
+#include "core/base/system.h"
 #include "core/validate/config.h"
 #include "core/validate/output/explain.h"
 #include "core/validate/rules.h"
@@ -32,7 +31,7 @@ int run(const ExplainArguments& arguments) {
     for (const Rule* rule : meant) {
       if (!out.empty()) out += '\n';
       out += arguments.output.format == "markdown" ? explanation_markdown(*rule)
-                                                   : explanation(*rule, columns_of(STDOUT_FILENO));
+                                                   : explanation(*rule, columns_of(sys::standard_output));
     }
   }
   write_output(arguments.output, out);

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/pack/earlier.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/setting.h"
+#include "core/base/system.h"
 
 namespace etak {
 namespace {
 
 bool exists(const std::string& path) {
-  struct stat info {};
-  return ::stat(path.c_str(), &info) == 0;
+  sys::FileInfo info;
+  return sys::file_info(path, info);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "core/atlas/pack/settings.h"
 #include "core/base/node_json.h"
+#include "core/base/system.h"
 
 namespace etak {
 namespace {
@@ -39,7 +40,7 @@ struct SettingReader {
     const std::vector<std::string> words = row.word_list();
     if (!words.empty() && std::find(words.begin(), words.end(), text) == words.end())
       node.fail_type(row.words);
-    to.*member = row.is(PackSettingRow::file) ? (folder / text).string() : std::move(text);
+    to.*member = row.is(PackSettingRow::file) ? sys::path_text(folder / text) : std::move(text);
   }
 };
 
@@ -53,8 +54,8 @@ PackSettings read_job(const JsonNode& job, const std::filesystem::path& folder, 
     if (key != "input" && key != "out" && std::none_of(rows.begin(), rows.end(), is_named))
       job.fail("unknown key " + in_quotes(key));
   }
-  out.input = (folder / job.at("input").text()).string();
-  out.out = (folder / job.at("out").text()).string();
+  out.input = sys::path_text(folder / job.at("input").text());
+  out.out = sys::path_text(folder / job.at("out").text());
   for (const PackSettingRow& row : rows)
     if (!row.is(PackSettingRow::line_only) && job.has(row.name)) {
       const JsonNode node = job.at(row.name);

@@ -7,6 +7,7 @@
 #include "core/base/files/file.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/image/files/containers.h"
 
 namespace etak {
 namespace {
@@ -129,6 +130,8 @@ PackOptions pack_options(const PackSettings& s) {
   if (!s.choice.empty()) variants = parse_choices(read_file(s.choice), s.choice);
   out.output.write.formats = formats(s.format);
   out.output.write.png_level = png_level(s.png_level.empty() && variants ? variants->png_level : s.png_level);
+  if (s.zstd > 0 && !has_zstd())
+    throw Error::at(setting("zstd"), "this etak was built without Zstandard", "0");
   out.output.write.zstd_level = s.zstd;
   out.output.smallest_form = s.gltf_form == "smallest";
   if (!out.output.smallest_form) out.output.forms = gltf_forms(s.gltf_form);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/texels/page_memory.h"
 
-#include <sys/mman.h>
-
 #include <new>
 
 #include "core/base/files/steady_file.h"
+#include "core/base/system.h"
 #include "core/image/picture.h"
 
 namespace etak {
@@ -19,16 +18,13 @@ PageMemory::PageMemory(std::size_t bytes) : size_(bytes) {
   if (bytes == 0) return;
   // Whole huge pages: the kernel aligns such mappings, and a tail in small pages would be touched one by one.
   if (bytes >= huge_page) size_ = (bytes + huge_page - 1) / huge_page * huge_page;
-  void* mapped = ::mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (mapped == MAP_FAILED) throw std::bad_alloc();
-#ifdef MADV_HUGEPAGE
-  if (bytes >= huge_page) (void)::madvise(mapped, size_, MADV_HUGEPAGE);  // the kernel need not follow it
-#endif
+  void* const mapped = sys::map_memory(size_, bytes >= huge_page);
+  if (mapped == nullptr) throw std::bad_alloc();
   data_ = static_cast<std::uint8_t*>(mapped);
 }
 
 PageMemory::~PageMemory() {
-  if (data_ != nullptr) ::munmap(data_, size_);
+  if (data_ != nullptr) sys::unmap_memory(data_, size_);
 }
 
 void FileBytes::load(const std::string& path) {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstddef>
 #include <string_view>
 #include <utility>
+
+#include "core/base/system.h"
 
 namespace etak {
 
@@ -29,7 +26,7 @@ class Descriptor {
   /// False where the system says that what was written may be lost; nothing is open then either.
   bool close() {
     const int fd = std::exchange(fd_, -1);
-    return fd < 0 || ::close(fd) == 0;
+    return fd < 0 || sys::close_file(fd);
   }
 
  private:
@@ -39,18 +36,17 @@ class Descriptor {
 /// Whether the name in `folder` stands for the file or folder that is open. Makes system calls only, so that
 /// a handler of signals may call it too.
 inline bool stands_for(int folder, const char* name, int open) {
-  struct stat named {
-  }, opened{};
-  return ::fstatat(folder, name, &named, AT_SYMLINK_NOFOLLOW) == 0 && ::fstat(open, &opened) == 0 &&
-         named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
+  sys::FileInfo named, opened;
+  return sys::file_info_in(folder, name, named) && sys::file_info(open, opened) &&
+         named.device == opened.device && named.number == opened.number;
 }
 
 /// Writes all of `bytes`, however often the system stops in between; errno tells why not.
 inline bool write_all(int fd, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t wrote = ::write(fd, bytes.data(), bytes.size());
-    if (wrote < 0 && errno != EINTR) return false;
-    if (wrote > 0) bytes.remove_prefix(static_cast<std::size_t>(wrote));
+    const std::ptrdiff_t wrote = sys::write(fd, bytes.data(), bytes.size());
+    if (wrote < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(wrote));
   }
   return true;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <condition_variable>
 #include <cstddef>
@@ -67,7 +65,7 @@ class DiskQueue {
     waiting_.pop_front();
     room_.notify_one();
     lock.unlock();
-    const bool good = ::fsync(file.get()) == 0 && file.close();
+    const bool good = sys::to_disk(file.get()) && file.close();
     const int error = errno;
     lock.lock();
     if (!good && !failure_) failure_.emplace(name, error);

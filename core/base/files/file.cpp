@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/files/file.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 
 #include "core/base/error.h"
@@ -21,13 +19,10 @@ std::string too_large(std::size_t most) {
 std::size_t read_some(int fd, std::string& out, std::size_t wanted, const std::string& path) {
   const std::size_t old = out.size();
   out.resize(old + wanted);
-  for (;;) {
-    const ssize_t got = ::read(fd, out.data() + old, wanted);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw Error::at(path, "cannot be read: " + reason_of(errno));
-    out.resize(old + static_cast<std::size_t>(got));
-    return static_cast<std::size_t>(got);
-  }
+  const std::ptrdiff_t got = sys::read(fd, out.data() + old, wanted);
+  if (got < 0) throw Error::at(path, "cannot be read: " + reason_of(errno));
+  out.resize(old + static_cast<std::size_t>(got));
+  return static_cast<std::size_t>(got);
 }
 
 }  // namespace

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/files/input.h"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -22,6 +17,7 @@
 #include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/base/system.h"
 
 namespace etak {
 namespace {
@@ -30,7 +26,7 @@ constexpr const char* what_is_read = "a regular file, a pipe, or - for standard 
 
 // N of "/dev/fd/N" and its other names; nothing for other paths.
 std::optional<int> descriptor_of(std::string_view path) {
-  if (path == "-" || path == "/dev/stdin") return STDIN_FILENO;
+  if (path == "-" || path == "/dev/stdin") return sys::standard_input;
   for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
     if (!path.starts_with(folder)) continue;
     const std::string_view digits = path.substr(folder.size());
@@ -59,8 +55,7 @@ class Pipe {
     std::string out(std::min(count, size_), '\0');
     std::size_t at = 0;
     while (at < out.size()) {
-      const ssize_t got = ::pread(memory_, out.data() + at, out.size() - at, static_cast<off_t>(at));
-      if (got < 0 && errno == EINTR) continue;
+      const std::ptrdiff_t got = sys::read_at(memory_, out.data() + at, out.size() - at, at);
       if (got <= 0) throw Error::at(path_, "cannot be read: " + reason_of(errno));
       at += static_cast<std::size_t>(got);
     }
@@ -77,11 +72,9 @@ class Pipe {
     if (memory_ < 0) start(timeout);
     std::string buffer(std::size_t{1} << 16, '\0');
     while (!ended_ && size_ <= wanted) {
-      const ssize_t got = ::read(source_.get(), buffer.data(), buffer.size());
-      if (got < 0 && errno == EINTR) continue;
+      const std::ptrdiff_t got = sys::read(source_.get(), buffer.data(), buffer.size());
       if (got < 0 && errno == EAGAIN) {  // another program has made this end non-blocking
-        pollfd waiting{source_.get(), POLLIN, 0};
-        (void)::poll(&waiting, 1, -1);
+        (void)sys::wait_for_bytes(source_.get(), -1);
         continue;
       }
       if (got < 0) throw Error::at(path_, "cannot be read: " + reason_of(errno));
@@ -98,15 +91,15 @@ class Pipe {
 
   void start(double timeout) {
     descriptor_ = descriptor_of(typed_input(path_)).value_or(-1);
-    if (descriptor_ == STDIN_FILENO) {
+    if (descriptor_ == sys::standard_input) {
       // Taken as it is: it may be a socket or a terminal, or a file that was read in part already.
-      source_ = Descriptor(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3));
+      source_ = Descriptor(sys::duplicate(sys::standard_input));
     } else {
-      source_ = Descriptor(::open(typed_input(path_).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+      source_ = Descriptor(sys::open_file(typed_input(path_), sys::Open::read));
       if (source_) wait_for_first_byte(timeout);
     }
     if (!source_) throw Error::at(path_, "cannot be opened: " + reason_of(errno));
-    memory_ = ::memfd_create("etak-input", MFD_CLOEXEC);
+    memory_ = sys::memory_file();
     if (memory_ < 0) throw Error::at(path_, "cannot be kept in memory: " + reason_of(errno));
   }
 
@@ -116,8 +109,7 @@ class Pipe {
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout));
     for (;;) {
       const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
-      pollfd waiting{source_.get(), POLLIN, 0};
-      const int found = ::poll(&waiting, 1, static_cast<int>(std::max<long>(0, left)));
+      const int found = sys::wait_for_bytes(source_.get(), static_cast<int>(std::max<std::int64_t>(0, left)));
       if (found > 0) break;
       if (found < 0 && errno != EINTR) throw Error::at(path_, "cannot be read: " + reason_of(errno));
       if (Clock::now() < end) continue;
@@ -125,7 +117,7 @@ class Pipe {
                       "a program that writes to it, or more time by " + setting("input-timeout"));
     }
     // For the bytes behind the first one the reader waits without limit.
-    ::fcntl(source_.get(), F_SETFL, ::fcntl(source_.get(), F_GETFL) & ~O_NONBLOCK);
+    sys::let_reading_wait(source_.get());
   }
 
   void finish() {
@@ -133,14 +125,11 @@ class Pipe {
     source_ = Descriptor();
     if (descriptor_ < 0) return;
     // Whoever opens this number now finds the bytes again.
-    ::lseek(memory_, 0, SEEK_SET);
-    ::dup2(memory_, descriptor_);
+    sys::put_in_place_of(memory_, descriptor_);
   }
 
   OpenedInput reopened() const {
-    OpenedInput out{
-        Descriptor(::open(("/proc/self/fd/" + std::to_string(memory_)).c_str(), O_RDONLY | O_CLOEXEC)),
-        size_};
+    OpenedInput out{Descriptor(sys::reopen_memory_file(memory_)), size_};
     if (!out.file) throw Error::at(path_, "cannot be opened: " + reason_of(errno));
     return out;
   }
@@ -176,7 +165,7 @@ bool has_name_of_descriptor(std::string_view path) {
 // Without links, "." and ".."; empty where there is nothing.
 std::string whole_path(const std::string& path) {
   std::error_code failure;
-  return std::filesystem::canonical(path, failure).string();
+  return sys::path_text(std::filesystem::canonical(path, failure));
 }
 
 // The pipe behind an accepted path; null where there is none.
@@ -192,12 +181,13 @@ Pipe* accepted_pipe(const std::string& path) {
   return found == all.named.end() ? nullptr : found->second.get();
 }
 
-[[noreturn]] void refuse(const std::string& path, mode_t mode) {
-  if (S_ISDIR(mode)) throw Error::at(path, "is a folder", "a file");
-  if (S_ISFIFO(mode))
+[[noreturn]] void refuse(const std::string& path, sys::FileInfo::Kind kind) {
+  using Kind = sys::FileInfo::Kind;
+  if (kind == Kind::folder) throw Error::at(path, "is a folder", "a file");
+  if (kind == Kind::pipe)
     throw Error::at(path, "is a pipe, and pipes are read only where they are named on the command line",
                     "a regular file");
-  throw Error::at(path, S_ISSOCK(mode) ? "is a socket" : "is a device", what_is_read);
+  throw Error::at(path, kind == Kind::socket ? "is a socket" : "is a device", what_is_read);
 }
 
 // Git LFS checks a pointer out where a large file has not been fetched: a text of less than 1024 bytes that
@@ -206,7 +196,8 @@ void refuse_git_lfs_pointer(const std::string& path, const OpenedInput& opened) 
   constexpr std::string_view first_line = "version https://git-lfs.github.com/spec/v1\n";
   if (opened.size < first_line.size() || opened.size >= 1024) return;
   std::array<char, first_line.size()> head{};
-  if (::pread(opened.file.get(), head.data(), head.size(), 0) == static_cast<ssize_t>(head.size()) &&
+  if (sys::read_at(opened.file.get(), head.data(), head.size(), 0) ==
+          static_cast<std::ptrdiff_t>(head.size()) &&
       std::string_view(head.data(), head.size()) == first_line)
     throw Error::at(path, git_lfs_pointer, "the file, which `git lfs pull` fetches");
 }
@@ -214,14 +205,14 @@ void refuse_git_lfs_pointer(const std::string& path, const OpenedInput& opened) 
 OpenedInput open_regular(const std::string& path) {
   OpenedInput out;
   // Looked at before it is opened, because the writer of a pipe notices that it is opened.
-  struct stat info {};
-  if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) refuse(path, info.st_mode);
-  // O_NONBLOCK: the call must not hang if the file has become a pipe; regular files ignore the flag.
-  out.file = Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  sys::FileInfo info;
+  if (sys::file_info(path, info) && info.kind != sys::FileInfo::Kind::file) refuse(path, info.kind);
+  // This call does not hang if the file has become a pipe.
+  out.file = Descriptor(sys::open_file(path, sys::Open::read));
   if (!out.file) throw Error::at(path, "cannot be opened: " + reason_of(errno));
-  if (::fstat(out.file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason_of(errno));
-  if (!S_ISREG(info.st_mode)) refuse(path, info.st_mode);
-  out.size = static_cast<std::size_t>(info.st_size);
+  if (!sys::file_info(out.file.get(), info)) throw Error::at(path, "cannot be read: " + reason_of(errno));
+  if (info.kind != sys::FileInfo::Kind::file) refuse(path, info.kind);
+  out.size = static_cast<std::size_t>(info.size);
   refuse_git_lfs_pointer(path, out);
   return out;
 }
@@ -238,7 +229,7 @@ std::string accept_input(const std::string& typed) {
   Accepted& all = accepted();
   if (const auto number = descriptor_of(typed)) {
     const std::string path =
-        *number == STDIN_FILENO ? std::string(stdin_name) : "<fd " + std::to_string(*number) + '>';
+        *number == sys::standard_input ? std::string(stdin_name) : "<fd " + std::to_string(*number) + '>';
     const std::lock_guard guard(all.lock);
     const auto [place, fresh] = all.descriptors.try_emplace(path);
     if (fresh)
@@ -247,13 +238,13 @@ std::string accept_input(const std::string& typed) {
       throw Error::at(typed, "standard input is asked for twice", "once");
     return path;
   }
-  struct stat info {};
-  if (::stat(typed.c_str(), &info) == 0 && S_ISFIFO(info.st_mode)) {
+  sys::FileInfo info;
+  if (sys::file_info(typed, info) && info.kind == sys::FileInfo::Kind::pipe) {
     const std::lock_guard guard(all.lock);
     const auto [place, fresh] = all.named.try_emplace(whole_path(typed));
     if (fresh) place->second = std::make_unique<Pipe>(typed);
   }
-  return typed;
+  return sys::path_text(typed);
 }
 
 std::string skipped_remark(const std::vector<std::string>& skipped) {
@@ -292,8 +283,7 @@ std::string read_head(const std::string& path, std::size_t count) {
   std::string out(count, '\0');
   std::size_t at = 0;
   while (at < count) {
-    const ssize_t got = ::read(opened.file.get(), out.data() + at, count - at);
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got = sys::read(opened.file.get(), out.data() + at, count - at);
     if (got < 0) throw Error::at(path, "cannot be read: " + reason_of(errno));
     if (got == 0) break;
     at += static_cast<std::size_t>(got);

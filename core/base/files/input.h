@@ -22,8 +22,8 @@ namespace etak {
 inline constexpr std::string_view stdin_name = "<stdin>";
 
 /// Takes `typed` as an input that the user named, and returns the path to open it by: "<stdin>" for "-",
-/// /dev/stdin and /dev/fd/0, "<fd 63>" for /dev/fd/63, else `typed` itself. Names that such an input holds
-/// are thereby relative to the working folder. Throws Error when standard input is named a second time.
+/// /dev/stdin and /dev/fd/0, "<fd 63>" for /dev/fd/63, else `typed` itself, on Windows with '/' for '\'. Names that such
+/// an input holds are thereby relative to the working folder. Throws Error when standard input is named a second time.
 std::string accept_input(const std::string& typed);
 
 /// The path of accept_input() as it is typed: "-" for "<stdin>", "/dev/fd/63" for "<fd 63>".

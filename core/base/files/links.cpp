@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/setting.h"
+#include "core/base/system.h"
 
 namespace etak {
 namespace {
@@ -39,7 +40,7 @@ bool follows_links() {
 
 std::string path_beside(const std::string& folder, const std::string& name) {
   const fs::path root(folder), whole = root / name;
-  if (follow_all || fs::path(name).is_absolute()) return whole.string();
+  if (follow_all || fs::path(name).is_absolute()) return sys::path_text(whole);
   fs::path at = root;
   for (const fs::path& part : fs::path(name)) {
     const fs::path holder = at;
@@ -49,10 +50,11 @@ std::string path_beside(const std::string& folder, const std::string& name) {
     const fs::path target = fs::canonical(at, failure);
     if (failure) break;  // the link leads nowhere, which the reader reports
     if (!lies_in(target, root) && !lies_in(target, holder))
-      throw Error::at(at.string(), "is a link to " + printable(target.string(), 200) + ", out of its folder",
+      throw Error::at(sys::path_text(at),
+                      "is a link to " + printable(sys::path_text(target), 200) + ", out of its folder",
                       "a file of that folder, or " + setting("follow-links"));
   }
-  return whole.string();
+  return sys::path_text(whole);
 }
 
 }  // namespace etak

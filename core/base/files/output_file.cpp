@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/files/output_file.h"
 
-#include <fcntl.h>
-#include <linux/fs.h>
-#include <sys/stat.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <cerrno>
 
 #include "core/base/error.h"
@@ -29,30 +23,29 @@ OutputFile::OutputFile(const std::string& path, std::string_view bytes, bool ove
   temporary_ = Temporary(folder_.get(), target_.name, Temporary::Kind::file);
   if (!temporary_) fail("cannot be written");
   const int file = temporary_.open().get();
-  const mode_t mode = target_.exists ? target_.mode & 07777 : mode_of_new_file();
-  if (!write_all(file, bytes) || ::fchmod(file, mode) != 0 || ::fsync(file) != 0) fail("cannot be written");
+  const unsigned mode = target_.exists ? target_.mode : mode_of_new_file();
+  if (!write_all(file, bytes) || !sys::set_mode(file, mode) || !sys::to_disk(file)) fail("cannot be written");
 }
 
 void OutputFile::prepare() {
   if (!target_.is_device) return;
-  Descriptor device(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+  Descriptor device(sys::open_file(path_, sys::Open::write));
   if (!device || !write_all(device.get(), for_device_) || !device.close()) fail("cannot be written");
 }
 
 void OutputFile::place() {
   if (target_.is_device) return;
-  const auto rename = [&](unsigned flags) {
-    return ::syscall(SYS_renameat2, folder_.get(), temporary_.name().c_str(), folder_.get(),
-                     target_.name.c_str(), flags) == 0;
+  const auto rename = [&](auto call) {
+    return call(folder_.get(), temporary_.name(), folder_.get(), target_.name);
   };
   if (overwrite_) {
-    if (!rename(0)) fail("cannot be put in place");
-  } else if (!rename(RENAME_NOREPLACE)) {
+    if (!rename(sys::rename_in)) fail("cannot be put in place");
+  } else if (!rename(sys::rename_new_in)) {
     if (errno == EEXIST) throw exists_already(path_);
     // Some network file systems cannot check and rename in one step.
     if (errno != EINVAL && errno != ENOSYS) fail("cannot be put in place");
     (void)file_target(path_, false);
-    if (!rename(0)) fail("cannot be put in place");
+    if (!rename(sys::rename_in)) fail("cannot be put in place");
   }
   if (!temporary_.keep()) fail("cannot be put in place");
 }

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/files/output_folder.h"
 
-#include <fcntl.h>
-#include <linux/fs.h>
-#include <sys/stat.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
@@ -24,6 +18,7 @@
 #include "core/base/files/temporary.h"
 #include "core/base/setting.h"
 #include "core/base/signals.h"
+#include "core/base/system.h"
 
 namespace etak {
 namespace {
@@ -39,7 +34,7 @@ bool is_layout(const std::string& name) {
 // Whether the process works in the folder or below.
 bool holds_working_folder(const std::string& folder) {
   std::error_code failure;
-  const std::string here = std::filesystem::current_path(failure).string();
+  const std::string here = sys::path_text(std::filesystem::current_path(failure));
   return here == folder || here.starts_with(folder + "/");
 }
 
@@ -47,7 +42,8 @@ bool holds_working_folder(const std::string& folder) {
 
 bool is_plain_file_name(std::string_view name) {
   constexpr std::string_view separators("/\0", 2);
-  return !name.empty() && name != "." && name != ".." && name.find_first_of(separators) == name.npos;
+  return !name.empty() && name != "." && name != ".." && name.find_first_of(separators) == name.npos &&
+         sys::takes_file_name(name);
 }
 
 struct OutputFolder::State {
@@ -67,8 +63,7 @@ struct OutputFolder::State {
 
   std::string target_path() const { return parent_path + (parent_path == "/" ? "" : "/") + name; }
   Descriptor open_target() const {
-    return inside ? Descriptor(::openat(parent.get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC))
-                  : open_folder(parent.get(), name);
+    return inside ? Descriptor(sys::reopen_folder(parent.get())) : open_folder(parent.get(), name);
   }
   int fresh_folder() const { return fresh.open().get(); }
   [[noreturn]] void fail(const char* what, const std::string& file = {}) const {
@@ -107,29 +102,25 @@ void OutputFolder::State::find_target() {
   if (!there && (fs::is_symlink(fs::symlink_status(full, failure)) || full.filename() == "." ||
                  full.filename() == ".."))
     throw Error::at(path, "is a link that leads nowhere", "a folder to write to");
-  parent_path = whole.parent_path().string();
-  name = whole.filename().string();
-  struct stat target {
-  }, above{};
-  const bool mounted = there && ::stat(whole.c_str(), &target) == 0 &&
-                       ::stat(parent_path.c_str(), &above) == 0 && target.st_dev != above.st_dev;
-  inside =
-      there && (name.empty() || mounted || ::faccessat(AT_FDCWD, parent_path.c_str(), W_OK, AT_EACCESS) != 0);
-  exchanges = !inside && !(there && holds_working_folder(whole.string()));
-  parent =
-      Descriptor(::open(inside ? whole.c_str() : parent_path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  parent_path = sys::path_text(whole.parent_path());
+  name = sys::path_text(whole.filename());
+  sys::FileInfo target, above;
+  const bool mounted = there && sys::file_info(sys::path_text(whole), target) &&
+                       sys::file_info(parent_path, above) && target.device != above.device;
+  inside = there && (name.empty() || mounted || !sys::may_write(parent_path));
+  exchanges = !inside && !(there && (!sys::can_exchange() || holds_working_folder(sys::path_text(whole))));
+  parent = Descriptor(sys::open_file(inside ? sys::path_text(whole) : parent_path, sys::Open::folder));
   if (!parent) fail("cannot be written");
 }
 
 // The parent may allow another folder to take the target's place; but a target without any permission to
 // write was meant to stay as it is.
 void OutputFolder::State::refuse_read_only() const {
-  struct stat info {};
+  sys::FileInfo info;
   const Descriptor target = open_target();
-  const bool there = target && ::fstat(target.get(), &info) == 0;
+  const bool there = target && sys::file_info(target.get(), info);
   if (!there || replace == Replace::anything) return;
-  const bool writable =
-      (info.st_mode & 0222) != 0 && ::faccessat(AT_FDCWD, target_path().c_str(), W_OK, AT_EACCESS) == 0;
+  const bool writable = (info.mode & 0222) != 0 && sys::may_write(target_path());
   if (!writable)
     throw Error::at(path, "is read-only",
                     "a folder that may be written, or " + setting("force") + " to replace it");
@@ -168,7 +159,7 @@ OutputFolder::File::File(std::unique_ptr<Open> open) : open_(std::move(open)) {}
 
 OutputFolder::File::~File() {
   if (!open_) return;
-  ::unlinkat(open_->folder.fresh_folder(), open_->name.c_str(), 0);
+  sys::remove_in(open_->folder.fresh_folder(), open_->name.c_str());
   const std::lock_guard lock(open_->folder.lock);
   open_->folder.files.erase(open_->name);
 }
@@ -185,9 +176,8 @@ void OutputFolder::File::add(std::string_view bytes) {
 void OutputFolder::File::patch(std::size_t at, std::string_view bytes) {
   open_->flush();
   while (!bytes.empty()) {
-    const ssize_t wrote = ::pwrite(open_->file.get(), bytes.data(), bytes.size(), static_cast<off_t>(at));
-    if (wrote < 0 && errno != EINTR) open_->folder.fail("cannot be written", open_->name);
-    if (wrote <= 0) continue;
+    const std::ptrdiff_t wrote = sys::write_at(open_->file.get(), bytes.data(), bytes.size(), at);
+    if (wrote < 0) open_->folder.fail("cannot be written", open_->name);
     at += static_cast<std::size_t>(wrote);
     bytes.remove_prefix(static_cast<std::size_t>(wrote));
   }
@@ -195,9 +185,7 @@ void OutputFolder::File::patch(std::size_t at, std::string_view bytes) {
 
 void OutputFolder::File::close() {
   open_->flush();
-#ifdef SYNC_FILE_RANGE_WRITE
-  (void)::sync_file_range(open_->file.get(), 0, 0, SYNC_FILE_RANGE_WRITE);  // begin now, wait later
-#endif
+  sys::begin_to_disk(open_->file.get());
   open_->folder.disk.add(std::move(open_->file), open_->name);
   open_.reset();
 }
@@ -218,8 +206,7 @@ std::unique_ptr<OutputFolder::File> OutputFolder::open(const std::string& name) 
   const SignalsHeld held;
   // From here on the destructor of the file takes the name out of the set again.
   std::unique_ptr<File> out(new File(std::make_unique<File::Open>(File::Open{s, name, Descriptor(), {}})));
-  out->open_->file =
-      Descriptor(::openat(s.fresh_folder(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  out->open_->file = Descriptor(sys::open_in(s.fresh_folder(), name, sys::OpenIn::create, 0666));
   if (!out->open_->file) s.fail("cannot be written", name);
   return out;
 }
@@ -256,12 +243,12 @@ bool OutputFolder::State::bring_along(int target, std::vector<std::string>& link
   const std::vector<std::string> all = strangers(target);
   for (const std::string& entry : all) {
     if (is_folder(target, entry)) continue;
-    if (::linkat(target, entry.c_str(), fresh_folder(), entry.c_str(), 0) != 0) return false;
+    if (!sys::link_in(target, entry, fresh_folder(), entry)) return false;
     linked.push_back(entry);
   }
   for (const std::string& entry : all) {
     if (!is_folder(target, entry)) continue;
-    if (::renameat(target, entry.c_str(), fresh_folder(), entry.c_str()) != 0) return false;
+    if (!sys::rename_in(target, entry, fresh_folder(), entry)) return false;
     moved.push_back(entry);
   }
   return true;
@@ -269,44 +256,39 @@ bool OutputFolder::State::bring_along(int target, std::vector<std::string>& link
 
 void OutputFolder::State::put_back(int target, const std::vector<std::string>& linked,
                                    const std::vector<std::string>& moved) {
-  for (const std::string& entry : linked) ::unlinkat(fresh_folder(), entry.c_str(), 0);
-  for (const std::string& entry : moved) ::renameat(fresh_folder(), entry.c_str(), target, entry.c_str());
+  for (const std::string& entry : linked) sys::remove_in(fresh_folder(), entry.c_str());
+  for (const std::string& entry : moved) sys::rename_in(fresh_folder(), entry, target, entry);
 }
 
 void OutputFolder::State::exchange() {
-  const auto rename2 = [&](unsigned flags) {
-    return ::syscall(SYS_renameat2, parent.get(), fresh.name().c_str(), parent.get(), name.c_str(), flags) ==
-           0;
-  };
-  struct stat old {};
+  sys::FileInfo old;
   Descriptor target = open_target();
-  const bool there = target && ::fstat(target.get(), &old) == 0;
+  const bool there = target && sys::file_info(target.get(), old);
   // The new folder gets mode and owner of the old one; an owner that cannot be changed stays.
-  if (there) (void)!::fchown(fresh_folder(), old.st_uid, old.st_gid);
-  if (::fchmod(fresh_folder(), there ? old.st_mode & 07777 : mode_of_new_folder()) != 0)
-    fail("cannot be put in place");
+  if (there) sys::set_owner(fresh_folder(), old);
+  if (!sys::set_mode(fresh_folder(), there ? old.mode : mode_of_new_folder())) fail("cannot be put in place");
 
   if (!there) {
-    if (::fsync(fresh_folder()) != 0) fail("cannot be put in place");
-    // Without RENAME_NOREPLACE (old kernels, some network file systems): what has appeared meanwhile, if it
-    // holds anything, stops a plain rename too.
-    if (!rename2(RENAME_NOREPLACE) &&
+    if (!sys::to_disk(fresh_folder())) fail("cannot be put in place");
+    // Where the system cannot look and rename in one step (old kernels, some network file systems): what has
+    // appeared meanwhile, if it holds anything, stops a plain rename too.
+    if (!sys::rename_new_in(parent.get(), fresh.name(), parent.get(), name) &&
         ((errno != EINVAL && errno != ENOSYS) ||
-         ::renameat(parent.get(), fresh.name().c_str(), parent.get(), name.c_str()) != 0))
+         !sys::rename_in(parent.get(), fresh.name(), parent.get(), name)))
       fail("cannot be put in place");
     (void)fresh.keep();
-    ::fsync(parent.get());
+    (void)sys::to_disk(parent.get());
     return;
   }
 
   std::vector<std::string> linked, moved;
-  const bool whole = bring_along(target.get(), linked, moved) && ::fsync(fresh_folder()) == 0;
-  if (!whole || !rename2(RENAME_EXCHANGE)) {
+  const bool whole = bring_along(target.get(), linked, moved) && sys::to_disk(fresh_folder());
+  if (!whole || !sys::exchange_in(parent.get(), fresh.name(), name)) {
     put_back(target.get(), linked, moved);
     rename_one_by_one();
     return;
   }
-  ::fsync(parent.get());
+  (void)sys::to_disk(parent.get());
   // A folder that somebody has put into the old target meanwhile is moved to the new one.
   placed = fresh.exchanged(std::move(target));
 }
@@ -319,11 +301,11 @@ void OutputFolder::State::rename_one_by_one() {
   for (const std::string& file : order)
     if (is_folder(target.get(), file)) throw Error::at(path + "/" + file, "is a folder", "a file to replace");
   for (const std::string& file : order)
-    if (::renameat(fresh_folder(), file.c_str(), target.get(), file.c_str()) != 0)
+    if (!sys::rename_in(fresh_folder(), file, target.get(), file))
       fail("cannot be put in place (files before it in the alphabet have been)", file);
   for (const std::string& old : removed)
-    if (files.count(old) == 0) ::unlinkat(target.get(), old.c_str(), 0);
-  ::fsync(target.get());
+    if (files.count(old) == 0) sys::remove_in(target.get(), old.c_str());
+  (void)sys::to_disk(target.get());
   placed = std::move(target);
 }
 
@@ -339,15 +321,15 @@ void OutputFolder::prepare() {
   s.placing = FolderLock(s.parent.get(), most_wait);
   if (s.placing.is_taken())
     throw Error::at(s.path, "cannot be put in place: another program holds the lock of its folder");
-  struct stat info {};
-  if (!s.inside && ::fstatat(s.parent.get(), s.name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0 &&
-      !S_ISDIR(info.st_mode))
+  using Kind = sys::FileInfo::Kind;
+  sys::FileInfo info;
+  if (!s.inside && sys::file_info_in(s.parent.get(), s.name.c_str(), info) && info.kind != Kind::folder)
     throw Error::at(s.path, "is a file by now", "a folder to write to");
   s.refuse_read_only();
   if (const Descriptor target = s.open_target())
     for (const std::string& file : s.files) {
-      if (::fstatat(target.get(), file.c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) continue;
-      if (S_ISDIR(info.st_mode)) throw Error::at(s.path + "/" + file, "is a folder", "a file to replace");
+      if (!sys::file_info_in(target.get(), file.c_str(), info)) continue;
+      if (info.kind == Kind::folder) throw Error::at(s.path + "/" + file, "is a folder", "a file to replace");
       if (s.replace == Replace::nothing) throw exists_already(s.path + "/" + file);
     }
 }

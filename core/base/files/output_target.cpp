@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/files/output_target.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +8,7 @@
 #include "core/base/files/output_folder.h"
 #include "core/base/files/temporary.h"
 #include "core/base/setting.h"
+#include "core/base/system.h"
 
 namespace etak {
 namespace {
@@ -20,7 +17,7 @@ namespace {
 std::string behind_links(const std::string& path) {
   std::error_code failure;
   const auto target = std::filesystem::canonical(path, failure);
-  return failure ? path : target.string();
+  return failure ? path : sys::path_text(target);
 }
 
 }  // namespace
@@ -31,24 +28,25 @@ Error exists_already(const std::string& path) {
 
 FileTarget file_target(const std::string& path, bool overwrite) {
   FileTarget out;
-  struct stat info {};
-  out.exists = ::stat(path.c_str(), &info) == 0;
-  out.mode = info.st_mode;
-  if (out.exists && S_ISDIR(info.st_mode)) throw Error::at(path, "is a folder", "a file to write");
-  out.is_device = out.exists && !S_ISREG(info.st_mode);
+  sys::FileInfo info;
+  out.exists = sys::file_info(path, info);
+  out.mode = info.mode;
+  if (out.exists && info.kind == sys::FileInfo::Kind::folder)
+    throw Error::at(path, "is a folder", "a file to write");
+  out.is_device = out.exists && info.kind != sys::FileInfo::Kind::file;
   if (out.exists && !out.is_device && !overwrite) throw exists_already(path);
   const std::filesystem::path whole = out.exists ? behind_links(path) : path;
-  out.folder = whole.parent_path().string();
-  out.name = whole.filename().string();
+  out.folder = sys::path_text(whole.parent_path());
+  out.name = sys::path_text(whole.filename());
   if (out.name.empty()) throw Error::at(path.empty() ? "\"\"" : path, "is no file's name", "a file to write");
   return out;
 }
 
 Descriptor open_folder_of(const FileTarget& target) {
-  const char* const path = target.folder.empty() ? "." : target.folder.c_str();
-  Descriptor out(::open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const std::string path = target.folder.empty() ? "." : target.folder;
+  Descriptor out(sys::open_file(path, sys::Open::folder));
   // Files can also be made in a folder that may not be read.
-  if (!out && errno == EACCES) out = Descriptor(::open(path, O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!out && errno == EACCES) out = Descriptor(sys::open_file(path, sys::Open::unreadable_folder));
   return out;
 }
 
@@ -64,9 +62,9 @@ void check_folder_target(const std::string& path, std::span<const std::string> n
   // Made beside the target and removed with the object.
   const OutputFolder probe(path, replace);
   if (replace != Replace::nothing) return;
-  struct stat info {};
+  sys::FileInfo info;
   for (const std::string& name : names)
-    if (::stat((path + "/" + name).c_str(), &info) == 0) throw exists_already(path + "/" + name);
+    if (sys::file_info(path + "/" + name, info)) throw exists_already(path + "/" + name);
 }
 
 }  // namespace etak

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <sys/types.h>
-
 #include <span>
 #include <string>
 
@@ -18,7 +16,7 @@ namespace etak {
 struct FileTarget {
   bool exists = false;
   bool is_device = false;  // or a pipe: is written to and not replaced
-  mode_t mode = 0;         // of the file that exists
+  unsigned mode = 0;       // of the file that exists
   std::string folder;      // behind a symbolic link, which stays; "" is the working folder
   std::string name;        // in it
 };

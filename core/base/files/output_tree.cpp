@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/files/output_tree.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <set>
 #include <utility>
@@ -59,20 +55,21 @@ struct OutputTree::State {
 /// part, and a link is never followed: whoever puts one there between two steps cannot lead a file elsewhere.
 ///   make   whether folders that are missing are made
 Descriptor OutputTree::State::folder_of(const std::string& name, bool make) {
-  Descriptor at(::fcntl(folder.get(), F_DUPFD_CLOEXEC, 0));
+  Descriptor at(sys::duplicate(folder.get()));
   if (!at) fail("cannot be opened");
   for (std::size_t begin = 0, slash; (slash = name.find('/', begin)) != name.npos; begin = slash + 1) {
     const std::string part = name.substr(begin, slash - begin), below = name.substr(0, slash);
-    if (make && ::mkdirat(at.get(), part.c_str(), mode_of_new_folder()) == 0)
+    if (make && sys::make_folder_in(at.get(), part, mode_of_new_folder()))
       new_folders.push_back(below);
     else if (make && errno != EEXIST)
       fail("cannot be made", below);
     Descriptor next = open_folder(at.get(), part);
     if (!next) {
       const int why = errno;
-      struct stat info {};
-      if (::fstatat(at.get(), part.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0 && !S_ISDIR(info.st_mode))
-        throw Error::at(path + "/" + below, S_ISLNK(info.st_mode) ? "is a link" : "is a file", "a folder");
+      sys::FileInfo info;
+      if (sys::file_info_in(at.get(), part.c_str(), info) && info.kind != sys::FileInfo::Kind::folder)
+        throw Error::at(path + "/" + below,
+                        info.kind == sys::FileInfo::Kind::link ? "is a link" : "is a file", "a folder");
       errno = why;
       fail("cannot be opened", below);
     }
@@ -85,9 +82,9 @@ OutputTree::OutputTree(const std::string& path, bool overwrite) : state_(std::ma
   State& s = *state_;
   s.path = path;
   s.overwrite = overwrite;
-  s.made = ::mkdir(path.c_str(), 0777) == 0;
+  s.made = sys::make_folder(path);
   if (!s.made && errno != EEXIST) s.fail("cannot be made");
-  s.folder = Descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  s.folder = Descriptor(sys::open_file(path, sys::Open::folder));
   if (!s.folder) s.fail("cannot be written");
   s.fresh = Temporary(s.folder.get(), "tree", Temporary::Kind::folder);
   if (s.fresh) return;
@@ -107,8 +104,7 @@ void OutputTree::write(const std::string& name, std::string_view bytes) {
     throw Error::at(s.path, "cannot hold a file named " + printable(name), "a path below the folder");
   if (!s.taken.insert(name).second) throw Error::at(s.path + "/" + name, "is written twice");
   const std::string number = std::to_string(s.names.size());
-  Descriptor file(::openat(s.fresh.open().get(), number.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-                           mode_of_new_file()));
+  Descriptor file(sys::open_in(s.fresh.open().get(), number, sys::OpenIn::create, mode_of_new_file()));
   if (!file || !write_all(file.get(), bytes)) s.fail("cannot be written", name);
   s.names.push_back(name);
   s.disk.add(std::move(file), name);
@@ -122,10 +118,10 @@ void OutputTree::prepare() {
   }
   for (const std::string& name : s.names) {
     const Descriptor folder = s.folder_of(name, true);
-    struct stat info {};
-    if (::fstatat(folder.get(), name_in_folder(name).c_str(), &info, AT_SYMLINK_NOFOLLOW) != 0) continue;
+    sys::FileInfo info;
+    if (!sys::file_info_in(folder.get(), name_in_folder(name).c_str(), info)) continue;
     const std::string target = s.path + "/" + name;
-    if (S_ISDIR(info.st_mode)) throw Error::at(target, "is a folder", "a file to replace");
+    if (info.kind == sys::FileInfo::Kind::folder) throw Error::at(target, "is a folder", "a file to replace");
     if (!s.overwrite) throw exists_already(target);
   }
 }
@@ -134,11 +130,10 @@ void OutputTree::place() {
   State& s = *state_;
   for (std::size_t i = 0; i < s.names.size(); ++i) {
     const Descriptor folder = s.folder_of(s.names[i], false);
-    if (::renameat(s.fresh.open().get(), std::to_string(i).c_str(), folder.get(),
-                   name_in_folder(s.names[i]).c_str()) != 0)
+    if (!sys::rename_in(s.fresh.open().get(), std::to_string(i), folder.get(), name_in_folder(s.names[i])))
       s.fail("cannot be put in place (files written before it have been)", s.names[i]);
   }
-  ::fsync(s.folder.get());
+  (void)sys::to_disk(s.folder.get());
   s.made = false;
   s.new_folders.clear();
 }
@@ -147,8 +142,8 @@ void OutputTree::tidy() {
   State& s = *state_;
   s.fresh.remove(-1);
   for (; !s.new_folders.empty(); s.new_folders.pop_back())  // those that hold something stay
-    ::unlinkat(s.folder.get(), s.new_folders.back().c_str(), AT_REMOVEDIR);
-  if (std::exchange(s.made, false)) ::rmdir(s.path.c_str());
+    sys::remove_folder_in(s.folder.get(), s.new_folders.back().c_str());
+  if (std::exchange(s.made, false)) sys::remove_folder(s.path);
 }
 
 }  // namespace etak

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/files/steady_file.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 
@@ -19,31 +16,29 @@ std::string bytes(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " byte" : " bytes");
 }
 
-FileStamp stamp(const struct stat& info) {
-  return {info.st_dev, info.st_ino, static_cast<std::uint64_t>(info.st_size), info.st_mtim.tv_sec,
-          info.st_mtim.tv_nsec};
+FileStamp stamp(const sys::FileInfo& info) {
+  return {info.device, info.number, info.size, info.written.seconds, info.written.nanoseconds};
 }
 
 }  // namespace
 
 FileStamp stamp_of(const std::string& path) {
-  struct stat info {};
-  if (is_pipe_input(path) || ::stat(path.c_str(), &info) != 0) return {};
+  sys::FileInfo info;
+  if (is_pipe_input(path) || !sys::file_info(path, info)) return {};
   return stamp(info);
 }
 
 SteadyFile::SteadyFile(const std::string& path, std::size_t most)
     : path_(path), input_(open_input(path, most)) {
-  struct stat info {};
-  if (::fstat(input_.file.get(), &info) != 0) throw Error::at(path, "cannot be read: " + reason_of(errno));
+  sys::FileInfo info;
+  if (!sys::file_info(input_.file.get(), info)) throw Error::at(path, "cannot be read: " + reason_of(errno));
   stamp_ = stamp(info);
 }
 
 std::size_t SteadyFile::read_what_is_there(std::size_t at, char* to, std::size_t count) const noexcept {
   std::size_t there = 0;
   while (there < count) {
-    const ssize_t got = ::pread(input_.file.get(), to + there, count - there, static_cast<off_t>(at + there));
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got = sys::read_at(input_.file.get(), to + there, count - there, at + there);
     if (got <= 0) break;
     there += static_cast<std::size_t>(got);
   }
@@ -79,9 +74,9 @@ std::string SteadyFile::all() const {
 }
 
 void SteadyFile::check_unchanged() const {
-  struct stat now {};
-  if (::fstat(input_.file.get(), &now) != 0) throw Error::at(path_, "cannot be read: " + reason_of(errno));
-  const auto size_now = static_cast<std::size_t>(now.st_size);
+  sys::FileInfo now;
+  if (!sys::file_info(input_.file.get(), now)) throw Error::at(path_, "cannot be read: " + reason_of(errno));
+  const auto size_now = static_cast<std::size_t>(now.size);
   if (size_now != size())
     throw Error::at(path_, "changed while it was read, found " + bytes(size_now), bytes(size()));
   if (stamp(now) != stamp_) throw Error::at(path_, "changed while it was read", "a file that stays as it is");

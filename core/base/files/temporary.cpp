@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/files/temporary.h"
 
-#include <dirent.h>
-#include <fcntl.h>
-#include <linux/fs.h>
-#include <sys/file.h>
-#include <sys/random.h>
-#include <sys/stat.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -50,18 +41,15 @@ std::string prefix_of(std::string_view name) {
 std::string random_letters() {
   constexpr std::string_view alphabet = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
   std::array<std::uint32_t, letters> numbers{};
-  if (::getrandom(numbers.data(), sizeof numbers, 0) != static_cast<ssize_t>(sizeof numbers)) return {};
+  if (!sys::random_bytes(numbers.data(), sizeof numbers)) return {};
   std::string out;
   for (const std::uint32_t number : numbers) out += alphabet[number % alphabet.size()];
   return out;
 }
 
-std::vector<std::string> names_of(DIR* listing) {
+std::vector<std::string> names_of(sys::FolderReader& listing) {
   std::vector<std::string> out;
-  while (const dirent* entry = ::readdir(listing)) {
-    const std::string name = entry->d_name;
-    if (name != "." && name != "..") out.push_back(name);
-  }
+  for (sys::FolderReader::Entry entry; listing.next(entry);) out.emplace_back(entry.name);
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -71,83 +59,64 @@ std::vector<std::string> names_of(DIR* listing) {
 // Where that fails, everything that is left stays.
 void remove_folder(int parent, const std::string& name, int home, Descriptor open) {
   if (!stands_for(parent, name.c_str(), open.get())) return;
-  if (DIR* const listing = ::fdopendir(open.get())) {
+  if (sys::FolderReader listing(open.get()); listing) {
     const int folder = open.release();
-    ::rewinddir(listing);
     for (const std::string& entry : names_of(listing)) {
       if (!is_folder(folder, entry))
-        ::unlinkat(folder, entry.c_str(), 0);
+        sys::remove_in(folder, entry.c_str());
       else if (home >= 0)
-        ::syscall(SYS_renameat2, folder, entry.c_str(), home, entry.c_str(), RENAME_NOREPLACE);
+        sys::rename_new_in(folder, entry, home, entry);
     }
-    ::unlinkat(parent, name.c_str(), AT_REMOVEDIR);
-    ::closedir(listing);  // and with it the lock
-    return;
+    sys::remove_folder_in(parent, name.c_str());
+    return;  // the lock goes with the descriptor
   }
-  ::unlinkat(parent, name.c_str(), AT_REMOVEDIR);
+  sys::remove_folder_in(parent, name.c_str());
 }
 
 void remove_remains(int parent, const std::string& prefix, int home) {
   for (const std::string& entry : names_in(parent)) {
     if (!entry.starts_with(prefix) || entry.size() != prefix.size() + letters) continue;
-    Descriptor remains(::openat(parent, entry.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    struct stat info {};
-    if (!remains || ::flock(remains.get(), LOCK_EX | LOCK_NB) != 0 || ::fstat(remains.get(), &info) != 0)
-      continue;
-    if (S_ISDIR(info.st_mode))
+    Descriptor remains(sys::open_in(parent, entry, sys::OpenIn::read));
+    sys::FileInfo info;
+    if (!remains || !sys::try_lock(remains.get()) || !sys::file_info(remains.get(), info)) continue;
+    if (info.kind == sys::FileInfo::Kind::folder)
       remove_folder(parent, entry, home, std::move(remains));
-    else if (S_ISREG(info.st_mode))
-      ::unlinkat(parent, entry.c_str(), 0);
+    else if (info.kind == sys::FileInfo::Kind::file)
+      sys::remove_in(parent, entry.c_str());
   }
 }
 
 }  // namespace
 
 Descriptor open_folder(int at, const std::string& name) {
-  return Descriptor(::openat(at, name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+  return Descriptor(sys::open_in(at, name, sys::OpenIn::folder));
 }
 
 bool is_folder(int at, const std::string& name) {
-  struct stat info {};
-  return ::fstatat(at, name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISDIR(info.st_mode);
+  sys::FileInfo info;
+  return sys::file_info_in(at, name.c_str(), info) && info.kind == sys::FileInfo::Kind::folder;
 }
 
 std::vector<std::string> names_in(int folder) {
-  std::vector<std::string> out;
-  const int reopened = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  DIR* const listing = reopened < 0 ? nullptr : ::fdopendir(reopened);
-  if (listing == nullptr) return out;
-  out = names_of(listing);
-  ::closedir(listing);
-  return out;
+  Descriptor reopened(sys::reopen_folder(folder));
+  sys::FolderReader listing(reopened.get());
+  if (!listing) return {};
+  (void)reopened.release();
+  return names_of(listing);
 }
 
-namespace {
-
-// The mask can only be read by setting another one, which other threads would see: read once.
-mode_t user_mask() {
-  static const mode_t mask = [] {
-    const mode_t found = ::umask(0);
-    ::umask(found);
-    return found;
-  }();
-  return mask;
+unsigned mode_of_new_file() {
+  return 0666 & ~sys::user_mask();
 }
 
-}  // namespace
-
-mode_t mode_of_new_file() {
-  return 0666 & ~user_mask();
-}
-
-mode_t mode_of_new_folder() {
-  return 0777 & ~user_mask();
+unsigned mode_of_new_folder() {
+  return 0777 & ~sys::user_mask();
 }
 
 FolderLock::FolderLock(int folder, std::chrono::milliseconds most) {
   const auto end = std::chrono::steady_clock::now() + most;
   auto pause = 1ms;
-  while (::flock(folder, LOCK_EX | LOCK_NB) != 0) {
+  while (!sys::try_lock(folder)) {
     taken_ = errno == EWOULDBLOCK;
     if ((!taken_ && errno != EINTR) || std::chrono::steady_clock::now() >= end) return;
     std::this_thread::sleep_for(pause);
@@ -167,7 +136,7 @@ FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
 }
 
 void FolderLock::release() {
-  if (folder_ >= 0) ::flock(folder_, LOCK_UN);
+  if (folder_ >= 0) sys::unlock(folder_);
   folder_ = -1;
 }
 
@@ -185,23 +154,22 @@ Temporary::Temporary(int folder, std::string_view name, Kind kind, int home) : f
     // So that at a signal the temporary is either remembered or not yet made.
     const SignalsHeld held;
     if (kind == Kind::file) {
-      open_ = Descriptor(
-          ::openat(folder, candidate.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
+      open_ = Descriptor(sys::open_in(folder, candidate, sys::OpenIn::create_temporary, 0600));
       if (!open_ && errno == EEXIST) continue;
     } else {
-      if (::mkdirat(folder, candidate.c_str(), 0700) != 0) {
+      if (!sys::make_folder_in(folder, candidate, 0700)) {
         if (errno == EEXIST) continue;
         return;
       }
       open_ = open_folder(folder, candidate);
       if (!open_) {
         const int why = errno;
-        ::unlinkat(folder, candidate.c_str(), AT_REMOVEDIR);
+        sys::remove_folder_in(folder, candidate.c_str());
         errno = why;
       }
     }
     if (!open_) return;
-    if (::flock(open_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) continue;
+    if (!sys::try_lock(open_.get()) && errno == EWOULDBLOCK) continue;
     if (!stands_for(folder, candidate.c_str(), open_.get())) continue;
     name_ = candidate;
     remembered_ = remember_temporary(folder, candidate.c_str(), kind == Kind::folder ? open_.get() : -1);
@@ -241,7 +209,7 @@ void Temporary::remove(int home) {
   if (kind_ == Kind::folder)
     remove_folder(folder_, name_, home, std::move(open_));
   else
-    ::unlinkat(folder_, name_.c_str(), 0);
+    sys::remove_in(folder_, name_.c_str());
   (void)keep();
   errno = before;
 }

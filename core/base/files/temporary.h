@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <string>
 #include <string_view>
@@ -20,10 +18,10 @@ bool is_folder(int at, const std::string& name);
 std::vector<std::string> names_in(int folder);
 
 /// The modes of new files and folders: 0666 and 0777, less the user's mask.
-mode_t mode_of_new_file();
-mode_t mode_of_new_folder();
+unsigned mode_of_new_file();
+unsigned mode_of_new_folder();
 
-/// The lock (flock) of an open folder, which etak's runs hold for moments while they make and place files in
+/// The lock of an open folder, which etak's runs hold for moments while they make and place files in
 /// it. Whoever may read a folder can hold its lock for ever, so nobody waits for it without a limit.
 class FolderLock {
  public:
@@ -44,7 +42,7 @@ class FolderLock {
 
 /// A new file or folder under a name of its own beside what it is to become: ".NAME.etak-XXXXXX", random and
 /// made exclusively. It is removed with the object, by a signal that ends the program (signals.h), or after a
-/// kill by the next temporary for the same NAME, which leaves those in use alone: they are locked (flock). A
+/// kill by the next temporary for the same NAME, which leaves those in use alone: they are locked. A
 /// NAME too long to be lengthened is replaced by its beginning and a hash of the whole.
 class Temporary {
  public:

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/hash/sha256.h"
 
-#include <unistd.h>
-
 #ifdef ETAK_SHA256_X86
 #include <cpuid.h>
 #endif
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cstdint>
 #include <vector>
 
@@ -174,8 +171,7 @@ std::string sha256_of_file(const std::string& path) {
     Sha256 hash;
     std::vector<char> buffer(std::size_t{1} << 18);
     for (;;) {
-      const ssize_t count = ::read(input.file.get(), buffer.data(), buffer.size());
-      if (count < 0 && errno == EINTR) continue;
+      const std::ptrdiff_t count = sys::read(input.file.get(), buffer.data(), buffer.size());
       if (count < 0) return {};
       if (count == 0) return hash.finish();
       hash.add({buffer.data(), static_cast<std::size_t>(count)});

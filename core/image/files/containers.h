@@ -26,8 +26,10 @@ struct FileSink {
 ///   levels       an RGBA8 texture with its mip chain: levels[l] has max(1, side >> l) texels a side, 4
 ///                channels, and no gaps between rows
 ///   srgb         the colour is sRGB-encoded; alpha never is
-///   zstd_level   0: no supercompression; 1..22: Zstandard
+///   zstd_level   0: no supercompression; 1..22: Zstandard, an Error where has_zstd() is false
 void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink);
+/// Whether etak was built with Zstandard.
+bool has_zstd();
 
 /// The kind of header of a DDS file.
 ///   dx10     names DXGI_FORMAT_R8G8B8A8_UNORM or _UNORM_SRGB, and the alpha mode

@@ -7,7 +7,9 @@
 #include <memory>
 #include <new>
 
+#ifdef ETAK_HAS_ZSTD
 #include <zstd.h>
+#endif
 #include "core/base/bytes_le.h"
 #include "core/base/error.h"
 #include "core/image/files/containers.h"
@@ -21,6 +23,9 @@ using namespace bytes_le;
 constexpr std::string_view identifier("\xabKTX 20\xbb\r\n\x1a\n", 12);
 constexpr std::uint32_t vk_r8g8b8a8_unorm = 37, vk_r8g8b8a8_srgb = 43;
 constexpr std::uint32_t scheme_none = 0, scheme_zstd = 2;
+#ifndef ETAK_HAS_ZSTD
+constexpr const char* without_zstd = "Zstandard, which this etak was built without";
+#endif
 constexpr std::size_t header_bytes = 80, index_entry_bytes = 24;  // the level index follows the header
 
 std::size_t level_bytes(int width, int height) {
@@ -76,6 +81,7 @@ std::string_view bytes_of(const ConstPixelsView8& level) {
   return {reinterpret_cast<const char*>(level.data), level_bytes(level.width, level.height)};
 }
 
+#ifdef ETAK_HAS_ZSTD
 // Compresses bytes to one Zstandard frame, which goes to `add` piece by piece; returns the length of the
 // frame.
 std::size_t compress(std::string_view bytes, int level, const std::function<void(std::string_view)>& add) {
@@ -98,6 +104,11 @@ std::size_t compress(std::string_view bytes, int level, const std::function<void
   }
   return length;
 }
+#else
+std::size_t compress(std::string_view, int, const std::function<void(std::string_view)>&) {
+  throw Error::at("KTX2", without_zstd, "level 0: no compression");
+}
+#endif
 
 struct Reader {
   std::string_view bytes, path;
@@ -156,6 +167,7 @@ struct Reader {
     }
   }
 
+#ifdef ETAK_HAS_ZSTD
   void decompress(std::string_view from, Image8& to) const {
     const std::size_t size = ZSTD_decompress(to.values.data(), to.values.size(), from.data(), from.size());
     if (ZSTD_isError(size) != 0)
@@ -163,9 +175,22 @@ struct Reader {
     expect(size == to.values.size(), "Zstandard data of uncompressed size", size,
            std::to_string(to.values.size()));
   }
+#else
+  void decompress(std::string_view, Image8&) const {
+    fail(without_zstd, "no compression");
+  }
+#endif
 };
 
 }  // namespace
+
+bool has_zstd() {
+#ifdef ETAK_HAS_ZSTD
+  return true;
+#else
+  return false;
+#endif
+}
 
 void write_ktx2(std::span<const ConstPixelsView8> levels, bool srgb, int zstd_level, const FileSink& sink) {
   assert(!levels.empty() && zstd_level >= 0 && zstd_level <= 22);

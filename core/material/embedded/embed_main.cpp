@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // etak_embed OUT FOLDER UNMEASURED: reads every material file below FOLDER and the list of words without a
-// measurement, and writes the bytes that become the built-in library. Run by the build; a broken, twice named
+// measurement, and writes the C++ source of the built-in library (library_words.h). Run by the build; a broken, twice named
 // or misplaced material fails it, and so does an unknown id near to such a word.
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <map>
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/system.h"
 #include "core/material/embedded/blob.h"
 #include "core/material/json.h"
 
@@ -21,7 +26,7 @@ void check_place(const etak::Material& m, const fs::path& file) {
       m.material_class + "/" + (m.group.empty() ? "" : m.group + "/") + m.id + ".json";
   if (!file.generic_string().ends_with("/" + expected))
     throw etak::Error::at(
-        file.string(),
+        etak::sys::path_text(file),
         "id " + m.id + " of class " + m.material_class + (m.group.empty() ? "" : ", group " + m.group),
         "the file " + expected);
 }
@@ -36,11 +41,32 @@ std::vector<etak::Unmeasured> read_unmeasured(const std::string& file,
   return out;
 }
 
+// This program runs on the machine that the library is for, or on one that imitates it, so that words have the
+// order of bytes that they need.
+std::string source_of(std::string_view bytes) {
+  std::string out =
+      "#include \"core/material/embedded/library_words.h\"\nnamespace etak {\nconst std::size_t "
+      "library_bytes = " +
+      std::to_string(bytes.size()) + ";\nconst std::uint64_t library_words[] = {\n";
+  constexpr std::size_t word_bytes = sizeof(std::uint64_t), words_of_line = 8;
+  for (std::size_t at = 0; at < bytes.size(); at += word_bytes) {
+    const std::string_view part = bytes.substr(at, word_bytes);
+    std::uint64_t word = 0;
+    std::memcpy(&word, part.data(), part.size());
+    std::array<char, 20> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), word, 16).ptr;
+    out.append("0x")
+        .append(digits.data(), end)
+        .append(at / word_bytes % words_of_line == words_of_line - 1 ? ",\n" : ",");
+  }
+  return out + "};\n}  // namespace etak\n";
+}
+
 void embed(const std::string& out, const std::string& folder, const std::string& unmeasured_file) {
   std::map<std::string, etak::Material> by_id;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
-    const std::string file = entry.path().string();
+    const std::string file = etak::sys::path_text(entry.path());
     etak::Material m = etak::parse_material(etak::read_file(file), file);
     check_place(m, entry.path());
     const auto [place, is_new] = by_id.emplace(m.id, std::move(m));
@@ -49,7 +75,7 @@ void embed(const std::string& out, const std::string& folder, const std::string&
   const std::vector<etak::Unmeasured> unmeasured = read_unmeasured(unmeasured_file, by_id);
   std::vector<etak::Material> materials;
   for (auto& [id, material] : by_id) materials.push_back(std::move(material));
-  etak::write_file(out, etak::encode_library(materials, unmeasured), true);
+  etak::write_file(out, source_of(etak::encode_library(materials, unmeasured)), true);
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pages/f0/worker.h"
 
-#include <unistd.h>
-
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/memory.h"
+#include "core/base/system.h"
 #include "core/exchange/rii/axis_pages.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"
@@ -138,7 +137,7 @@ F0Result F0Worker::average_pages(const MaterialInput& input, const F0Job& job, F
   std::vector<F0Solver::Part> parts;
   Flags flags;
   for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (::access(axes[i].path.c_str(), F_OK) != 0)
+    if (sys::FileInfo info; !sys::file_info(axes[i].path, info))
       return refused("no average over axes: " + axes[i].path.substr(input.label_at) + " is missing",
                      page_.flags);
     read_file(axes[i].path, text_);

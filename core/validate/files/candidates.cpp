@@ -9,6 +9,7 @@
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/parallel.h"
+#include "core/base/system.h"
 #include "core/exchange/content_kind.h"
 #include "core/validate/files/file_hints.h"
 #include "core/validate/files/files.h"
@@ -45,7 +46,7 @@ void add_manifest_pictures(const std::string& path, std::unordered_set<std::stri
   try {
     if (read_head(path, content_head).find("\"etak-atlas-manifest/") == std::string::npos) return;
     const auto add = [&](const std::string& picture) {
-      if (!picture.empty()) pictures.insert(fs::path(picture).lexically_normal().string());
+      if (!picture.empty()) pictures.insert(sys::path_text(fs::path(picture).lexically_normal()));
     };
     for (const ManifestMaterial& material : parse_manifest(read_file(path), path).materials) {
       add(material.normal);

@@ -7,6 +7,7 @@
 #include "core/base/ascii.h"
 #include "core/base/files/input.h"
 #include "core/base/files/links.h"
+#include "core/base/system.h"
 
 namespace etak {
 
@@ -33,12 +34,12 @@ std::string pattern_stem(const std::string& pattern, const std::string& name) {
 
 std::string level_0_of(const std::string& path) {
   const fs::path whole(path);
-  const std::string stem = whole.stem().string();
+  const std::string stem = sys::path_text(whole.stem());
   const std::size_t mip = stem.rfind(".mip");
   if (mip == std::string::npos || mip + 4 == stem.size() ||
       stem.find_first_not_of("0123456789", mip + 4) != std::string::npos)
     return {};
-  return (whole.parent_path() / (stem.substr(0, mip) + whole.extension().string())).string();
+  return sys::path_text(whole.parent_path() / (stem.substr(0, mip) + sys::path_text(whole.extension())));
 }
 
 bool looks_like_spectrum(const std::string& path) {
@@ -54,7 +55,7 @@ bool looks_like_spectrum(const std::string& path) {
 }
 
 void check_links(const std::string& folder, const std::string& path) {
-  (void)path_beside(folder, fs::path(path).lexically_relative(folder.empty() ? "." : folder).string());
+  (void)path_beside(folder, sys::path_text(fs::path(path).lexically_relative(folder.empty() ? "." : folder)));
 }
 
 std::string relative_label(const std::string& path, const std::string& root) {
@@ -62,7 +63,7 @@ std::string relative_label(const std::string& path, const std::string& root) {
   const fs::path whole = fs::absolute(path, failure).lexically_normal();
   const fs::path relative =
       whole.lexically_relative(root.empty() ? fs::current_path(failure) : fs::path(root));
-  return relative.empty() ? whole.filename().string() : relative.generic_string();
+  return relative.empty() ? sys::path_text(whole.filename()) : relative.generic_string();
 }
 
 }  // namespace etak

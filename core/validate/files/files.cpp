@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/system.h"
 #include "core/exchange/content_kind.h"
 #include "core/exchange/material_file.h"
 #include "core/image/load.h"
@@ -304,7 +305,7 @@ std::optional<FileRole> kind_of_content(std::string_view head) {
 }  // namespace
 
 std::optional<FileRole> role_of_file(const std::string& path) {
-  const std::string ending = lower_case(std::filesystem::path(path).extension().string());
+  const std::string ending = lower_case(sys::path_text(std::filesystem::path(path).extension()));
   const std::string_view bare = std::string_view(ending).substr(ending.empty() ? 0 : 1);
   if (bare == radiance_ending ||
       std::find(picture_endings.begin(), picture_endings.end(), bare) != picture_endings.end())

@@ -12,6 +12,7 @@
 #include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
+#include "core/base/system.h"
 #include "core/exchange/data_folder.h"
 #include "core/scene/gltf.h"
 #include "core/validate/engine.h"
@@ -51,7 +52,8 @@ class Finder {
     }
     request_.listed = {};
     const ValidateConfig& config = request_.config;
-    if (!config.file.empty()) out_.typed.try_emplace(".", fs::path(config.file).parent_path().string());
+    if (!config.file.empty())
+      out_.typed.try_emplace(".", sys::path_text(fs::path(config.file).parent_path()));
     drop_doubles();
     classify();
     group_pictures();
@@ -97,7 +99,7 @@ class Finder {
   void remember_typed(std::string_view folder) {
     if (folder == last_typed_ && !out_.typed.empty()) return;
     last_typed_ = folder;
-    const std::string text = (fs::path(folder).lexically_normal() / "").parent_path().string();
+    const std::string text = sys::path_text((fs::path(folder).lexically_normal() / "").parent_path());
     out_.typed.try_emplace(relative_label(text.empty() ? "." : text, request_.config.root),
                            text == "." ? "" : text);
   }
@@ -116,13 +118,14 @@ class Finder {
     }
     std::move(folder.skipped.begin(), folder.skipped.end(), std::back_inserter(out_.no_files));
     for (std::string& file : folder.files)
-      candidates_.push_back({std::move(file), Named::by_folder, fs::path(path).lexically_normal().string()});
+      candidates_.push_back(
+          {std::move(file), Named::by_folder, sys::path_text(fs::path(path).lexically_normal())});
   }
 
   // A file that was named twice is checked once; named by hand wins.
   void drop_doubles() {
     for (FileCandidate& candidate : candidates_)
-      candidate.path = fs::path(candidate.path).lexically_normal().string();
+      candidate.path = sys::path_text(fs::path(candidate.path).lexically_normal());
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const FileCandidate& a, const FileCandidate& b) {
                        return std::tie(a.path, a.named) < std::tie(b.path, b.named);
@@ -196,7 +199,7 @@ class Finder {
         for (CheckTarget& page : pages) {
           FoundTarget found{std::move(page), {path}};
           for (const TargetFile& file : found.target.files) {
-            const std::string picture = fs::path(file.path).lexically_normal().string();
+            const std::string picture = sys::path_text(fs::path(file.path).lexically_normal());
             claimed_.insert(picture);
             found.depends.push_back(picture);
           }
@@ -296,7 +299,7 @@ class Finder {
       std::error_code failure;
       for (fs::directory_iterator at(folder.empty() ? "." : folder, failure), end; !failure && at != end;
            at.increment(failure)) {
-        const std::string path = folder + at->path().filename().string();
+        const std::string path = folder + sys::path_text(at->path().filename());
         if (have.contains(path) || claimed_.contains(path)) continue;
         auto picture = named_picture(path);
         if (!picture || !(is_judged(picture->name.role) ? keys : keys_of_maps).contains(picture->key) ||

@@ -9,6 +9,7 @@
 #include "core/base/files/file.h"
 #include "core/base/files/links.h"
 #include "core/base/node_json.h"
+#include "core/base/system.h"
 #include "core/image/channels.h"
 #include "core/image/image.h"
 #include "core/validate/files/files.h"
@@ -19,7 +20,8 @@ namespace etak {
 namespace {
 
 std::string beside(const std::string& path, const std::string& name) {
-  const std::filesystem::path whole = path_beside(std::filesystem::path(path).parent_path().string(), name);
+  const std::filesystem::path whole =
+      path_beside(sys::path_text(std::filesystem::path(path).parent_path()), name);
   return whole.lexically_normal().generic_string();
 }
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/validate/files/result_cache.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -28,21 +24,20 @@ constexpr std::size_t shortest_key = 16, longest_key = 4096;
 
 // A rebuilt etak may judge differently under the same version number.
 std::string program_fingerprint(const std::string& version) {
-  return version + ' ' + sha256_of_file("/proc/self/exe");
+  return version + ' ' + sha256_of_file(sys::program_path());
 }
 
 // Device, inode, size and times of the files, which change when a file is written.
 std::string stamps_of(const std::vector<std::string>& paths) {
   std::string out;
   for (const std::string& path : paths) {
-    struct stat info {};
+    sys::FileInfo info;
     // Input from a pipe is kept in memory and does not change.
-    if (!is_pipe_input(path) && ::stat(path.c_str(), &info) != 0) out += "none";
+    if (!is_pipe_input(path) && !sys::file_info(path, info)) out += "none";
     for (const std::int64_t part :
-         {static_cast<std::int64_t>(info.st_dev), static_cast<std::int64_t>(info.st_ino),
-          static_cast<std::int64_t>(info.st_size), static_cast<std::int64_t>(info.st_mtim.tv_sec),
-          static_cast<std::int64_t>(info.st_mtim.tv_nsec), static_cast<std::int64_t>(info.st_ctim.tv_sec),
-          static_cast<std::int64_t>(info.st_ctim.tv_nsec)})
+         {static_cast<std::int64_t>(info.device), static_cast<std::int64_t>(info.number),
+          static_cast<std::int64_t>(info.size), info.written.seconds, info.written.nanoseconds,
+          info.changed.seconds, info.changed.nanoseconds})
       out += ' ' + std::to_string(part);
     out += '\n';
   }
@@ -51,20 +46,19 @@ std::string stamps_of(const std::vector<std::string>& paths) {
 
 // The content of an open file; nullopt when it is no regular file, too long, or cannot be read.
 std::optional<std::string> read_entry(const Descriptor& file) {
-  struct stat info {};
-  if (!file || ::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode)) return std::nullopt;
+  sys::FileInfo info;
+  if (!file || !sys::file_info(file.get(), info) || info.kind != sys::FileInfo::Kind::file)
+    return std::nullopt;
   std::string out(1, '\0');
   for (std::size_t filled = 0;;) {
-    const ssize_t got = ::read(file.get(), out.data() + filled, out.size() - filled);
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got = sys::read(file.get(), out.data() + filled, out.size() - filled);
     if (got < 0 || filled > largest_entry) return std::nullopt;
     filled += static_cast<std::size_t>(got);
     if (got == 0) {
       out.resize(filled);
       return out;
     }
-    if (filled == out.size())
-      out.resize(std::max(2 * filled, static_cast<std::size_t>(std::max<off_t>(info.st_size, 0)) + 1));
+    if (filled == out.size()) out.resize(std::max(2 * filled, static_cast<std::size_t>(info.size) + 1));
   }
 }
 
@@ -96,7 +90,7 @@ ResultCache::ResultCache(const std::string& folder, const std::string& settings,
     : settings_(settings + '\n' + program_fingerprint(version)), key_(std::move(key)) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
-  folder_ = Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  folder_ = Descriptor(sys::open_file(folder, sys::Open::folder));
   if (!folder_) throw Error::at("--cache", printable(folder, 200) + " is no folder", "a folder");
 }
 
@@ -140,8 +134,8 @@ std::optional<CheckedFile> ResultCache::find(const CacheKey& key) const {
   if (key.digest.empty()) return std::nullopt;
   const Descriptor folder = folder_of(key.digest);
   if (!folder) return std::nullopt;
-  const auto entry = read_entry(Descriptor(
-      ::openat(folder.get(), name_of(key.digest).c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)));
+  const auto entry =
+      read_entry(Descriptor(sys::open_in(folder.get(), name_of(key.digest), sys::OpenIn::read)));
   if (!entry) return std::nullopt;
   const std::string_view all = *entry;
   const std::size_t end = std::min(all.find('\n'), all.size());
@@ -157,7 +151,7 @@ void ResultCache::keep(const CacheKey& key, const FoundTarget& found, const Chec
   const std::string text = cache_text(file);
   if (text.empty()) return;
   const std::string name = name_of(key.digest);
-  (void)::mkdirat(folder_.get(), key.digest.substr(0, 2).c_str(), 0777);
+  (void)sys::make_folder_in(folder_.get(), key.digest.substr(0, 2), 0777);
   const Descriptor folder = folder_of(key.digest);
   if (!folder) return;
   // Not write_file(): a result that is lost in a power cut is only computed again, and flushing thousands of
@@ -165,8 +159,8 @@ void ResultCache::keep(const CacheKey& key, const FoundTarget& found, const Chec
   Temporary out(folder.get(), name, Temporary::Kind::file);
   if (out &&
       write_all(out.open().get(), std::string(format_name) + seal_of(key.digest, text) + '\n' + text) &&
-      ::fchmod(out.open().get(), mode_of_new_file()) == 0 &&
-      ::renameat(folder.get(), out.name().c_str(), folder.get(), name.c_str()) == 0)
+      sys::set_mode(out.open().get(), mode_of_new_file()) &&
+      sys::rename_in(folder.get(), out.name(), folder.get(), name))
     (void)out.keep();
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/files/steady_file.h"
+#include "core/base/system.h"
 #include "core/image/files/png_chunks.h"
 #include "core/image/files/png_keep.h"
 #include "core/image/load.h"
@@ -166,7 +167,7 @@ class TargetRepair {
       const auto& chunks = left_out_.at(file.label);
       out.not_kept.insert(out.not_kept.end(), chunks.begin(), chunks.end());
       if (BytesInMemory bytes(originals_[i].bytes); !has_png_signature(bytes))
-        out.copy = fs::path(out.copy).replace_extension(".png").string();
+        out.copy = sys::path_text(fs::path(out.copy).replace_extension(".png"));
       copies.write(out.copy, *file.bytes);
       if (request_.shown) request_.shown(out, codes8(before), codes8(after));
       report.files.push_back(std::move(out));
@@ -335,7 +336,7 @@ std::string path_of_copy(const std::string& label, const fs::path& common) {
   for (auto part = common.begin(); part != common.end(); ++part) ++at;
   for (; at != whole.end(); ++at)
     if (*at != ".." && *at != "." && *at != "/") out /= *at;
-  return out.string();
+  return sys::path_text(out);
 }
 
 }  // namespace
