@@ -218,9 +218,9 @@ ErrorTimeFamily quantisation_family(const ReportOptions&) {
       "; 16 bit linear has nothing to see and is quicker, for twice the bytes) and gloss as it is: its " +
       number(family.tables[1].rows[0].errors[2], 2) +
       " % of e is the same everywhere, while alpha in 8 bit fails on polished surfaces.";
-  family.picks = {
-      {"F0 in a texture of 8 bits", "f0", "srgb8", "no visible step; 16 bits are closer, for twice the bytes"},
-      {"gloss in a texture", "gloss", "gloss8", "the same relative step everywhere"}};
+  family.picks = {{"F0 in a texture of 8 bits", "f0", "srgb8",
+                   "no visible step; 16 bits are closer, for twice the bytes"},
+                  {"gloss in a texture", "gloss", "gloss8", "the same relative step everywhere"}};
   family.notes = {"One code of gloss multiplies the exponent by " + number(exponent_of_gloss(1 / 255.0), 5) +
                       "; g = 0 and g = 1 are codes.",
                   "Half a step is the most that rounding moves a value, as a share of it. Times are of a "
