@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/editor/panels/data_sentences.h"
 
+#include <QObject>
+
 #include "app/viewport/qt_text.h"
 
 namespace etak::editor {
