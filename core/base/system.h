@@ -177,6 +177,9 @@ void on_end(void (*handler)(int number));
 std::vector<std::string> start_program(int argc, char** argv);
 /// The absolute path of the running program; empty where the system does not tell it.
 std::string program_path();
+/// A path by which the bytes of the running program can be read. Where the system allows it, they are these even
+/// after another program has taken the place of its file.
+std::string program_bytes();
 
 bool is_terminal(int open);
 /// The width of the terminal in columns; 0 where there is none.

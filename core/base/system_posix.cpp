@@ -445,6 +445,14 @@ std::string program_path() {
 #endif
 }
 
+std::string program_bytes() {
+#if defined(__linux__)
+  return "/proc/self/exe";
+#else
+  return program_path();
+#endif
+}
+
 bool is_terminal(int open) {
   return ::isatty(open) != 0;
 }

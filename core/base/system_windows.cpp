@@ -767,6 +767,10 @@ std::string program_path() {
   return narrow(path);
 }
 
+std::string program_bytes() {
+  return program_path();
+}
+
 bool is_terminal(int open) {
   DWORD mode = 0;
   return ::GetConsoleMode(handle_of(open), &mode) != 0;

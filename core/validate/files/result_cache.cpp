@@ -24,7 +24,7 @@ constexpr std::size_t shortest_key = 16, longest_key = 4096;
 
 // A rebuilt etak may judge differently under the same version number.
 std::string program_fingerprint(const std::string& version) {
-  return version + ' ' + sha256_of_file(sys::program_path());
+  return version + ' ' + sha256_of_file(sys::program_bytes());
 }
 
 // Device, inode, size and times of the files, which change when a file is written.
