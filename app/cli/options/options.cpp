@@ -83,7 +83,7 @@ void add_compute_options(Command verb, F0Settings& settings) {
 
 F0Options f0_options(const F0Settings& settings, Library& library) {
   return f0_options(settings, library.when_asked(), [](const std::string& config, const std::string& name) {
-    return pictures("--space").open_space(config, name);
+    return pictures("--space").doors.open_space(config, name);
   });
 }
 

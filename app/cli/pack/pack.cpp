@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/pack/pack.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -20,7 +17,6 @@
 #include "core/base/files/output_folder.h"
 #include "core/base/files/output_target.h"
 #include "core/base/memory.h"
-#include "core/base/number.h"
 #include "core/base/system.h"
 #include "core/project/project_pack.h"
 #include "core/validate/check_pack.h"
@@ -28,17 +24,6 @@
 
 namespace etak::cli {
 namespace {
-
-std::size_t memory(const std::string& text) {
-  if (text.empty()) return 0;
-  const char unit = text.back();
-  const int shift = unit == 'K' ? 10 : unit == 'M' ? 20 : unit == 'G' ? 30 : 0;
-  double value = 0;
-  if (!parse_number(shift == 0 ? text : text.substr(0, text.size() - 1), value) || !(value > 0) ||
-      value > 1e15)
-    throw Error::at("--memory", printable(text), "a number of bytes, with K, M or G for more");
-  return static_cast<std::size_t>(value * static_cast<double>(std::size_t{1} << shift));
-}
 
 // The configuration that `etak validate` would use for the result. Throws Error.
 PackCheckOptions check_options(PackArguments& a) {
@@ -76,30 +61,20 @@ void keep_memory_of_regions() {
   sys::keep_freed_memory(32 << 20, 512 << 20, 16 << 20);
 }
 
-// The path of the OpenColorIO config in use, because a change of its bytes is a change of the input; empty
-// where it is etak's own.
-std::string config_file(const std::string& asked) {
-  if (!asked.empty()) return asked;
-  const char* environment = std::getenv("OCIO");
-  std::error_code failure;
-  const std::string path = environment == nullptr ? "" : environment;
-  return std::filesystem::is_regular_file(path, failure) ? path : "";
-}
-
 // The options of the line as values. Throws Error that names the option.
 PackOptions options_of(const PackArguments& a) {
   PackOptions out = pack_options(a.settings);
-  out.input.space_config = config_file(a.settings.ocio);
+  out.input.space_config = space_config_file(a.settings.ocio);
   out.input.pictures.door = picture_door();
   out.input.pictures.open_space = [config = a.settings.ocio](const std::string& name) {
-    return pictures(printable(name)).open_source(config, name);
+    return pictures(printable(name)).doors.open_source(config, name);
   };
   if (writes_floats(out.output.write))
     (void)pictures("--format");  // throws before the work where the module is missing
   out.output.overwrite = may_replace(a.force);
   out.output.update = a.update;
   out.output.dry_run = a.dry_run;
-  out.run.memory = memory(a.memory);
+  out.run.memory = memory_setting(a.memory);
   out.run.threads = thread_count(a.threads);
   out.run.version = ETAK_VERSION;
   return out;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
 #include "core/atlas/pack/pack.h"
 #include "core/base/error.h"
@@ -141,6 +143,25 @@ PackOptions pack_options(const PackSettings& s) {
                     "one " + setting("gltf-form") + ", or smallest");
   out.output.bleed = s.bleed;
   return out;
+}
+
+std::size_t memory_setting(const std::string& text) {
+  if (text.empty()) return 0;
+  const char unit = text.back();
+  const int shift = unit == 'K' ? 10 : unit == 'M' ? 20 : unit == 'G' ? 30 : 0;
+  double value = 0;
+  if (!parse_number(shift == 0 ? text : text.substr(0, text.size() - 1), value) || !(value > 0) ||
+      value > 1e15)
+    throw Error::at(setting("memory"), printable(text), "a number of bytes, with K, M or G for more");
+  return static_cast<std::size_t>(value * static_cast<double>(std::size_t{1} << shift));
+}
+
+std::string space_config_file(const std::string& asked) {
+  if (!asked.empty()) return asked;
+  const char* environment = std::getenv("OCIO");
+  std::error_code failure;
+  const std::string path = environment == nullptr ? "" : environment;
+  return std::filesystem::is_regular_file(path, failure) ? path : "";
 }
 
 }  // namespace etak

@@ -138,6 +138,15 @@ struct PackOptions {
 /// pictures and their spaces, what may be overwritten, the run and the check.
 PackOptions pack_options(const PackSettings& settings);
 
+/// The bytes that the setting memory stands for: a number, with K, M or G behind it for more; empty: 0, which
+/// means any. Throws Error.
+std::size_t memory_setting(const std::string& text);
+
+/// The path of the OpenColorIO config in use, because a change of its bytes is a change of the input; empty
+/// where it is etak's own.
+///   asked   that a setting names; empty: that of $OCIO
+std::string space_config_file(const std::string& asked);
+
 /// Thrown by pack() when PackOptions::cancelled said so: the folder is as it was.
 class PackCancelled : public std::runtime_error {
  public:

@@ -180,7 +180,7 @@ TEST_CASE("select, only, extend-select and ignore choose rules") {
   CHECK(severity(only, "ETK104") == Severity::off);
   CHECK(severity(chosen({{}, {}, {"ETK111"}, {}}), "ETK111") != Severity::off);
   CHECK(severity(chosen({{}, {}, {"f0-not-in-database"}, {}}), "ETK111") != Severity::off);
-  CHECK(contains(error_of([&] { (void)chosen({{}, {}, {}, {"ETK777"}}); }), "--ignore: ETK904"));
+  CHECK(contains(error_of([&] { (void)chosen({{}, {}, {}, {"ETK777"}}); }), "ignore: ETK904"));
 }
 
 TEST_CASE("the settings' hash changes with whatever changes findings, and with nothing else") {

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pictures/open_module.h"
+
+#include <algorithm>
+
+#include "app/pictures/doors.h"
+#include "core/base/setting.h"
+#include "core/base/system.h"
+#include "core/base/text.h"
+
+namespace etak {
+namespace {
+
+// Address space and threads that the libraries of the module take while the loader initialises them.
+// Liblog4cplus, which Debian's OpenImageIO links, starts its threads then, and ends or halts the process
+// where it cannot. Therefore sys::has_room() is asked before.
+constexpr std::size_t library_bytes = std::size_t{448} << 20;
+constexpr std::size_t library_threads = 4;
+
+}  // namespace
+
+OpenedModule open_module(std::span<const std::string> candidates, const char* function,
+                         std::string_view version) {
+  const auto there = std::find_if(candidates.begin(), candidates.end(),
+                                  [](const std::string& file) { return sys::may_read(file); });
+  if (there == candidates.end())
+    return {nullptr, candidates.size() > 1 ? "is neither " + joined(candidates, " nor ")
+                                           : "is not " + joined(candidates)};
+  if (!sys::has_room(library_threads, library_bytes))
+    return {nullptr, "there is not room for its libraries: 448 MiB of addresses and four threads"};
+  void* const module = sys::open_library(*there);
+  using Open = const PictureDoors* (*)();
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the one way from a symbol to a function
+  const auto open =
+      module == nullptr ? nullptr : reinterpret_cast<Open>(sys::library_symbol(module, function));
+  if (open == nullptr) return {nullptr, "cannot be opened: " + sys::library_fault()};
+  const PictureDoors* const found = open();
+  if (found->version == version) return {found, {}};
+  return {nullptr, *there + " is of etak " + found->version + ", not " + std::string(version)};
+}
+
+PictureDoor picture_door_behind(const OpenDoors& doors) {
+  PictureDoor door;
+  door.header = [doors](const std::string& path) { return doors(path).picture_door().header(path); };
+  door.file = [doors](const std::string& path) { return doors(path).picture_door().file(path); };
+  door.bytes = [doors](std::string_view bytes, const std::string& label) {
+    return doors(label).picture_door().bytes(bytes, label);
+  };
+  door.encode = [doors](const Image& image, std::string_view format, std::string_view fourth) {
+    return doors(setting("format")).picture_door().encode(image, format, fourth);
+  };
+  return door;
+}
+
+}  // namespace etak

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "app/python/module.h"
+#include "core/base/error.h"
+#include "core/base/number.h"
+#include "core/base/parallel.h"
+#include "core/base/setting.h"
+#include "core/base/text.h"
+#include "core/study/fresnel_forms.h"
+
+namespace etak::python {
+namespace {
+
+constexpr std::string_view exact_form = "exact";
+
+const FresnelForm* form_named(const std::string& id) {
+  if (id == exact_form) return nullptr;
+  if (const FresnelForm* form = fresnel_form(id)) return form;
+  throw Error::at(setting("form"), printable(id),
+                  std::string(exact_form) + ", " + joined(fresnel_forms(), ", ", &FresnelForm::id));
+}
+
+Array fresnel(const py::object& material, const py::object& cos_theta, const std::string& form_id,
+              const std::string& dataset, const py::dict& given, const Library& library, unsigned threads) {
+  const AskedMaterial asked = asked_material(material, dataset);
+  const Array cosines = doubles(cos_theta, "cos_theta");
+  const F0Settings settings = f0_settings(given);
+  const TableSettings tables = table_settings(given);
+  std::vector<py::ssize_t> shape(cosines.shape(), cosines.shape() + cosines.ndim());
+  shape.push_back(3);
+  Array out(shape);
+  const std::span<double> colors(out.mutable_data(), static_cast<std::size_t>(out.size()));
+  const std::span<const double> at = values_of(cosines);
+  const Unlocked unlocked;
+  const FresnelForm* const form = form_named(form_id);
+  for (const double c : at)
+    if (!(c >= 0 && c <= 1)) throw Error::at("cos_theta", number(c, 9), "0 to 1");
+  const DatasetOf found = read_one(asked, library, tables);
+  const auto* constants = std::get_if<OpticalConstants>(&found.dataset().optics);
+  if (constants == nullptr) throw Error::at(found.label(), "has reflectance data only", "n and k");
+  const F0Options options = options_of(settings, library);
+  // Says why where the data do not allow it.
+  if (const F0Result f0 = F0Solver(options).solve(found.dataset().optics); f0.refused())
+    throw Error::at(found.label(), "refused: " + f0.refusal);
+  constexpr std::size_t chunk = 16;
+  const auto each = [&](const auto& value) {
+    parallel_chunks(
+        at.size(), thread_count(threads), chunk, [&](std::size_t begin, std::size_t end, unsigned) {
+          for (std::size_t i = begin; i < end; ++i) {
+            const Vec3 color = value(at[i]);
+            std::copy(color.begin(), color.end(), colors.begin() + static_cast<std::ptrdiff_t>(3 * i));
+          }
+        });
+  };
+  if (form == nullptr) {
+    const SeenFresnel seen(*constants, found.label(), options);
+    each([&](double c) { return seen(c); });
+    return out;
+  }
+  constexpr double step_deg = 0.25;
+  const FresnelValues values = form->fit(fresnel_truth(*constants, found.label(), step_deg, options));
+  each([&](double c) {
+    return Vec3{form->value(values[0].data(), c), form->value(values[1].data(), c),
+                form->value(values[2].data(), c)};
+  });
+  return out;
+}
+
+}  // namespace
+
+void add_fresnel(py::module_& module) {
+  module.def("fresnel", &fresnel, py::arg("material"), py::arg("cos_theta"), py::arg("form"),
+             py::arg("dataset"), py::arg("settings"), py::arg("library"), py::arg("threads"));
+  module.def("fresnel_forms", [] {
+    py::dict out;
+    out[py::str(std::string(exact_form))] = "n and k of every nanometre";
+    for (const FresnelForm& form : fresnel_forms())
+      out[py::str(std::string(form.id))] = std::string(form.title);
+    return out;
+  });
+}
+
+}  // namespace etak::python

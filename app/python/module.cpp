@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// The compiled part of `import etak`: what its Python part (etak/__init__.py) calls.
+#include "app/python/module.h"
+
+#include "app/pictures/open_module.h"
+#include "core/base/error.h"
+#include "core/base/setting.h"
+#include "core/base/text.h"
+
+namespace etak::python {
+namespace {
+
+std::string module_folder;
+
+}  // namespace
+
+Array doubles(const py::object& value, const char* name) {
+  if (py::hasattr(value, "mask"))
+    throw Error::at(name, "a masked array", "an array without gaps, such as its filled()");
+  const py::array any = py::array::ensure(value);
+  if (!any) {
+    PyErr_Clear();
+    throw Error::at(name, "no array of numbers: " + printable(std::string(py::str(py::type::of(value)))),
+                    "real numbers");
+  }
+  const char kind = any.dtype().kind();
+  if (kind != 'f' && kind != 'i' && kind != 'u')
+    throw Error::at(name, "an array of " + std::string(py::str(any.dtype())), "real numbers");
+  const auto out = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(any);
+  if (!out) throw py::error_already_set();
+  return Array(out);
+}
+
+std::string shape_text(const Array& array) {
+  std::string out = "(";
+  for (py::ssize_t i = 0; i < array.ndim(); ++i) out += (i > 0 ? ", " : "") + std::to_string(array.shape(i));
+  return out + (array.ndim() == 1 ? ",)" : ")");
+}
+
+Array array_of(std::span<const double> values) {
+  return Array(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+std::string text_of(const py::handle& value, const std::string& name) {
+  if (value.is_none()) return {};
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)) return py::repr(value);
+  if (py::hasattr(value, "__fspath__"))
+    return py::module_::import("os").attr("fsdecode")(value).cast<std::string>();
+  throw py::type_error(name + ": a word or a number is expected, not " + std::string(py::repr(value)));
+}
+
+const PictureDoors& pictures(const std::string& place) {
+  static const OpenedModule opened = [] {
+    const std::array candidates{module_folder + "/_pictures.so"};
+    return open_module(candidates, "etak_python_pictures", ETAK_VERSION);
+  }();
+  if (opened.table == nullptr)
+    throw Error::at(place, "needs etak/_pictures.so; " + opened.fault,
+                    "an etak built with OpenImageIO and OpenColorIO, and memory for them");
+  return *static_cast<const PictureDoors*>(opened.table);
+}
+
+// ---- long work
+
+bool LongWork::look_for_signals() {
+  if (std::this_thread::get_id() != caller_ || stopped_) return false;
+  const auto now = std::chrono::steady_clock::now();
+  if (now - last_ < std::chrono::milliseconds(50)) return false;
+  last_ = now;
+  return true;
+}
+
+void LongWork::tell(std::size_t done, std::size_t all) {
+  if (std::this_thread::get_id() != caller_ || stopped_) return;
+  const bool due = look_for_signals();
+  if (!due && (progress_.is_none() || done != all)) return;
+  const py::gil_scoped_acquire lock;
+  try {
+    if (!progress_.is_none()) progress_(done, all);
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  } catch (py::error_already_set& error) {
+    why_.emplace(error);
+    stopped_ = true;
+  }
+}
+
+bool LongWork::stopped() {
+  if (look_for_signals()) {
+    const py::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0) {
+      why_.emplace();
+      stopped_ = true;
+    }
+  }
+  return stopped_;
+}
+
+void LongWork::end() {
+  if (why_) throw *why_;
+}
+
+}  // namespace etak::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace etak;
+  using namespace etak::python;
+  settings_are(SettingStyle::keywords);
+  module.doc() = "The compiled part of etak.";
+  module.attr("__version__") = ETAK_VERSION;
+  // The text is that of the command line; bytes of files that are no UTF-8 must not break it.
+  static py::exception<Error> error(module, "Error", PyExc_ValueError);
+  error.attr("__module__") = "etak";
+  error.attr("__doc__") = "Input or settings that cannot be used. Its text is that of the command line.";
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const Error& what) {
+      error(valid_utf8(what.what()).c_str());
+    }
+  });
+  module.def(
+      "_start", [](const std::string& folder) { module_folder = folder; }, py::arg("folder"));
+  add_library(module);
+  add_f0(module);
+  add_fresnel(module);
+  add_validate(module);
+  add_pack(module);
+  add_choose(module);
+}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/pictures/doors.h"
+#include "core/exchange/material_input.h"
+#include "core/exchange/table.h"
+#include "core/material/f0_settings.h"
+#include "core/material/library.h"
+#include "core/validate/nearest.h"
+
+// The parts of etak._core. Every call that computes releases the lock of the interpreter (Unlocked) while it
+// works, and takes arguments and makes results while it holds it.
+namespace etak::python {
+
+namespace py = pybind11;
+using Unlocked = py::gil_scoped_release;
+using Array = py::array_t<double, py::array::c_style>;
+
+// ---- arrays
+
+/// `value` as an array of doubles in C order: a copy only where it is not one already. Throws Error (naming
+/// `name`) for what is no array of real numbers.
+Array doubles(const py::object& value, const char* name);
+
+/// "(906, 471)", for messages.
+std::string shape_text(const Array& array);
+
+Array array_of(std::span<const double> values);
+template <class Rgb>
+Array array_of_rgb(const Rgb& color) {
+  return array_of(vec(color));
+}
+
+inline std::span<const double> values_of(const Array& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+// ---- materials
+
+/// etak.Library: the materials that names stand for. It is opened when first asked, with ETAK_LIBRARY.
+class Library {
+ public:
+  explicit Library(std::vector<std::string> folders) : folders_(std::move(folders)) {}
+
+  /// From any thread.
+  const MaterialLibrary& get() const;
+  LibraryWhenAsked when_asked() const {
+    return [this]() -> const MaterialLibrary& { return get(); };
+  }
+  /// For the validator: null where there are only the built-in materials.
+  std::shared_ptr<const KnownMaterials> known() const;
+
+ private:
+  std::vector<std::string> folders_;
+  mutable std::once_flag opened_, knows_;
+  mutable std::optional<MaterialLibrary> library_;
+  mutable std::shared_ptr<const KnownMaterials> known_;
+};
+/// The library that is meant where none is given.
+const Library& standard_library();
+
+/// A dataset of a material, which keeps the material.
+struct DatasetOf {
+  std::shared_ptr<const Material> material;
+  std::size_t index = 0;
+
+  const Dataset& dataset() const { return material->datasets[index]; }
+  std::string label() const { return material->id + "/" + dataset().id; }
+};
+
+/// What a caller gives as a material: a name, a path, a Material or a Dataset.
+///   text   as a command line has it: "gold", "gold/johnson_1972", "page.yml"; of objects with '/' and the id
+struct AskedMaterial {
+  std::string text;
+  std::shared_ptr<const Material> material;  // null: `text` is to be looked up
+  std::string dataset;
+};
+AskedMaterial asked_material(const py::object& value, const std::string& dataset);
+
+/// The one input that was asked for, and its material. Throws Error where it is none, or several.
+MaterialInput find_one(const AskedMaterial& asked, const Library& library);
+DatasetOf read_one(const AskedMaterial& asked, const Library& library, const TableSettings& tables);
+
+/// A word or number that a keyword gives; None: empty. Throws TypeError for a value of another type.
+std::string text_of(const py::handle& value, const std::string& name);
+
+/// The settings that a dictionary holds by their keywords, which are those of F0 and of tables.
+F0Settings f0_settings(const py::dict& given);
+TableSettings table_settings(const py::dict& given);
+
+/// The solver's options.
+F0Options options_of(const F0Settings& settings, const Library& library);
+
+// ---- pictures
+
+/// The functions of etak/_pictures.so, which the first call opens. Throws Error.
+const PictureDoors& pictures(const std::string& place);
+
+// ---- long work
+
+/// Lets Ctrl-C stop work that does not hold the interpreter's lock, and tells how far it is. One for each call.
+class LongWork {
+ public:
+  ///   progress   called as progress(done, all); None: nobody listens
+  explicit LongWork(py::object progress) : progress_(std::move(progress)) {}
+
+  /// For the core, from any thread: does nothing in others than the one that made this.
+  void tell(std::size_t done, std::size_t all);
+  bool stopped();
+  /// To be called with the lock: throws what stopped the work.
+  void end();
+
+ private:
+  bool look_for_signals();
+
+  py::object progress_;
+  std::thread::id caller_ = std::this_thread::get_id();
+  std::atomic<bool> stopped_{false};
+  std::optional<py::error_already_set> why_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void add_library(py::module_& module);
+void add_f0(py::module_& module);
+void add_fresnel(py::module_& module);
+void add_validate(py::module_& module);
+void add_pack(py::module_& module);
+void add_choose(py::module_& module);
+
+}  // namespace etak::python
