@@ -45,7 +45,7 @@ std::string form_of(const ValidationReport& report, const ValidateArguments& arg
   if (format != "html") {
     TextOptions text{use_color(arguments.output)};
     text.findings = !arguments.output.quiet;
-    text.least = told_severity(arguments.min_severity).value_or(Severity::info);
+    text.least = severity_named(arguments.min_severity).value_or(Severity::info);
     text.fold_infos = arguments.min_severity.empty();
     return validation_text(report, text);
   }
@@ -206,7 +206,8 @@ int check_files(ValidateArguments& arguments) {
     throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
   if (!arguments.cache_key.empty() && arguments.cache_folder.empty())
     throw Error::at("--cache-key", "no --cache", "--cache DIR with it");
-  if (!arguments.min_severity.empty() && !told_severity(arguments.min_severity))
+  const auto least = severity_named(arguments.min_severity);
+  if (!arguments.min_severity.empty() && (!least || *least == Severity::off))
     throw Error::at("--min-severity", printable(arguments.min_severity), "info, warning or error");
   check_shard(arguments);
   if (arguments.list_files) return list_found_files(arguments);
@@ -232,7 +233,7 @@ int check_files(ValidateArguments& arguments) {
 }
 
 VerdictOptions verdict_options(const ValidateArguments& arguments) {
-  return {arguments.fail_on == never_fails, arguments.exit_zero, arguments.max_warnings,
+  return {arguments.settings.fail_on == never_fails, arguments.exit_zero, arguments.max_warnings,
           arguments.min_severity};
 }
 

@@ -24,12 +24,6 @@ Value named(const Json& json, const char* key, std::optional<Value> (*value_of)(
   return *value;
 }
 
-std::optional<Severity> severity_named(std::string_view text) {
-  for (const Severity severity : {Severity::off, Severity::info, Severity::warning, Severity::error})
-    if (text == name(severity)) return severity;
-  return std::nullopt;
-}
-
 std::optional<FileRole> any_role_named(std::string_view text) {
   const auto role = role_named(text);
   return role ? role : picture_role_named(text);
