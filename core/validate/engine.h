@@ -66,12 +66,17 @@ ValidationReport report_of(std::vector<CheckedFile> files, const Settings& setti
 ///   whole_tree    everything below the configuration's folder was looked at
 ///   known         findings of a baseline
 ///   renew_known   everything that is found counts as known, instead of `known`
+///   shard         of a shard: it takes the use of the allowances, and none is reported as unused
 struct ReportRun {
   std::string today;
   bool whole_tree = false;
   std::span<const KnownDefect> known;
   bool renew_known = false;
+  ReportShard* shard = nullptr;
 };
+
+/// The system's date, "YYYY-MM-DD".
+std::string today_here();
 
 /// report_of(), with the hash of the settings, and with the findings marked that the configuration allows or
 /// that are known.

@@ -98,6 +98,7 @@ struct CheckedFile {
   std::shared_ptr<const CheckTarget> target;  // what was checked; null where no file was, as in ETK903's
   // All tiles of a UDIM set; `target` is the first of them. `tile` of a finding is the number of its tile.
   std::vector<std::shared_ptr<const CheckTarget>> tiles;
+  std::size_t place = 0;  // in a shard: index among the results of the whole run, before they are sorted
 
   /// The target that a finding is about: in a UDIM set that of its tile.
   const CheckTarget& target_of(const Finding& finding) const;
@@ -116,6 +117,8 @@ struct RunCounts {
 /// to the run's root.
 using TypedFolders = std::map<std::string, std::string>;
 
+struct ReportShard;
+
 struct ValidationReport {
   std::string profile, transfer, settings_hash;
   std::vector<CheckedFile> files;                   // in path order
@@ -128,7 +131,8 @@ struct ValidationReport {
   std::vector<std::string> unknown;     // pictures of folders and lists whose names tell no role
   TypedFolders typed;
   RunCounts run;
-  std::optional<RepairReport> repairs;  // where repaired copies were asked for
+  std::optional<RepairReport> repairs;       // where repaired copies were asked for
+  std::shared_ptr<const ReportShard> shard;  // shards/report_shard.h; null: the run was not cut
 };
 
 }  // namespace etak

@@ -7,18 +7,13 @@
 #include "core/base/system.h"
 #include "core/validate/engine.h"
 #include "core/validate/rules.h"
+#include "core/validate/shards/report_shard.h"
 #include "core/validate/suppress.h"
 
 namespace etak {
 namespace {
 
-std::string system_date() {
-  const std::tm parts = sys::local_time(std::time(nullptr));
-  std::array<char, 16> text{};
-  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts)};
-}
-
-void mark_allowed(ValidationReport& report, const ValidateConfig& config, const ReportRun& run) {
+void judge_allowances(ValidationReport& report, const ValidateConfig& config, const ReportRun& run) {
   const Settings& settings = config.settings;
   if (settings.allow.empty()) return;
   const auto is_active = [&](std::string_view prefix) {
@@ -26,13 +21,25 @@ void mark_allowed(ValidationReport& report, const ValidateConfig& config, const 
     return std::any_of(meant.begin(), meant.end(),
                        [&](const Rule* rule) { return severity_of(*rule, settings) != Severity::off; });
   };
-  const std::string today = run.today.empty() ? system_date() : run.today;
+  const std::string today = run.today.empty() ? today_here() : run.today;
   const std::string label = sys::path_text(std::filesystem::path(config.file).filename());
-  apply_allowances(report, settings.allow,
+  std::vector<AllowanceUse> uses =
+      mark_allowed(report, settings.allow,
                    {today, label, severity_of(*find_rule("ETK903"), settings), run.whole_tree, is_active});
+  // What one shard does not use another may.
+  if (run.shard != nullptr)
+    run.shard->allowances = std::move(uses);
+  else
+    add_unused_allowances(report, uses);
 }
 
 }  // namespace
+
+std::string today_here() {
+  const std::tm parts = sys::local_time(std::time(nullptr));
+  std::array<char, 16> text{};
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts)};
+}
 
 ValidationReport report_of(std::vector<CheckedFile> files, const Settings& settings) {
   ValidationReport report;
@@ -59,7 +66,7 @@ ValidationReport report_of(std::vector<CheckedFile> files, const Settings& setti
 ValidationReport report_of_run(std::vector<CheckedFile> files, const ValidateConfig& config,
                                const ReportRun& run) {
   ValidationReport out = report_of(std::move(files), config.settings);
-  mark_allowed(out, config, run);
+  judge_allowances(out, config, run);
   if (run.renew_known)
     mark_known(out, baseline_of(out));
   else

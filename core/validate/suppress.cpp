@@ -110,40 +110,47 @@ bool is_date(std::string_view text) {
   return day <= days[month - 1] + (month == 2 && leap ? 1 : 0);
 }
 
-void apply_allowances(ValidationReport& report, std::span<const AllowEntry> entries,
-                      const AllowanceRun& run) {
-  std::vector<bool> used(entries.size()), met(entries.size());
-  const auto expired = [&](const AllowEntry& entry) {
-    return !entry.expires.empty() && run.today >= entry.expires;
-  };
-  for (CheckedFile& file : report.files)
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const AllowEntry& entry = entries[i];
+std::vector<AllowanceUse> mark_allowed(ValidationReport& report, std::span<const AllowEntry> entries,
+                                       const AllowanceRun& run) {
+  std::vector<AllowanceUse> out(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const AllowEntry& entry = entries[i];
+    const bool expired = !entry.expires.empty() && run.today >= entry.expires;
+    out[i].anyhow = run.whole_tree;
+    if (run.unused != Severity::off && (expired || !run.is_active || run.is_active(entry.rule)))
+      out[i].unused = unused_finding(entry, i, run, expired);
+    for (CheckedFile& file : report.files) {
       if (!concerns(entry, file)) continue;
-      met[i] = true;
-      if (expired(entry)) continue;
+      out[i].met = true;
+      if (expired) continue;
       for (Finding& finding : file.findings) {
         if (!covers(entry, finding)) continue;
-        used[i] = true;
+        out[i].used = true;
         // The first entry gives the reason; a later one that covers the same finding counts as used as well.
         if (!finding.suppressed) finding.suppression = entry.reason;
         finding.suppressed = true;
       }
     }
-  if (run.unused == Severity::off) return;
-  CheckedFile config;
-  config.path = run.config;
-  config.roles = {{config.path, "config"}};
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (used[i] || (!met[i] && !run.whole_tree)) continue;
-    if (!expired(entries[i]) && run.is_active && !run.is_active(entries[i].rule)) continue;
-    config.findings.push_back(unused_finding(entries[i], i, run, expired(entries[i])));
   }
+  return out;
+}
+
+void add_unused_allowances(ValidationReport& report, std::span<const AllowanceUse> uses) {
+  CheckedFile config;
+  for (const AllowanceUse& use : uses)
+    if (use.unused && !use.used && (use.met || use.anyhow)) config.findings.push_back(*use.unused);
   if (config.findings.empty()) return;
+  config.path = config.findings.front().file;
+  config.roles = {{config.path, "config"}};
   const auto place =
       std::lower_bound(report.files.begin(), report.files.end(), config.path,
                        [](const CheckedFile& file, const std::string& path) { return file.path < path; });
   report.files.insert(place, std::move(config));
+}
+
+void apply_allowances(ValidationReport& report, std::span<const AllowEntry> entries,
+                      const AllowanceRun& run) {
+  add_unused_allowances(report, mark_allowed(report, entries, run));
 }
 
 }  // namespace etak

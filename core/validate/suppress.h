@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
@@ -34,9 +36,26 @@ struct AllowanceRun {
   std::function<bool(std::string_view prefix)> is_active;
 };
 
-/// Marks what the entries allow, and adds an ETK903 for every entry that suppressed nothing or has expired
-/// (to a CheckedFile for the configuration, with the role "config"). ETK001 and the 9xx rules cannot be
+/// What became of an entry in the files that were looked at.
+///   used      it suppressed a finding
+///   met       a file that it is about was among them
+///   anyhow    it is reported as unused also where it met no file
+///   unused    the ETK903 that reports it; none: it is never reported
+struct AllowanceUse {
+  bool used = false, met = false, anyhow = false;
+  std::optional<Finding> unused;
+};
+
+/// Marks what the entries allow, and tells of each entry what became of it. ETK001 and the 9xx rules cannot be
 /// allowed: a file that was not looked at is never clean.
+std::vector<AllowanceUse> mark_allowed(ValidationReport& report, std::span<const AllowEntry> entries,
+                                       const AllowanceRun& run);
+
+/// Adds an ETK903 for every entry that suppressed nothing or has expired, to a CheckedFile for the
+/// configuration, with the role "config". The report's files are in path order.
+void add_unused_allowances(ValidationReport& report, std::span<const AllowanceUse> uses);
+
+/// Both of these.
 void apply_allowances(ValidationReport& report, std::span<const AllowEntry> entries, const AllowanceRun& run);
 
 }  // namespace etak

@@ -7,9 +7,11 @@
 #include <map>
 
 #include "core/base/files/links.h"
+#include "core/base/hash/content_hash.h"
 #include "core/base/hash/sha256.h"
 #include "core/base/parallel.h"
 #include "core/validate/engine.h"
+#include "core/validate/files/cut_targets.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/find_targets.h"
 #include "core/validate/files/project_check.h"
@@ -57,7 +59,10 @@ class Checks {
     std::vector<CheckedFile> out;
     for (std::size_t i = 0; i < files_.size(); ++i) {
       if (done_[i] == 0) continue;
-      if (i < targets_.size()) files_[i].target = std::make_shared<const CheckTarget>(targets_[i].target);
+      if (i < targets_.size()) {
+        files_[i].target = std::make_shared<const CheckTarget>(targets_[i].target);
+        files_[i].place = targets_[i].place;
+      }
       out.push_back(std::move(files_[i]));
     }
     return out;
@@ -147,6 +152,54 @@ bool names_whole_tree(const ValidationRequest& request) {
   });
 }
 
+// A digest of everything but the files that decides what a run finds and how it ends.
+std::string options_digest(const ValidationRequest& request) {
+  const Settings& settings = request.config.settings;
+  ContentHash hash;
+  const auto add = [&](std::string_view text) {
+    hash.add(std::to_string(text.size()) + ':');
+    hash.add(text);
+  };
+  const auto add_flag = [&](bool flag) { add(flag ? "1" : "0"); };
+  add(settings_hash(settings));
+  add(name(settings.fail_on));
+  bool expires = false;
+  for (const AllowEntry& entry : settings.allow) {
+    for (const std::string* text :
+         {&entry.rule, &entry.file, &entry.material, &entry.tile, &entry.reason, &entry.expires})
+      add(*text);
+    expires = expires || !entry.expires.empty();
+  }
+  if (expires) add(request.today.empty() ? today_here() : request.today);
+  add(request.role ? name(*request.role) : "");
+  add(request.manifest.material);
+  add(request.manifest.surface_class);
+  add(baseline_json(request.known));
+  const VerdictOptions& verdict = request.verdict;
+  add(verdict.max_warnings ? std::to_string(*verdict.max_warnings) : "");
+  add(verdict.min_severity);
+  for (const bool flag : {names_whole_tree(request), request.must_check, request.pass_unknown,
+                          follows_links(), verdict.never_fails, verdict.exit_zero})
+    add_flag(flag);
+  return hash.hex();
+}
+
+// Leaves in `found` what the shard of the request checks. The counts stay those of the whole run.
+std::shared_ptr<ReportShard> cut(FoundTargets& found, const RunCounts& run,
+                                 const ValidationRequest& request) {
+  auto out = std::make_shared<ReportShard>();
+  const std::vector<TargetGroup> groups = groups_of(found, request.threads);
+  out->shard = *request.shard;
+  out->list = digest_of(found, groups);
+  out->options = options_digest(request);
+  out->groups = groups.size();
+  out->run = run;
+  out->settings = request.config.settings;
+  out->verdict = request.verdict;
+  keep_groups(found, groups, out->shard);
+  return out;
+}
+
 }  // namespace
 
 FileList list_files(ValidationRequest request) {
@@ -159,21 +212,22 @@ FileList list_files(ValidationRequest request) {
 ValidationReport validate(ValidationRequest request) {
   FoundTargets found = find_targets(request);
   for (const CheckTarget& target : request.targets) {
-    FoundTarget& added = found.targets.emplace_back(FoundTarget{target, {}});
+    FoundTarget& added = found.targets.emplace_back(FoundTarget{target, {}, 0});
     for (const TargetFile& file : target.files) added.depends.push_back(file.path);
   }
   join_scenes(found.targets);
+  RunCounts run{found.files, found.skipped, found.failed.size(),
+                found.targets.size() + found.lone.size() + request.materials.materials.size(), 0};
+  const std::shared_ptr<ReportShard> shard = request.shard ? cut(found, run, request) : nullptr;
   Checks checks(request, found.targets);
   checks.run();
-  const RunCounts run{found.files, found.skipped, found.failed.size(),
-                      found.targets.size() + found.lone.size() + request.materials.materials.size(),
-                      checks.from_cache()};
+  run.from_cache = checks.from_cache();
   std::vector<CheckedFile> files = with_tiles_joined(checks.take_files());
   std::move(found.lone.begin(), found.lone.end(), std::back_inserter(files));
   std::move(found.failed.begin(), found.failed.end(), std::back_inserter(files));
-  ValidationReport report =
-      report_of_run(std::move(files), request.config,
-                    {request.today, names_whole_tree(request), request.known, request.renew_known});
+  ValidationReport report = report_of_run(
+      std::move(files), request.config,
+      {request.today, names_whole_tree(request), request.known, request.renew_known, shard.get()});
   report.not_opened = std::move(found.no_files);
   report.run = run;
   report.unknown = std::move(found.unknown);
@@ -184,6 +238,7 @@ ValidationReport validate(ValidationRequest request) {
     report.incomplete = true;
     report.passed = false;
   }
+  report.shard = shard;
   if (request.hashes) add_hashes(report, request.threads);
   return report;
 }

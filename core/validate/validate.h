@@ -14,6 +14,7 @@
 #include "core/validate/config.h"
 #include "core/validate/finding.h"
 #include "core/validate/names/listing.h"
+#include "core/validate/shards/report_shard.h"
 #include "core/validate/target.h"
 
 namespace etak {
@@ -64,7 +65,9 @@ struct ValidationRequest {
   bool must_check = false;    // a run that checks nothing is incomplete
   bool pass_unknown = false;  // named files of no known kind are passed over, as those of folders are
   bool list_files = false;    // for list_files()
-  unsigned threads = 1;       // the report is the same for any number of them
+  std::optional<Shard> shard;  // only this part of what is found is checked
+  VerdictOptions verdict;      // of a shard, which keeps it for the merge
+  unsigned threads = 1;        // the report is the same for any number of them
   // Called by the thread that called validate(), with how many of the checks are done.
   std::function<void(std::size_t done, std::size_t all)> progress;
   // Called before each check, from any thread; true: no other check is begun, and the report is marked

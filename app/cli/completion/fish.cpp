@@ -6,7 +6,7 @@
 namespace etak::cli {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string fish_word(std::string_view text) {
   std::string out = "'";
   for (const char c : text)
     out += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c == '\n' ? ' ' : c);
@@ -15,7 +15,7 @@ std::string quoted(std::string_view text) {
 
 // What may stand for the value: the flags of complete(1) of fish.
 std::string fish_offer(const OptionRow& option) {
-  if (!option.words.empty()) return " -x -a " + quoted(joined(option.words, " "));
+  if (!option.words.empty()) return " -x -a " + fish_word(joined(option.words, " "));
   const Completes kind = completes(option);
   const std::string words = "etak completion --words " + std::string(name(kind));
   switch (kind) {
@@ -26,10 +26,10 @@ std::string fish_offer(const OptionRow& option) {
     case Completes::folders:
       return " -x -a '(__fish_complete_directories)'";
     case Completes::materials:
-      return " -r -F -a " + quoted("(" + words + ")");
+      return " -r -F -a " + fish_word("(" + words + ")");
     default:
       return " -x -a " +
-             quoted(is_list(option) ? "(__fish_complete_list , " + quoted(words) + ")" : "(" + words + ")");
+             fish_word(is_list(option) ? "(__fish_complete_list , " + fish_word(words) + ")" : "(" + words + ")");
   }
 }
 
@@ -42,7 +42,7 @@ std::string fish_completion(const std::vector<VerbRow>& table) {
         verb.name.empty() ? "__fish_use_subcommand" : "'__fish_seen_subcommand_from " + verb.name + "'";
     const std::string line = "complete -c etak -n " + when;
     if (!verb.name.empty())
-      out += "complete -c etak -n __fish_use_subcommand -a " + verb.name + " -d " + quoted(verb.help) + '\n';
+      out += "complete -c etak -n __fish_use_subcommand -a " + verb.name + " -d " + fish_word(verb.help) + '\n';
     for (const OptionRow& option : verb.options) {
       if (option.names.empty()) {
         if (const std::string offered = fish_offer(option); offered != " -x") out += line + offered + '\n';
@@ -51,7 +51,7 @@ std::string fish_completion(const std::vector<VerbRow>& table) {
       std::string names;
       for (const std::string& each : option.names)
         names += each.starts_with("--") ? " -l " + each.substr(2) : " -s " + each.substr(1);
-      out += line + names + (option.value.empty() ? "" : fish_offer(option)) + " -d " + quoted(option.help) +
+      out += line + names + (option.value.empty() ? "" : fish_offer(option)) + " -d " + fish_word(option.help) +
              '\n';
     }
   }

@@ -3,6 +3,7 @@
 
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/empty_list.h"
+#include "app/cli/options/shard.h"
 #include "app/cli/pictures/pictures.h"
 #include "app/cli/validate/changed.h"
 #include "core/base/error.h"
@@ -56,6 +57,8 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   // JSON is the only form that holds hashes of the files.
   out.hashes = arguments.output.format == "json";
   out.threads = thread_count(arguments.threads);
+  out.shard = asked_shard(arguments.shard);
+  out.verdict = verdict_options(arguments);
   return out;
 }
 

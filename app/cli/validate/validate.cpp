@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/cli/options/shard.h"
 #include "app/cli/output/form.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
@@ -32,8 +33,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t most_pages_with_pictures = 200;
-
 std::string form_of(const ValidationReport& report, const ValidateArguments& arguments,
                     const Settings& settings) {
   const OutputOptions options{settings.fail_on, ETAK_VERSION};
@@ -50,7 +49,7 @@ std::string form_of(const ValidationReport& report, const ValidateArguments& arg
     text.fold_infos = arguments.min_severity.empty();
     return validation_text(report, text);
   }
-  const auto pictures = page_pictures(report, settings, picture_door(), most_pages_with_pictures,
+  const auto pictures = page_pictures(report, settings, picture_door(), most_files_with_pictures,
                                       thread_count(arguments.threads));
   return validation_page(report, pictures, {ETAK_VERSION, settings});
 }
@@ -168,6 +167,25 @@ std::unique_ptr<Output> repaired_copies(const ValidateArguments& arguments, cons
   return copies;
 }
 
+// Throws Error for options that need the results of all shards.
+void check_shard(const ValidateArguments& a) {
+  if (a.shard.empty()) return;
+  (void)asked_shard(a.shard);
+  const auto refuse = [](const char* option_, const char* found, const char* expected) {
+    throw Error::at(option_, found, expected);
+  };
+  if (a.list_files) refuse("--list-files", "with --shard", "one of both");
+  if (!a.fix_folder.empty())
+    refuse("--fix", "with --shard: its page and its names belong to one run", "--fix without --shard");
+  if (!a.mask_folder.empty())
+    refuse("--mask", "with --shard: the names of masks are given out over all findings",
+           "--mask without --shard");
+  if (!a.write_baseline.empty())
+    refuse("--write-baseline", "with --shard: a baseline holds the findings of all shards",
+           "etak merge SHARD... --write-baseline FILE");
+  refuse_pipes_of_shard(a.paths);
+}
+
 int list_found_files(ValidateArguments& arguments) {
   if (arguments.output.format != "text" && arguments.output.format != "json")
     refuse_form(arguments.output, "etak validate", "with --list-files", {"text", "json"});
@@ -191,6 +209,7 @@ int check_files(ValidateArguments& arguments) {
   const auto least = severity_named(arguments.min_severity);
   if (!arguments.min_severity.empty() && (!least || *least == Severity::off))
     throw Error::at("--min-severity", printable(arguments.min_severity), "info, warning or error");
+  check_shard(arguments);
   if (arguments.list_files) return list_found_files(arguments);
   check_targets(arguments);
   ValidationRequest request = validation_request(arguments);
@@ -199,6 +218,26 @@ int check_files(ValidateArguments& arguments) {
   const Settings settings = request.config.settings;
   ValidationReport report = validate(std::move(request));
   progress.reset();
+  if (report.shard)
+    remark(arguments.output, "shard " + report.shard->shard.text() + ": " + grouped(report.files.size()) +
+                                 " results of " + grouped(report.shard->groups) + " groups of files");
+  tell_not_found(arguments, report);
+  std::unique_ptr<Output> marks;
+  if (!arguments.mask_folder.empty())
+    marks = masks(report, settings, picture_door(), arguments.mask_folder, thread_count(arguments.threads));
+  const std::unique_ptr<Output> copies = repaired_copies(arguments, settings, report);
+  const int status =
+      finish_report(arguments, settings, verdict_options(arguments), report, {copies.get(), marks.get()});
+  if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());
+  return status;
+}
+
+VerdictOptions verdict_options(const ValidateArguments& arguments) {
+  return {arguments.settings.fail_on == never_fails, arguments.exit_zero, arguments.max_warnings,
+          arguments.min_severity};
+}
+
+void tell_not_found(const ValidateArguments& arguments, const ValidationReport& report) {
   if (!report.not_opened.empty()) remark(arguments.output, skipped_remark(report.not_opened));
   if (report.nothing_checked)
     tell_nothing_checked(report);
@@ -207,6 +246,10 @@ int check_files(ValidateArguments& arguments) {
   tell_not_checked(report, arguments);
   if (!report.nothing_checked && report.run.checks + report.run.failed == 0)
     remark(arguments.output, "no file of a kind that etak validate checks was found");
+}
+
+int finish_report(const ValidateArguments& arguments, const Settings& settings, const VerdictOptions& verdict,
+                  ValidationReport& report, std::vector<Output*> beside) {
   std::unique_ptr<Output> baseline;
   if (!arguments.write_baseline.empty()) {
     const std::vector<KnownDefect> known = baseline_of(report);
@@ -214,18 +257,13 @@ int check_files(ValidateArguments& arguments) {
     remark(arguments.output,
            arguments.write_baseline + ": " + std::to_string(known.size()) + " findings recorded");
   }
-  if (arguments.max_warnings && report.warnings > *arguments.max_warnings) report.passed = false;
-  std::unique_ptr<Output> marks;
-  if (!arguments.mask_folder.empty())
-    marks = masks(report, settings, picture_door(), arguments.mask_folder, thread_count(arguments.threads));
-  const std::unique_ptr<Output> copies = repaired_copies(arguments, settings, report);
+  if (verdict.max_warnings && report.warnings > *verdict.max_warnings) report.passed = false;
   const std::unique_ptr<Output> said = output(arguments.output, form_of(report, arguments, settings));
-  Output* const outputs[] = {copies.get(), marks.get(), baseline.get(), said.get()};
-  put_in_place(outputs);
-  if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());
+  beside.push_back(baseline.get());
+  beside.push_back(said.get());
+  put_in_place(beside);
   if (report.incomplete) return exit_failure;
-  return report.passed || arguments.exit_zero || arguments.settings.fail_on == never_fails ? exit_ok
-                                                                                           : exit_findings;
+  return report.passed || verdict.exit_zero || verdict.never_fails ? exit_ok : exit_findings;
 }
 
 }  // namespace etak::cli

@@ -8,7 +8,9 @@
 
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
+#include "core/base/files/output.h"
 #include "core/validate/config.h"
+#include "core/validate/shards/report_shard.h"
 
 namespace etak::cli {
 
@@ -22,6 +24,7 @@ struct ValidateArguments {
   bool allow_empty = false;  // a run with nothing to check is no failure
   bool exit_zero = false, list_rules = false, list_files = false, stats = false;
   std::string baseline, write_baseline, mask_folder, fix_folder, cache_folder, cache_key;
+  std::string shard;  // --shard as typed
   unsigned threads = 0;
   Library library;
   OutputArguments output;
@@ -29,5 +32,18 @@ struct ValidateArguments {
 
 /// Checks files, or lists them with --list-files. Returns the exit status; throws Error.
 int check_files(ValidateArguments& arguments);
+
+/// Tells on standard error what was not checked, and why.
+void tell_not_found(const ValidateArguments& arguments, const ValidationReport& report);
+
+/// Writes what a run has found, also the baseline of --write-baseline: the end of check_files() and of the
+/// merge of shards. Returns the exit status; throws Error.
+///   verdict   what decides the status besides the findings
+///   beside    outputs that are put in place together with the report; null ones are passed over
+int finish_report(const ValidateArguments& arguments, const Settings& settings, const VerdictOptions& verdict,
+                  ValidationReport& report, std::vector<Output*> beside);
+
+/// The verdict that the options ask for.
+VerdictOptions verdict_options(const ValidateArguments& arguments);
 
 }  // namespace etak::cli

@@ -3,6 +3,7 @@
 
 #include "app/cli/options/files.h"
 #include "app/cli/options/options.h"
+#include "app/cli/options/shard.h"
 #include "app/cli/output/form.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/validate/validate.h"
@@ -126,6 +127,7 @@ void add_validate(CommandLine& line) {
               "not count")
       .reads_file()
       .value_name("FILE");
+  add_shard_option(verb, a.shard);
   add_follow_links(verb);
   add_library_options(verb, a.library);
   add_progress_option(verb, a.output.progress);

@@ -15,9 +15,11 @@ namespace etak {
 // The first step of validate().
 
 /// A target and the files its result depends on, for the cache.
+///   place   of CheckedFile, where the run is cut into shards
 struct FoundTarget {
   CheckTarget target;
   std::vector<std::string> depends;
+  std::size_t place = 0;
 };
 
 /// The targets and files that were found, in the order of labels.

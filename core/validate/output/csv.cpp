@@ -2,6 +2,7 @@
 #include "core/base/csv.h"
 #include "core/base/number.h"
 #include "core/validate/output/formats.h"
+#include "core/validate/shards/report_shard.h"
 
 namespace etak {
 namespace {
@@ -28,7 +29,8 @@ std::string validation_csv(const ValidationReport& report) {
   std::string out =
       "file,tile,material,pointer,rule,slug,severity,x,y,width,height,area_px,area_share,linear_r,linear_g,"
       "linear_b,"
-      "byte_r,byte_g,byte_b,Y,value,limit,nearest,message,cause,fix,source,suppressed,baseline\r\n";
+      "byte_r,byte_g,byte_b,Y,value,limit,nearest,message,cause,fix,source,suppressed,baseline";
+  out += report.shard ? ",shard\r\n" : "\r\n";
   for (const CheckedFile& file : report.files)
     for (const Finding& f : file.findings) {
       Row row(out);
@@ -57,6 +59,7 @@ std::string validation_csv(const ValidationReport& report) {
         row.add(*text);
       row.add(f.suppressed ? (f.suppression.empty() ? "yes" : f.suppression) : "");
       row.add(f.baseline ? "yes" : "");
+      if (report.shard) row.add(report.shard->shard.text());
       row.end();
     }
   return out;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The JSON form, as resources/schema/validation.schema.json describes it.
-#include <nlohmann/json.hpp>
-
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/validate/output/formats.h"
+#include "core/validate/shards/carrier_json.h"
 
 namespace etak {
 namespace {
@@ -32,6 +32,8 @@ Json island_json(const FindingIsland& island) {
   if (island.uv) out["uv"] = uv_json(*island.uv);
   return out;
 }
+
+}  // namespace
 
 Json finding_json(const Finding& finding) {
   Json out = Json::object();
@@ -65,6 +67,8 @@ Json finding_json(const Finding& finding) {
   out["baseline"] = finding.baseline;
   return out;
 }
+
+namespace {
 
 Json file_json(const CheckedFile& file) {
   Json out = Json::object();
@@ -109,12 +113,31 @@ std::string text_of(const Json& json) {
   return quiet_json(json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
+// The same of a shard, whose merge needs every byte of a name.
+std::string exact_text_of(const Json& json, const std::string& path) {
+  try {
+    return quiet_json(json.dump(2, ' ', false, Json::error_handler_t::strict));
+  } catch (const Json::exception&) {
+    throw Error::at(printable(path, 200), "a name that is no UTF-8, which the JSON of a shard cannot hold",
+                    "another name, or a run without --shard");
+  }
+}
+
 // Writes the files one after the other as elements of an array two levels deep, because a document of all of
 // them would take ten times the memory of its text.
-void append_files(std::string& out, const std::vector<CheckedFile>& files) {
+void append_files(std::string& out, const ValidationReport& report) {
+  const auto& files = report.files;
+  std::size_t with_pictures = 0;
   for (const CheckedFile& file : files) {
     out += &file == &files.front() ? "\n    " : ",\n    ";
-    for (const char c : text_of(file_json(file))) {
+    Json json = file_json(file);
+    if (report.shard) {
+      add_exact_numbers(file, json["findings"]);
+      json["place"] = file.place;
+      if (may_have_pictures(file) && ++with_pictures <= most_files_with_pictures)
+        json["targets"] = targets_json(file);
+    }
+    for (const char c : report.shard ? exact_text_of(json, file.path) : text_of(json)) {
       out += c;
       if (c == '\n') out += "    ";  // in strings a line's end is escaped
     }
@@ -145,13 +168,14 @@ std::string validation_json(const ValidationReport& report, const OutputOptions&
                     {"incomplete", report.incomplete},
                     {"notRecognised", report.unknown.size()}};
   out["notRecognised"] = report.unknown;
+  if (report.shard) out["shard"] = shard_json(report);
   if (report.repairs) out["repairs"] = repairs_json(*report.repairs);
   out["files"] = Json::array();
   out["truncated"] = false;
-  const std::string frame = text_of(out);
+  const std::string frame = report.shard ? exact_text_of(out, "etak validate") : text_of(out);
   const std::size_t end = frame.rfind(']');  // of the empty array
   std::string text = frame.substr(0, end);
-  append_files(text, report.files);
+  append_files(text, report);
   return text + frame.substr(end) + '\n';
 }
 

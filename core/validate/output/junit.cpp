@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/validate/output/formats.h"
+#include "core/validate/shards/report_shard.h"
 
 namespace etak {
 namespace {
@@ -94,9 +95,11 @@ std::string validation_junit(const ValidationReport& report, const OutputOptions
     failures += suite_failures;
     errors += suite_errors;
   }
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"etak validate\" tests=\"" +
-         std::to_string(tests) + "\" failures=\"" + std::to_string(failures) + "\" errors=\"" +
-         std::to_string(errors) + "\">\n" + suites + "</testsuites>\n";
+  // The root element of JUnit's schema has no properties.
+  const std::string of_shard = report.shard ? ", shard " + report.shard->shard.text() : "";
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"etak validate" + of_shard +
+         "\" tests=\"" + std::to_string(tests) + "\" failures=\"" + std::to_string(failures) +
+         "\" errors=\"" + std::to_string(errors) + "\">\n" + suites + "</testsuites>\n";
 }
 
 }  // namespace etak

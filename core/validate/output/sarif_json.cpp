@@ -7,6 +7,7 @@
 #include "core/scene/uri.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/rules.h"
+#include "core/validate/shards/report_shard.h"
 
 namespace etak {
 namespace {
@@ -136,6 +137,7 @@ std::string validation_sarif(const ValidationReport& report, const OutputOptions
                                      {"toolExecutionNotifications", std::move(notifications)}}});
   run["columnKind"] = "utf16CodeUnits";
   run["results"] = std::move(results);
+  if (report.shard) run["properties"] = {{"shard", report.shard->shard.text()}};
   Json out = Json::object();
   out["$schema"] = schema_address;
   out["version"] = "2.1.0";

@@ -9,6 +9,7 @@
 #include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/validate/output/formats.h"
+#include "core/validate/shards/report_shard.h"
 
 namespace etak {
 namespace {
@@ -103,7 +104,8 @@ std::string verdict_of(const ValidationReport& report) {
   add(report.errors, "error");
   add(report.warnings, "warning");
   add(report.infos, "info");
-  std::string out = report.incomplete ? "INCOMPLETE: " : report.passed ? "PASSED: " : "FAILED: ";
+  std::string out = report.shard ? "shard " + report.shard->shard.text() + ": " : "";
+  out += report.incomplete ? "INCOMPLETE: " : report.passed ? "PASSED: " : "FAILED: ";
   if (report.nothing_checked)
     out += "nothing was checked; ";
   else if (report.incomplete)
