@@ -26,7 +26,7 @@ run_one() { # ETAK OUT SKIPPED CASE
     echo 77 >"$2/$name.status"
     return
   fi
-  timeout 600 "$(dirname "$3")/../cli/run_case.sh" "$1" "$4" >"$2/$name.out" 2>&1 || status=$?
+  timeout 1800 "$(dirname "$3")/../cli/run_case.sh" "$1" "$4" >"$2/$name.out" 2>&1 || status=$?
   echo "$status" >"$2/$name.status"
 }
 export -f run_one
