@@ -384,7 +384,10 @@ void add_f0(py::module_& module) {
       "What the numbers were computed by.");
   get("spread", &spread_of, "Of all datasets of the material; None for a file without a material.");
   f0.def(
-      "json", [](const F0Answer& a) { return f0_json({&a.row, 1}, a.solver->options()); },
+      "json",
+      [](const F0Answer& a) {
+        return f0_json({&a.row, 1}, a.solver->options());
+      },
       "As the command line's --format json.");
   f0.def("__str__", &text_of_answer).def("__repr__", &repr_of).def("_repr_html_", &html_of);
 

@@ -113,7 +113,7 @@ Packed packed(const PackCall& call, const Library& library, LongWork& work) {
     how.never_fails = call.check.fail_on == never_fails;
     how.threads = options.run.threads;
     how.version = ETAK_VERSION;
-    result.report.emplace().fail_on = how.config.settings.fail_on;
+    result.report = Report{nullptr, how.config.settings.fail_on, how.never_fails};
     check.emplace(out, std::move(how)).attach(options);
   }
   options.run.progress = [&](std::size_t done, std::size_t all) { work.tell(done, all); };

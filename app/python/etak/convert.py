@@ -21,13 +21,13 @@ def to_colour(material: Any, quantity: str = "n", **names: Any) -> Any:
       quantity   "n", "k" or "reflectance"
       names      for the distribution: name=...
     """
-    import colour
+    import colour  # type: ignore[import]
 
     of = _as_dataset(material)
     if quantity not in ("n", "k", "reflectance"):
         raise Error(f"quantity: {quantity}; expected n, k or reflectance")
     at = _wavelengths(of)
-    first, last = (of.k_range if quantity == "k" and of.k_range else of.range)
+    first, last = (of.k_range or of.range) if quantity == "k" else of.range
     at = [w for w in at if first <= w <= last]
     values = getattr(of, quantity)(at)
     return colour.SpectralDistribution(dict(zip(at, values)), name=names.pop("name", f"{of.label} {quantity}"), **names)
@@ -63,7 +63,7 @@ def to_mitsuba(material: Any, *, roughness: Optional[float] = None) -> Dict[str,
     at = _wavelengths(of)
     rough = roughness is not None
     if of.has_k:
-        first, last = of.k_range
+        first, last = of.k_range or of.range
         at = [w for w in at if first <= w <= last]
         out: Dict[str, Any] = {
             "type": "roughconductor" if rough else "conductor", "eta": _spectrum(at, of.n(at)),
