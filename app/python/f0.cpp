@@ -217,6 +217,11 @@ class RowOptics {
     if (constants.k) copy(second, *constants.k);
   }
   const Optics& optics() const { return optics_; }
+  std::span<const double> first() const {
+    if (const auto* reflectance = std::get_if<Reflectance>(&optics_)) return reflectance->spectrum.value;
+    return std::get<Spectrum>(std::get<OpticalConstants>(optics_).n).value;
+  }
+  std::span<const double> second() const { return std::get<OpticalConstants>(optics_).k->value; }
 
  private:
   static void copy(std::span<const double> from, Spectrum& to) {
@@ -251,9 +256,10 @@ Array f0_of_rows(const py::object& n, const py::object& k, const py::object& ref
       const auto of = [&](std::span<const double> all) {
         return all.subspan(row * rows.samples, rows.samples);
       };
-      check_values(of(first), most, nm, rows.place(row), rows.is_reflectance ? "reflectance" : "n");
-      if (rows.has_k) check_values(of(second), most_k, nm, rows.k_place(row), "k");
       room->set(of(first), rows.has_k ? of(second) : second);
+      // The copies are checked, because another thread may change the arrays meanwhile.
+      check_values(room->first(), most, nm, rows.place(row), rows.is_reflectance ? "reflectance" : "n");
+      if (rows.has_k) check_values(room->second(), most_k, nm, rows.k_place(row), "k");
       const F0Result result = solver.solve(room->optics());
       if (result.refused()) throw Error::at(rows.place(row), "refused: " + result.refusal);
       colors[3 * row] = result.linear.r;
