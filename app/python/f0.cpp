@@ -182,15 +182,18 @@ Rows rows_of(const py::object& n, const py::object& k, const py::object& reflect
 
 // Throws the Error of the first value outside [0, most]. The first loop has no branches, so that it takes no
 // time beside the work on the row.
+//   place   gives the place for the message
+template <class Place>
 void check_values(std::span<const double> values, double most, std::span<const double> wavelength,
-                  const std::string& place, const char* name) {
+                  const char* name, const Place& place) {
   bool fine = true;
   for (const double value : values) fine &= value >= 0 && value <= most;
   if (fine) return;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(values[i] >= 0 && values[i] <= most))
       throw Error::at(
-          place, std::string(name) + " = " + number(values[i], 9) + " at " + number(wavelength[i], 9) + " nm",
+          place(),
+          std::string(name) + " = " + number(values[i], 9) + " at " + number(wavelength[i], 9) + " nm",
           "0 <= " + std::string(name) + " <= " + number(most, 9));
 }
 
@@ -258,8 +261,8 @@ Array f0_of_rows(const py::object& n, const py::object& k, const py::object& ref
       };
       room->set(of(first), rows.has_k ? of(second) : second);
       // The copies are checked, because another thread may change the arrays meanwhile.
-      check_values(room->first(), most, nm, rows.place(row), rows.is_reflectance ? "reflectance" : "n");
-      if (rows.has_k) check_values(room->second(), most_k, nm, rows.k_place(row), "k");
+      check_values(room->first(), most, nm, rows.name(), [&] { return rows.place(row); });
+      if (rows.has_k) check_values(room->second(), most_k, nm, "k", [&] { return rows.k_place(row); });
       const F0Result result = solver.solve(room->optics());
       if (result.refused()) throw Error::at(rows.place(row), "refused: " + result.refusal);
       colors[3 * row] = result.linear.r;

@@ -317,6 +317,14 @@ void add_library(py::module_& module) {
       .def_readonly("material_class", &Material::material_class, "\"metal\", \"glass\", ...")
       .def_readonly("group", &Material::group, "Within the class, such as \"wood\"; may be empty.")
       .def_readonly("preferred_reason", &Material::preferred_reason, "Why that dataset is preferred.")
+      .def_property_readonly(
+          "optical_kind",
+          [](const Material& m) -> std::optional<std::string> {
+            if (m.material_class.empty()) return std::nullopt;
+            return std::string(optical_kind(m.material_class));
+          },
+          "\"conductor\", \"semiconductor\", \"dielectric\" or \"surface\"; None where the class is not "
+          "known.")
       .def_property_readonly("datasets", &datasets_of, "All of them.")
       .def_property_readonly(
           "preferred",
