@@ -233,19 +233,11 @@ class RowOptics {
   Optics optics_;
 };
 
-Array f0_of_rows(const py::object& n, const py::object& k, const py::object& reflectance,
-                 const py::object& wavelength, const py::dict& given, const Library& library,
-                 unsigned threads) {
-  const Rows rows = rows_of(n, k, reflectance, wavelength);
-  const F0Settings settings = f0_settings(given);
-  std::vector<py::ssize_t> shape{3};
-  if (!rows.one) shape.insert(shape.begin(), static_cast<py::ssize_t>(rows.count));
-  Array out(shape);
-  const std::span<double> colors(out.mutable_data(), 3 * rows.count);
+// Linear colours of all rows into `colors`, three for each.
+void solve_rows(const Rows& rows, const F0Solver& solver, unsigned threads, LongWork& work,
+                std::span<double> colors) {
   const std::span<const double> nm = values_of(rows.wavelength), first = values_of(rows.first),
                                 second = rows.has_k ? values_of(rows.second) : std::span<const double>();
-  const Unlocked unlocked;
-  const F0Solver solver(options_of(settings, library));
   validate(Spectrum{{nm.begin(), nm.end()}, std::vector<double>(nm.size())}, "wavelength");
   const double most = rows.is_reflectance ? 1 : most_n;
   // Below some thousand samples, starting a thread takes longer than the work.
@@ -253,6 +245,7 @@ Array f0_of_rows(const py::object& n, const py::object& k, const py::object& ref
   const unsigned workers = rows.count * rows.samples < least_samples ? 1 : thread_count(threads);
   std::vector<std::optional<RowOptics>> rooms(workers);
   parallel_chunks(rows.count, workers, chunk, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    work.go_on();
     std::optional<RowOptics>& room = rooms[worker];
     if (!room) room.emplace(rows, nm);
     for (std::size_t row = begin; row < end; ++row) {
@@ -269,6 +262,23 @@ Array f0_of_rows(const py::object& n, const py::object& k, const py::object& ref
       colors[3 * row + 1] = result.linear.g;
       colors[3 * row + 2] = result.linear.b;
     }
+  });
+}
+
+Array f0_of_rows(const py::object& n, const py::object& k, const py::object& reflectance,
+                 const py::object& wavelength, const py::dict& given, const Library& library,
+                 unsigned threads) {
+  const Rows rows = rows_of(n, k, reflectance, wavelength);
+  const F0Settings settings = f0_settings(given);
+  std::vector<py::ssize_t> shape{3};
+  if (!rows.one) shape.insert(shape.begin(), static_cast<py::ssize_t>(rows.count));
+  Array out(shape);
+  const std::span<double> colors(out.mutable_data(), 3 * rows.count);
+  LongWork work;
+  work.unlocked([&] {
+    const F0Solver solver(options_of(settings, library));
+    solve_rows(rows, solver, threads, work, colors);
+    return true;
   });
   return out;
 }

@@ -150,17 +150,7 @@ Packed pack_call(const py::object& input, const py::object& output, const py::di
   call.dry_run = run["dry_run"].cast<bool>();
   call.threads = threads;
   LongWork work(std::move(progress));
-  std::optional<Packed> out;
-  {
-    const Unlocked unlocked;
-    try {
-      out = packed(call, library, work);
-    } catch (const PackCancelled&) {
-      // end() throws what cancelled it.
-    }
-  }
-  work.end();
-  return std::move(*out);
+  return work.unlocked([&] { return packed(call, library, work); });
 }
 
 }  // namespace

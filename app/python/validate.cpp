@@ -122,11 +122,8 @@ Report check(const py::object& paths, const py::dict& given, const Library& libr
   Report out;
   out.fail_on = request.config.settings.fail_on;
   out.never_fails = given.contains("fail_on") && text_of(given["fail_on"], "fail_on") == never_fails;
-  {
-    const Unlocked unlocked;
-    out.report = std::make_shared<const ValidationReport>(validate(std::move(request)));
-  }
-  work.end();
+  out.report =
+      work.unlocked([&] { return std::make_shared<const ValidationReport>(validate(std::move(request))); });
   return out;
 }
 

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `import etak` costs, and what it loads."""
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+from pathlib import Path
 
 from support import work_folder
 
@@ -44,9 +46,19 @@ etak.choose("materials.json")
 assert not loaded(), loaded()
 assert etak.f0("gold", space="ACES2065-1").space == "ACES2065-1"
 assert loaded() == list({HEAVY!r}), loaded()
+assert not etak.validate("pixel_specular.tif").incomplete
+assert "ETK001" in [f.rule for f in etak.validate("broken_specular.tif")]
 """
         with tempfile.TemporaryDirectory() as folder:
             work_folder(folder)
+            # A picture that only OpenImageIO reads, from its header to its one texel, and one that nobody reads.
+            entries = [(256, 3, 1, 1), (257, 3, 1, 1), (258, 3, 4, 122), (259, 3, 1, 1), (262, 3, 1, 2),
+                       (273, 4, 1, 130), (277, 3, 1, 4), (278, 3, 1, 1), (279, 4, 1, 4)]
+            tiff = struct.pack("<2sHIH", b"II", 42, 8, len(entries))
+            tiff += b"".join(struct.pack("<HHII", *entry) for entry in entries) + struct.pack("<I", 0)
+            tiff += struct.pack("<4H", 8, 8, 8, 8) + bytes([60, 60, 60, 128])
+            Path(folder, "pixel_specular.tif").write_bytes(tiff)
+            Path(folder, "broken_specular.tif").write_bytes(tiff[:40])
             run(loaded, cwd=folder)
 
     def test_no_package_but_numpy_is_needed(self):

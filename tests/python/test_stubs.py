@@ -77,11 +77,14 @@ class Stubs(unittest.TestCase):
                 "import etak\n"
                 "findings: 'list[etak.Finding]' = list(etak.validate('textures'))\n"
                 "count: int = etak.pack('a', 'b').materials\n"
-                "wrong: int = etak.read('gold').label\n")
+                "hex: str = etak.f0('gold', illuminant='A').hex\n"
+                "shape = etak.f0(n=[1, 1], wavelength=[380, 780]).shape\n"
+                "wrong: int = etak.read('gold').label\n"
+                "etak.f0('gold', illuminate='A')\n")
             done = subprocess.run(
                 [sys.executable, "-m", "mypy", "--strict", "uses.py"], capture_output=True, text=True, cwd=folder,
                 env={**os.environ, "MYPYPATH": str(STUBS.parent.parent)})
-        self.assertEqual([line.split(":")[1] for line in done.stdout.splitlines() if ": error:" in line], ["4"],
+        self.assertEqual([line.split(":")[1] for line in done.stdout.splitlines() if ": error:" in line], ["6", "7"],
                          done.stdout + done.stderr)
 
 

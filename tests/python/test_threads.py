@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Several threads at once: the same answers as one after the other, and the lock of the interpreter is released."""
 import os
+import signal
 import tempfile
 import threading
 import time
@@ -75,6 +76,17 @@ class Threads(unittest.TestCase):
         done.set()
         ticker.join()
         self.assertGreater(sum(begin < t < end for t in ticks), 5, f"in {end - begin:.3f} s")
+
+    def test_an_interrupt_stops_a_batch(self):
+        n = np.broadcast_to(np.full(471, 1.5), (20000, 471)).copy()
+        timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                for _ in range(1000):
+                    etak.f0(n=n, wavelength=NM)
+        finally:
+            timer.cancel()
 
     def test_an_array_that_another_thread_changes_does_no_harm(self):
         n = np.full((2000, 471), 1.5)

@@ -208,6 +208,17 @@ class Choosing(Work):
         self.assertIn(gold.fresnel, gold.model)
         self.assertIn(gold.fresnel, etak.fresnel_forms())
 
+    def test_progress_is_told_and_its_exceptions_come_out(self):
+        told_of = []
+        etak.choose(["gold", "silver", "iron"], threads=1, progress=lambda done, all: told_of.append((done, all)))
+        self.assertEqual(told_of, [(1, 3), (2, 3), (3, 3)])
+
+        def fails(done, all):
+            raise RuntimeError("enough")
+
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            etak.choose(["gold", "silver", "iron"], threads=1, progress=fails)
+
     def test_a_scene_gives_a_choice_for_each_material_that_the_packer_takes(self):
         choices = etak.choose("materials.json")
         self.assertEqual(choices.scene, "materials.json")

@@ -16,12 +16,16 @@ from several threads at once; they compute without the interpreter's lock.
 
 from __future__ import annotations
 
-from typing import Any, Callable, Iterable, Optional, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Optional, Union, overload
 
 from . import _core
 from ._core import (
     CheckedFile, Choice, Choices, Citation, Dataset, Error, F0, Finding, Library, Material, Packed, Report, Spread,
     __version__, library)
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
 
 _core._start(__path__[0])
 
@@ -36,6 +40,25 @@ del _each
 
 Path = Union[str, Any]  # anything with __fspath__, too
 Number = Union[str, float]
+
+
+@overload
+def f0(
+    material: Any, *, dataset: str = ..., axis_average: bool = ..., observer: Optional[str] = ...,
+    illuminant: Optional[str] = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
+    integration_bound: Optional[Number] = ..., space: Optional[str] = ..., ocio: Optional[Path] = ...,
+    outside: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
+    columns: Optional[str] = ..., duplicates: Optional[str] = ..., library: Library = ...,
+) -> F0: ...
+
+
+@overload
+def f0(
+    *, n: Any = ..., k: Any = ..., wavelength: Any, reflectance: Any = ..., observer: Optional[str] = ...,
+    illuminant: Optional[str] = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
+    integration_bound: Optional[Number] = ..., space: Optional[str] = ..., ocio: Optional[Path] = ...,
+    outside: Optional[Number] = ..., allow_extrapolation: bool = ..., library: Library = ..., threads: int = ...,
+) -> npt.NDArray[np.float64]: ...
 
 
 def f0(
@@ -121,7 +144,7 @@ def fresnel(
     illuminant: Optional[str] = None, outside: Optional[Number] = None, allow_extrapolation: bool = False,
     unit: Optional[str] = None, columns: Optional[str] = None, duplicates: Optional[str] = None,
     library: Library = library, threads: int = 0,
-) -> Any:
+) -> npt.NDArray[np.float64]:
     """Reflectance over the angle of incidence: linear sRGB, unclipped, as an array of the shape of cos_theta and 3.
 
       material    as f0() takes it; its data need n
@@ -219,6 +242,7 @@ def pack_settings() -> "dict[str, str]":
 def choose(
     materials: Any, *, budget: float = 1, codes: bool = False, gloss: Optional[float] = None,
     roughness: Optional[float] = None, costs: Optional[Path] = None, library: Library = library, threads: int = 0,
+    progress: Optional[Callable[[int, int], object]] = None,
 ) -> Choices:
     """The cheapest way to draw materials within a budget of error.
 
@@ -232,4 +256,4 @@ def choose(
     >>> choice.fresnel, choice.met
     ('f82', True)
     """
-    return _core.choose(materials, budget, codes, gloss, roughness, costs, library, threads)
+    return _core.choose(materials, budget, codes, gloss, roughness, costs, library, threads, progress)
