@@ -56,7 +56,7 @@ Subjects asked_subjects(const py::object& materials) {
 }
 
 Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const std::optional<Gloss>& given,
-                   const std::string& costs, const Library& library, unsigned threads) {
+                   const std::string& costs, const Library& library, unsigned threads, LongWork& work) {
   Choices out;
   out.costs = costs.empty() ? shipped_costs() : parse_costs(read_file(costs), costs);
   out.scene = subjects.scene;
@@ -75,7 +75,12 @@ Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const
     const DatasetOf found = read_one(asked, library, {});
     all.push_back(library_subject(*found.material, found.dataset(), given, out.remarks));
   }
-  out.all = choose_each(all, options, out.costs, thread_count(threads));
+  std::atomic<std::size_t> done{0};
+  out.all = choose_each(all, options, out.costs, thread_count(threads), [&](unsigned) {
+    work.tell(++done, all.size());
+    work.go_on();
+  });
+  work.tell(all.size(), all.size());  // where another thread was the last
   for (const Choice& each : out.all)
     if (!each.met) out.remarks.push_back(unmet_remark(each));
   return out;
@@ -83,15 +88,17 @@ Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const
 
 Choices choose_call(const py::object& materials, double budget, bool codes, std::optional<double> gloss,
                     std::optional<double> roughness, const py::object& costs, const Library& library,
-                    unsigned threads) {
+                    unsigned threads, py::object progress) {
   const Subjects subjects = asked_subjects(materials);
   const std::string cost_file = text_of(costs, "costs");
   const ChooseOptions options{budget, codes ? ErrorUnit::codes : ErrorUnit::delta_e};
-  const Unlocked unlocked;
-  const std::optional<Gloss> given = given_gloss(gloss, roughness);
-  return with_memory_for(
-      subjects.scene.empty() ? "choose" : subjects.scene, [] { return "what its shading is chosen from"; },
-      [&] { return choose_for(subjects, options, given, cost_file, library, threads); });
+  LongWork work(std::move(progress));
+  return work.unlocked([&] {
+    const std::optional<Gloss> given = given_gloss(gloss, roughness);
+    return with_memory_for(
+        subjects.scene.empty() ? "choose" : subjects.scene, [] { return "what its shading is chosen from"; },
+        [&] { return choose_for(subjects, options, given, cost_file, library, threads, work); });
+  });
 }
 
 }  // namespace
@@ -148,8 +155,8 @@ void add_choose(py::module_& module) {
       .def("__repr__",
            [](const Choices& c) { return "<etak.Choices of " + std::to_string(c.all.size()) + ">"; });
   module.def("choose", &choose_call, py::arg("materials"), py::arg("budget"), py::arg("codes"),
-             py::arg("gloss"), py::arg("roughness"), py::arg("costs"), py::arg("library"),
-             py::arg("threads"));
+             py::arg("gloss"), py::arg("roughness"), py::arg("costs"), py::arg("library"), py::arg("threads"),
+             py::arg("progress"));
 }
 
 }  // namespace etak::python

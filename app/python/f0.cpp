@@ -182,15 +182,18 @@ Rows rows_of(const py::object& n, const py::object& k, const py::object& reflect
 
 // Throws the Error of the first value outside [0, most]. The first loop has no branches, so that it takes no
 // time beside the work on the row.
+//   place   gives the place for the message
+template <class Place>
 void check_values(std::span<const double> values, double most, std::span<const double> wavelength,
-                  const std::string& place, const char* name) {
+                  const char* name, const Place& place) {
   bool fine = true;
   for (const double value : values) fine &= value >= 0 && value <= most;
   if (fine) return;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(values[i] >= 0 && values[i] <= most))
       throw Error::at(
-          place, std::string(name) + " = " + number(values[i], 9) + " at " + number(wavelength[i], 9) + " nm",
+          place(),
+          std::string(name) + " = " + number(values[i], 9) + " at " + number(wavelength[i], 9) + " nm",
           "0 <= " + std::string(name) + " <= " + number(most, 9));
 }
 
@@ -217,6 +220,11 @@ class RowOptics {
     if (constants.k) copy(second, *constants.k);
   }
   const Optics& optics() const { return optics_; }
+  std::span<const double> first() const {
+    if (const auto* reflectance = std::get_if<Reflectance>(&optics_)) return reflectance->spectrum.value;
+    return std::get<Spectrum>(std::get<OpticalConstants>(optics_).n).value;
+  }
+  std::span<const double> second() const { return std::get<OpticalConstants>(optics_).k->value; }
 
  private:
   static void copy(std::span<const double> from, Spectrum& to) {
@@ -224,6 +232,38 @@ class RowOptics {
   }
   Optics optics_;
 };
+
+// Linear colours of all rows into `colors`, three for each.
+void solve_rows(const Rows& rows, const F0Solver& solver, unsigned threads, LongWork& work,
+                std::span<double> colors) {
+  const std::span<const double> nm = values_of(rows.wavelength), first = values_of(rows.first),
+                                second = rows.has_k ? values_of(rows.second) : std::span<const double>();
+  validate(Spectrum{{nm.begin(), nm.end()}, std::vector<double>(nm.size())}, "wavelength");
+  const double most = rows.is_reflectance ? 1 : most_n;
+  // Below some thousand samples, starting a thread takes longer than the work.
+  constexpr std::size_t chunk = 8, least_samples = 1 << 14;
+  const unsigned workers = rows.count * rows.samples < least_samples ? 1 : thread_count(threads);
+  std::vector<std::optional<RowOptics>> rooms(workers);
+  parallel_chunks(rows.count, workers, chunk, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    work.go_on();
+    std::optional<RowOptics>& room = rooms[worker];
+    if (!room) room.emplace(rows, nm);
+    for (std::size_t row = begin; row < end; ++row) {
+      const auto of = [&](std::span<const double> all) {
+        return all.subspan(row * rows.samples, rows.samples);
+      };
+      room->set(of(first), rows.has_k ? of(second) : second);
+      // The copies are checked, because another thread may change the arrays meanwhile.
+      check_values(room->first(), most, nm, rows.name(), [&] { return rows.place(row); });
+      if (rows.has_k) check_values(room->second(), most_k, nm, "k", [&] { return rows.k_place(row); });
+      const F0Result result = solver.solve(room->optics());
+      if (result.refused()) throw Error::at(rows.place(row), "refused: " + result.refusal);
+      colors[3 * row] = result.linear.r;
+      colors[3 * row + 1] = result.linear.g;
+      colors[3 * row + 2] = result.linear.b;
+    }
+  });
+}
 
 Array f0_of_rows(const py::object& n, const py::object& k, const py::object& reflectance,
                  const py::object& wavelength, const py::dict& given, const Library& library,
@@ -234,32 +274,11 @@ Array f0_of_rows(const py::object& n, const py::object& k, const py::object& ref
   if (!rows.one) shape.insert(shape.begin(), static_cast<py::ssize_t>(rows.count));
   Array out(shape);
   const std::span<double> colors(out.mutable_data(), 3 * rows.count);
-  const std::span<const double> nm = values_of(rows.wavelength), first = values_of(rows.first),
-                                second = rows.has_k ? values_of(rows.second) : std::span<const double>();
-  const Unlocked unlocked;
-  const F0Solver solver(options_of(settings, library));
-  validate(Spectrum{{nm.begin(), nm.end()}, std::vector<double>(nm.size())}, "wavelength");
-  const double most = rows.is_reflectance ? 1 : most_n;
-  // Below some thousand samples, starting a thread takes longer than the work.
-  constexpr std::size_t chunk = 8, least_samples = 1 << 14;
-  const unsigned workers = rows.count * rows.samples < least_samples ? 1 : thread_count(threads);
-  std::vector<std::optional<RowOptics>> rooms(workers);
-  parallel_chunks(rows.count, workers, chunk, [&](std::size_t begin, std::size_t end, unsigned worker) {
-    std::optional<RowOptics>& room = rooms[worker];
-    if (!room) room.emplace(rows, nm);
-    for (std::size_t row = begin; row < end; ++row) {
-      const auto of = [&](std::span<const double> all) {
-        return all.subspan(row * rows.samples, rows.samples);
-      };
-      check_values(of(first), most, nm, rows.place(row), rows.is_reflectance ? "reflectance" : "n");
-      if (rows.has_k) check_values(of(second), most_k, nm, rows.k_place(row), "k");
-      room->set(of(first), rows.has_k ? of(second) : second);
-      const F0Result result = solver.solve(room->optics());
-      if (result.refused()) throw Error::at(rows.place(row), "refused: " + result.refusal);
-      colors[3 * row] = result.linear.r;
-      colors[3 * row + 1] = result.linear.g;
-      colors[3 * row + 2] = result.linear.b;
-    }
+  LongWork work;
+  work.unlocked([&] {
+    const F0Solver solver(options_of(settings, library));
+    solve_rows(rows, solver, threads, work, colors);
+    return true;
   });
   return out;
 }
@@ -384,7 +403,10 @@ void add_f0(py::module_& module) {
       "What the numbers were computed by.");
   get("spread", &spread_of, "Of all datasets of the material; None for a file without a material.");
   f0.def(
-      "json", [](const F0Answer& a) { return f0_json({&a.row, 1}, a.solver->options()); },
+      "json",
+      [](const F0Answer& a) {
+        return f0_json({&a.row, 1}, a.solver->options());
+      },
       "As the command line's --format json.");
   f0.def("__str__", &text_of_answer).def("__repr__", &repr_of).def("_repr_html_", &html_of);
 

@@ -216,15 +216,17 @@ std::shared_ptr<Material> material_named(const Library& library, const std::stri
 
 void add_library(py::module_& module) {
   py::class_<Citation>(module, "Citation", "Who measured, and where it was published.")
-      .def_readonly("authors", &Citation::authors)
-      .def_readonly("title", &Citation::title)
-      .def_readonly("published_in", &Citation::published_in)
+      .def_readonly("authors", &Citation::authors, "In the order of the publication.")
+      .def_readonly("title", &Citation::title, "Of the publication.")
+      .def_readonly("published_in", &Citation::published_in,
+                    "Journal, volume and pages, or the name of a report.")
       .def_property_readonly(
-          "year", [](const Citation& c) { return c.year == 0 ? std::nullopt : std::optional(c.year); })
-      .def_readonly("doi", &Citation::doi)
-      .def_readonly("url", &Citation::url)
-      .def_readonly("licence", &Citation::licence)
-      .def_readonly("via", &Citation::via)
+          "year", [](const Citation& c) { return c.year == 0 ? std::nullopt : std::optional(c.year); },
+          "None: not known.")
+      .def_readonly("doi", &Citation::doi, "Without resolver; may be empty.")
+      .def_readonly("url", &Citation::url, "May be empty.")
+      .def_readonly("licence", &Citation::licence, "Of the numbers: an SPDX id.")
+      .def_readonly("via", &Citation::via, "The collection and page that the numbers were taken from.")
       .def("__str__", [](const Citation& c) { return one_line(c); })
       .def("__repr__", [](const Citation& c) { return "<etak.Citation " + one_line(c) + ">"; })
       .def(
@@ -309,12 +311,20 @@ void add_library(py::module_& module) {
       "range", [](const DatasetOf& d) { return range_of(d.dataset()); }, "First and last wavelength, in nm.");
   dataset.def("__repr__", [](const DatasetOf& d) { return "<etak.Dataset " + d.label() + ">"; });
 
-  material.def_readonly("id", &Material::id)
-      .def_readonly("name", &Material::name)
-      .def_readonly("aliases", &Material::aliases)
-      .def_readonly("material_class", &Material::material_class)
-      .def_readonly("group", &Material::group)
-      .def_readonly("preferred_reason", &Material::preferred_reason)
+  material.def_readonly("id", &Material::id, "Lower case: \"gold\".")
+      .def_readonly("name", &Material::name, "\"Gold\".")
+      .def_readonly("aliases", &Material::aliases, "Other names and formulas.")
+      .def_readonly("material_class", &Material::material_class, "\"metal\", \"glass\", ...")
+      .def_readonly("group", &Material::group, "Within the class, such as \"wood\"; may be empty.")
+      .def_readonly("preferred_reason", &Material::preferred_reason, "Why that dataset is preferred.")
+      .def_property_readonly(
+          "optical_kind",
+          [](const Material& m) -> std::optional<std::string> {
+            if (m.material_class.empty()) return std::nullopt;
+            return std::string(optical_kind(m.material_class));
+          },
+          "\"conductor\", \"semiconductor\", \"dielectric\" or \"surface\"; None where the class is not "
+          "known.")
       .def_property_readonly("datasets", &datasets_of, "All of them.")
       .def_property_readonly(
           "preferred",

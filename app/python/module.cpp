@@ -15,7 +15,7 @@ std::string module_folder;
 }  // namespace
 
 Array doubles(const py::object& value, const char* name) {
-  if (py::hasattr(value, "mask"))
+  if (py::isinstance(value, py::module_::import("numpy.ma").attr("MaskedArray")))
     throw Error::at(name, "a masked array", "an array without gaps, such as its filled()");
   const py::array any = py::array::ensure(value);
   if (!any) {
@@ -74,7 +74,8 @@ bool LongWork::look_for_signals() {
 void LongWork::tell(std::size_t done, std::size_t all) {
   if (std::this_thread::get_id() != caller_ || stopped_) return;
   const bool due = look_for_signals();
-  if (!due && (progress_.is_none() || done != all)) return;
+  if (progress_.is_none() ? !due : done == told_) return;
+  told_ = done;
   const py::gil_scoped_acquire lock;
   try {
     if (!progress_.is_none()) progress_(done, all);
@@ -94,10 +95,6 @@ bool LongWork::stopped() {
     }
   }
   return stopped_;
-}
-
-void LongWork::end() {
-  if (why_) throw *why_;
 }
 
 }  // namespace etak::python

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -14,6 +15,7 @@
 #include <span>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include "app/pictures/doors.h"
@@ -113,17 +115,39 @@ const PictureDoors& pictures(const std::string& place);
 
 // ---- long work
 
-/// Lets Ctrl-C stop work that does not hold the interpreter's lock, and tells how far it is. One for each call.
+/// Lets Ctrl-C and the exceptions of a progress function stop work that does not hold the interpreter's lock, and tells how far it is. One for each call.
 class LongWork {
  public:
   ///   progress   called as progress(done, all); None: nobody listens
-  explicit LongWork(py::object progress) : progress_(std::move(progress)) {}
+  explicit LongWork(py::object progress = py::none()) : progress_(std::move(progress)) {}
 
   /// For the core, from any thread: does nothing in others than the one that made this.
   void tell(std::size_t done, std::size_t all);
   bool stopped();
-  /// To be called with the lock: throws what stopped the work.
-  void end();
+  /// For work that is stopped by an exception only: throws Stopped where stopped() says so.
+  void go_on() {
+    if (stopped()) throw Stopped();
+  }
+  struct Stopped {};
+
+  /// Does the work without the interpreter's lock, and returns what it returns. Throws what stopped it, in place of
+  /// what it then threw.
+  template <class Work>
+  std::invoke_result_t<Work> unlocked(const Work& work) {
+    std::optional<std::invoke_result_t<Work>> out;
+    std::exception_ptr failure;
+    {
+      const Unlocked without_lock;
+      try {
+        out.emplace(work());
+      } catch (...) {
+        failure = std::current_exception();
+      }
+    }
+    if (why_) throw *why_;
+    if (failure) std::rethrow_exception(failure);
+    return std::move(*out);
+  }
 
  private:
   bool look_for_signals();
@@ -131,6 +155,7 @@ class LongWork {
   py::object progress_;
   std::thread::id caller_ = std::this_thread::get_id();
   std::atomic<bool> stopped_{false};
+  std::size_t told_ = static_cast<std::size_t>(-1);  // what progress was called with last
   std::optional<py::error_already_set> why_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

@@ -113,7 +113,7 @@ Packed packed(const PackCall& call, const Library& library, LongWork& work) {
     how.never_fails = call.check.fail_on == never_fails;
     how.threads = options.run.threads;
     how.version = ETAK_VERSION;
-    result.report.emplace().fail_on = how.config.settings.fail_on;
+    result.report = Report{nullptr, how.config.settings.fail_on, how.never_fails};
     check.emplace(out, std::move(how)).attach(options);
   }
   options.run.progress = [&](std::size_t done, std::size_t all) { work.tell(done, all); };
@@ -150,17 +150,7 @@ Packed pack_call(const py::object& input, const py::object& output, const py::di
   call.dry_run = run["dry_run"].cast<bool>();
   call.threads = threads;
   LongWork work(std::move(progress));
-  std::optional<Packed> out;
-  {
-    const Unlocked unlocked;
-    try {
-      out = packed(call, library, work);
-    } catch (const PackCancelled&) {
-      // end() throws what cancelled it.
-    }
-  }
-  work.end();
-  return std::move(*out);
+  return work.unlocked([&] { return packed(call, library, work); });
 }
 
 }  // namespace

@@ -121,11 +121,9 @@ Report check(const py::object& paths, const py::dict& given, const Library& libr
   request.stop = [&] { return work.stopped(); };
   Report out;
   out.fail_on = request.config.settings.fail_on;
-  {
-    const Unlocked unlocked;
-    out.report = std::make_shared<const ValidationReport>(validate(std::move(request)));
-  }
-  work.end();
+  out.never_fails = given.contains("fail_on") && text_of(given["fail_on"], "fail_on") == never_fails;
+  out.report =
+      work.unlocked([&] { return std::make_shared<const ValidationReport>(validate(std::move(request))); });
   return out;
 }
 
@@ -224,8 +222,9 @@ void add_finding(py::module_& module) {
 void add_validate(py::module_& module) {
   add_finding(module);
   py::class_<FileOf>(module, "CheckedFile", "A checked file, or a pair or set of files that belong together.")
-      .def_property_readonly("path",
-                             [](const FileOf& f) { return shown_path(f.file->path, f.report->typed); })
+      .def_property_readonly(
+          "path", [](const FileOf& f) { return shown_path(f.file->path, f.report->typed); },
+          "As the caller named it.")
       .def_property_readonly(
           "companions",
           [](const FileOf& f) {
@@ -255,13 +254,16 @@ void add_validate(py::module_& module) {
             return out;
           },
           "Exact counts of texels.")
-      .def_property_readonly("readable", [](const FileOf& f) { return !f.file->unreadable; })
-      .def_property_readonly("findings",
-                             [](const FileOf& f) {
-                               std::vector<FindingOf> out;
-                               for (const Finding& each : f.file->findings) out.push_back({f.report, &each});
-                               return out;
-                             })
+      .def_property_readonly(
+          "readable", [](const FileOf& f) { return !f.file->unreadable; }, "Whether it could be read.")
+      .def_property_readonly(
+          "findings",
+          [](const FileOf& f) {
+            std::vector<FindingOf> out;
+            for (const Finding& each : f.file->findings) out.push_back({f.report, &each});
+            return out;
+          },
+          "In the order of rules.")
       .def("__repr__", [](const FileOf& f) {
         return "<etak.CheckedFile " + shown_path(f.file->path, f.report->typed) + ">";
       });
@@ -272,9 +274,7 @@ void add_validate(py::module_& module) {
   };
   get("findings", &findings_of, "All of them, in the order of files.");
   get("files", &files_of, "What was checked.");
-  get(
-      "passed", [](const Report& r) { return r.report->passed; },
-      "Nothing at or above fail_on, and all was checked.");
+  get("passed", &Report::passed, "Nothing at or above fail_on, and all was checked.");
   get(
       "incomplete", [](const Report& r) { return r.report->incomplete; }, "Something could not be checked.");
   get(

@@ -13,6 +13,9 @@ namespace etak::python {
 struct Report {
   std::shared_ptr<const ValidationReport> report;
   Severity fail_on = Severity::error;
+  bool never_fails = false;  // for findings; what could not be checked fails all the same
+
+  bool passed() const { return report->passed || (never_fails && !report->incomplete); }
 };
 
 /// The settings of a check that a dictionary holds by their keywords.

@@ -15,6 +15,8 @@ for program; do
   readelf --dyn-syms -W "$program" >"$scratch/symbols"
   begin=main
   case $program in
+    */_core.*.so) begin=PyInit__core ;;
+    */_pictures.so) begin=etak_python_pictures ;;
     *.so) begin=etak_pictures_module ;;
     *)
       expect "$program" "a position-independent program" 'FLAGS_1.*PIE' "$scratch/elf"

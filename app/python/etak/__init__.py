@@ -16,12 +16,16 @@ from several threads at once; they compute without the interpreter's lock.
 
 from __future__ import annotations
 
-from typing import Any, Callable, Iterable, Optional, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Optional, Union, overload
 
 from . import _core
 from ._core import (
     CheckedFile, Choice, Choices, Citation, Dataset, Error, F0, Finding, Library, Material, Packed, Report, Spread,
     __version__, library)
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
 
 _core._start(__path__[0])
 
@@ -36,6 +40,25 @@ del _each
 
 Path = Union[str, Any]  # anything with __fspath__, too
 Number = Union[str, float]
+
+
+@overload
+def f0(
+    material: Any, *, dataset: str = ..., axis_average: bool = ..., observer: Optional[str] = ...,
+    illuminant: Optional[str] = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
+    integration_bound: Optional[Number] = ..., space: Optional[str] = ..., ocio: Optional[Path] = ...,
+    outside: Optional[Number] = ..., allow_extrapolation: bool = ..., unit: Optional[str] = ...,
+    columns: Optional[str] = ..., duplicates: Optional[str] = ..., library: Library = ...,
+) -> F0: ...
+
+
+@overload
+def f0(
+    *, n: Any = ..., k: Any = ..., wavelength: Any, reflectance: Any = ..., observer: Optional[str] = ...,
+    illuminant: Optional[str] = ..., interpolation: Optional[str] = ..., method: Optional[str] = ...,
+    integration_bound: Optional[Number] = ..., space: Optional[str] = ..., ocio: Optional[Path] = ...,
+    outside: Optional[Number] = ..., allow_extrapolation: bool = ..., library: Library = ..., threads: int = ...,
+) -> npt.NDArray[np.float64]: ...
 
 
 def f0(
@@ -69,8 +92,8 @@ def f0(
 
     Data that hold less than 0.95 of the luminous weight are refused unless allow_extrapolation is true.
 
-    >>> print(etak.f0("gold", dataset="mcpeak", space="acescg"))  # doctest: +ELLIPSIS
-    id ...
+    >>> etak.f0("gold", dataset="mcpeak", space="acescg")
+    <etak.F0 gold/mcpeak-2015: #ffe59e, 0.9277 0.7965 0.4058 in acescg>
     >>> etak.f0("silver", illuminant="D66")
     Traceback (most recent call last):
     etak.Error: illuminant: D66; expected D65, D50, A or E
@@ -98,8 +121,8 @@ def read(
     """The dataset that a name or a file stands for, as f0() takes it.
 
     >>> gold = etak.read("gold")
-    >>> gold.n([500, 600]).round(3), gold.k(600)
-    ...
+    >>> gold.n([500, 600]).round(3), round(gold.k(600), 3)
+    (array([0.82 , 0.204]), 3.122)
     """
     return _core.read(material, dataset, {"unit": unit, "columns": columns, "duplicates": duplicates}, library)
 
@@ -121,7 +144,7 @@ def fresnel(
     illuminant: Optional[str] = None, outside: Optional[Number] = None, allow_extrapolation: bool = False,
     unit: Optional[str] = None, columns: Optional[str] = None, duplicates: Optional[str] = None,
     library: Library = library, threads: int = 0,
-) -> Any:
+) -> npt.NDArray[np.float64]:
     """Reflectance over the angle of incidence: linear sRGB, unclipped, as an array of the shape of cos_theta and 3.
 
       material    as f0() takes it; its data need n
@@ -130,7 +153,9 @@ def fresnel(
                   material best; fresnel_forms() names them
 
     >>> etak.fresnel("gold", [1, 0.5, 0], form="schlick").round(3)
-    ...
+    array([[1.043, 0.774, 0.335],
+           [1.041, 0.781, 0.355],
+           [1.   , 1.   , 1.   ]])
     """
     settings = {
         "observer": observer, "illuminant": illuminant, "outside": outside, "allow_extrapolation": allow_extrapolation,
@@ -166,11 +191,11 @@ def validate(
 
     The report is a sequence of findings. What cannot be read is a finding as well, and makes it incomplete.
 
-    >>> report = etak.validate(some_textures)
+    >>> report = etak.validate("textures")
     >>> report.passed
     False
-    >>> report[0].rule, report[0].severity
-    ('ETK101', 'error')
+    >>> [(finding.rule, finding.limit) for finding in report if finding.severity == "error"]
+    [('ETK101', '20 % to 45 %'), ('ETK402', 'codes 36 to 84')]
     """
     settings = {
         "role": role, "material": material, "surface": surface, "transfer": transfer, "alpha": alpha,
@@ -196,9 +221,9 @@ def pack(
       memory     the most that pages may take: bytes, or "512M"
       settings   those of `etak pack`: page=2048, islands=True, format="png,ktx2", ...; pack_settings() lists them
 
-    >>> packed = etak.pack(some_manifest, some_folder, page=1024, keep="all")
+    >>> packed = etak.pack("materials.json", "atlas", page=1024, keep="all")
     >>> packed.materials, packed.report.passed
-    (1, True)
+    (2, True)
     """
     run = {"force": force, "update": update, "dry_run": dry_run, "validate": validate, "memory": memory}
     check = {"fail_on": fail_on, "config": config, "no_config": no_config}
@@ -217,6 +242,7 @@ def pack_settings() -> "dict[str, str]":
 def choose(
     materials: Any, *, budget: float = 1, codes: bool = False, gloss: Optional[float] = None,
     roughness: Optional[float] = None, costs: Optional[Path] = None, library: Library = library, threads: int = 0,
+    progress: Optional[Callable[[int, int], object]] = None,
 ) -> Choices:
     """The cheapest way to draw materials within a budget of error.
 
@@ -230,4 +256,4 @@ def choose(
     >>> choice.fresnel, choice.met
     ('f82', True)
     """
-    return _core.choose(materials, budget, codes, gloss, roughness, costs, library, threads)
+    return _core.choose(materials, budget, codes, gloss, roughness, costs, library, threads, progress)

@@ -21,16 +21,16 @@ def to_colour(material: Any, quantity: str = "n", **names: Any) -> Any:
       quantity   "n", "k" or "reflectance"
       names      for the distribution: name=...
     """
-    import colour
+    from colour import SpectralDistribution  # type: ignore[import]
 
     of = _as_dataset(material)
     if quantity not in ("n", "k", "reflectance"):
         raise Error(f"quantity: {quantity}; expected n, k or reflectance")
     at = _wavelengths(of)
-    first, last = (of.k_range if quantity == "k" and of.k_range else of.range)
+    first, last = (of.k_range or of.range) if quantity == "k" else of.range
     at = [w for w in at if first <= w <= last]
     values = getattr(of, quantity)(at)
-    return colour.SpectralDistribution(dict(zip(at, values)), name=names.pop("name", f"{of.label} {quantity}"), **names)
+    return SpectralDistribution(dict(zip(at, values)), name=names.pop("name", f"{of.label} {quantity}"), **names)
 
 
 def from_colour(n: Any = None, k: Any = None, *, reflectance: Any = None, name: Optional[str] = None) -> Dataset:
@@ -50,26 +50,28 @@ def from_colour(n: Any = None, k: Any = None, *, reflectance: Any = None, name: 
 
 
 def to_mitsuba(material: Any, *, roughness: Optional[float] = None) -> Dict[str, Any]:
-    """A BSDF of Mitsuba 3, as a dictionary: a conductor of n and k, or a dielectric of n where k is not given.
+    """A BSDF of Mitsuba 3, as a dictionary: a conductor of n and k, or a dielectric of n.
 
-      material    as etak.f0() takes it; its data need n
+      material    as etak.f0() takes it; its data need n. Conductors and semiconductors are conductors, and so is what
+                  has no class and gives k; the rest are dielectrics, with n at the sodium line, 589.3 nm
       roughness   perceptual, alpha = roughness^2 of a GGX lobe; without it the surface is smooth
 
     >>> from etak import convert
     >>> convert.to_mitsuba("gold", roughness=0.3)["alpha"]
     0.09
+    >>> convert.to_mitsuba("water")["type"]
+    'dielectric'
     """
     of = _as_dataset(material)
-    at = _wavelengths(of)
     rough = roughness is not None
-    if of.has_k:
-        first, last = of.k_range
-        at = [w for w in at if first <= w <= last]
+    kind = of.material.optical_kind or ("conductor" if of.has_k else "dielectric")
+    if kind in ("conductor", "semiconductor"):
+        first, last = of.k_range or of.range
+        at = [w for w in _wavelengths(of) if first <= w <= last]
         out: Dict[str, Any] = {
             "type": "roughconductor" if rough else "conductor", "eta": _spectrum(at, of.n(at)),
             "k": _spectrum(at, of.k(at))}
     else:
-        # Mitsuba's dielectrics have one index: that of the sodium line, by which glasses are named.
         out = {"type": "roughdielectric" if rough else "dielectric", "int_ior": float(of.n(589.3)), "ext_ior": 1.0}
     if rough:
         out["alpha"] = round(roughness * roughness, 12)  # type: ignore[operator]
