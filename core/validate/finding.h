@@ -115,6 +115,7 @@ struct RunCounts {
 /// to the run's root.
 using TypedFolders = std::map<std::string, std::string>;
 
+/// The result of validate(): all files with their findings, and whether they pass.
 struct ValidationReport {
   std::string profile, transfer, settings_hash;
   std::vector<CheckedFile> files;                   // in path order
