@@ -16,7 +16,7 @@ for static in "" --static; do
   grep -qE '^gold 1\.04[0-9]+ 0\.77[0-9]+ 0\.33[0-9]+$' "$work/said"
 done
 doors=0
-for name in $(pkg-config --list-package-names | grep '^etak-' | sort); do
+for name in $(pkg-config --list-all | sed -n 's/^\(etak-[^ ]*\) .*/\1/p' | sort); do
   door=$(echo "${name#etak-}" | tr - _)
   "$compiler" "$work/main.o" -o "$work/$door" -L"$(pkg-config --variable=libdir "$name")" \
     -Wl,--whole-archive -letak_"$door" -Wl,--no-whole-archive $(pkg-config --libs "$name" | sed "s/-letak_$door //")

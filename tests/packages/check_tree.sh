@@ -9,11 +9,18 @@ here=${0%/*}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The files of contents/, and the headers and the folder of the reference, which have checks of their own. A package of
-# Debian also holds what its rules ask for: copyright, changelog and compressed manual pages. The names of Python's modules tell its version.
+# The files of contents/, and what is installed by a rule: a manual page for each verb, each schema, the headers of
+# tests/consumer/headers.txt. The pages of the reference are not listed. A package of Debian also holds what its rules ask
+# for: copyright, changelog and compressed manual pages. The names of Python's modules tell its version.
 {
   cat "$here/contents/$package.txt"
-  [ "$package" != libetak-dev ] || sed 's|^|include/|' "$here/../consumer/headers.txt"
+  case $package in
+    libetak-dev) sed 's|^|include/|' "$here/../consumer/headers.txt" ;;
+    etak)
+      sed -n 's|^ETAK_VERB(\(.*\))$|share/man/man1/etak-\1.1|p' "$here/../../app/cli/verbs.inc"
+      (cd "$here/../../resources" && printf 'share/etak/%s\n' schema/*)
+      ;;
+  esac
 } | LC_ALL=C sort >"$work/expected"
 (cd "$prefix" && find . ! -type d) | sed "s|^\./||; s|^$libdir/|lib/|; s|\(/man1/.*\.1\)\.gz$|\1|; s|\.cpython-[^/]*\.so$|.so|" |
   grep -vE "^share/(doc/$package/(html/.*|copyright|changelog.Debian.gz)|lintian/overrides/$package)$" |

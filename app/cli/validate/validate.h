@@ -12,16 +12,11 @@
 
 namespace etak::cli {
 
-/// The value of --fail-on with which findings are reported but do not change the exit status.
-inline constexpr const char* never_fails = "never";
-
 /// The options of `etak validate`.
 struct ValidateArguments {
   std::vector<std::string> paths;
-  std::string files_from, changed_since, role, material, surface_class, alpha;
-  std::string config, profile, transfer, fail_on, today;
-  bool no_config = false;
-  RuleChoice choice;
+  std::string files_from, changed_since, role, material, surface_class, today;
+  ValidateSettings settings;
   std::optional<std::size_t> max_warnings;
   std::string min_severity;  // the text form leaves out findings below it
   bool allow_empty = false;  // a run with nothing to check is no failure
