@@ -7,9 +7,9 @@
 # stage.cmake adds what only a package holds: copyright, changelog, compressed manual pages.
 get_cmake_property(installed COMPONENTS)
 set(CPACK_COMPONENTS_ALL program editor development python)
-foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+foreach(component program editor development python)
   if(NOT component IN_LIST installed)
-    list(REMOVE_ITEM CPACK_COMPONENTS_ALL ${component})
+    list(REMOVE_ITEM CPACK_COMPONENTS_ALL ${component})  # not built
   endif()
 endforeach()
 
