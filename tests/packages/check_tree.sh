@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # check_tree.sh PACKAGE PREFIX LIBDIR SOURCE: checks the files of one package, which lie below the folder PREFIX: they are
 # those that contents/PACKAGE.txt lists, and no program looks for libraries in a folder of its own or names the folder
-# SOURCE that it was built from. LIBDIR is lib, or the folder for libraries of one kind of processor below it.
+# SOURCE that it was built from, unless that is empty. LIBDIR is lib, or the folder for libraries of one kind of processor
+# below it.
 set -eu
 package=$1 prefix=$2 libdir=$3 source=$4
 here=${0%/*}
@@ -41,7 +42,7 @@ while read -r file; do
       fi
       ;;
   esac
-  if grep -qaF "$source/" "$file"; then
+  if [ -n "$source" ] && grep -qaF "$source/" "$file"; then
     echo "$file names the folder that it was built from"
     failed=1
   fi
