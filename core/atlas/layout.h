@@ -46,12 +46,14 @@ struct AtlasMaterialRow {
   friend bool operator==(const AtlasMaterialRow&, const AtlasMaterialRow&) = default;
 };
 
+/// One page of an atlas: its size, and the files of its two textures.
 struct AtlasPage {
   int width = 0, height = 0;
   std::array<std::vector<std::string>, 2> files;  // by Texture; one per format, then those of mips
   friend bool operator==(const AtlasPage&, const AtlasPage&) = default;
 };
 
+/// What an atlas holds and where: the table that is written as layout.json.
 struct AtlasLayout {
   GlossForm gloss = GlossForm::schueler;  // what texture B's fourth channel holds
   // Whether the shader is to multiply diffuse by 1 - F, as glTF's does; Schueler's takes it as it is.

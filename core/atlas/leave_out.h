@@ -94,6 +94,7 @@ struct TexelAccount {
   friend bool operator==(const TexelAccount&, const TexelAccount&) = default;
 };
 
+/// What leave_out() may leave out, and the form of the pages that it counts with.
 struct LeaveOutOptions {
   std::set<std::string> keep;  // of leave_out_names
   bool islands = false;
@@ -104,6 +105,7 @@ struct LeaveOutOptions {
   bool leaves(std::string_view what) const { return !keep.contains(std::string(what)); }
 };
 
+/// The result of leave_out(): what becomes of each material, and what each step took away.
 struct LeaveOut {
   std::vector<MaterialFate> fates;  // in the order of the facts
   std::vector<LeaveOutLine> lines;

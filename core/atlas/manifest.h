@@ -53,6 +53,7 @@ struct ManifestMaterial {
   std::string place;                 // "FILE#/materials/3", for messages
 };
 
+/// What is to be packed: materials with the sources of their channels.
 struct AtlasManifest {
   GlossForm gloss = GlossForm::schueler;  // of every "gloss"
   std::vector<ManifestMaterial> materials;

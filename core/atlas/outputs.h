@@ -23,6 +23,7 @@ constexpr bool holds_floats(std::string_view format) {
   return format == "tiff" || format == "exr";
 }
 
+/// How the pages of an atlas are written.
 struct WriteOptions {
   std::vector<std::string> formats{"png"};
   std::optional<PngLevel> png_level = PngLevel::fast;  // none: weighed for each picture (png_level_for())

@@ -32,6 +32,7 @@ struct Region {
   friend bool operator==(const Region&, const Region&) = default;
 };
 
+/// How regions are placed on pages.
 struct PlanOptions {
   RectOptions rects;           // form, side, rotation, effort, threads
   bool free_first = false;     // one page of any sides where that holds everything, else `rects.form`
@@ -61,12 +62,14 @@ inline PixelBox box_on_page(const Region& region, const PlannedPlace& at) {
           at.rotated ? region.width() : region.height()};
 }
 
+/// The size of a page, and which of the two textures it has.
 struct PlannedPage {
   int width = 0, height = 0;
   std::array<bool, 2> has{true, true};  // by Texture
   friend bool operator==(const PlannedPage&, const PlannedPage&) = default;
 };
 
+/// The places of all regions on the pages, and how they were found.
 struct PackingPlan {
   std::vector<PlannedPage> pages;
   std::vector<PlannedPlace> places;  // in the order of the regions

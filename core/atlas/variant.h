@@ -35,6 +35,7 @@ struct MaterialVariant {
   bool reads_mips() const { return filter == "trilinear" || filter == "nearest-mip"; }
 };
 
+/// The choice of `etak choose` for each material of a scene.
 struct ShadingVariants {
   std::string png_level;                   // "fast"
   std::vector<MaterialVariant> materials;  // by name, each once

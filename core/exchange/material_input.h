@@ -15,6 +15,7 @@ namespace etak {
 
 /// One input of a run: found, but not yet read unless it is a material of the library.
 struct MaterialInput {
+  /// Where the material comes from.
   enum class Kind {
     material,  // of the library, in `material`
     file,

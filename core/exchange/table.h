@@ -20,6 +20,7 @@ double to_nm(double value, WavelengthUnit unit);
 
 enum class Duplicates { refuse, first, mean };
 
+/// What a table does not say itself.
 struct TableOptions {
   std::optional<WavelengthUnit> unit;  // wins over the header; needed when the header names none
   std::vector<std::string> columns;  // names of the columns ("wavelength,n,k"), when there is no header: then
@@ -35,6 +36,7 @@ struct TableSettings {
 /// The settings as values. Throws Error that names the setting and what it takes.
 TableOptions table_options(const TableSettings& settings);
 
+/// The data of a table, and what is odd about them.
 struct Table {
   Optics optics;
   Flags flags;

@@ -5,19 +5,8 @@
 #   headers       the headers for users: etak/f0.h;...
 #   destination   the folder include/etak of the installation
 cmake_policy(VERSION 3.24)  # an install script does not have the policies of the project
-set(open ${headers})
-list(TRANSFORM open PREPEND core/include/)
-set(reached)
-while(open)
-  list(POP_FRONT open header)
-  if(header IN_LIST reached)
-    continue()
-  endif()
-  list(APPEND reached ${header})
-  file(STRINGS ${source}/${header} includes REGEX "^#include \"core/.*\"$")
-  list(TRANSFORM includes REPLACE "^#include \"(.*)\"$" "\\1")
-  list(APPEND open ${includes})
-endwhile()
+include(${source}/core/include/reached_headers.cmake)
+reached_headers(reached ${source} ${headers})
 foreach(header IN LISTS reached)
   string(REGEX REPLACE "^core/include/etak/" "" installed ${header})
   cmake_path(GET installed PARENT_PATH folder)

@@ -22,6 +22,7 @@ inline constexpr double point_light_min_r = 1e-3;
 std::string_view name(LightKind kind);
 std::optional<LightKind> light_kind_named(std::string_view text);
 
+/// One light of a scene.
 struct Light {
   LightKind kind = LightKind::directional;
   Vec3 position{0, 0, 0};                 // point, spot

@@ -17,6 +17,7 @@ namespace etak {
 enum class NameKind { id, name, alias, formula };
 std::string_view name(NameKind kind);
 
+/// The material that a name means, and what kind of name of it that is.
 struct FoundName {
   std::size_t index = 0;  // into MaterialLibrary::ids()
   NameKind kind = NameKind::id;

@@ -100,6 +100,7 @@ struct Reflectance {
 /// What one source says of one sample: n, k or reflectance.
 using Optics = std::variant<OpticalConstants, Reflectance>;
 
+/// Where numbers were published, and under which licence.
 struct Citation {
   std::vector<std::string> authors;
   std::string title;
@@ -116,6 +117,7 @@ enum class Origin { measured, fit, computed };
 std::string_view name(Origin origin);
 std::optional<Origin> origin_named(std::string_view text);
 
+/// The data of one source about one sample of a material.
 struct Dataset {
   std::string id;  // unique within the material
   Optics optics;
@@ -150,6 +152,7 @@ struct AliasNote {
 /// of the forbidden zone, and is never offered where an F0 is looked for.
 bool gives_f0(std::string_view material_class);
 
+/// A material with all its datasets, as its file holds it.
 struct Material {
   std::string id;  // lower case, [a-z0-9_]
   std::string name;

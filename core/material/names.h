@@ -30,6 +30,7 @@ bool is_formula(std::string_view name);
 
 /// How near a name comes to the one asked for; less is nearer.
 struct NameDistance {
+  /// In which way the names are alike, the nearest first.
   enum class Kind { same, prefix, word, substring, edits };
   Kind kind = Kind::same;
   std::size_t amount = 0;  // letters that are not asked for, or edits

@@ -26,11 +26,13 @@ struct ValidationPicture {
   std::string png, heat_png;
 };
 
+/// The pictures of one checked file for the page.
 struct ValidationPageFile {
   std::vector<ValidationPicture> pictures;
   std::optional<std::array<std::size_t, 256>> f0;  // f0_histogram()
 };
 
+/// What the page says beside the report.
 struct ValidationPageOptions {
   std::string version;
   Settings settings;  // zone and transfer are for the histogram, fail_on for the head of the page

@@ -100,6 +100,7 @@ struct ProjectView {
   friend bool operator==(const ProjectView&, const ProjectView&) = default;
 };
 
+/// What the editor has open: materials, their own spectra, and how they are looked at.
 struct Project {
   std::vector<ProjectMaterial> materials;
   std::vector<Material> spectra;  // imported materials; they replace those of the library with the same id

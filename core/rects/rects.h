@@ -11,6 +11,7 @@ namespace etak {
 
 // Packing of rectangles. Nothing here knows of pictures.
 
+/// Width and height of a rectangle or a page, in texels.
 struct RectSize {
   int width = 0, height = 0;
   friend bool operator==(const RectSize&, const RectSize&) = default;
@@ -32,6 +33,7 @@ struct RectPlace {
 ///   mixed          any number of pages with sides that are powers of two up to `side`, least total area
 enum class PageForm { square, power_of_two, free, strip, pages, mixed };
 
+/// The form of the pages, and how long to search.
 struct RectOptions {
   PageForm form = PageForm::free;
   int side = 0;              // of strip, pages, mixed
@@ -48,6 +50,7 @@ struct RectOptions {
   unsigned threads = 1;    // never changes the layout
 };
 
+/// The pages, and the place of each rectangle on them.
 struct RectLayout {
   std::vector<RectSize> pages;
   std::vector<RectPlace> places;  // in the order of the input

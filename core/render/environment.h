@@ -48,6 +48,7 @@ class Environment {
   /// for an environment of radiance 1 everywhere.
   Vec3 specular(const Vec3& r, double gloss) const;
 
+  /// One prefiltered map, for the lobe of its gloss.
   struct Level {
     double gloss;
     Image map;

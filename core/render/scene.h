@@ -114,6 +114,7 @@ struct View {
 ///   has   the quantities that the textures hold; the others are those of the scene's surface, so that a number
 ///         can change while the textures stay as they are
 struct SurfaceTextures {
+  /// Which quantities of a surface come from its textures.
   struct Quantities {
     bool diffuse = true, opacity = true, f0 = true, gloss = true;
   };

@@ -24,6 +24,7 @@ namespace etak {
 // Khronos glTF 2.0 specification; KHR_materials_ior, KHR_materials_specular,
 // KHR_materials_pbrSpecularGlossiness (archived), KHR_texture_transform, KHR_materials_variants.
 
+/// How a texture is looked up.
 struct GltfSampler {
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   bool mipmaps = true;  // the minification filter reads mips
@@ -111,6 +112,7 @@ struct GltfUse {
   std::vector<std::array<float, 3>> world_edges;
 };
 
+/// A camera of the scene, with its place in the world.
 struct GltfCamera {
   std::string name;
   bool perspective = true;
@@ -120,12 +122,14 @@ struct GltfCamera {
   std::array<double, 3> direction{0, 0, -1};  // world
 };
 
+/// Which parts of a document are read.
 struct GltfOptions {
   std::optional<int> scene;  // none: the document's, else the first
   bool all_scenes = false;
   bool variants = true;  // materials of KHR_materials_variants count as used
 };
 
+/// The parts of a glTF document that packing and checking need.
 struct GltfScene {
   std::string path;
   GltfOptions options;  // what it was read with
@@ -230,6 +234,7 @@ inline bool has_form(const std::vector<GltfForm>& forms, GltfForm form) {
   return std::find(forms.begin(), forms.end(), form) != forms.end();
 }
 
+/// How the materials of a scene are written, with the pages of an atlas as textures.
 struct GltfOutput {
   std::vector<std::string> images;  // file names beside the glTF
   std::vector<AtlasMaterial> materials;
@@ -254,6 +259,7 @@ struct CopiedFile {
   std::string from, name;
 };
 
+/// A written scene: its two files, and those that it refers to.
 struct WrittenGltf {
   std::string json;               // the document's text
   std::string buffer;             // the bytes of its only buffer, without images that were replaced

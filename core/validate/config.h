@@ -23,6 +23,7 @@ struct RolePattern {
   friend bool operator==(const RolePattern&, const RolePattern&) = default;
 };
 
+/// What an etak.toml holds.
 struct ValidateConfig {
   Settings settings;
   std::vector<RolePattern> roles;  // in the order of the file; they are tried before all endings

@@ -119,6 +119,7 @@ using TypedFolders = std::map<std::string, std::string>;
 
 struct ReportShard;
 
+/// The result of validate(): all files with their findings, and whether they pass.
 struct ValidationReport {
   std::string profile, transfer, settings_hash;
   std::vector<CheckedFile> files;                   // in path order

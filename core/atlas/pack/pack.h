@@ -125,6 +125,7 @@ struct PackCheckHooks {
   std::function<std::unique_ptr<Output>(PackResult&, OutputFolder*)> beside;
 };
 
+/// All that pack() is told beside its input and its target.
 struct PackOptions {
   PackInputOptions input;
   PackLeaveOutOptions leave_out;
@@ -162,6 +163,7 @@ struct ReducedRegion {
   double delta_e = 0, codes = 0;            // against level 0
 };
 
+/// The time that one stage of pack() took.
 struct PackStage {
   std::string name;
   double seconds = 0;

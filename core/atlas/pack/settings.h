@@ -43,9 +43,11 @@ struct PackSettings {
 ///   value_name    in the help; empty: as the type has it
 ///   words         with ' ' between: all that there are; empty: any text
 struct PackSettingRow {
+  /// The member of PackSettings that the row sets.
   using Value = std::variant<int PackSettings::*, double PackSettings::*,
                              std::optional<double> PackSettings::*, bool PackSettings::*,
                              std::string PackSettings::*, std::vector<std::string> PackSettings::*>;
+  /// What the readers of settings must know of a row, as bits of `traits`.
   enum Trait : unsigned {
     shown = 1,       // the help shows the default; where that is empty, the first word
     file = 2,        // the name of a file that is read; in a job relative to the file of jobs

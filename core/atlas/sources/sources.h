@@ -48,6 +48,7 @@ struct PackInput {
   bool has_normals() const { return normal.is_image() || load_normals; }
 };
 
+/// The materials to be packed, with the sources of their channels; of pictures only the headers are read.
 struct PackInputs {
   GlossForm gloss = GlossForm::schueler;  // what comes out
   std::vector<PackInput> materials;

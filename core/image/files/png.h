@@ -87,6 +87,7 @@ enum class PngLevel { fast, small, smallest };
 /// RGBA; those whose alpha is not 255 come first.
 using PngPalette = std::vector<std::array<std::uint8_t, 4>>;
 
+/// How a PNG file is written.
 struct PngOptions {
   PngLevel level = PngLevel::fast;
   unsigned threads = 1;

@@ -27,6 +27,7 @@ class GlRunner {
   /// The same without an exception: nullopt, and the reason in `why`, where OpenGL cannot be used.
   static std::optional<GlRunner> open(std::string& why);
 
+  /// What the driver says of itself.
   struct Info {
     std::string vendor, renderer, version;
     bool software = false;  // a rasteriser on the CPU: Mesa's llvmpipe or softpipe, SwiftShader

@@ -81,6 +81,7 @@ GlslParts glsl_parts(const Scene& scene, const GlslDisplay* display = nullptr);
 /// with the values of the scene. By default it fetches all but alpha, which fits every opaque material.
 ///   gloss_form   the quantity that the gloss channel holds
 struct TextureUse {
+  /// What is done with the alpha that is fetched.
   enum class Alpha { none, test, blend };
   bool diffuse = true, specular = true, gloss = true;
   bool fetch_alpha = false;  // false: the scene's opacity
