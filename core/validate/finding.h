@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/files/cache_folder.h"
 #include "core/image/pixels_view.h"
 #include "core/validate/repair_report.h"
 
@@ -127,6 +128,7 @@ struct ValidationReport {
   std::vector<std::string> unknown;     // pictures of folders and lists whose names tell no role
   TypedFolders typed;
   RunCounts run;
+  std::optional<CacheUse> cache;  // where the run had a cache
   std::optional<RepairReport> repairs;  // where repaired copies were asked for
 };
 

@@ -28,7 +28,7 @@ class Checks {
   }
 
   void run() {
-    if (!request_.cache_folder.empty()) look_up();
+    if (!request_.cache.path.empty()) look_up();
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < files_.size(); ++i)
       if (done_[i] == 0) left.push_back(i);
@@ -50,6 +50,9 @@ class Checks {
   }
 
   bool stopped() const { return stopped_; }
+  std::optional<CacheUse> cache_use() {
+    return cache_ ? std::optional(cache_->folder().use()) : std::nullopt;
+  }
   std::size_t from_cache() const { return from_cache_; }
 
   /// The results of the checks that were made, each with its target.
@@ -66,7 +69,7 @@ class Checks {
  private:
   void look_up() {
     const std::string settings = settings_hash(request_.config.settings) + (follows_links() ? " links" : "");
-    cache_.emplace(request_.cache_folder, settings, request_.version, request_.cache_key);
+    cache_.emplace(request_.cache, settings, request_.version);
     parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
         keys_[i] = cache_->key_of(targets_[i]);
@@ -176,6 +179,7 @@ ValidationReport validate(ValidationRequest request) {
                     {request.today, names_whole_tree(request), request.known, request.renew_known});
   report.not_opened = std::move(found.no_files);
   report.run = run;
+  report.cache = checks.cache_use();
   report.unknown = std::move(found.unknown);
   report.typed = std::move(found.typed);
   report.stopped = checks.stopped();

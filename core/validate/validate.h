@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/files/cache_folder.h"
 #include "core/image/picture.h"
 #include "core/project/project.h"
 #include "core/validate/baseline.h"
@@ -57,8 +58,7 @@ struct ValidationRequest {
 
   // How it is checked.
   PictureDoor door;           // of pictures that are no plain PNG
-  std::string cache_folder;   // results of earlier runs; made where it is missing; empty: none
-  std::string cache_key;      // the bytes of a secret: only entries written with it count; empty: all of them
+  CacheOptions cache;         // results of earlier runs; without a path: none
   std::string version;        // of the program: results of other versions do not count
   bool hashes = false;        // the report gives the SHA-256 of every file, which reads all files once more
   bool must_check = false;    // a run that checks nothing is incomplete
@@ -77,7 +77,7 @@ struct ValidationRequest {
 FileList list_files(ValidationRequest request);
 
 /// Checks what the request names. A file that cannot be read is a finding (ETK001), never an exception; an
-/// error of a rule is ETK901. Throws Error where the folder of the cache cannot be made.
+/// error of a rule is ETK901. Throws Error where the path of the cache leads to something that is no folder.
 ValidationReport validate(ValidationRequest request);
 
 }  // namespace etak

@@ -29,17 +29,6 @@
 namespace etak::cli {
 namespace {
 
-std::size_t memory(const std::string& text) {
-  if (text.empty()) return 0;
-  const char unit = text.back();
-  const int shift = unit == 'K' ? 10 : unit == 'M' ? 20 : unit == 'G' ? 30 : 0;
-  double value = 0;
-  if (!parse_number(shift == 0 ? text : text.substr(0, text.size() - 1), value) || !(value > 0) ||
-      value > 1e15)
-    throw Error::at("--memory", printable(text), "a number of bytes, with K, M or G for more");
-  return static_cast<std::size_t>(value * static_cast<double>(std::size_t{1} << shift));
-}
-
 // The configuration that `etak validate` would use for the result. Throws Error.
 PackCheckOptions check_options(PackArguments& a) {
   ValidateArguments as_validate;
@@ -104,7 +93,7 @@ PackOptions options_of(const PackArguments& a) {
   out.output.overwrite = may_replace(a.force);
   out.output.update = a.update;
   out.output.dry_run = a.dry_run;
-  out.run.memory = memory(a.memory);
+  if (!a.memory.empty()) out.run.memory = byte_size(a.memory, "--memory");
   out.run.threads = thread_count(a.threads);
   out.run.version = ETAK_VERSION;
   return out;

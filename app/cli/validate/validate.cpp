@@ -139,6 +139,7 @@ void check_folder(const char* option, const std::string& folder) {
 // with --write-baseline writes it anew.
 void check_targets(const ValidateArguments& arguments) {
   check_output(arguments.output);
+  check_cache_report(arguments.cache, arguments.output.force);
   if (!arguments.write_baseline.empty()) check_file_target(arguments.write_baseline, true);
   if (!arguments.mask_folder.empty()) check_folder("--mask", arguments.mask_folder);
   if (arguments.fix_folder.empty()) return;
@@ -186,8 +187,6 @@ int check_files(ValidateArguments& arguments) {
     throw Error::at("etak validate", "nothing to check", "files, folders, --files-from or --changed-since");
   if (!arguments.today.empty() && !is_date(arguments.today))
     throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
-  if (!arguments.cache_key.empty() && arguments.cache_folder.empty())
-    throw Error::at("--cache-key", "no --cache", "--cache DIR with it");
   if (!arguments.min_severity.empty() && !told_severity(arguments.min_severity))
     throw Error::at("--min-severity", printable(arguments.min_severity), "info, warning or error");
   if (arguments.list_files) return list_found_files(arguments);
@@ -219,8 +218,11 @@ int check_files(ValidateArguments& arguments) {
     marks = masks(report, settings, picture_door(), arguments.mask_folder, thread_count(arguments.threads));
   const std::unique_ptr<Output> copies = repaired_copies(arguments, settings, report);
   const std::unique_ptr<Output> said = output(arguments.output, form_of(report, arguments, settings));
-  Output* const outputs[] = {copies.get(), marks.get(), baseline.get(), said.get()};
+  const std::unique_ptr<Output> use =
+      report.cache ? cache_report(arguments.cache, *report.cache, arguments.output.force) : nullptr;
+  Output* const outputs[] = {copies.get(), marks.get(), baseline.get(), use.get(), said.get()};
   put_in_place(outputs);
+  if (report.cache) tell_cache(arguments.cache, *report.cache, arguments.output);
   if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());
   if (report.incomplete) return exit_failure;
   return report.passed || arguments.exit_zero || arguments.fail_on == never_fails ? exit_ok : exit_findings;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/options/cache.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "core/validate/config.h"
@@ -26,7 +27,8 @@ struct ValidateArguments {
   std::string min_severity;  // the text form leaves out findings below it
   bool allow_empty = false;  // a run with nothing to check is no failure
   bool exit_zero = false, list_rules = false, list_files = false, stats = false;
-  std::string baseline, write_baseline, mask_folder, fix_folder, cache_folder, cache_key;
+  std::string baseline, write_baseline, mask_folder, fix_folder;
+  CacheArguments cache;
   unsigned threads = 0;
   Library library;
   OutputArguments output;

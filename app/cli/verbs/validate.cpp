@@ -119,13 +119,7 @@ void add_validate(CommandLine& line) {
           "originals stay as they are")
       .value_name("DIR");
   verb.flag("--stats", a.stats, "say on standard error what was read, left out and how long it took");
-  verb.option("--cache", a.cache_folder, "keep results here and do not check the same files again")
-      .value_name("DIR");
-  verb.option("--cache-key", a.cache_key,
-              "secret of at least 16 bytes: entries of the cache that were written without it do "
-              "not count")
-      .reads_file()
-      .value_name("FILE");
+  add_cache_options(verb, a.cache, "results here and do not check the same files again", "Cache");
   add_follow_links(verb);
   add_library_options(verb, a.library);
   add_progress_option(verb, a.output.progress);

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/base/text.h"
+#include "core/base/number.h"
 #include "core/validate/output/formats.h"
 
 namespace etak {
