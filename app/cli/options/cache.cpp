@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/options/cache.h"
 
-#include "app/cli/output/replace.h"
 #include "core/base/error.h"
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
@@ -47,8 +46,8 @@ CacheOptions cache_options(const CacheArguments& arguments) {
   return out;
 }
 
-void check_cache_report(const CacheArguments& arguments, bool force) {
-  if (!arguments.report.empty()) check_file_target(arguments.report, may_replace(force));
+void check_cache_report(const CacheArguments& arguments, bool replace) {
+  if (!arguments.report.empty()) check_file_target(arguments.report, replace);
 }
 
 void tell_cache(const CacheArguments& arguments, const CacheUse& use, const OutputArguments& output) {
@@ -57,9 +56,9 @@ void tell_cache(const CacheArguments& arguments, const CacheUse& use, const Outp
   if (arguments.stats) complain("cache: " + cache_text(use));
 }
 
-std::unique_ptr<Output> cache_report(const CacheArguments& arguments, const CacheUse& use, bool force) {
+std::unique_ptr<Output> cache_report(const CacheArguments& arguments, const CacheUse& use, bool replace) {
   if (arguments.report.empty()) return nullptr;
-  return std::make_unique<OutputFile>(arguments.report, cache_json(use), may_replace(force));
+  return std::make_unique<OutputFile>(arguments.report, cache_json(use), replace);
 }
 
 }  // namespace etak::cli

@@ -26,12 +26,13 @@ void add_cache_options(Command verb, CacheArguments& arguments, const std::strin
 CacheOptions cache_options(const CacheArguments& arguments);
 
 /// Checks before the work whether the file of --cache-report can be written. Throws Error.
-void check_cache_report(const CacheArguments& arguments, bool force);
+///   replace   a file that exists may be replaced
+void check_cache_report(const CacheArguments& arguments, bool replace);
 
 /// Says why nothing was kept, where that is so, and what --cache-stats asks for.
 void tell_cache(const CacheArguments& arguments, const CacheUse& use, const OutputArguments& output);
 
 /// The file of --cache-report; null where none is asked for. Throws Error.
-std::unique_ptr<Output> cache_report(const CacheArguments& arguments, const CacheUse& use, bool force);
+std::unique_ptr<Output> cache_report(const CacheArguments& arguments, const CacheUse& use, bool replace);
 
 }  // namespace etak::cli

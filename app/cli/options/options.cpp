@@ -41,11 +41,17 @@ const MaterialLibrary& Library::get() {
   if (library_) return *library_;
   MaterialLibrary library = MaterialLibrary::builtin();
   std::vector<std::string> skipped;
-  if (const char* paths = std::getenv("ETAK_LIBRARY"))
-    for (const std::string& folder : split(paths, ':')) library.add_folder(folder, &skipped);
-  for (const std::string& folder : folders) library.add_folder(folder, &skipped);
+  for (const std::string& folder : all_folders()) library.add_folder(folder, &skipped);
   if (!skipped.empty()) complain(skipped_remark(skipped));
   return library_.emplace(std::move(library));
+}
+
+std::vector<std::string> Library::all_folders() const {
+  std::vector<std::string> out;
+  if (const char* paths = std::getenv("ETAK_LIBRARY"))
+    for (const std::string_view folder : split(paths, ':')) out.emplace_back(folder);
+  out.insert(out.end(), folders.begin(), folders.end());
+  return out;
 }
 
 void add_class_option(Command verb, std::vector<std::string>& classes, const std::string& help) {

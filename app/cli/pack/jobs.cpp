@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/cli/output/progress.h"
+#include "app/cli/pack/kept.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
@@ -89,12 +90,14 @@ int pack_watch(PackArguments& arguments) {
                     "a file or a folder");
   // With -u, a file whose time changed but not its bytes costs a hash, and no atlas is packed.
   arguments.update = true;
+  bool again = false;
   for (Stamps last;;) {
     const Stamps now = stamps(arguments.settings.input, arguments.settings.out);
     if (now != last) {
       last = now;
       try {
-        pack_once(arguments);
+        with_cache(arguments, pack_once, again);
+        again = true;
       } catch (const Error& error) {
         complain(error.what());  // the user may correct the input, so the watch goes on
       }

@@ -139,7 +139,7 @@ void check_folder(const char* option, const std::string& folder) {
 // with --write-baseline writes it anew.
 void check_targets(const ValidateArguments& arguments) {
   check_output(arguments.output);
-  check_cache_report(arguments.cache, arguments.output.force);
+  check_cache_report(arguments.cache, may_replace(arguments.output.force));
   if (!arguments.write_baseline.empty()) check_file_target(arguments.write_baseline, true);
   if (!arguments.mask_folder.empty()) check_folder("--mask", arguments.mask_folder);
   if (arguments.fix_folder.empty()) return;
@@ -219,7 +219,7 @@ int check_files(ValidateArguments& arguments) {
   const std::unique_ptr<Output> copies = repaired_copies(arguments, settings, report);
   const std::unique_ptr<Output> said = output(arguments.output, form_of(report, arguments, settings));
   const std::unique_ptr<Output> use =
-      report.cache ? cache_report(arguments.cache, *report.cache, arguments.output.force) : nullptr;
+      report.cache ? cache_report(arguments.cache, *report.cache, may_replace(arguments.output.force)) : nullptr;
   Output* const outputs[] = {copies.get(), marks.get(), baseline.get(), use.get(), said.get()};
   put_in_place(outputs);
   if (report.cache) tell_cache(arguments.cache, *report.cache, arguments.output);

@@ -311,6 +311,17 @@ std::optional<CacheEntry> CacheFolder::find(const std::string& digest) {
   return out;
 }
 
+std::optional<CacheEntry> CacheFolder::find_part(const std::string& digest) {
+  bool damaged = false;
+  auto out = state_->look_up(digest, damaged);
+  if (damaged && !out) ++state_->refused;
+  return out;
+}
+
+void CacheFolder::count_miss() {
+  ++state_->misses;
+}
+
 void CacheFolder::refuse_hit() {
   --state_->hits;
   ++state_->misses;

@@ -88,6 +88,10 @@ class CacheFolder {
 
   /// The entry of that digest; none where there is none that counts.
   std::optional<CacheEntry> find(const std::string& digest);
+  /// The same for an entry that only leads to another one: it is neither a hit nor a miss. count_miss() counts
+  /// where the other one is not looked up after all.
+  std::optional<CacheEntry> find_part(const std::string& digest);
+  void count_miss();
   /// To be called for an entry whose rest turns out to be damaged: it was no hit.
   void refuse_hit();
 
