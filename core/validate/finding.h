@@ -110,6 +110,7 @@ struct RunCounts {
   std::size_t failed = 0;      // that cannot be checked at all
   std::size_t checks = 0;      // of files, pairs and sets
   std::size_t from_cache = 0;  // checks whose result came from the cache
+  std::size_t unchanged = 0;   // checks whose result is that of an earlier run of the same program
 };
 
 /// Folders as the user typed them ("": the working folder), by the names that labels have for them, relative
@@ -128,7 +129,7 @@ struct ValidationReport {
   std::vector<std::string> unknown;     // pictures of folders and lists whose names tell no role
   TypedFolders typed;
   RunCounts run;
-  std::optional<CacheUse> cache;  // where the run had a cache
+  std::optional<CacheUse> cache;        // where the run had a cache
   std::optional<RepairReport> repairs;  // where repaired copies were asked for
 };
 

@@ -19,6 +19,7 @@
 
 namespace etak {
 
+class CheckedBefore;  // core/validate/files/checked_before.h
 class KeptPictures;
 
 // The interface of the validator (target etak::validate_files). check_pack.h checks an atlas while it is
@@ -57,8 +58,10 @@ struct ValidationRequest {
   bool renew_known = false;  // everything found counts as known, instead of `known`
 
   // How it is checked.
-  PictureDoor door;           // of pictures that are no plain PNG
-  CacheOptions cache;         // results of earlier runs; without a path: none
+  PictureDoor door;    // of pictures that are no plain PNG
+  CacheOptions cache;  // results of earlier runs; without a path: none
+  // Of a program that checks the same files again and again: what they were the last time; null: none.
+  std::shared_ptr<CheckedBefore> before;
   std::string version;        // of the program: results of other versions do not count
   bool hashes = false;        // the report gives the SHA-256 of every file, which reads all files once more
   bool must_check = false;    // a run that checks nothing is incomplete

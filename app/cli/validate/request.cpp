@@ -26,13 +26,15 @@ std::optional<Severity> told_severity(const std::string& text) {
   return std::nullopt;
 }
 
+std::string config_of(const ValidateArguments& arguments) {
+  if (!arguments.config.empty()) return arguments.config;
+  if (arguments.no_config) return "";
+  return find_config(arguments.paths.empty() ? "." : arguments.paths.front());
+}
+
 ValidateConfig validate_config(const ValidateArguments& arguments,
                                std::shared_ptr<const KnownMaterials> known) {
-  const std::string file = !arguments.config.empty() ? arguments.config
-                           : arguments.no_config
-                               ? ""
-                               : find_config(arguments.paths.empty() ? "." : arguments.paths.front());
-  ValidateConfig config = read_config(file);
+  ValidateConfig config = read_config(config_of(arguments));
   Settings& settings = config.settings;
   settings.known = std::move(known);
   const auto given = [](const char* option, const std::string& text, auto named, auto& value,
@@ -87,6 +89,7 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
   out.renew_known = !arguments.write_baseline.empty();
   out.door = picture_door();
   out.cache = cache_options(arguments.cache);
+  out.before = arguments.before;
   out.version = ETAK_VERSION;
   out.must_check = !arguments.allow_empty;
   out.pass_unknown = arguments.allow_empty;

@@ -115,7 +115,8 @@ void tell_stats(const ValidationReport& report, double seconds) {
     sum.region_seconds += file.stats.region_seconds;
   }
   complain("stats: " + grouped(report.run.files) + " files, " + grouped(report.run.skipped) + " skipped, " +
-           grouped(report.run.checks) + " checks, " + grouped(report.run.from_cache) + " from the cache");
+           grouped(report.run.checks) + " checks, " + grouped(report.run.from_cache) + " from the cache" +
+           (report.run.unchanged > 0 ? ", " + grouped(report.run.unchanged) + " unchanged" : ""));
   complain("stats: " + grouped(sum.pictures_decoded) + " pictures decoded, " +
            grouped(sum.pictures_left_out) + " left out because no rule needs them, " + grouped(sum.texels) +
            " texels");
@@ -219,7 +220,8 @@ int check_files(ValidateArguments& arguments) {
   const std::unique_ptr<Output> copies = repaired_copies(arguments, settings, report);
   const std::unique_ptr<Output> said = output(arguments.output, form_of(report, arguments, settings));
   const std::unique_ptr<Output> use =
-      report.cache ? cache_report(arguments.cache, *report.cache, may_replace(arguments.output.force)) : nullptr;
+      report.cache ? cache_report(arguments.cache, *report.cache, may_replace(arguments.output.force))
+                   : nullptr;
   Output* const outputs[] = {copies.get(), marks.get(), baseline.get(), use.get(), said.get()};
   put_in_place(outputs);
   if (report.cache) tell_cache(arguments.cache, *report.cache, arguments.output);

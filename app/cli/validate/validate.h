@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,10 @@
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "core/validate/config.h"
+
+namespace etak {
+class CheckedBefore;  // core/validate/files/checked_before.h
+}
 
 namespace etak::cli {
 
@@ -29,10 +34,16 @@ struct ValidateArguments {
   bool exit_zero = false, list_rules = false, list_files = false, stats = false;
   std::string baseline, write_baseline, mask_folder, fix_folder;
   CacheArguments cache;
+  bool watch = false;
+  std::shared_ptr<CheckedBefore> before;  // of --watch, from one run to the next
   unsigned threads = 0;
   Library library;
   OutputArguments output;
 };
+
+/// The etak.toml of a run: that of --config, else of the first path's folder or of the nearest folder above it;
+/// empty: none.
+std::string config_of(const ValidateArguments& arguments);
 
 /// Checks files, or lists them with --list-files. Returns the exit status; throws Error.
 int check_files(ValidateArguments& arguments);

@@ -6,6 +6,7 @@
 #include "app/cli/output/form.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/validate/validate.h"
+#include "app/cli/validate/watch.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/validate/output/explain.h"
@@ -15,6 +16,7 @@ namespace etak::cli {
 namespace {
 
 int run(ValidateArguments& arguments) {
+  if (arguments.watch) return watch_files(arguments);
   if (!arguments.list_rules) return check_files(arguments);
   if (arguments.output.format != "text" && arguments.output.format != "json")
     refuse_form(arguments.output, "etak validate", "with --list-rules", {"text", "json"});
@@ -118,6 +120,8 @@ void add_validate(CommandLine& line) {
           "folder for repaired copies of the sets that can be repaired, and a page of before and after; the "
           "originals stay as they are")
       .value_name("DIR");
+  verb.flag("--watch", a.watch,
+            "check again whenever a file changes, until interrupted; sets that did not change are not read");
   verb.flag("--stats", a.stats, "say on standard error what was read, left out and how long it took");
   add_cache_options(verb, a.cache, "results here and do not check the same files again", "Cache");
   add_follow_links(verb);
