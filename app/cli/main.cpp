@@ -121,7 +121,7 @@ namespace {
 int main(int argc, char** argv) {
   const std::vector<std::string> words = etak::sys::start_program(argc, argv);
   etak::end_by_signals();
-  etak::settings_are_options();
+  etak::settings_are(etak::SettingStyle::options);
   // The libraries of libetak-pictures.so start threads when they are loaded, and end the program where they
   // cannot.
   std::set_terminate(tell_want_and_end);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/hex.h"
 #include "core/base/text.h"
 
 namespace etak {
@@ -23,16 +24,16 @@ std::string json(double value) {
 }
 
 std::string json(std::string_view text) {
-  constexpr std::string_view digits = "0123456789abcdef";
   std::string out = "\"";
   for (const char c : valid_utf8(text)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
+    if (c == '"' || c == '\\') {
       append(out, '\\', c);
-    else if (byte < 0x20)
-      append(out, "\\u00", digits[byte >> 4], digits[byte & 15]);
-    else
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      out += "\\u00";
+      append_hex(out, c);
+    } else {
       out += c;
+    }
   }
   out += '"';
   return quiet_json(std::move(out));

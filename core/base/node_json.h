@@ -95,6 +95,7 @@ struct JsonNode {
     return out;
   }
 
+  bool is_number() const { return value.is_number(); }
   bool boolean() const {
     if (!value.is_boolean()) fail_type("true or false");
     return value.get<bool>();

@@ -29,6 +29,12 @@ bool start_thread(std::vector<std::thread>& threads, Work&& work, Arguments... a
   }
 }
 
+/// The number of threads to use, at most 256; 0 stands for all cores.
+inline unsigned thread_count(unsigned asked) {
+  constexpr unsigned most = 256;
+  return std::clamp(asked != 0 ? asked : std::thread::hardware_concurrency(), 1u, most);
+}
+
 /// Calls body(begin, end, worker) for consecutive chunks of [0, count) on `threads` threads (the caller is
 /// one of them, and the only one where no other can be started). Chunks are handed out in order; which worker
 /// gets which is not fixed, so results belong in places named by the index. The exception of the first chunk

@@ -6,19 +6,19 @@
 namespace etak {
 namespace {
 
-bool are_options = false;
+SettingStyle setting_style = SettingStyle::words;
 
 }  // namespace
 
 std::string setting(std::string_view name) {
-  if (are_options) return "--" + std::string(name);
+  if (setting_style == SettingStyle::options) return "--" + std::string(name);
   std::string out(name);
-  std::replace(out.begin(), out.end(), '-', ' ');
+  std::replace(out.begin(), out.end(), '-', setting_style == SettingStyle::keywords ? '_' : ' ');
   return out;
 }
 
-void settings_are_options() {
-  are_options = true;
+void settings_are(SettingStyle style) {
+  setting_style = style;
 }
 
 }  // namespace etak

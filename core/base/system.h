@@ -66,7 +66,8 @@ int reopen_folder(int folder);
 int duplicate(int open);
 bool close_file(int open);
 
-/// Returns how many bytes were read, 0 at the end, -1 on failure.
+/// Returns how many bytes were read, 0 at the end, -1 on failure. read() goes on where the last one ended; read_at() and
+/// write_at() leave that place as it is.
 std::ptrdiff_t read(int open, void* to, std::size_t count);
 std::ptrdiff_t read_at(int open, void* to, std::size_t count, std::size_t at);
 /// Returns how many bytes were written, possibly fewer than `count`; -1 on failure.

@@ -372,6 +372,26 @@ OVERLAPPED place(std::size_t at) {
   return out;
 }
 
+// A call with an offset moves the place at which read() and write() go on: it is put back.
+class KeptPlace {
+ public:
+  explicit KeptPlace(HANDLE file) : file_(file) {
+    kept_ = ::SetFilePointerEx(file_, LARGE_INTEGER{}, &place_, FILE_CURRENT) != 0;
+  }
+  KeptPlace(const KeptPlace&) = delete;
+  KeptPlace& operator=(const KeptPlace&) = delete;
+  ~KeptPlace() {
+    const DWORD fault = ::GetLastError();
+    if (kept_) ::SetFilePointerEx(file_, place_, nullptr, FILE_BEGIN);
+    ::SetLastError(fault);
+  }
+
+ private:
+  HANDLE file_;
+  LARGE_INTEGER place_{};
+  bool kept_;
+};
+
 // The end of a file or pipe is no failure.
 bool at_end() {
   const DWORD fault = ::GetLastError();
@@ -467,6 +487,7 @@ std::ptrdiff_t read(int open, void* to, std::size_t count) {
 std::ptrdiff_t read_at(int open, void* to, std::size_t count, std::size_t at) {
   DWORD got = 0;
   OVERLAPPED from = place(at);
+  const KeptPlace kept(handle_of(open));
   const BOOL done = ::ReadFile(handle_of(open), to, step(count), &got, &from);
   return done == 0 && at_end() ? 0 : moved_bytes(done, got);
 }
@@ -485,6 +506,7 @@ std::ptrdiff_t write(int open, const void* from, std::size_t count) {
 std::ptrdiff_t write_at(int open, const void* from, std::size_t count, std::size_t at) {
   DWORD wrote = 0;
   OVERLAPPED to = place(at);
+  const KeptPlace kept(handle_of(open));
   const BOOL done = ::WriteFile(handle_of(open), from, step(count), &wrote, &to);
   return moved_bytes(done, wrote);
 }

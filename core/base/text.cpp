@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/hex.h"
 #include "core/base/number.h"
 
 namespace etak {
@@ -46,16 +47,14 @@ bool is_active(std::uint32_t c) {
          (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF;
 }
 
-constexpr std::string_view hex_digits = "0123456789abcdef";
-
 void append_x(std::string& out, char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  append(out, "\\x", hex_digits[byte >> 4], hex_digits[byte & 15]);
+  out += "\\x";
+  append_hex(out, c);
 }
 
 void append_u(std::string& out, std::uint32_t c) {
   out += "\\u";
-  for (int shift = 12; shift >= 0; shift -= 4) out += hex_digits[c >> shift & 15];
+  for (int shift = 12; shift >= 0; shift -= 4) out += hex_lower[c >> shift & 15];
 }
 
 // Whether a command of a build service begins at text[i].
@@ -70,6 +69,16 @@ std::size_t columns_of(std::uint32_t character) {
 }
 
 }  // namespace
+
+std::vector<std::string> parts_of(std::string_view text, char separator) {
+  std::vector<std::string> out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    if (end > 0) out.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
 
 std::string valid_utf8(std::string_view text) {
   std::string out;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace etak {
 
@@ -29,6 +30,9 @@ std::string joined(const Parts& parts, std::string_view between = ", ", TextOf t
     append(out, out.empty() ? std::string_view() : between, std::invoke(text_of, part));
   return out;
 }
+
+/// The parts of `text` between separators, without empty ones.
+std::vector<std::string> parts_of(std::string_view text, char separator);
 
 /// `text` with every byte that is not part of well-formed UTF-8 (RFC 3629) replaced by U+FFFD: file names may
 /// hold anything, JSON and HTML may not.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 
 namespace etak {
 namespace {
@@ -46,6 +48,19 @@ bool Gloss::held() const {
   if (!roughness_) return false;
   const double wanted = gloss_of_roughness(*roughness_);
   return !(wanted >= 0 && wanted <= 1);
+}
+
+std::optional<Gloss> given_gloss(std::optional<double> gloss, std::optional<double> roughness) {
+  const auto check = [](const char* name, const std::optional<double>& value) {
+    if (value && !(*value >= 0 && *value <= 1)) throw Error::at(setting(name), number(*value, 6), "0 to 1");
+  };
+  check("gloss", gloss);
+  check("roughness", roughness);
+  if (gloss && roughness)
+    throw Error::at(setting("roughness"), "given beside " + setting("gloss"),
+                    "one of the two: they say the same thing");
+  if (roughness) return Gloss::of_roughness(*roughness);
+  return gloss ? std::optional<Gloss>(*gloss) : std::nullopt;
 }
 
 std::string_view name(GlossForm form) {

@@ -88,6 +88,11 @@ class Gloss {
   std::optional<double> roughness_;
 };
 
+/// The gloss that a person gave as gloss or as roughness. None where neither was given: the default of the
+/// material's class is then meant. Throws Error that names the setting where both are given, and for values
+/// outside [0, 1].
+std::optional<Gloss> given_gloss(std::optional<double> gloss, std::optional<double> roughness);
+
 /// What the gloss channel of a texture holds.
 ///   schueler              g of exponent e = 2^(12 g)
 ///   one_minus_roughness   1 - perceptual roughness, as in Unity and KHR_materials_pbrSpecularGlossiness

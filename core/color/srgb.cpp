@@ -6,6 +6,7 @@
 
 #include "core/base/ascii.h"
 #include "core/base/error.h"
+#include "core/base/hex.h"
 
 namespace etak {
 double srgb_encode(double linear) {
@@ -41,12 +42,8 @@ LinearRgb srgb_decode(const Srgb8& codes) {
 }
 
 std::string hex(const Srgb8& codes) {
-  static constexpr std::string_view digits = "0123456789abcdef";
   std::string out = "#";
-  for (const unsigned code : {codes.r, codes.g, codes.b}) {
-    out.push_back(digits[code >> 4]);
-    out.push_back(digits[code & 15]);
-  }
+  for (const std::uint8_t code : {codes.r, codes.g, codes.b}) append_hex(out, static_cast<char>(code));
   return out;
 }
 

@@ -45,9 +45,6 @@ struct InputNames {
   bool all_datasets = false;  // of each material, not the preferred one alone
 };
 
-/// Gives the library when the first name is looked up, because most runs over files never ask for one.
-using LibraryWhenAsked = std::function<const MaterialLibrary&()>;
-
 /// Finds what is named, in its order, folders opened up into their files on `threads` threads and "gold/*"
 /// into its datasets. A known name wins over a file or folder of that name ("./gold" is the folder); what
 /// ends like a data file or begins like a path is one. What cannot be found becomes a failed input, so that

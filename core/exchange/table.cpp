@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/base/text.h"
 #include "core/exchange/table_columns.h"
 #include "core/material/limits.h"
 #include "core/material/medium.h"
@@ -398,6 +399,23 @@ double to_nm(double value, WavelengthUnit unit) {
 
 Table parse_table(std::string_view text, std::string_view file, const TableOptions& options) {
   return TableReader(text, file, options).read();
+}
+
+TableOptions table_options(const TableSettings& settings) {
+  TableOptions out;
+  if (!settings.unit.empty())
+    out.unit = setting_value("unit", settings.unit, WavelengthUnit::nanometre, wavelength_unit_named,
+                             "nm, um, A or eV");
+  out.columns = parts_of(settings.columns, ',');
+  const auto duplicates = [](const std::string& text) -> std::optional<Duplicates> {
+    if (text == "refuse") return Duplicates::refuse;
+    if (text == "first") return Duplicates::first;
+    if (text == "mean") return Duplicates::mean;
+    return std::nullopt;
+  };
+  out.duplicates =
+      setting_value("duplicates", settings.duplicates, out.duplicates, duplicates, "refuse, first or mean");
+  return out;
 }
 
 }  // namespace etak

@@ -27,6 +27,14 @@ struct TableOptions {
   Duplicates duplicates = Duplicates::refuse;
 };
 
+/// The same as a person writes it: options of a command line, keywords of a call. `columns` has ',' between;
+/// empty texts stand for the default.
+struct TableSettings {
+  std::string unit, columns, duplicates = "refuse";
+};
+/// The settings as values. Throws Error that names the setting and what it takes.
+TableOptions table_options(const TableSettings& settings);
+
 struct Table {
   Optics optics;
   Flags flags;

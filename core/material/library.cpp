@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <tuple>
 
@@ -209,6 +210,18 @@ MaterialLibrary::Missing MaterialLibrary::missing(std::string_view name) const {
   std::vector<std::string> near;
   for (Suggestion& each : suggest(name)) near.push_back(std::move(each.text));
   if (!near.empty()) out.expected = "one of the nearest names: " + joined(near);
+  return out;
+}
+
+std::vector<std::string> environment_libraries() {
+  const char* const paths = std::getenv("ETAK_LIBRARY");
+  return parts_of(paths == nullptr ? "" : paths, ':');
+}
+
+MaterialLibrary known_library(const std::vector<std::string>& folders, std::vector<std::string>* skipped) {
+  MaterialLibrary out = MaterialLibrary::builtin();
+  for (const std::string& folder : environment_libraries()) out.add_folder(folder, skipped);
+  for (const std::string& folder : folders) out.add_folder(folder, skipped);
   return out;
 }
 

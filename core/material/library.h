@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -86,5 +87,17 @@ class MaterialLibrary {
   std::vector<std::string> ids_;
   std::vector<Unmeasured> unmeasured_;
 };
+
+/// Gives the library when the first name is looked up, because most work on files never asks for one.
+using LibraryWhenAsked = std::function<const MaterialLibrary&()>;
+
+/// The folders that the environment variable ETAK_LIBRARY names, with ':' between.
+std::vector<std::string> environment_libraries();
+
+/// The materials that a program knows: the built-in ones, over them those of environment_libraries(), over
+/// them those of `folders`. Throws Error as MaterialLibrary::add_folder() does.
+///   skipped   where given, gets what add_folder() skips
+MaterialLibrary known_library(const std::vector<std::string>& folders,
+                              std::vector<std::string>* skipped = nullptr);
 
 }  // namespace etak

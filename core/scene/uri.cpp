@@ -7,6 +7,7 @@
 
 #include "core/base/ascii.h"
 #include "core/base/error.h"
+#include "core/base/hex.h"
 
 namespace etak {
 namespace {
@@ -96,17 +97,14 @@ std::optional<std::string> data_of_uri(std::string_view uri, std::string_view pl
 }
 
 std::string uri_of_file(std::string_view file) {
-  constexpr std::string_view hex = "0123456789ABCDEF";
   std::string out;
   for (const char c : file) {
     if (is_letter(c) || is_digit(c) || std::string_view("-._~/").find(c) != std::string_view::npos) {
       out += c;
       continue;
     }
-    const auto byte = static_cast<unsigned char>(c);
     out += '%';
-    out += hex[byte >> 4];
-    out += hex[byte & 15];
+    append_hex(out, c, hex_upper);
   }
   return out;
 }

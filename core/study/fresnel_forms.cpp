@@ -220,15 +220,26 @@ const FresnelForm* fresnel_form(std::string_view id) {
   return nullptr;
 }
 
+struct SeenFresnel::State {
+  Eye eye;
+  GridIndex index;
+};
+
+SeenFresnel::SeenFresnel(const OpticalConstants& optics, std::string_view what, const F0Options& seen)
+    : state_(std::make_unique<State>(State{Eye(seen.viewing), relative_index(optics, seen.outside, what)})) {}
+SeenFresnel::~SeenFresnel() = default;
+SeenFresnel::SeenFresnel(SeenFresnel&&) noexcept = default;
+
+Vec3 SeenFresnel::operator()(double cosine) const {
+  std::array<double, grid_size> reflectance{};
+  f64::fresnel_exact(state_->index.n, state_->index.k, cosine, reflectance);
+  return state_->eye.rgb(reflectance);
+}
+
 FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg,
                            const F0Options& seen_under) {
-  const Eye eye(seen_under.viewing);
-  const GridIndex index = relative_index(optics, seen_under.outside, what);
-  const auto seen = [&](double cosine) {
-    std::array<double, grid_size> reflectance{};
-    f64::fresnel_exact(index.n, index.k, cosine, reflectance);
-    return eye.rgb(reflectance);
-  };
+  const SeenFresnel seen(optics, what, seen_under);
+  const auto& [eye, index] = *seen.state_;
   FresnelTruth truth;
   const auto steps = static_cast<std::size_t>(std::lround(90 / step_deg));
   double sum = 0;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,26 @@ struct FresnelTruth {
   Vec3 f0{}, f82{};                         // at cos 1 and 1/7
   std::array<Vec3, 2> mean_index{};         // n and k averaged over the spectrum as reflectances are
   std::array<Vec3, 2> three_wavelengths{};  // n and k at 611.4, 549.1 and 464.3 nm, as sRGB's primaries
+};
+
+/// The exact F of an index of refraction at any angle, as it is seen.
+class SeenFresnel {
+ public:
+  /// Throws Error (naming `what`) as grid_index() does.
+  ///   seen   observer, illuminant and outside medium are used; space and method are not
+  SeenFresnel(const OpticalConstants& optics, std::string_view what, const F0Options& seen = {});
+  ~SeenFresnel();
+  SeenFresnel(SeenFresnel&&) noexcept;
+
+  /// Linear sRGB, unclipped.
+  ///   cosine   of incidence, [0, 1]
+  Vec3 operator()(double cosine) const;
+
+ private:
+  friend FresnelTruth fresnel_truth(const OpticalConstants& optics, std::string_view what, double step_deg,
+                                    const F0Options& seen);
+  struct State;
+  std::unique_ptr<const State> state_;
 };
 
 /// The truth at angles from 0 to 90 degrees in steps of `step_deg`. Throws Error (naming `what`) as

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <tuple>
 
+#include "core/base/hex.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/rules.h"
 
@@ -95,10 +96,7 @@ std::string region_fingerprint(const Finding& finding, int width, int height) {
            std::to_string(step_down(finding.box->y + finding.box->height / 2, height, parts));
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char c : key) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string out(16, '0');
-  for (std::size_t i = 0; i < 16; ++i) out[15 - i] = digits[(hash >> (4 * i)) & 15];
-  return out;
+  return hex(hash);
 }
 
 }  // namespace etak

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 #include "core/base/system.h"
 #include "core/base/text.h"
 #include "core/validate/nearest.h"
@@ -89,10 +90,10 @@ void apply_choice(const RuleChoice& choice, Settings& settings) {
   const auto turn_off = [&](const Rule& rule) {
     if (can_be_turned_off(rule)) settings.rules[std::string(rule.id)].severity = Severity::off;
   };
-  const auto only = chosen_rules(choice.only, "--only");
-  const auto select = chosen_rules(choice.select, "--select");
-  const auto extend = chosen_rules(choice.extend_select, "--extend-select");
-  const auto ignore = chosen_rules(choice.ignore, "--ignore");
+  const auto only = chosen_rules(choice.only, setting("only"));
+  const auto select = chosen_rules(choice.select, setting("select"));
+  const auto extend = chosen_rules(choice.extend_select, setting("extend-select"));
+  const auto ignore = chosen_rules(choice.ignore, setting("ignore"));
   for (const Rule* rule : rules()) {
     if (only.contains(rule)) turn_on(*rule);
     const bool named = only.contains(rule) || select.contains(rule);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,7 +44,7 @@ std::string find_config(const std::string& path);
 /// configuration, with the working folder as root. Throws Error.
 ValidateConfig read_config(const std::string& file);
 
-/// The rules that --only, --select, --extend-select and --ignore name, by whole ids, prefixes of ids, or
+/// The rules that the settings only, select, extend-select and ignore name, by whole ids, prefixes of ids, or
 /// slugs.
 ///   only            every other rule is off, these are on whatever the configuration says
 ///   select          every other rule is off; these keep what the configuration says
@@ -53,8 +54,31 @@ struct RuleChoice {
   std::vector<std::string> only, select, extend_select, ignore;
 };
 
-/// Changes the settings by the choice. Throws Error (ETK904) naming the option for an id that no rule has.
+/// Changes the settings by the choice. Throws Error (ETK904) naming the setting for an id that no rule has.
 void apply_choice(const RuleChoice& choice, Settings& settings);
+
+/// The value of the setting fail-on with which findings fail nothing.
+inline constexpr std::string_view never_fails = "never";
+
+/// How to check, as a person writes it: options of a command line, keywords of a call. Empty texts stand for
+/// what the file says, or for the default.
+///   config      file of the configuration; empty: find_config()
+///   no_config   no file is looked for
+struct ValidateSettings {
+  std::string config, profile, transfer, fail_on, alpha;
+  bool no_config = false;
+  RuleChoice choice;
+};
+
+/// The file of the configuration that validate_config() reads; empty: none. In target etak::validate_config.
+std::string config_of(const ValidateSettings& settings, const std::string& near);
+
+/// The configuration of the file and of the settings, which win. A fail_on of never_fails changes no limit: the
+/// caller then ignores findings. Throws Error. In target etak::validate_config.
+///   near    a path to be checked, from whose folder upwards the file is looked for; empty: the working folder
+///   known   the materials that textures are compared with; null: the built-in library
+ValidateConfig validate_config(const ValidateSettings& settings, const std::string& near,
+                               std::shared_ptr<const KnownMaterials> known);
 
 /// Throws the Error for an id that no rule has; it names the nearest ids.
 [[noreturn]] void unknown_rule(std::string_view place, std::string_view id);

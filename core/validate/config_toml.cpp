@@ -96,12 +96,6 @@ const toml::table& table_of(const Node& node) {
   node.fail_value("a table");
 }
 
-std::optional<Severity> severity_named(std::string_view text) {
-  for (const Severity severity : {Severity::off, Severity::info, Severity::warning, Severity::error})
-    if (text == name(severity)) return severity;
-  return std::nullopt;
-}
-
 // ---- top level
 
 void read_profile(const Node& node, ValidateConfig& config) {

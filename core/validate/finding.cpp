@@ -19,6 +19,12 @@ std::string_view name(Severity severity) {
   return "";
 }
 
+std::optional<Severity> severity_named(std::string_view text) {
+  for (const Severity severity : {Severity::off, Severity::info, Severity::warning, Severity::error})
+    if (text == name(severity)) return severity;
+  return std::nullopt;
+}
+
 const CheckTarget& CheckedFile::target_of(const Finding& finding) const {
   for (const auto& tile : tiles)
     if (tile->tile == finding.tile) return *tile;

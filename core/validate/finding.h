@@ -20,6 +20,7 @@ namespace etak {
 
 enum class Severity { off, info, warning, error };
 std::string_view name(Severity severity);  // "off", "info", "warning", "error"
+std::optional<Severity> severity_named(std::string_view text);
 
 /// A material of the library, and its distance from a colour.
 struct NearestMaterial {

@@ -14,8 +14,8 @@ namespace etak::cli {
 /// The options of `etak export`.
 struct ExportArguments {
   InputNames inputs;
-  ComputeArguments compute;
-  TableArguments tables;
+  F0Settings compute;
+  TableSettings tables;
   OutputArguments output;
   Library library;
   std::string to, fit = "clamp", gltf_form = "metal-rough";

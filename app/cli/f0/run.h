@@ -13,8 +13,8 @@ namespace etak::cli {
 struct F0Arguments {
   InputNames inputs;
   std::string files_from;
-  ComputeArguments compute;
-  TableArguments tables;
+  F0Settings compute;
+  TableSettings tables;
   OutputArguments output;
   Library library;
   unsigned threads = 0;

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
+#include "core/base/parallel.h"
 #include "core/exchange/material_input.h"
 #include "core/exchange/table.h"
-#include "core/material/f0.h"
+#include "core/material/f0_settings.h"
 #include "core/material/library.h"
 
 namespace etak::cli {
@@ -38,26 +39,15 @@ void add_class_option(Command verb, std::vector<std::string>& classes, const std
 /// Throws Error for a class that no material can have.
 void check_classes(const std::vector<std::string>& classes);
 
-/// How F0 is computed, as typed.
-struct ComputeArguments {
-  std::string observer, illuminant, interpolation, method, integration_bound, space, ocio, outside;
-  bool allow_extrapolation = false;
-};
-void add_compute_options(Command verb, ComputeArguments& arguments);
-
+/// Adds the options that say how F0 is computed.
+void add_compute_options(Command verb, F0Settings& settings);
 /// The options of the line as values. Throws Error that names the option and what it takes.
-F0Options f0_options(const ComputeArguments& arguments, Library& library);
+F0Options f0_options(const F0Settings& settings, Library& library);
 
-/// How tables are read, as typed.
-struct TableArguments {
-  std::string unit, columns, duplicates = "refuse";
-};
-void add_table_options(Command verb, TableArguments& arguments);
-TableOptions table_options(const TableArguments& arguments);
+/// Adds the options that say how tables are read.
+void add_table_options(Command verb, TableSettings& settings);
 
-/// Adds -j N. `threads` stays 0 where the option is not given.
+/// Adds -j N. `threads` stays 0 where the option is not given: thread_count() knows what that means.
 void add_thread_option(Command verb, unsigned& threads);
-/// The number of threads to use, at most 256; 0 stands for all cores.
-unsigned thread_count(unsigned asked);
 
 }  // namespace etak::cli

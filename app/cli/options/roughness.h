@@ -17,8 +17,9 @@ struct RoughnessArguments {
 ///   whose   the object of the help's texts: "of the surface"
 void add_roughness_options(Command verb, RoughnessArguments& arguments, const char* whose);
 
-/// The gloss of the option that was given. None where neither was: the default of the material's class is
-/// then meant. Throws Error where both are given and for values outside [0, 1].
-std::optional<Gloss> given_gloss(const RoughnessArguments& arguments);
+/// given_gloss() of core/color/gloss.h.
+inline std::optional<Gloss> given_gloss(const RoughnessArguments& arguments) {
+  return etak::given_gloss(arguments.gloss, arguments.roughness);
+}
 
 }  // namespace etak::cli

@@ -49,7 +49,8 @@ PackJobIdentity identity_of(const PackArguments& a, const ValidateConfig* config
   add("page-link", setting_text(a.page_links));
   add("checked", config == nullptr ? "no" : settings_hash(config->settings));
   if (config != nullptr) {
-    add("fail-on", std::string(name(config->settings.fail_on)) + (a.fail_on == "never" ? " never" : ""));
+    add("fail-on",
+        std::string(name(config->settings.fail_on)) + (a.check.fail_on == never_fails ? " never" : ""));
     add("label", relative_label(a.settings.out + "/layout.json", config->root));
     add("input-label", relative_label(a.settings.input, config->root));
   }

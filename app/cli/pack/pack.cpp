@@ -32,14 +32,9 @@ namespace {
 
 // The configuration that `etak validate` would use for the result. Throws Error.
 PackCheckOptions check_options(PackArguments& a) {
-  ValidateArguments as_validate;
-  as_validate.paths = {a.settings.out + "/layout.json"};
-  as_validate.config = a.config;
-  as_validate.no_config = a.no_config;
-  as_validate.fail_on = a.fail_on;
   PackCheckOptions out;
-  out.config = validate_config(as_validate, asked_materials(a.library));
-  out.never_fails = a.fail_on == never_fails;
+  out.config = validate_config(a.check, a.settings.out + "/layout.json", asked_materials(a.library));
+  out.never_fails = a.check.fail_on == never_fails;
   out.threads = thread_count(a.threads);
   out.version = ETAK_VERSION;
   return out;

@@ -10,6 +10,7 @@
 #include "app/cli/output/output.h"
 #include "app/cli/pack/rects.h"
 #include "core/atlas/pack/settings.h"
+#include "core/validate/config.h"
 
 namespace etak {
 class PackCache;  // core/atlas/pack/pack_cache.h
@@ -19,11 +20,12 @@ namespace etak::cli {
 
 /// The options of `etak pack`.
 struct PackArguments {
-  PackSettings settings;  // of the atlas; every job of --batch has its own
-  std::string batch, memory, report = "text", fail_on, config, page_report, progress = "auto";
+  PackSettings settings;   // of the atlas; every job of --batch has its own
+  ValidateSettings check;  // of its pages
+  std::string batch, memory, report = "text", page_report, progress = "auto";
   std::vector<std::string> page_links;
   bool update = false, dry_run = false, watch = false, stats = false, force = false, quiet = false;
-  bool no_validate = false, no_config = false;
+  bool no_validate = false;
   unsigned threads = 0;
   Library library;
   PackRectsArguments rects;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/pictures/choose.h"
 
-#include <cmath>
-#include <exception>
 #include <optional>
 
 #include "app/cli/inputs/inputs.h"
@@ -12,10 +10,8 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/memory.h"
-#include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
-#include "core/material/appearance.h"
 #include "core/material/names.h"
 #include "core/pages/choose_report.h"
 #include "core/study/choose/choose_scene.h"
@@ -35,8 +31,7 @@ CostTable cost_table(const ChooseArguments& arguments) {
   return arguments.costs.empty() ? shipped_costs() : parse_costs(read_file(arguments.costs), arguments.costs);
 }
 
-// The choices for the materials of a scene, which do not depend on each other, made on all threads. Where
-// several fail, the error of the first in the scene's order is thrown.
+// The choices for the materials of a scene.
 std::vector<Choice> scene_choices(const std::string& scene, ChooseArguments& arguments,
                                   const ChooseOptions& options, const CostTable& costs, Progress& progress) {
   PackOptions pack;
@@ -46,19 +41,8 @@ std::vector<Choice> scene_choices(const std::string& scene, ChooseArguments& arg
   const auto subjects = scene_subjects(scene, pack, arguments.library.get(), remarks);
   for (const std::string& each : remarks) remark(arguments.output, each);
   progress.set(0, subjects.size());
-  std::vector<Choice> out(subjects.size());
-  std::vector<std::exception_ptr> failures(subjects.size());
-  parallel_chunks(subjects.size(), pack.run.threads, 1, [&](std::size_t i, std::size_t, unsigned worker) {
-    try {
-      out[i] = choose(subjects[i], options, costs);
-    } catch (const Error&) {
-      failures[i] = std::current_exception();
-    }
-    progress.advance(1, worker);
-  });
-  for (const std::exception_ptr& each : failures)
-    if (each) std::rethrow_exception(each);
-  return out;
+  return choose_each(subjects, options, costs, pack.run.threads,
+                     [&](unsigned worker) { progress.advance(1, worker); });
 }
 
 // The choices for all subjects. The remarks are written when the line of the progress is gone.
@@ -76,30 +60,13 @@ struct Chosen {
   }
 };
 
-// A sphere of a library material with the given gloss, else with the default gloss of its class.
-ChooseSubject subject_of(const Material& material, const Dataset& dataset, const std::optional<Gloss>& given,
-                         std::vector<std::string>& remarks) {
-  if (given) {
-    if (given->alpha() < lobe_alpha({{}, {}, *given}))
-      remarks.push_back(material.id + ": the lobe of roughness " + number(given->roughness(), 3) +
-                        " is compared with a width of " + number(lobe_alpha({{}, {}, *given}), 3) +
-                        ", the least that the models take");
-    return library_subject(material, dataset, *given);
-  }
-  const DefaultGloss standard = default_gloss(material, clarity(material, dataset).clear);
-  const Gloss gloss(double{standard.gloss});
-  remarks.push_back(material.id + ": " + default_gloss_remark(standard) +
-                    (standard.gloss.held() ? "; compared with " + roughness_text(gloss) : ""));
-  return library_subject(material, dataset, gloss);
-}
-
 // Chooses for materials of the library, or for all of it.
 void choose_for_library(ChooseArguments& arguments, const ChooseOptions& options, const CostTable& costs,
                         Progress& progress, Chosen& out) {
   const std::optional<Gloss> given = given_gloss(arguments.rough);
   std::size_t total = 0;
   const auto add = [&](const Material& material, const Dataset& dataset, std::vector<std::string>& remarks) {
-    const ChooseSubject subject = subject_of(material, dataset, given, remarks);
+    const ChooseSubject subject = library_subject(material, dataset, given, remarks);
     progress.stage(subject.name);
     out.take(choose(subject, options, costs));
     progress.set(out.choices.size(), total);
@@ -159,10 +126,9 @@ int choose_within_memory(ChooseArguments& arguments) {
   if (arguments.all == !materials.empty())
     throw Error::at("etak choose", arguments.all ? "--all and materials" : "no material",
                     "materials, or --all");
-  if (!(arguments.budget >= 0) || !std::isfinite(arguments.budget))
-    throw Error::at("--budget", number(arguments.budget, 6), "a finite number, 0 or above");
   ChooseOptions options;
   options.budget = arguments.budget;
+  validate(options);
   if (arguments.codes) options.unit = ErrorUnit::codes;
   const std::string scene = !materials.empty() && names_scene(materials[0]) ? materials[0] : "";
   if (given_gloss(arguments.rough) && !scene.empty())

@@ -44,8 +44,4 @@ const PicturesModule& pictures(const std::string& place);
 /// the first of them.
 PictureDoor picture_door();
 
-/// The colour spaces that need no config, for messages.
-inline constexpr const char* built_in_spaces =
-    "srgb (also Rec.709, linear), acescg, rec2020, display-p3 or xyz";
-
 }  // namespace etak::cli

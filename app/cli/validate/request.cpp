@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/validate/request.h"
 
-#include <cstdlib>
-
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/empty_list.h"
 #include "app/cli/pictures/pictures.h"
@@ -16,54 +14,15 @@
 namespace etak::cli {
 
 std::shared_ptr<const KnownMaterials> asked_materials(Library& library) {
-  if (library.folders.empty() && std::getenv("ETAK_LIBRARY") == nullptr) return nullptr;
+  if (library.folders.empty() && environment_libraries().empty()) return nullptr;
   return std::make_shared<const KnownMaterials>(library.get());
-}
-
-std::optional<Severity> told_severity(const std::string& text) {
-  for (const Severity severity : {Severity::info, Severity::warning, Severity::error})
-    if (text == name(severity)) return severity;
-  return std::nullopt;
-}
-
-std::string config_of(const ValidateArguments& arguments) {
-  if (!arguments.config.empty()) return arguments.config;
-  if (arguments.no_config) return "";
-  return find_config(arguments.paths.empty() ? "." : arguments.paths.front());
-}
-
-ValidateConfig validate_config(const ValidateArguments& arguments,
-                               std::shared_ptr<const KnownMaterials> known) {
-  ValidateConfig config = read_config(config_of(arguments));
-  Settings& settings = config.settings;
-  settings.known = std::move(known);
-  const auto given = [](const char* option, const std::string& text, auto named, auto& value,
-                        const char* expected) {
-    if (text.empty()) return;
-    const auto found = named(text);
-    if (!found) throw Error::at(option, printable(text), expected);
-    value = *found;
-  };
-  given("--profile", arguments.profile, profile_named, settings.profile, "default, strict, film or custom");
-  given("--transfer", arguments.transfer, texture_transfer_named, settings.transfer,
-        "srgb, gamma22 or linear");
-  settings.transfer_stated = settings.transfer_stated || !arguments.transfer.empty();
-  // "never" does not change the limit: the caller then ignores findings.
-  given("--fail-on", arguments.fail_on == never_fails ? "" : arguments.fail_on, told_severity,
-        settings.fail_on, "error, warning, info or never");
-  const auto alpha = [](const std::string& text) -> std::optional<bool> {
-    if (text == "mask" || text == "transparency") return text == "transparency";
-    return std::nullopt;
-  };
-  given("--alpha", arguments.alpha, alpha, settings.alpha_is_transparency, "mask or transparency");
-  apply_choice(arguments.choice, settings);
-  return config;
 }
 
 ValidationRequest validation_request(ValidateArguments& arguments) {
   ValidationRequest out;
   auto known = asked_materials(arguments.library);
-  out.config = validate_config(arguments, std::move(known));
+  out.config = validate_config(arguments.settings, arguments.paths.empty() ? "" : arguments.paths.front(),
+                               std::move(known));
   out.list = arguments.files_from;
   if (!arguments.files_from.empty()) out.listed = ListedNames(arguments.files_from).take();
   if (!arguments.changed_since.empty()) {

@@ -46,7 +46,7 @@ std::string form_of(const ValidationReport& report, const ValidateArguments& arg
   if (format != "html") {
     TextOptions text{use_color(arguments.output)};
     text.findings = !arguments.output.quiet;
-    text.least = told_severity(arguments.min_severity).value_or(Severity::info);
+    text.least = severity_named(arguments.min_severity).value_or(Severity::info);
     text.fold_infos = arguments.min_severity.empty();
     return validation_text(report, text);
   }
@@ -188,7 +188,8 @@ int check_files(ValidateArguments& arguments) {
     throw Error::at("etak validate", "nothing to check", "files, folders, --files-from or --changed-since");
   if (!arguments.today.empty() && !is_date(arguments.today))
     throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
-  if (!arguments.min_severity.empty() && !told_severity(arguments.min_severity))
+  const auto least = severity_named(arguments.min_severity);
+  if (!arguments.min_severity.empty() && (!least || *least == Severity::off))
     throw Error::at("--min-severity", printable(arguments.min_severity), "info, warning or error");
   if (arguments.list_files) return list_found_files(arguments);
   check_targets(arguments);
@@ -227,7 +228,8 @@ int check_files(ValidateArguments& arguments) {
   if (report.cache) tell_cache(arguments.cache, *report.cache, arguments.output);
   if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());
   if (report.incomplete) return exit_failure;
-  return report.passed || arguments.exit_zero || arguments.fail_on == never_fails ? exit_ok : exit_findings;
+  return report.passed || arguments.exit_zero || arguments.settings.fail_on == never_fails ? exit_ok
+                                                                                           : exit_findings;
 }
 
 }  // namespace etak::cli

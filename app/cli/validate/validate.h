@@ -18,16 +18,11 @@ class CheckedBefore;  // core/validate/files/checked_before.h
 
 namespace etak::cli {
 
-/// The value of --fail-on with which findings are reported but do not change the exit status.
-inline constexpr const char* never_fails = "never";
-
 /// The options of `etak validate`.
 struct ValidateArguments {
   std::vector<std::string> paths;
-  std::string files_from, changed_since, role, material, surface_class, alpha;
-  std::string config, profile, transfer, fail_on, today;
-  bool no_config = false;
-  RuleChoice choice;
+  std::string files_from, changed_since, role, material, surface_class, today;
+  ValidateSettings settings;
   std::optional<std::size_t> max_warnings;
   std::string min_severity;  // the text form leaves out findings below it
   bool allow_empty = false;  // a run with nothing to check is no failure
@@ -40,10 +35,6 @@ struct ValidateArguments {
   Library library;
   OutputArguments output;
 };
-
-/// The etak.toml of a run: that of --config, else of the first path's folder or of the nearest folder above it;
-/// empty: none.
-std::string config_of(const ValidateArguments& arguments);
 
 /// Checks files, or lists them with --list-files. Returns the exit status; throws Error.
 int check_files(ValidateArguments& arguments);

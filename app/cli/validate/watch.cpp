@@ -42,7 +42,9 @@ void watch_inputs(const ValidateArguments& a, WatchedFiles& watched) {
   }
   // Those of a list, and those that scenes and layouts name, may lie anywhere.
   for (const std::string& file : a.before->files()) watched.add_file(file);
-  for (const std::string& file : {a.files_from, a.baseline, config_of(a)}) watched.add_file(file);
+  for (const std::string& file :
+       {a.files_from, a.baseline, config_of(a.settings, a.paths.empty() ? "" : a.paths.front())})
+    watched.add_file(file);
   for (const std::string& folder : a.library.all_folders()) watched.add_folder(folder, true);
   for (const std::string& own : {a.mask_folder, a.cache.folder, a.cache.report}) watched.leave_out(own);
   if (!is_standard_output(a.output)) watched.leave_out(a.output.file);

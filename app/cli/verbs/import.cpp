@@ -18,7 +18,7 @@ namespace {
 struct ImportArguments {
   InputNames inputs;
   std::string id, name, material_class;
-  TableArguments tables;
+  TableSettings tables;
   OutputArguments output;
   unsigned threads = 0;
   Library library;  // find_tables() needs one; materials of the library cannot be imported

@@ -80,17 +80,18 @@ void add_output_group(Command verb, PackArguments& a) {
 
 void add_finding_options(Command verb, PackArguments& a) {
   const std::string group = "Findings";
-  verb.option("--fail-on", a.fail_on,
+  verb.option("--fail-on", a.check.fail_on,
               "least severity of the validator's findings that makes the exit status 1: error (default, or "
               "what etak.toml says), warning, info or never; the atlas is written all the same")
       .one_of({"error", "warning", "info", "never"})
       .group(group);
   verb.flag("--no-validate", a.no_validate, "do not check the pages").group(group);
-  verb.option("--config", a.config, "configuration of the check (default: etak.toml of --output upwards)")
+  verb.option("--config", a.check.config,
+              "configuration of the check (default: etak.toml of --output upwards)")
       .reads_file()
       .value_name("FILE")
       .group(group);
-  verb.flag("--no-config", a.no_config, "look for no etak.toml").group(group);
+  verb.flag("--no-config", a.check.no_config, "look for no etak.toml").group(group);
 }
 
 void add_run_options(Command verb, PackArguments& a) {

@@ -15,8 +15,8 @@ namespace {
 
 struct ShowArguments {
   InputNames inputs;
-  ComputeArguments compute;
-  TableArguments tables;
+  F0Settings compute;
+  TableSettings tables;
   OutputArguments output;
   Library library;
 };

@@ -28,26 +28,26 @@ void add_rule_options(Command verb, ValidateArguments& a) {
   const auto add = [&](const char* option, std::vector<std::string>& ids, const char* text) {
     verb.option(option, ids, text).value_name("RULE,...").separated_by(',').group("Rules");
   };
-  verb.option("--profile", a.profile, "which rules run, and how strict they are")
+  verb.option("--profile", a.settings.profile, "which rules run, and how strict they are")
       .words({"default", "strict", "film", "custom"})
       .group("Rules");
-  add("--select", a.choice.select,
+  add("--select", a.settings.choice.select,
       "only these rules, ids or prefixes such as ETK1; the configuration may still turn some off");
-  add("--only", a.choice.only, "exactly these rules, whatever the configuration says");
-  add("--extend-select", a.choice.extend_select, "these rules too");
-  add("--ignore", a.choice.ignore, "without these rules; goes last");
+  add("--only", a.settings.choice.only, "exactly these rules, whatever the configuration says");
+  add("--extend-select", a.settings.choice.extend_select, "these rules too");
+  add("--ignore", a.settings.choice.ignore, "without these rules; goes last");
   verb.flag("--list-rules", a.list_rules, "print the rule table and stop (--format text or json)")
       .group("Rules");
-  verb.option("--config", a.config, "configuration (default: etak.toml of the first folder upwards)")
+  verb.option("--config", a.settings.config, "configuration (default: etak.toml of the first folder upwards)")
       .reads_file()
       .value_name("FILE")
       .group("Rules");
-  verb.flag("--no-config", a.no_config, "look for no etak.toml").group("Rules");
+  verb.flag("--no-config", a.settings.no_config, "look for no etak.toml").group("Rules");
 }
 
 void add_verdict_options(Command verb, ValidateArguments& a) {
   const char* group = "Verdict";
-  verb.option("--fail-on", a.fail_on,
+  verb.option("--fail-on", a.settings.fail_on,
               "least severity that fails the run (default: error, or what etak.toml says)")
       .words({"error", "warning", "info", "never"})
       .group(group);
@@ -97,10 +97,10 @@ void add_validate(CommandLine& line) {
             "show what every file is taken for, and stop (--format text or json)");
   verb.option("--role", a.role, "what the pictures are (default: by their names)")
       .words({"diffuse", "specular", "f0", "base-color", "metal-rough"});
-  verb.option("--transfer", a.transfer, "curve of the 8-bit codes")
+  verb.option("--transfer", a.settings.transfer, "curve of the 8-bit codes")
       .words({"srgb", "gamma22", "linear"})
       .show_default("srgb");
-  verb.option("--alpha", a.alpha, "what the alpha of diffuse is")
+  verb.option("--alpha", a.settings.alpha, "what the alpha of diffuse is")
       .words({"mask", "transparency"})
       .show_default("mask");
   verb.option("--material", a.material, "the material that the pictures are of, an id or name of etak list")

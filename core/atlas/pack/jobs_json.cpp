@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/atlas/pack/settings.h"
+#include "core/atlas/pack/setting_reader.h"
 #include "core/base/node_json.h"
 #include "core/base/system.h"
 
@@ -10,39 +10,6 @@ namespace etak {
 namespace {
 
 constexpr int jobs_depth = 6;
-
-// One value of a job, by what its row says of it.
-struct SettingReader {
-  const PackSettingRow& row;
-  const JsonNode& node;
-  const std::filesystem::path& folder;
-  PackSettings& to;
-
-  double number() const {
-    const double value = node.number();
-    if (row.least < row.most && (value < row.least || value > row.most))
-      node.fail_type("a number within the option's range");
-    return value;
-  }
-
-  void operator()(int PackSettings::*member) const {
-    to.*member = node.integer(static_cast<int>(row.least), static_cast<int>(row.most));
-  }
-  void operator()(double PackSettings::*member) const { to.*member = number(); }
-  void operator()(std::optional<double> PackSettings::*member) const { to.*member = number(); }
-  void operator()(bool PackSettings::*member) const { to.*member = node.boolean(); }
-  void operator()(std::vector<std::string> PackSettings::*member) const { to.*member = node.texts(); }
-  void operator()(std::string PackSettings::*member) const {
-    // "8" and 8 alike, because some settings take a word as well.
-    std::string text = row.is(PackSettingRow::or_number) && node.value.is_number()
-                           ? std::to_string(node.integer(0))
-                           : node.text();
-    const std::vector<std::string> words = row.word_list();
-    if (!words.empty() && std::find(words.begin(), words.end(), text) == words.end())
-      node.fail_type(row.words);
-    to.*member = row.is(PackSettingRow::file) ? sys::path_text(folder / text) : std::move(text);
-  }
-};
 
 PackSettings read_job(const JsonNode& job, const std::filesystem::path& folder, PackSettings out) {
   job.expect_object();
@@ -57,10 +24,8 @@ PackSettings read_job(const JsonNode& job, const std::filesystem::path& folder, 
   out.input = sys::path_text(folder / job.at("input").text());
   out.out = sys::path_text(folder / job.at("out").text());
   for (const PackSettingRow& row : rows)
-    if (!row.is(PackSettingRow::line_only) && job.has(row.name)) {
-      const JsonNode node = job.at(row.name);
-      std::visit(SettingReader{row, node, folder, out}, row.value);
-    }
+    if (!row.is(PackSettingRow::line_only) && job.has(row.name))
+      read_pack_setting(row, job.at(row.name), folder, out);
   return out;
 }
 

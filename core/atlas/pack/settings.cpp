@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/pack/settings.h"
 
-#include <algorithm>
-
 #include "core/base/setting.h"
+#include "core/base/text.h"
 #include "core/image/image.h"
 
 namespace etak {
@@ -93,13 +92,7 @@ constexpr PackSettingRow setting_rows[] = {
 }  // namespace settings_table
 
 std::vector<std::string> PackSettingRow::word_list() const {
-  std::vector<std::string> out;
-  for (std::string_view rest = words; !rest.empty();) {
-    const std::size_t end = std::min(rest.find(' '), rest.size());
-    out.emplace_back(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return out;
+  return parts_of(words, ' ');
 }
 
 std::string PackSettingRow::help_text() const {

@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/hash/sha256.h"
+#include "core/base/hex.h"
 #include "core/base/json_text.h"
 #include "core/base/number.h"
 #include "core/base/signals.h"
@@ -199,9 +200,7 @@ struct CacheFolder::NewEntry::Open {
     std::uint64_t random = 0;
     folder = state.folder_of_new();
     if (folder < 0 || !sys::random_bytes(&random, sizeof random)) return false;
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string unique;
-    for (int shift = 60; shift >= 0; shift -= 4) unique += digits[random >> shift & 15];
+    const std::string unique = hex(random);
     const SignalsHeld held;
     file = Descriptor(sys::open_in(folder, unique, sys::OpenIn::create, 0666));
     if (!file) return false;

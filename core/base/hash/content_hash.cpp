@@ -5,6 +5,8 @@
 
 #include <new>
 
+#include "core/base/hex.h"
+
 namespace etak {
 namespace {
 
@@ -34,11 +36,8 @@ std::array<std::uint64_t, 2> ContentHash::value() const {
 }
 
 std::string ContentHash::hex() const {
-  constexpr char digits[] = "0123456789abcdef";
-  std::string out;
-  for (const std::uint64_t part : value())
-    for (int shift = 60; shift >= 0; shift -= 4) out += digits[(part >> shift) & 15];
-  return out;
+  const auto [high, low] = value();
+  return etak::hex(high) + etak::hex(low);
 }
 
 }  // namespace etak

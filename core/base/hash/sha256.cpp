@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/hash/sha256_blocks.h"
+#include "core/base/hex.h"
 
 namespace etak {
 
@@ -122,14 +123,7 @@ std::string Sha256::finish_bytes() {
 }
 
 std::string Sha256::finish() {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string out;
-  for (const char c : finish_bytes()) {
-    const auto byte = static_cast<std::uint8_t>(c);
-    out += digits[byte >> 4];
-    out += digits[byte & 15];
-  }
-  return out;
+  return hex(finish_bytes());
 }
 
 std::string sha256(std::string_view bytes) {

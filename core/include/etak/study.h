@@ -3,7 +3,7 @@
 
 // The cheapest way to draw a material within a budget of error, error against run time of ways to compute the
 // same thing, and stiff cases. Link etak::core; what takes times (time_cases(), all_families(),
-// measure_costs()) and scene_subjects() are in etak::study_run.
+// measure_costs()) is in etak::study_run, scene_subjects() in etak::choose_scene.
 //
 // ```cpp
 // #include <cstdio>

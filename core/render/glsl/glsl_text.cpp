@@ -13,6 +13,7 @@
 #include "core/render/glsl/glsl_lights.h"
 #include "core/render/glsl/glsl_model.h"
 #include "core/render/glsl/glsl_source.h"
+#include "core/render/glsl/glsl_transfer.h"
 #include "core/render/glsl/texture_fetch.h"
 
 namespace etak {
@@ -63,7 +64,7 @@ class SceneText {
     glue_.line("out vec4 pixel_color;\n");
     glue_.uniform("background", scene_.background);
     beside_text(glue_, scene_, camera_);
-    transfer();
+    transfer_text(glue_, scene_, display_);
     glue_.line("  pixel_color = vec4(color, 0.0);\n}");
     return std::move(glue_).finish(version);
   }
@@ -257,7 +258,7 @@ class SceneText {
     transparency();
     marks();
     glue_.line("    color = mix(" + backdrop_name(scene_) + ", object, coverage);\n  }");
-    transfer();
+    transfer_text(glue_, scene_, display_);
     glue_.line("  pixel_color = vec4(color, coverage);\n}");
   }
 
@@ -349,61 +350,6 @@ class SceneText {
     glue_.use("transparency", "opacity below 1");
   }
 
-  void transfer() {
-    if (scene_.exposure != 1 || scene_.view) {
-      glue_.uniform("exposure", scene_.exposure);
-      glue_.line("  color *= exposure;");
-      glue_.use("exposure", "a factor");
-    } else {
-      glue_.leave_out("exposure", "the factor is 1");
-    }
-    if (display_ != nullptr) {
-      glue_.line("  color = " + display_->function + "(color);");
-      return glue_.use("transfer", display_->name);
-    }
-    tone();
-    const char* curve = nullptr;
-    switch (scene_.transfer) {
-      case Transfer::srgb:
-        curve = "srgb_encode";
-        break;
-      case Transfer::power_045:
-        curve = "power045_encode";
-        break;
-      case Transfer::square_root:
-        curve = "root_encode";
-        break;
-      case Transfer::linear:
-        break;
-    }
-    if (curve == nullptr) return glue_.leave_out("transfer", "values stay linear");
-    const std::string call = curve;
-    glue_.line("  color = max(color, vec3(0.0));");
-    glue_.line("  color = vec3(" + call + "(color.x), " + call + "(color.y), " + call + "(color.z));");
-    glue_.use("transfer", call);
-  }
-
-  void tone() {
-    const char* function = nullptr;
-    switch (scene_.tone) {
-      case Tone::neutral:
-        function = "tone_neutral";
-        break;
-      case Tone::agx_like:
-        function = "tone_agx_like";
-        break;
-      case Tone::false_color:
-        function = "tone_false_color";
-        break;
-      case Tone::plain:
-        break;
-    }
-    // Most scenes have none: no use telling everybody.
-    if (function == nullptr) return;
-    glue_.line("  color = " + std::string(function) + "(color);");
-    glue_.use("tone", function);
-  }
-
   const Scene& scene_;
   const GlslDisplay* display_;
   const bool backdrop_apart_;   // whether the backdrop beside the object is drawn by itself
@@ -446,28 +392,6 @@ GlslParts glsl_parts(const Scene& scene, const GlslDisplay* display) {
 
 GlslText glsl_text(const Scene& scene, const TextureUse& textures, GlslVersion version) {
   return SceneText(scene, nullptr, &textures).finish(version);
-}
-
-GlslText glsl_evaluation_text(const Model& model, const std::vector<double>& values, GlslVersion version) {
-  GlslGlue glue;
-  const std::string call = model_call(glue, "model", model, values, 1);
-  glue.line("uniform sampler2D to_light, to_viewer;\nout vec4 value;\n");
-  glue.line("void main() {\n  ivec2 at = ivec2(gl_FragCoord.xy);");
-  glue.line("  Angles a = angles(texelFetch(to_light, at, 0).xyz, texelFetch(to_viewer, at, 0).xyz);");
-  glue.line("  value = vec4(a.valid <= 0.0 ? vec3(0.0) : " + call + ", 1.0);\n}");
-  return std::move(glue).finish(version);
-}
-
-GlslText glsl_expression_text(std::string_view expression, GlslVersion version) {
-  // Numbers are multiplied by a uniform of value 1, because an expression of constants would be computed by
-  // the compiler and not by the GPU.
-  std::string code(expression);
-  for (std::size_t at = 0; (at = code.find("real(", at)) != code.npos; at += 6) code.replace(at, 4, "given");
-  GlslGlue glue;
-  glue.uniform("one", 1);
-  glue.line("out vec4 value;\nfloat given(float x) {\n  return x * one;\n}");
-  glue.line("void main() {\n  value = vec4(" + real_literals(code) + ");\n}");
-  return std::move(glue).finish(version);
 }
 
 }  // namespace etak

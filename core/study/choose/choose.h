@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,10 @@ struct ChooseSubject {
 };
 /// A material of the library without textures. Throws Error for a dataset without n and k.
 ChooseSubject library_subject(const Material& material, const Dataset& dataset, const Gloss& gloss);
+/// The same as a sphere with the given gloss, else with the default gloss of the material's class.
+///   remarks   gets what is to be said of the gloss
+ChooseSubject library_subject(const Material& material, const Dataset& dataset,
+                              const std::optional<Gloss>& given, std::vector<std::string>& remarks);
 /// Width alpha of the lobe of a texel, at least 1e-4, the narrowest that the models take.
 double lobe_alpha(const SurfaceTexel& texel);
 
@@ -103,6 +108,8 @@ struct ChooseOptions {
   double budget = 1;
   ErrorUnit unit = ErrorUnit::delta_e;
 };
+/// Throws Error that names the setting, unless the budget is a finite number of at least 0.
+void validate(const ChooseOptions& options);
 
 /// Chooses the cheapest form of F, visibility term, texture filter and quadrature. They are compared with
 /// "everything": F at every nanometre where the spectrum is known, else for each channel the exact F of F0
@@ -115,6 +122,13 @@ struct ChooseOptions {
 /// without n and k. Where no form of F stays within the budget, the closest one is chosen and `met` is false;
 /// the other choices then stay within the error of that form.
 Choice choose(const ChooseSubject& subject, const ChooseOptions& options, const CostTable& costs);
+
+/// The choices for subjects, which do not depend on each other, on `threads` threads. Where several fail, the
+/// error of the first in their order is thrown.
+///   chosen   told of every choice, by the worker that made it
+std::vector<Choice> choose_each(std::span<const ChooseSubject> subjects, const ChooseOptions& options,
+                                const CostTable& costs, unsigned threads,
+                                const std::function<void(unsigned worker)>& chosen = {});
 
 /// The largest error of all choices together, at any angle or in any pixel. Where the choice is not `met`, no
 /// smaller error can be reached.

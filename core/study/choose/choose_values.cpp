@@ -6,10 +6,13 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/parallel.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/brdf/parameters.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
+#include "core/material/appearance.h"
 #include "core/study/choose/choose.h"
 
 namespace etak {
@@ -71,6 +74,39 @@ ChooseSubject library_subject(const Material& material, const Dataset& dataset, 
   out.library = what;
   out.dataset = dataset;
   out.texel.gloss = gloss;
+  return out;
+}
+
+ChooseSubject library_subject(const Material& material, const Dataset& dataset,
+                              const std::optional<Gloss>& given, std::vector<std::string>& remarks) {
+  if (given) {
+    const double least = lobe_alpha({{}, {}, *given});
+    if (given->alpha() < least)
+      remarks.push_back(material.id + ": the lobe of roughness " + number(given->roughness(), 3) +
+                        " is compared with a width of " + number(least, 3) +
+                        ", the least that the models take");
+    return library_subject(material, dataset, *given);
+  }
+  const DefaultGloss standard = default_gloss(material, clarity(material, dataset).clear);
+  const Gloss gloss(double{standard.gloss});
+  remarks.push_back(material.id + ": " + default_gloss_remark(standard) +
+                    (standard.gloss.held() ? "; compared with " + roughness_text(gloss) : ""));
+  return library_subject(material, dataset, gloss);
+}
+
+void validate(const ChooseOptions& options) {
+  if (!(options.budget >= 0) || !std::isfinite(options.budget))
+    throw Error::at(setting("budget"), number(options.budget, 6), "a finite number, 0 or above");
+}
+
+std::vector<Choice> choose_each(std::span<const ChooseSubject> subjects, const ChooseOptions& options,
+                                const CostTable& costs, unsigned threads,
+                                const std::function<void(unsigned worker)>& chosen) {
+  std::vector<Choice> out(subjects.size());
+  parallel_chunks(subjects.size(), threads, 1, [&](std::size_t i, std::size_t, unsigned worker) {
+    out[i] = choose(subjects[i], options, costs);
+    if (chosen) chosen(worker);
+  });
   return out;
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <map>
 
+#include "core/base/hex.h"
 #include "core/base/text.h"
 #include "core/base/number.h"
 #include "core/validate/output/formats.h"
@@ -12,14 +13,11 @@ namespace {
 // The text on one line, with the escapes of GitHub's workflow commands. In a property ':' and ',' are escaped
 // as well, because they would end it.
 std::string escaped(std::string_view text, bool property) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
   std::string out;
   for (const char c : text) {
     if (c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','))) {
-      const auto byte = static_cast<unsigned char>(c);
       out += '%';
-      out += digits[byte >> 4];
-      out += digits[byte & 15];
+      append_hex(out, c, hex_upper);
     } else {
       out += c;
     }

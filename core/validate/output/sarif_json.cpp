@@ -5,6 +5,7 @@
 
 #include "core/base/number.h"
 #include "core/base/text.h"
+#include "core/scene/uri.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/rules.h"
 
@@ -21,27 +22,8 @@ std::string_view level(Severity severity) {
   return severity == Severity::warning ? "warning" : "note";
 }
 
-// A relative path as a URI reference (RFC 3986): all but unreserved characters and '/' are percent-encoded.
-std::string uri(std::string_view path) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  std::string out;
-  for (const char c : path) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       std::string_view("-._~/").find(c) != std::string_view::npos;
-    if (plain) {
-      out += c;
-    } else {
-      out += '%';
-      out += digits[byte >> 4];
-      out += digits[byte & 15];
-    }
-  }
-  return out;
-}
-
 Json artifact(const std::string& path) {
-  return {{"uri", uri(path)}, {"uriBaseId", "%SRCROOT%"}};
+  return {{"uri", uri_of_file(path)}, {"uriBaseId", "%SRCROOT%"}};
 }
 
 // These addresses are names alone and lead to no server, as those of the schemas; `etak explain ETK101`

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/hex.h"
 #include "core/image/files/png.h"
 
 namespace etak {
@@ -19,9 +20,8 @@ std::vector<std::uint8_t> in_channels(const Texel& rgba, int channels) {
 }
 
 std::string name_of(const std::vector<std::uint8_t>& values) {
-  constexpr char digits[] = "0123456789abcdef";
   std::string out = "texel_";
-  for (const std::uint8_t value : values) out += {digits[value / 16], digits[value % 16]};
+  for (const std::uint8_t value : values) append_hex(out, static_cast<char>(value));
   return out + ".png";
 }
 

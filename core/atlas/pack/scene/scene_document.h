@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/atlas/pack/scene/scene_state.h"
+
+namespace etak {
+
+/// The files of a scene's pages, each once, in the order in which they were first asked for.
+struct ImageList {
+  std::vector<std::string> names;
+  std::vector<PictureHeader> headers;
+  std::map<std::string, int> numbers;
+  std::set<std::string> occluded;  // those whose red channel holds occlusion
+
+  int number_of(const std::string& file, const PlannedPage& page, int channels);
+};
+
+/// What a scene's document is to hold in some forms, and the pictures that it names.
+struct SceneOutput {
+  GltfOutput gltf;
+  ImageList images;
+  Others others;
+
+  /// What the pictures take.
+  TextureTotals totals(const PackDecision& decision) const;
+
+ private:
+  TextureTotals file(std::size_t image, const PackDecision& decision) const;
+};
+
+/// Whether the packer writes this material, by its number in the document, or leaves it as it was.
+bool is_written(const ScenePack::State& scene, int material, Others others);
+
+SceneOutput scene_output(const ScenePack::State& scene, const SceneMaps& maps,
+                         const std::vector<GltfForm>& forms, const PackDecision& decision);
+
+}  // namespace etak

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/material/f0.h"
+#include "core/material/library.h"
+
+namespace etak {
+
+/// How F0 is computed, as a person writes it: options of a command line, keywords of a call. Empty texts stand
+/// for the default.
+struct F0Settings {
+  std::string observer, illuminant, interpolation, method, integration_bound, space, ocio, outside;
+  bool allow_extrapolation = false;
+  friend bool operator==(const F0Settings&, const F0Settings&) = default;
+};
+
+/// The colour spaces that need no config, for messages.
+inline constexpr const char* built_in_spaces =
+    "srgb (also Rec.709, linear), acescg, rec2020, display-p3 or xyz";
+
+/// Opens a colour space of an OpenColorIO config.
+///   config   its file; empty: that of $OCIO, else etak's own
+using OpenSpace = std::function<CustomSpace(const std::string& config, const std::string& name)>;
+
+/// The settings as values. Throws Error that names the setting and what it takes.
+///   library      for the name of an outside medium
+///   open_space   asked for what is no built-in space
+F0Options f0_options(const F0Settings& settings, const LibraryWhenAsked& library,
+                     const OpenSpace& open_space);
+
+}  // namespace etak

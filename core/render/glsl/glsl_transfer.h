@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/render/glsl/glsl_glue.h"
+#include "core/render/glsl/glsl_text.h"
+
+namespace etak {
+
+/// Writes the steps from the linear `color` of a pixel to the code of the screen: exposure, then the display's own
+/// function or, where `display` is null, the scene's tone curve and transfer.
+void transfer_text(GlslGlue& glue, const Scene& scene, const GlslDisplay* display);
+
+}  // namespace etak
