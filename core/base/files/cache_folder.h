@@ -29,7 +29,7 @@ struct CacheOptions {
 };
 
 /// What a run did with its cache. Every look-up is a hit or a miss.
-///   refused       misses in which an entry was there, but damaged, foreign, or sealed with another key
+///   refused       entries that were there, but damaged, foreign, or sealed with another key: misses
 ///   too_large     results that were not kept, because one entry may take a quarter of the cache at most
 ///   not_written   results that were not kept, because the folder takes nothing
 ///   evicted       entries that this run has removed to keep the cache within its size
