@@ -104,7 +104,7 @@ ValidationRequest request_of(const py::object& paths, const py::dict& given, con
     throw Error::at(setting("today"), printable(out.today), "a date such as 2027-01-01");
   if (const std::string baseline = text("baseline"); !baseline.empty())
     out.known = read_baseline(read_file(baseline), baseline);
-  out.cache_folder = text("cache");
+  out.cache.path = text("cache");
   out.door = picture_door_behind(&pictures);
   out.version = ETAK_VERSION;
   out.must_check = !yes("allow_empty");

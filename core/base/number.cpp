@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/error.h"
+
 namespace etak {
 
 bool parse_number(std::string_view text, double& value) {
@@ -25,6 +27,24 @@ std::string number(double value, int digits) {
   std::string out;
   append_number(out, value, digits);
   return out;
+}
+
+std::string grouped(std::size_t value) {
+  std::string out = std::to_string(value);
+  for (std::size_t at = out.size(); at > 3;) out.insert(at -= 3, 1, ',');
+  return out;
+}
+
+std::size_t byte_size(std::string_view text, std::string_view option) {
+  const char unit = text.empty() ? ' ' : text.back();
+  const int shift = unit == 'K' ? 10 : unit == 'M' ? 20 : unit == 'G' ? 30 : 0;
+  constexpr double most = 1e18;
+  double value = 0;
+  const bool good = parse_number(shift == 0 ? text : text.substr(0, text.size() - 1), value);
+  value *= static_cast<double>(std::size_t{1} << shift);
+  if (!good || value < 1 || value > most)
+    throw Error::at(option, printable(text), "a number of bytes, with K, M or G for more");
+  return static_cast<std::size_t>(value);
 }
 
 }  // namespace etak

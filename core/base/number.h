@@ -16,4 +16,10 @@ void append_number(std::string& out, double value, int digits);
 /// The same as a string of its own.
 std::string number(double value, int digits);
 
+/// A whole number with commas between thousands: "2,914".
+std::string grouped(std::size_t value);
+
+/// The bytes that "4096", "64K", "512M" or "2G" stand for. Throws Error that names the option.
+std::size_t byte_size(std::string_view text, std::string_view option);
+
 }  // namespace etak

@@ -74,6 +74,9 @@ std::ptrdiff_t read_at(int open, void* to, std::size_t count, std::size_t at);
 std::ptrdiff_t write(int open, const void* from, std::size_t count);
 std::ptrdiff_t write_at(int open, const void* from, std::size_t count, std::size_t at);
 
+/// Sets the time at which the content of a file was written to now, by the clock of its file system.
+bool touch_in(int folder, const char* name);
+
 /// Waits until what was written is on the disk.
 bool to_disk(int open);
 /// Asks the system to begin with that, and does not wait.

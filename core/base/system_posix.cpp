@@ -175,6 +175,11 @@ std::ptrdiff_t write_at(int open, const void* from, std::size_t count, std::size
   return uninterrupted([&] { return ::pwrite(open, from, count, static_cast<off_t>(at)); });
 }
 
+bool touch_in(int folder, const char* name) {
+  // Without times the kernel, or the server of a share, sets its own, and who may write the file may do so.
+  return ::utimensat(folder, name, nullptr, AT_SYMLINK_NOFOLLOW) == 0;
+}
+
 bool to_disk(int open) {
   return ::fsync(open) == 0;
 }

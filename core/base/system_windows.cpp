@@ -520,6 +520,16 @@ bool to_disk(int open) {
 
 void begin_to_disk(int) {}
 
+bool touch_in(int folder, const char* name) {
+  const Handle file(open_name(folder, name, FILE_WRITE_ATTRIBUTES, FILE_OPEN, 0));
+  FILETIME now{};
+  ::GetSystemTimeAsFileTime(&now);
+  FILE_BASIC_INFO wanted{};  // zeros leave the rest as it is
+  wanted.LastWriteTime.QuadPart = ticks_of(now);
+  return file &&
+         (::SetFileInformationByHandle(file.get(), FileBasicInfo, &wanted, sizeof wanted) != 0 || failed());
+}
+
 bool set_mode(int open, unsigned mode) {
   FILE_BASIC_INFO basic{};
   if (::GetFileInformationByHandleEx(handle_of(open), FileBasicInfo, &basic, sizeof basic) == 0)

@@ -23,7 +23,7 @@ using Kind = sys::FileInfo::Kind;
 // What one folder holds; paths whole, folders with '/' at the end.
 struct Listing {
   Identity identity{};
-  std::vector<std::string> files, folders, linked_folders, skipped;
+  std::vector<std::string> files, linked, folders, linked_folders, skipped;
   std::string failure;
 };
 
@@ -69,6 +69,8 @@ Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
     const EntryKind kind = entry_kind(folder.folder(), entry);
     if ((kind == EntryKind::file || kind == EntryKind::other) && keep(entry.name))
       (kind == EntryKind::file ? out.files : out.skipped).push_back(path + entry.name);
+    if (kind == EntryKind::file && entry.kind != Kind::file && keep(entry.name))
+      out.linked.push_back(path + entry.name);
     else if (kind == EntryKind::folder)
       out.folders.push_back(path + entry.name + '/');
     else if (kind == EntryKind::linked_folder)
@@ -78,8 +80,9 @@ Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
 }
 
 // Lists `level` and everything below it, level by level, each level on all threads.
+//   through_link   a link leads to these folders
 void descend(std::vector<std::string> level, unsigned threads, bool (*keep)(std::string_view),
-             std::set<Identity>& seen, Folder& out, std::vector<std::string>& linked) {
+             bool through_link, std::set<Identity>& seen, Folder& out, std::vector<std::string>& linked) {
   while (!level.empty()) {
     std::vector<Listing> listings(level.size());
     parallel_chunks(level.size(), threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
@@ -93,6 +96,8 @@ void descend(std::vector<std::string> level, unsigned threads, bool (*keep)(std:
         continue;
       }
       if (!seen.insert(found.identity).second) continue;
+      const std::vector<std::string>& linked_files = through_link ? found.files : found.linked;
+      out.linked.insert(out.linked.end(), linked_files.begin(), linked_files.end());
       std::move(found.files.begin(), found.files.end(), std::back_inserter(out.files));
       std::move(found.skipped.begin(), found.skipped.end(), std::back_inserter(out.skipped));
       std::move(found.folders.begin(), found.folders.end(), std::back_inserter(next));
@@ -118,15 +123,16 @@ Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::
     }
   std::set<Identity> seen;
   std::vector<std::string> linked;
-  descend({out.root}, threads, keep, seen, out, linked);
+  descend({out.root}, threads, keep, false, seen, out, linked);
   if (seen.empty()) throw Error(out.unreadable.front());
   while (!linked.empty()) {
     std::sort(linked.begin(), linked.end());
     std::vector<std::string> deeper;
-    for (const std::string& folder : linked) descend({folder}, threads, keep, seen, out, deeper);
+    for (const std::string& folder : linked) descend({folder}, threads, keep, true, seen, out, deeper);
     linked = std::move(deeper);
   }
   std::sort(out.files.begin(), out.files.end());
+  std::sort(out.linked.begin(), out.linked.end());
   std::sort(out.skipped.begin(), out.skipped.end());
   return out;
 }

@@ -12,12 +12,14 @@ namespace etak {
 ///   root         folder the shown paths are relative to, with a '/' at its end; of a tree of the
 ///                refractiveindex.info database its data folder
 ///   files        whole paths, sorted byte by byte
+///   linked       those of them, sorted, that may be links or were found through one
 ///   unreadable   one message per subfolder that could not be read
 ///   skipped      whole paths, sorted, of what `keep` would have listed but is no file: pipes, sockets and
 ///                devices
 struct Folder {
   std::string root;
   std::vector<std::string> files;
+  std::vector<std::string> linked;
   std::vector<std::string> unreadable;
   std::vector<std::string> skipped;
 };

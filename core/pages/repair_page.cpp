@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/base/base64.h"
+#include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/image/files/png.h"
 #include "core/pages/page_style.h"

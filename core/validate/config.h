@@ -71,6 +71,9 @@ struct ValidateSettings {
   RuleChoice choice;
 };
 
+/// The file of the configuration that validate_config() reads; empty: none. In target etak::validate_config.
+std::string config_of(const ValidateSettings& settings, const std::string& near);
+
 /// The configuration of the file and of the settings, which win. A fail_on of never_fails changes no limit: the
 /// caller then ignores findings. Throws Error. In target etak::validate_config.
 ///   near    a path to be checked, from whose folder upwards the file is looked for; empty: the working folder

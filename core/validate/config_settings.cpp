@@ -18,12 +18,14 @@ std::optional<bool> is_transparency(const std::string& text) {
 
 }  // namespace
 
+std::string config_of(const ValidateSettings& given, const std::string& near) {
+  if (!given.config.empty() || given.no_config) return given.config;
+  return find_config(near.empty() ? "." : near);
+}
+
 ValidateConfig validate_config(const ValidateSettings& given, const std::string& near,
                                std::shared_ptr<const KnownMaterials> known) {
-  const std::string file = !given.config.empty() ? given.config
-                           : given.no_config     ? ""
-                                                 : find_config(near.empty() ? "." : near);
-  ValidateConfig config = read_config(file);
+  ValidateConfig config = read_config(config_of(given, near));
   Settings& out = config.settings;
   out.known = std::move(known);
   out.profile =

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/files/cache_folder.h"
 #include "core/image/pixels_view.h"
 #include "core/validate/repair_report.h"
 
@@ -111,6 +112,7 @@ struct RunCounts {
   std::size_t failed = 0;      // that cannot be checked at all
   std::size_t checks = 0;      // of files, pairs and sets
   std::size_t from_cache = 0;  // checks whose result came from the cache
+  std::size_t unchanged = 0;   // checks whose result is that of an earlier run of the same program
 };
 
 /// Folders as the user typed them ("": the working folder), by the names that labels have for them, relative
@@ -132,6 +134,7 @@ struct ValidationReport {
   std::vector<std::string> unknown;     // pictures of folders and lists whose names tell no role
   TypedFolders typed;
   RunCounts run;
+  std::optional<CacheUse> cache;             // where the run had a cache
   std::optional<RepairReport> repairs;       // where repaired copies were asked for
   std::shared_ptr<const ReportShard> shard;  // shards/report_shard.h; null: the run was not cut
 };

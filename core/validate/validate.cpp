@@ -11,6 +11,7 @@
 #include "core/base/hash/sha256.h"
 #include "core/base/parallel.h"
 #include "core/validate/engine.h"
+#include "core/validate/files/checked_before.h"
 #include "core/validate/files/cut_targets.h"
 #include "core/validate/files/files.h"
 #include "core/validate/files/find_targets.h"
@@ -30,7 +31,9 @@ class Checks {
   }
 
   void run() {
-    if (!request_.cache_folder.empty()) look_up();
+    const std::string settings = settings_hash(request_.config.settings) + (follows_links() ? " links" : "");
+    if (request_.before) look_back(settings);
+    if (!request_.cache.path.empty()) look_up(settings);
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < files_.size(); ++i)
       if (done_[i] == 0) left.push_back(i);
@@ -49,10 +52,15 @@ class Checks {
                       if (worker == 0 && request_.progress) request_.progress(now, left.size());
                     });
     if (request_.progress && !left.empty() && !stopped_) request_.progress(left.size(), left.size());
+    if (request_.before) request_.before->end();
   }
 
   bool stopped() const { return stopped_; }
+  std::optional<CacheUse> cache_use() {
+    return cache_ ? std::optional(cache_->folder().use()) : std::nullopt;
+  }
   std::size_t from_cache() const { return from_cache_; }
+  std::size_t unchanged() const { return unchanged_; }
 
   /// The results of the checks that were made, each with its target.
   std::vector<CheckedFile> take_files() {
@@ -69,19 +77,35 @@ class Checks {
   }
 
  private:
-  void look_up() {
-    const std::string settings = settings_hash(request_.config.settings) + (follows_links() ? " links" : "");
-    cache_.emplace(request_.cache_folder, settings, request_.version, request_.cache_key);
+  void look_back(const std::string& settings) {
+    request_.before->begin(settings);
     parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
-        keys_[i] = cache_->key_of(targets_[i]);
-        auto file = cache_->find(keys_[i]);
+        auto file = request_.before->find(targets_[i]);
         if (!file) continue;
         files_[i] = std::move(*file);
         done_[i] = 1;
       }
     });
-    from_cache_ = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), 1));
+    unchanged_ = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), 1));
+  }
+
+  void look_up(const std::string& settings) {
+    cache_.emplace(request_.cache, settings, request_.version);
+    parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
+      for (std::size_t i = begin; i < end; ++i) {
+        if (done_[i] != 0) continue;
+        std::vector<sys::FileInfo> before;
+        if (request_.before) before = CheckedBefore::look_at(targets_[i]);
+        keys_[i] = cache_->key_of(targets_[i]);
+        auto file = cache_->find(keys_[i]);
+        if (!file) continue;
+        if (request_.before) request_.before->keep(targets_[i], before, *file);
+        files_[i] = std::move(*file);
+        done_[i] = 1;
+      }
+    });
+    from_cache_ = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), 1)) - unchanged_;
   }
 
   void check_one(std::size_t i, unsigned threads) {
@@ -91,7 +115,10 @@ class Checks {
       files_[i] = check_material(materials.materials[i - targets_.size()], *materials.library, request_.door,
                                  settings, materials.most_texels, threads, materials.kept.get());
     } else {
+      std::vector<sys::FileInfo> before;
+      if (request_.before) before = CheckedBefore::look_at(targets_[i]);
       files_[i] = check(targets_[i].target, request_.door, settings, threads);
+      if (request_.before) request_.before->keep(targets_[i], before, files_[i]);
       if (cache_) cache_->keep(keys_[i], targets_[i], files_[i]);
     }
     done_[i] = 1;
@@ -103,7 +130,7 @@ class Checks {
   std::vector<char> done_;
   std::optional<ResultCache> cache_;
   std::vector<CacheKey> keys_;
-  std::size_t from_cache_ = 0;
+  std::size_t from_cache_ = 0, unchanged_ = 0;
   std::atomic<bool> stopped_{false};
 };
 
@@ -222,6 +249,7 @@ ValidationReport validate(ValidationRequest request) {
   Checks checks(request, found.targets);
   checks.run();
   run.from_cache = checks.from_cache();
+  run.unchanged = checks.unchanged();
   std::vector<CheckedFile> files = with_tiles_joined(checks.take_files());
   std::move(found.lone.begin(), found.lone.end(), std::back_inserter(files));
   std::move(found.failed.begin(), found.failed.end(), std::back_inserter(files));
@@ -230,6 +258,7 @@ ValidationReport validate(ValidationRequest request) {
       {request.today, names_whole_tree(request), request.known, request.renew_known, shard.get()});
   report.not_opened = std::move(found.no_files);
   report.run = run;
+  report.cache = checks.cache_use();
   report.unknown = std::move(found.unknown);
   report.typed = std::move(found.typed);
   report.stopped = checks.stopped();

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/files/cache_folder.h"
 #include "core/image/picture.h"
 #include "core/project/project.h"
 #include "core/validate/baseline.h"
@@ -19,6 +20,7 @@
 
 namespace etak {
 
+class CheckedBefore;  // core/validate/files/checked_before.h
 class KeptPictures;
 
 // The interface of the validator (target etak::validate_files). check_pack.h checks an atlas while it is
@@ -57,9 +59,10 @@ struct ValidationRequest {
   bool renew_known = false;  // everything found counts as known, instead of `known`
 
   // How it is checked.
-  PictureDoor door;           // of pictures that are no plain PNG
-  std::string cache_folder;   // results of earlier runs; made where it is missing; empty: none
-  std::string cache_key;      // the bytes of a secret: only entries written with it count; empty: all of them
+  PictureDoor door;    // of pictures that are no plain PNG
+  CacheOptions cache;  // results of earlier runs; without a path: none
+  // Of a program that checks the same files again and again: what they were the last time; null: none.
+  std::shared_ptr<CheckedBefore> before;
   std::string version;        // of the program: results of other versions do not count
   bool hashes = false;        // the report gives the SHA-256 of every file, which reads all files once more
   bool must_check = false;    // a run that checks nothing is incomplete
@@ -80,7 +83,7 @@ struct ValidationRequest {
 FileList list_files(ValidationRequest request);
 
 /// Checks what the request names. A file that cannot be read is a finding (ETK001), never an exception; an
-/// error of a rule is ETK901. Throws Error where the folder of the cache cannot be made.
+/// error of a rule is ETK901. Throws Error where the path of the cache leads to something that is no folder.
 ValidationReport validate(ValidationRequest request);
 
 }  // namespace etak

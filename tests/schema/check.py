@@ -100,6 +100,19 @@ assert every == table
 check(rules, json.loads(run("explain", "ETK101", "--format", "json")), "explain ETK101")
 check(schema("functions"), json.loads(run("eval", "--list", "--format", "json")), "eval --list")
 
+# What a run did with its cache is a file of its own, of both verbs that have one.
+with tempfile.TemporaryDirectory() as folder:
+    cache = ["--cache", os.path.join(folder, "cache")]
+    manifest = os.path.join(folder, "m.json")
+    with open(manifest, "w", encoding="utf-8") as file:
+        file.write('{"materials": [{"name": "a", "specular": "gold", "gloss": 0.5}]}')
+    for i, options in enumerate([["validate", manifest, "--allow-empty"],
+                                 ["pack", manifest, "-o", os.path.join(folder, "atlas"), "--no-config"]]):
+        use = os.path.join(folder, f"use{i}.json")
+        run(*options, *cache, "--cache-report", use)
+        with open(use, encoding="utf-8") as file:
+            check(schema("cache"), json.load(file), f"--cache-report of {options[0]}")
+
 if os.path.exists(os.path.join(os.path.dirname(etak), "libetak-pictures.so")):
     render = schema("render")
     with tempfile.TemporaryDirectory() as folder:

@@ -23,6 +23,12 @@ const MaterialLibrary& Library::get() {
   return library_.emplace(std::move(library));
 }
 
+std::vector<std::string> Library::all_folders() const {
+  std::vector<std::string> out = environment_libraries();
+  out.insert(out.end(), folders.begin(), folders.end());
+  return out;
+}
+
 void add_class_option(Command verb, std::vector<std::string>& classes, const std::string& help) {
   verb.option("--class", classes, help).value_name("CLASS").one_at_a_time();
 }

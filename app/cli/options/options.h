@@ -22,6 +22,8 @@ class Library {
   std::vector<std::string> folders;  // of --library
 
   const MaterialLibrary& get();
+  /// Those of ETAK_LIBRARY and of --library.
+  std::vector<std::string> all_folders() const;
   LibraryWhenAsked when_asked() {
     return [this]() -> const MaterialLibrary& { return get(); };
   }

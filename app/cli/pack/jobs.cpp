@@ -2,53 +2,20 @@
 #include "app/cli/pack/jobs.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <map>
-#include <set>
-#include <thread>
 
 #include "app/cli/output/progress.h"
+#include "app/cli/pack/kept.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/files/watched_files.h"
 #include "core/base/system.h"
 
 namespace etak::cli {
-namespace {
 
 namespace fs = std::filesystem;
-
-constexpr auto watch_pause = std::chrono::milliseconds(300);
-
-using Stamps = std::map<std::string, std::pair<fs::file_time_type, std::uintmax_t>>;
-
-// Time and size of every file below the input, where it is a folder, else below its folder; files in the
-// folder of the atlas are left out.
-Stamps stamps(const std::string& input, const std::string& out) {
-  Stamps found;
-  std::error_code failure;
-  const fs::path path(input);
-  const fs::path folder = fs::is_directory(path, failure) ? path
-                          : path.has_parent_path()        ? path.parent_path()
-                                                          : ".";
-  const fs::path skipped = fs::weakly_canonical(out, failure);
-  for (fs::recursive_directory_iterator it(folder, failure), end; it != end && !failure;
-       it.increment(failure)) {
-    std::error_code gone;
-    if (it->is_directory(gone) && fs::weakly_canonical(it->path(), gone) == skipped) {
-      it.disable_recursion_pending();
-      continue;
-    }
-    if (!it->is_regular_file(gone)) continue;
-    const auto time = it->last_write_time(gone);
-    const auto size = it->file_size(gone);
-    if (!gone) found[sys::path_text(it->path())] = {time, size};
-  }
-  return found;
-}
-
-}  // namespace
 
 int pack_batch(PackArguments& line) {
   if (!line.settings.input.empty() || !line.settings.out.empty())
@@ -89,17 +56,23 @@ int pack_watch(PackArguments& arguments) {
                     "a file or a folder");
   // With -u, a file whose time changed but not its bytes costs a hash, and no atlas is packed.
   arguments.update = true;
-  for (Stamps last;;) {
-    const Stamps now = stamps(arguments.settings.input, arguments.settings.out);
-    if (now != last) {
-      last = now;
-      try {
-        pack_once(arguments);
-      } catch (const Error& error) {
-        complain(error.what());  // the user may correct the input, so the watch goes on
-      }
+  bool again = false;
+  const fs::path input(arguments.settings.input);
+  std::error_code failure;
+  WatchedFiles watched;
+  watched.add_folder(
+      fs::is_directory(input, failure) ? arguments.settings.input : sys::path_text(input.parent_path()),
+      true);
+  watched.leave_out(arguments.settings.out);
+  watched.leave_out(arguments.cache.folder);
+  for (;;) {
+    watched.wait_for_change();
+    try {
+      with_cache(arguments, pack_once, again);
+      again = true;
+    } catch (const Error& error) {
+      complain(error.what());  // the user may correct the input, so the watch goes on
     }
-    std::this_thread::sleep_for(watch_pause);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
 #include "app/cli/pack/jobs.h"
+#include "app/cli/pack/kept.h"
 #include "app/cli/pack/page.h"
 #include "app/cli/pictures/pictures.h"
 #include "app/cli/validate/request.h"
@@ -35,23 +36,37 @@ PackCheckOptions check_options(PackArguments& a) {
   return out;
 }
 
-// Writes the report and the findings.
+// What is to be said of an atlas.
 //   check   null: the atlas was not checked
-void say(const PackArguments& a, const PackResult& report, const PackCheck* check) {
+PackTold told_of(const PackResult& report, const PackCheck* check, bool stages) {
+  PackTold out;
+  out.text = report_text(report, stages);
+  out.json = report_json(report, stages);
+  out.remarks = report.remarks;
   const ValidationReport* findings = check == nullptr ? nullptr : check->report();
+  if (findings == nullptr) return out;
+  out.findings = validation_text(*findings, {false});
+  out.findings_in_colour = validation_text(*findings, {true});
+  out.verdict = verdict_of(*findings);
+  out.failed = check->failed();
+  out.incomplete = check->incomplete();
+  return out;
+}
+
+// Writes the report and the findings. Returns the exit status.
+int say(const PackArguments& a, const PackTold& told) {
   OutputArguments remarks;
   remarks.quiet = a.quiet;
   if (a.report == "json")
-    write_output({}, report_json(report, a.stats));
+    write_output({}, told.json);
   else if (a.report == "text" && !a.quiet)
-    write_output({}, report_text(report, a.stats) +
-                         (findings == nullptr ? "" : validation_text(*findings, {use_color({})})));
+    write_output({}, told.text + (use_color({}) ? told.findings_in_colour : told.findings));
   if (a.report != "json")
-    for (const std::string& each : report.remarks) remark(remarks, each);
+    for (const std::string& each : told.remarks) remark(remarks, each);
   // The reason of an exit status other than 0 is always told, even where the report is not.
   const bool verdict_shown = a.report == "json" || (a.report == "text" && !a.quiet);
-  if (findings != nullptr && (check->failed() || check->incomplete()) && !verdict_shown)
-    complain(a.settings.out + ": " + verdict_of(*findings));
+  if ((told.failed || told.incomplete) && !verdict_shown) complain(a.settings.out + ": " + told.verdict);
+  return told.incomplete ? exit_failure : told.failed ? exit_findings : exit_ok;
 }
 
 // Makes the allocator keep freed memory. The pictures of regions take megabytes and are freed soon; given
@@ -95,8 +110,17 @@ int pack_once(PackArguments& a) {
   if (a.settings.out.empty()) throw Error::at("etak pack", "no folder to write", "-o DIR");
   PackOptions options = options_of(a);
   check_page_report(a);
+  const std::optional<PackCheckOptions> checking =
+      a.no_validate ? std::nullopt : std::optional(check_options(a));
+  const auto key_now = [&] {
+    if (a.kept == nullptr || a.dry_run) return std::string();
+    return a.kept->key_of(identity_of(a, checking ? &checking->config : nullptr, options.input.space_config));
+  };
+  const std::string key = key_now();
+  if (!key.empty())
+    if (const auto told = atlas_from_cache(a, key)) return say(a, *told);
   std::optional<PackCheck> check;
-  if (!a.no_validate) check.emplace(a.settings.out, check_options(a)).attach(options);
+  if (checking) check.emplace(a.settings.out, *checking).attach(options);
   PackPage page(a);
   page.attach(options);
   OutputArguments shown;
@@ -104,8 +128,17 @@ int pack_once(PackArguments& a) {
   shown.progress = a.progress;
   std::optional<Progress> progress(std::in_place, shown, 0, "pack");
   options.run.progress = [&](std::size_t done, std::size_t all) { progress->set(done, all); };
+  std::optional<PackCache::Keeping> keeping;
   options.check.beside = [&](PackResult& report, OutputFolder* folder) {
-    return page.output(report, check ? &check->finish(report) : nullptr, folder);
+    auto out = page.output(report, check ? &check->finish(report) : nullptr, folder);
+    if (folder == nullptr || key.empty()) return out;
+    PackTold told = told_of(report, check ? &*check : nullptr, false);
+    told.page = page.written();
+    std::vector<std::string> names = report.files;
+    if (!a.page_report.empty() && !told.page)
+      names.push_back(sys::path_text(std::filesystem::path(a.page_report).filename()));
+    keeping = a.kept->gather(key, report, told, names, *folder);
+    return out;
   };
   const PackResult report = with_memory_for(
       a.settings.input, [&] { return "its atlas " + a.settings.out; },
@@ -114,16 +147,16 @@ int pack_once(PackArguments& a) {
         return pack(a.settings.input, a.settings.out, options, a.library.get());
       });
   progress.reset();
-  say(a, report, check ? &*check : nullptr);
-  if (check && check->incomplete()) return exit_failure;
-  return check && check->failed() ? exit_findings : exit_ok;
+  // A file that changed meanwhile may have been read before or after.
+  if (keeping && key_now() == key) keeping->keep();
+  return say(a, told_of(report, check ? &*check : nullptr, a.stats));
 }
 
 int pack_atlas(PackArguments& a) {
   keep_memory_of_regions();
-  if (!a.batch.empty()) return pack_batch(a);
+  if (!a.batch.empty()) return with_cache(a, pack_batch);
   if (a.watch) return pack_watch(a);
-  return pack_once(a);
+  return with_cache(a, pack_once);
 }
 
 }  // namespace etak::cli

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "app/cli/options/cache.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/pack/rects.h"
 #include "core/atlas/pack/settings.h"
 #include "core/validate/config.h"
+
+namespace etak {
+class PackCache;  // core/atlas/pack/pack_cache.h
+}
 
 namespace etak::cli {
 
@@ -23,6 +29,8 @@ struct PackArguments {
   unsigned threads = 0;
   Library library;
   PackRectsArguments rects;
+  CacheArguments cache;
+  std::shared_ptr<PackCache> kept;  // of --cache, while a run goes on; null: none
 };
 
 /// Does the work of the verb. Returns the exit status; throws Error.

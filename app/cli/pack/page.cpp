@@ -115,8 +115,10 @@ std::unique_ptr<Output> PackPage::output(const PackResult& result, const Validat
   data_.before = result.left_out.before;
   data_.after = result.left_out.after;
   data_.findings = findings;
-  if (folder == nullptr || !is_in_atlas_folder(arguments_))
-    return std::make_unique<OutputFile>(arguments_.page_report, atlas_page(data_), true);
+  if (folder == nullptr || !is_in_atlas_folder(arguments_)) {
+    written_ = atlas_page(data_);
+    return std::make_unique<OutputFile>(arguments_.page_report, *written_, true);
+  }
   folder->write(sys::path_text(std::filesystem::path(arguments_.page_report).filename()), atlas_page(data_));
   return nullptr;
 }

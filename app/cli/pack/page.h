@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/cli/pack/pack.h"
@@ -30,9 +31,13 @@ class PackPage {
   std::unique_ptr<Output> output(const PackResult& result, const ValidationReport* findings,
                                  OutputFolder* folder);
 
+  /// The page that output() returned, as text; none where it returned null.
+  const std::optional<std::string>& written() const { return written_; }
+
  private:
   const PackArguments& arguments_;
   AtlasPageData data_;
+  std::optional<std::string> written_;
 };
 
 }  // namespace etak::cli

@@ -10,7 +10,6 @@
 #include "core/base/files/file.h"
 #include "core/base/number.h"
 #include "core/validate/baseline.h"
-#include "core/validate/files/result_cache.h"
 #include "core/validate/nearest.h"
 
 namespace etak::cli {
@@ -49,8 +48,8 @@ ValidationRequest validation_request(ValidateArguments& arguments) {
     out.known = read_baseline(read_file(arguments.baseline), arguments.baseline);
   out.renew_known = !arguments.write_baseline.empty();
   out.door = picture_door();
-  out.cache_folder = arguments.cache_folder;
-  if (!arguments.cache_key.empty()) out.cache_key = read_cache_key(arguments.cache_key);
+  out.cache = cache_options(arguments.cache);
+  out.before = arguments.before;
   out.version = ETAK_VERSION;
   out.must_check = !arguments.allow_empty;
   out.pass_unknown = arguments.allow_empty;

@@ -114,7 +114,8 @@ void tell_stats(const ValidationReport& report, double seconds) {
     sum.region_seconds += file.stats.region_seconds;
   }
   complain("stats: " + grouped(report.run.files) + " files, " + grouped(report.run.skipped) + " skipped, " +
-           grouped(report.run.checks) + " checks, " + grouped(report.run.from_cache) + " from the cache");
+           grouped(report.run.checks) + " checks, " + grouped(report.run.from_cache) + " from the cache" +
+           (report.run.unchanged > 0 ? ", " + grouped(report.run.unchanged) + " unchanged" : ""));
   complain("stats: " + grouped(sum.pictures_decoded) + " pictures decoded, " +
            grouped(sum.pictures_left_out) + " left out because no rule needs them, " + grouped(sum.texels) +
            " texels");
@@ -138,6 +139,7 @@ void check_folder(const char* option, const std::string& folder) {
 // with --write-baseline writes it anew.
 void check_targets(const ValidateArguments& arguments) {
   check_output(arguments.output);
+  check_cache_report(arguments.cache, may_replace(arguments.output.force));
   if (!arguments.write_baseline.empty()) check_file_target(arguments.write_baseline, true);
   if (!arguments.mask_folder.empty()) check_folder("--mask", arguments.mask_folder);
   if (arguments.fix_folder.empty()) return;
@@ -204,8 +206,6 @@ int check_files(ValidateArguments& arguments) {
     throw Error::at("etak validate", "nothing to check", "files, folders, --files-from or --changed-since");
   if (!arguments.today.empty() && !is_date(arguments.today))
     throw Error::at("--today", printable(arguments.today), "a date such as 2027-01-01");
-  if (!arguments.cache_key.empty() && arguments.cache_folder.empty())
-    throw Error::at("--cache-key", "no --cache", "--cache DIR with it");
   const auto least = severity_named(arguments.min_severity);
   if (!arguments.min_severity.empty() && (!least || *least == Severity::off))
     throw Error::at("--min-severity", printable(arguments.min_severity), "info, warning or error");
@@ -226,8 +226,12 @@ int check_files(ValidateArguments& arguments) {
   if (!arguments.mask_folder.empty())
     marks = masks(report, settings, picture_door(), arguments.mask_folder, thread_count(arguments.threads));
   const std::unique_ptr<Output> copies = repaired_copies(arguments, settings, report);
-  const int status =
-      finish_report(arguments, settings, verdict_options(arguments), report, {copies.get(), marks.get()});
+  const std::unique_ptr<Output> use =
+      report.cache ? cache_report(arguments.cache, *report.cache, may_replace(arguments.output.force))
+                   : nullptr;
+  const int status = finish_report(arguments, settings, verdict_options(arguments), report,
+                                   {copies.get(), marks.get(), use.get()});
+  if (report.cache) tell_cache(arguments.cache, *report.cache, arguments.output);
   if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());
   return status;
 }

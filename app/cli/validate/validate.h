@@ -2,15 +2,21 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/cli/options/cache.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "core/base/files/output.h"
 #include "core/validate/config.h"
 #include "core/validate/shards/report_shard.h"
+
+namespace etak {
+class CheckedBefore;  // core/validate/files/checked_before.h
+}
 
 namespace etak::cli {
 
@@ -23,8 +29,11 @@ struct ValidateArguments {
   std::string min_severity;  // the text form leaves out findings below it
   bool allow_empty = false;  // a run with nothing to check is no failure
   bool exit_zero = false, list_rules = false, list_files = false, stats = false;
-  std::string baseline, write_baseline, mask_folder, fix_folder, cache_folder, cache_key;
+  std::string baseline, write_baseline, mask_folder, fix_folder;
+  CacheArguments cache;
   std::string shard;  // --shard as typed
+  bool watch = false;
+  std::shared_ptr<CheckedBefore> before;  // of --watch, from one run to the next
   unsigned threads = 0;
   Library library;
   OutputArguments output;

@@ -104,6 +104,7 @@ void add_run_options(Command verb, PackArguments& a) {
       .value_name("SIZE")
       .group(group);
   verb.flag("--watch", a.watch, "pack again whenever an input changes, until interrupted").group(group);
+  add_cache_options(verb, a.cache, "packed atlases here and do not pack the same input again", "Cache");
   add_follow_links(verb);
   add_thread_option(verb, a.threads);
   verb.flag("-q,--quiet", a.quiet, "no remarks and no progress; errors still appear");

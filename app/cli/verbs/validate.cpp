@@ -7,6 +7,7 @@
 #include "app/cli/output/form.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/validate/validate.h"
+#include "app/cli/validate/watch.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/validate/output/explain.h"
@@ -16,6 +17,7 @@ namespace etak::cli {
 namespace {
 
 int run(ValidateArguments& arguments) {
+  if (arguments.watch) return watch_files(arguments);
   if (!arguments.list_rules) return check_files(arguments);
   if (arguments.output.format != "text" && arguments.output.format != "json")
     refuse_form(arguments.output, "etak validate", "with --list-rules", {"text", "json"});
@@ -119,14 +121,10 @@ void add_validate(CommandLine& line) {
           "folder for repaired copies of the sets that can be repaired, and a page of before and after; the "
           "originals stay as they are")
       .value_name("DIR");
+  verb.flag("--watch", a.watch,
+            "check again whenever a file changes, until interrupted; sets that did not change are not read");
   verb.flag("--stats", a.stats, "say on standard error what was read, left out and how long it took");
-  verb.option("--cache", a.cache_folder, "keep results here and do not check the same files again")
-      .value_name("DIR");
-  verb.option("--cache-key", a.cache_key,
-              "secret of at least 16 bytes: entries of the cache that were written without it do "
-              "not count")
-      .reads_file()
-      .value_name("FILE");
+  add_cache_options(verb, a.cache, "results here and do not check the same files again", "Cache");
   add_shard_option(verb, a.shard);
   add_follow_links(verb);
   add_library_options(verb, a.library);

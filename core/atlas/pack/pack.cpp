@@ -149,7 +149,7 @@ PackResult packed(const std::string& input, const PackManifest* manifest, const 
   result.materials = source.inputs.materials.size();
   result.gloss = source.inputs.gloss;
   result.remarks = source.inputs.remarks;
-  const Stamps stamps = stamps_of(input_files(options, source));
+  const Stamps stamps = result.inputs = stamps_of(input_files(options, source));
 
   const EarlierAtlas earlier = stages.timed("earlier result", [&] { return earlier_atlas(output); });
   const std::optional<std::string> content = content_to_compare(options, source, earlier);

@@ -21,6 +21,7 @@
 #include "core/atlas/plan.h"
 #include "core/atlas/sources/sources.h"
 #include "core/atlas/variant.h"
+#include "core/base/files/steady_file.h"
 #include "core/material/library.h"
 
 namespace etak {
@@ -187,6 +188,7 @@ struct PackResult {
   std::optional<int> mixed_from;
   int passes = 1;  // 2: what the texels taught changed the layout
   std::vector<std::string> files, remarks;
+  std::vector<std::pair<std::string, FileStamp>> inputs;  // files that were read, as they were first seen
   std::vector<PackStage> stages;
   std::vector<ReducedRegion> reduced;
   std::optional<PackTotals> totals;  // none where nothing was written

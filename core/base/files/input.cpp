@@ -2,6 +2,7 @@
 #include "core/base/files/input.h"
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -129,7 +130,7 @@ class Pipe {
   }
 
   OpenedInput reopened() const {
-    OpenedInput out{Descriptor(sys::reopen_memory_file(memory_)), size_};
+    OpenedInput out{Descriptor(sys::reopen_memory_file(memory_)), size_, {}};
     if (!out.file) throw Error::at(path_, "cannot be opened: " + reason_of(errno));
     return out;
   }
@@ -147,6 +148,7 @@ class Pipe {
 //   descriptors   by "<stdin>" or "<fd N>"
 //   named         named pipes, by their whole path, however it is spelled
 struct Accepted {
+  std::atomic<bool> any{false};  // asked for every file that is opened, so without the lock
   std::mutex lock;
   std::map<std::string, std::unique_ptr<Pipe>> descriptors;
   std::map<std::string, std::unique_ptr<Pipe>> named;
@@ -171,6 +173,7 @@ std::string whole_path(const std::string& path) {
 // The pipe behind an accepted path; null where there is none.
 Pipe* accepted_pipe(const std::string& path) {
   Accepted& all = accepted();
+  if (!all.any) return nullptr;
   const std::lock_guard guard(all.lock);
   if (has_name_of_descriptor(path)) {
     const auto found = all.descriptors.find(path);
@@ -213,6 +216,7 @@ OpenedInput open_regular(const std::string& path) {
   if (!sys::file_info(out.file.get(), info)) throw Error::at(path, "cannot be read: " + reason_of(errno));
   if (info.kind != sys::FileInfo::Kind::file) refuse(path, info.kind);
   out.size = static_cast<std::size_t>(info.size);
+  out.info = info;
   refuse_git_lfs_pointer(path, out);
   return out;
 }
@@ -232,6 +236,7 @@ std::string accept_input(const std::string& typed) {
         *number == sys::standard_input ? std::string(stdin_name) : "<fd " + std::to_string(*number) + '>';
     const std::lock_guard guard(all.lock);
     const auto [place, fresh] = all.descriptors.try_emplace(path);
+    all.any = true;
     if (fresh)
       place->second = std::make_unique<Pipe>(path);
     else if (path == stdin_name)
@@ -242,6 +247,7 @@ std::string accept_input(const std::string& typed) {
   if (sys::file_info(typed, info) && info.kind == sys::FileInfo::Kind::pipe) {
     const std::lock_guard guard(all.lock);
     const auto [place, fresh] = all.named.try_emplace(whole_path(typed));
+    all.any = true;
     if (fresh) place->second = std::make_unique<Pipe>(typed);
   }
   return sys::path_text(typed);

@@ -41,10 +41,11 @@ std::string skipped_remark(const std::vector<std::string>& skipped);
 /// limit.
 void set_input_timeout(double seconds);
 
-/// A file opened for reading at its first byte, and its size in bytes.
+/// A file opened for reading at its first byte, its size in bytes, and what was known of it when it was opened.
 struct OpenedInput {
   Descriptor file;
   std::size_t size = 0;
+  sys::FileInfo info = {};
 };
 
 /// What a message says of a file that Git LFS has left in the place of a large one.

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "core/base/error.h"
 #include "core/base/files/input.h"
@@ -160,15 +160,27 @@ bool same_digest(std::string_view a, std::string_view b) {
 }
 
 std::string sha256_of_file(const std::string& path) {
+  sys::FileInfo info;
+  return sha256_of_file(path, info);
+}
+
+std::string sha256_of_file(const std::string& path, sys::FileInfo& info) {
+  // Not filled with zeros, which would take longer than the reading of a small file.
+  constexpr std::size_t most_at_once = std::size_t{1} << 18;
   try {
     const OpenedInput input = open_input(path, SIZE_MAX);
+    info = input.info;
     Sha256 hash;
-    std::vector<char> buffer(std::size_t{1} << 18);
-    for (;;) {
-      const std::ptrdiff_t count = sys::read(input.file.get(), buffer.data(), buffer.size());
-      if (count < 0) return {};
-      if (count == 0) return hash.finish();
-      hash.add({buffer.data(), static_cast<std::size_t>(count)});
+    // One byte more than there is, so that one call sees the end of a small file.
+    const std::size_t at_once = std::min(input.size + 1, most_at_once);
+    const auto buffer = std::make_unique_for_overwrite<char[]>(at_once);
+    for (std::size_t all = 0;;) {
+      const std::ptrdiff_t got = sys::read(input.file.get(), buffer.get(), at_once);
+      if (got < 0) return {};
+      const auto count = static_cast<std::size_t>(got);
+      hash.add({buffer.get(), count});
+      all += count;
+      if (count == 0 || (count < at_once && all >= input.size)) return hash.finish();
     }
   } catch (const Error&) {
     return {};

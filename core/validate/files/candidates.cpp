@@ -26,13 +26,15 @@ std::vector<KindOfFile> kinds_of(const std::vector<FileCandidate>& candidates, u
       std::error_code ignored;
       const FileCandidate& candidate = candidates[i];
       KindOfFile& found = out[i];
-      found.missing = !fs::exists(candidate.path, ignored) && !is_pipe_input(candidate.path);
+      found.missing =
+          !candidate.plain && !fs::exists(candidate.path, ignored) && !is_pipe_input(candidate.path);
       try {
         found.kind = role_of_file(candidate.path);
         if (found.kind == FileRole::spectrum && candidate.named != Named::by_hand &&
             !looks_like_spectrum(candidate.path))
           found.kind.reset();
-        if (found.kind && !candidate.searched.empty()) check_links(candidate.searched, candidate.path);
+        if (found.kind && !candidate.searched.empty() && !candidate.plain)
+          check_links(candidate.searched, candidate.path);
       } catch (const Error& error) {
         if (!found.missing) found.failure = error.what();
       }

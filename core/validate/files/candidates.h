@@ -15,10 +15,12 @@ enum class Named { by_hand, by_folder, by_list };
 
 /// A file that a run may check.
 ///   searched   the folder whose search found it; else empty
+///   plain      the search has seen that it is a file, and that no link leads to it
 struct FileCandidate {
   std::string path;
   Named named = Named::by_hand;
   std::string searched;
+  bool plain = false;
 };
 
 /// What a candidate is.

@@ -33,6 +33,7 @@ std::string pattern_stem(const std::string& pattern, const std::string& name) {
 }
 
 std::string level_0_of(const std::string& path) {
+  if (path.find(".mip") == path.npos) return {};
   const fs::path whole(path);
   const std::string stem = sys::path_text(whole.stem());
   const std::size_t mip = stem.rfind(".mip");

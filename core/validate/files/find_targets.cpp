@@ -8,6 +8,7 @@
 #include <tuple>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "core/base/ascii.h"
 #include "core/base/error.h"
@@ -33,6 +34,19 @@ std::string_view folder_of(std::string_view path) {
   return path.substr(0, path.rfind('/') + 1);  // npos + 1 is 0
 }
 
+// Whether lexically_normal() would leave the path as it is. Most are, and to ask that takes far less time.
+bool is_normal(std::string_view path) {
+  return !path.starts_with('.') && path.find("//") == path.npos && path.find("/.") == path.npos &&
+         path.find('\\') == path.npos;
+}
+
+// Stable. Lists of files are mostly in order already, because folders were listed so.
+template <class Value, class Less>
+void sort_where_needed(std::vector<Value>& values, Less less) {
+  if (!std::is_sorted(values.begin(), values.end(), less))
+    std::stable_sort(values.begin(), values.end(), less);
+}
+
 // So many names of a list that lead to no file are reported one by one, and the others counted: a list of a
 // million wrong names is one mistake.
 constexpr std::size_t most_missing_reported = 1000;
@@ -48,7 +62,7 @@ class Finder {
     candidates_.reserve(candidates_.size() + request_.listed.size());
     for (std::string& path : request_.listed) {
       remember_typed(folder_of(path));
-      candidates_.push_back({std::move(path), Named::by_list, {}});
+      candidates_.push_back({std::move(path), Named::by_list, {}, false});
     }
     request_.listed = {};
     const ValidateConfig& config = request_.config;
@@ -57,9 +71,9 @@ class Finder {
     drop_doubles();
     classify();
     group_pictures();
-    std::stable_sort(
-        out_.targets.begin(), out_.targets.end(),
-        [](const FoundTarget& a, const FoundTarget& b) { return a.target.label < b.target.label; });
+    sort_where_needed(out_.targets, [](const FoundTarget& a, const FoundTarget& b) {
+      return a.target.label < b.target.label;
+    });
     std::ranges::sort(out_.unknown);
     std::ranges::stable_sort(out_.listing.files, {}, &ListedFile::file);
     return std::move(out_);
@@ -68,7 +82,18 @@ class Finder {
  private:
   std::string label(const std::string& path) const {
     // Input from a pipe lies in no folder and keeps its name.
-    return is_pipe_input(path) ? path : relative_label(path, request_.config.root);
+    if (is_pipe_input(path)) return path;
+    // Labels of one folder begin alike.
+    const std::string_view folder = folder_of(path);
+    if (labelled_ != folder || label_.empty()) {
+      labelled_ = folder;
+      label_ = relative_label(labelled_ + 'x', request_.config.root);
+      if (label_.ends_with("/x") || label_ == "x")
+        label_.pop_back();
+      else
+        return std::exchange(label_, {}), relative_label(path, request_.config.root);
+    }
+    return label_ + path.substr(folder.size());
   }
 
   void fail(const std::string& path, const std::string& message, const std::string& fix = {}) {
@@ -92,7 +117,7 @@ class Finder {
     if (fs::is_directory(status)) return add_folder(path);
     remember_typed(folder_of(path));
     if (!fs::exists(status) && !is_pipe_input(path)) return fail(path, why_missing(path), missing_fix);
-    candidates_.push_back({path, request_.pass_unknown ? Named::by_list : Named::by_hand, {}});
+    candidates_.push_back({path, request_.pass_unknown ? Named::by_list : Named::by_hand, {}, false});
   }
 
   // Keeps a folder as the user typed it (ending in '/', or empty) by the name that labels have for it.
@@ -117,19 +142,24 @@ class Finder {
       fail(message.substr(0, reason), "the folder" + message.substr(std::min(message.size(), reason + 1)));
     }
     std::move(folder.skipped.begin(), folder.skipped.end(), std::back_inserter(out_.no_files));
-    for (std::string& file : folder.files)
-      candidates_.push_back(
-          {std::move(file), Named::by_folder, sys::path_text(fs::path(path).lexically_normal())});
+    const std::string searched = sys::path_text(fs::path(path).lexically_normal());
+    // A database of spectra is searched in a folder below, to which a link could lead.
+    const bool searched_here = folder.root == path || folder.root == path + '/';
+    for (std::string& file : folder.files) {
+      const bool plain =
+          searched_here && !std::binary_search(folder.linked.begin(), folder.linked.end(), file);
+      candidates_.push_back({std::move(file), Named::by_folder, searched, plain});
+    }
   }
 
   // A file that was named twice is checked once; named by hand wins.
   void drop_doubles() {
     for (FileCandidate& candidate : candidates_)
-      candidate.path = sys::path_text(fs::path(candidate.path).lexically_normal());
-    std::stable_sort(candidates_.begin(), candidates_.end(),
-                     [](const FileCandidate& a, const FileCandidate& b) {
-                       return std::tie(a.path, a.named) < std::tie(b.path, b.named);
-                     });
+      if (!is_normal(candidate.path))
+        candidate.path = sys::path_text(fs::path(candidate.path).lexically_normal());
+    sort_where_needed(candidates_, [](const FileCandidate& a, const FileCandidate& b) {
+      return std::tie(a.path, a.named) < std::tie(b.path, b.named);
+    });
     candidates_.erase(
         std::unique(candidates_.begin(), candidates_.end(),
                     [](const FileCandidate& a, const FileCandidate& b) { return a.path == b.path; }),
@@ -415,6 +445,7 @@ class Finder {
   std::unordered_set<std::string> claimed_, failed_;  // claimed: named by a scene or a layout
   std::unordered_set<std::string> of_manifests_;      // pictures that manifests of etak pack name
   std::string last_typed_;
+  mutable std::string labelled_, label_;  // a folder, and how the labels of its files begin
   FoundTargets out_;
 };
 

@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "core/base/files/descriptor.h"
+#include "core/base/files/cache_folder.h"
+#include "core/base/system.h"
 #include "core/validate/files/find_targets.h"
 #include "core/validate/finding.h"
 
@@ -14,51 +16,45 @@ namespace etak {
 /// The key of a result.
 ///   digest   SHA-256 of the bytes of the files, their labels and roles, the settings, and this program:
 ///            whatever could change the result. Empty when a file cannot be read: no result is kept then
-///   stamps   device, inode, size and times of the files before their bytes were read
+///   files    what was known of the files before their bytes were read
 struct CacheKey {
-  std::string digest, stamps;
+  std::string digest;
+  std::vector<sys::FileInfo> files;
 };
 
-/// The bytes of a --cache-key file. Throws Error, also for fewer than 16 bytes.
-std::string read_cache_key(const std::string& path);
-
-/// Results of earlier runs, a small file for each. To look one up, the files of its target are read, but no
-/// picture is decoded.
-///   seal   each entry begins with a checksum of its text and of the digest it belongs to, so that damage and
-///          an entry under another's name count as none. With a key the checksum is an HMAC: entries of
-///          writers without the key count as none too. Without one any writer can make any entry, so that the
-///          folder is only for writers who are trusted
-/// Below the folder no link is followed, neither to read nor to write. Safe with several runs at once. Any
-/// thread may call.
+/// Results of earlier runs in a CacheFolder. To look one up, the files of its target are read, but no picture
+/// is decoded. Any thread may call.
 class ResultCache {
  public:
-  /// Makes the folder. Throws Error.
+  /// Throws Error.
   ///   settings   the settings that the findings depend on, as text
   ///   version    of the program: results of other versions, and of other builds, count as none
-  ///   key        of read_cache_key(); empty: none
-  ResultCache(const std::string& folder, const std::string& settings, const std::string& version,
-              std::string key);
+  ResultCache(CacheOptions options, const std::string& settings, const std::string& version);
 
   /// The key of a target. Reads all of its files.
   CacheKey key_of(const FoundTarget& found) const;
 
   /// The result of that key; nullopt: there is none that counts.
-  std::optional<CheckedFile> find(const CacheKey& key) const;
+  std::optional<CheckedFile> find(const CacheKey& key);
 
   /// Keeps a result, except when the files have changed since key_of(): it may then belong to other bytes.
-  void keep(const CacheKey& key, const FoundTarget& found, const CheckedFile& file) const;
+  void keep(const CacheKey& key, const FoundTarget& found, const CheckedFile& file);
+
+  CacheFolder& folder() { return folder_; }
 
  private:
-  std::string seal_of(const std::string& digest, std::string_view text) const;
-  Descriptor folder_of(const std::string& digest) const;
-  static std::string name_of(const std::string& digest);
-
-  Descriptor folder_;
-  std::string settings_, key_;
+  CacheFolder folder_;
+  std::string settings_;
 };
 
-/// A CheckedFile as JSON and back: doubles come back equal. Empty for one with a name that is no UTF-8.
-std::string cache_text(const CheckedFile& file);
-std::optional<CheckedFile> read_cache_text(const std::string& text);
+/// All that decides the result of a target besides the bytes of its files and the settings, as text.
+std::string identity_of(const FoundTarget& found);
+
+/// Whether the files are what they were: device, inode, size and times, which change when a file is written.
+bool are_unchanged(const std::vector<std::string>& paths, const std::vector<sys::FileInfo>& before);
+
+/// A CheckedFile as bytes and back: doubles come back equal. Nothing where the bytes are not of that form.
+std::string result_text(const CheckedFile& file);
+std::optional<CheckedFile> read_result_text(std::string_view bytes);
 
 }  // namespace etak

@@ -43,9 +43,6 @@ std::string place_of(const Finding& finding, const std::string& file);
 /// The message of a finding with its cause, on one line without a full stop at its end.
 std::string sentence_of(const Finding& finding);
 
-/// A number with commas between thousands: "2,914".
-std::string grouped(std::size_t value);
-
 /// One line: "FAILED: 1 error, 2 warnings in 3 files (41 clean)." or "PASSED: 44 files, 0 findings."; what
 /// could not be checked comes first: "INCOMPLETE: 1 of 44 files could not be checked; ...".
 std::string verdict_of(const ValidationReport& report);

@@ -4,6 +4,7 @@
 
 #include "core/base/hex.h"
 #include "core/base/text.h"
+#include "core/base/number.h"
 #include "core/validate/output/formats.h"
 
 namespace etak {

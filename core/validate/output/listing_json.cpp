@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/validate/names/listing.h"
 #include "core/validate/output/formats.h"

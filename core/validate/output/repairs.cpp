@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/base/text.h"
+#include "core/base/number.h"
 #include "core/validate/output/formats.h"
 
 namespace etak {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/number.h"
 #include "core/base/text.h"
 #include "core/scene/uri.h"
 #include "core/validate/output/formats.h"

@@ -25,12 +25,6 @@ std::string_view color_of(Severity severity) {
 
 }  // namespace
 
-std::string grouped(std::size_t value) {
-  std::string out = std::to_string(value);
-  for (std::size_t at = out.size(); at > 3;) out.insert(at -= 3, 1, ',');
-  return out;
-}
-
 std::string place_of(const Finding& finding) {
   return place_of(finding, finding.file);
 }

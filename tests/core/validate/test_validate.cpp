@@ -133,7 +133,7 @@ TEST_CASE("results are taken from the cache, but not those of other settings, ve
   for (int i = 0; i < 3; ++i) write_pair(folder, "m" + std::to_string(i), static_cast<std::uint64_t>(i));
   ValidationRequest request = request_for(folder);
   const ValidationReport fresh = validate(request);
-  request.cache_folder = cache.file("results");
+  request.cache.path = cache.file("results");
   CHECK(validate(request).run.from_cache == 0);
   const ValidationReport again = validate(request);
   CHECK(again.run.from_cache == 3);
@@ -143,7 +143,7 @@ TEST_CASE("results are taken from the cache, but not those of other settings, ve
   CHECK(validate(request).run.from_cache == 2);
   for (auto change : std::vector<std::function<void(ValidationRequest&)>>{
            [](ValidationRequest& r) { r.version = "other"; },
-           [](ValidationRequest& r) { r.cache_key = "0123456789abcdef"; },
+           [](ValidationRequest& r) { r.cache.key = "0123456789abcdef"; },
            [](ValidationRequest& r) { r.config.settings.profile = Profile::strict; }}) {
     ValidationRequest other = request;
     change(other);
