@@ -146,14 +146,7 @@ PackOptions pack_options(const PackSettings& s) {
 }
 
 std::size_t memory_setting(const std::string& text) {
-  if (text.empty()) return 0;
-  const char unit = text.back();
-  const int shift = unit == 'K' ? 10 : unit == 'M' ? 20 : unit == 'G' ? 30 : 0;
-  double value = 0;
-  if (!parse_number(shift == 0 ? text : text.substr(0, text.size() - 1), value) || !(value > 0) ||
-      value > 1e15)
-    throw Error::at(setting("memory"), printable(text), "a number of bytes, with K, M or G for more");
-  return static_cast<std::size_t>(value * static_cast<double>(std::size_t{1} << shift));
+  return text.empty() ? 0 : byte_size(text, setting("memory"));
 }
 
 std::string space_config_file(const std::string& asked) {
