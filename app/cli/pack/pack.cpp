@@ -140,6 +140,7 @@ int pack_once(PackArguments& a) {
       });
   progress.reset();
   say(a, report, check ? &*check : nullptr);
+  if (!a.batch_report.empty()) a.told = report_json(report, false);
   if (check && check->incomplete()) return exit_failure;
   return check && check->failed() ? exit_findings : exit_ok;
 }
@@ -147,6 +148,8 @@ int pack_once(PackArguments& a) {
 int pack_atlas(PackArguments& a) {
   keep_memory_of_regions();
   if (!a.batch.empty()) return pack_batch(a);
+  for (const auto& [option, text] : {std::pair{"--shard", &a.shard}, {"--batch-report", &a.batch_report}})
+    if (!text->empty()) throw Error::at(option, "without --batch", "--batch FILE, whose jobs it is about");
   if (a.watch) return pack_watch(a);
   return pack_once(a);
 }

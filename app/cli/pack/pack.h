@@ -16,13 +16,14 @@ namespace etak::cli {
 struct PackArguments {
   PackSettings settings;   // of the atlas; every job of --batch has its own
   ValidateSettings check;  // of its pages
-  std::string batch, memory, report = "text", page_report, progress = "auto";
+  std::string batch, batch_report, shard, memory, report = "text", page_report, progress = "auto";
   std::vector<std::string> page_links;
   bool update = false, dry_run = false, watch = false, stats = false, force = false, quiet = false;
   bool no_validate = false;
   unsigned threads = 0;
   Library library;
   PackRectsArguments rects;
+  std::string told;  // with --batch-report: the report of the atlas that was packed last, as JSON
 };
 
 /// Does the work of the verb. Returns the exit status; throws Error.
