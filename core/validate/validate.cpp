@@ -183,10 +183,7 @@ bool names_whole_tree(const ValidationRequest& request) {
 std::string options_digest(const ValidationRequest& request) {
   const Settings& settings = request.config.settings;
   ContentHash hash;
-  const auto add = [&](std::string_view text) {
-    hash.add(std::to_string(text.size()) + ':');
-    hash.add(text);
-  };
+  const auto add = [&](std::string_view text) { hash.add_part(text); };
   const auto add_flag = [&](bool flag) { add(flag ? "1" : "0"); };
   add(settings_hash(settings));
   add(name(settings.fail_on));

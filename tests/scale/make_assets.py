@@ -61,6 +61,7 @@ def scenes(folder, count):
     uvs = struct.pack("<8f", 0, 0, 1, 0, 1, 1, 0, 1)
     buffer = corners + uvs + struct.pack("<6H", 0, 1, 2, 0, 2, 3)
     jobs = []
+    os.makedirs(os.path.join(folder, "out"), exist_ok=True)
     for i in range(count):
         name = f"scene{i:04d}"
         where = os.path.join(folder, name)

@@ -58,6 +58,9 @@ done = subprocess.run([etak, "list", "steel", "TiN", "dna", "milk", "glod", "qwe
 assert done.returncode == 1, done.stderr
 check(schema("names"), json.loads(done.stdout), "list of names")
 check(f0, json.loads(run("f0", "steel", "gold/*", "--format", "json")), "f0 of an alias with a note")
+check(f0, json.loads(run("f0", "--all", "--shard", "2/9", "--format", "json")), "f0 --shard")
+check(schema("export"), json.loads(run("export", "gold", "--to", "values", "--shard", "1/2", "--format", "json")),
+      "export --shard")
 
 with tempfile.TemporaryDirectory() as folder:
     page, out = os.path.join(folder, "page.yml"), os.path.join(folder, "out.json")
@@ -176,6 +179,14 @@ with tempfile.TemporaryDirectory() as folder:
         check(schema("pack-report"), report, "pack")
         if "validation" in report:
             check(schema("validation"), report["validation"], "pack, validation")
+        jobs, batch = os.path.join(folder, "jobs.json"), os.path.join(folder, "batch.json")
+        with open(jobs, "w", encoding="utf-8") as file:
+            json.dump({"jobs": [{"input": "manifest.json", "out": "batch-1"}, {"input": "none.json", "out": "x"}]}, file)
+        for shard in ([], ["--shard", "1/2"]):
+            subprocess.run([etak, "pack", "--batch", jobs, "--batch-report", batch, "--report", "none", "-q", *shard],
+                           capture_output=True, check=False)
+            with open(batch, encoding="utf-8") as file:
+                check(schema("pack-batch"), json.load(file), "pack --batch-report")
         text = run_where_built("choose", manifest, "--format", "json")
         if text is not None:
             check(schema("choose"), json.loads(text), "choose of a scene")

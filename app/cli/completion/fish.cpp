@@ -28,8 +28,8 @@ std::string fish_offer(const OptionRow& option) {
     case Completes::materials:
       return " -r -F -a " + fish_word("(" + words + ")");
     default:
-      return " -x -a " +
-             fish_word(is_list(option) ? "(__fish_complete_list , " + fish_word(words) + ")" : "(" + words + ")");
+      return " -x -a " + fish_word(is_list(option) ? "(__fish_complete_list , " + fish_word(words) + ")"
+                                                   : "(" + words + ")");
   }
 }
 
@@ -42,7 +42,8 @@ std::string fish_completion(const std::vector<VerbRow>& table) {
         verb.name.empty() ? "__fish_use_subcommand" : "'__fish_seen_subcommand_from " + verb.name + "'";
     const std::string line = "complete -c etak -n " + when;
     if (!verb.name.empty())
-      out += "complete -c etak -n __fish_use_subcommand -a " + verb.name + " -d " + fish_word(verb.help) + '\n';
+      out +=
+          "complete -c etak -n __fish_use_subcommand -a " + verb.name + " -d " + fish_word(verb.help) + '\n';
     for (const OptionRow& option : verb.options) {
       if (option.names.empty()) {
         if (const std::string offered = fish_offer(option); offered != " -x") out += line + offered + '\n';
@@ -51,8 +52,8 @@ std::string fish_completion(const std::vector<VerbRow>& table) {
       std::string names;
       for (const std::string& each : option.names)
         names += each.starts_with("--") ? " -l " + each.substr(2) : " -s " + each.substr(1);
-      out += line + names + (option.value.empty() ? "" : fish_offer(option)) + " -d " + fish_word(option.help) +
-             '\n';
+      out += line + names + (option.value.empty() ? "" : fish_offer(option)) + " -d " +
+             fish_word(option.help) + '\n';
     }
   }
   return out;

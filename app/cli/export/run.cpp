@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/cli/options/shard.h"
 #include "app/cli/output/form.h"
 #include "core/base/edit_distance.h"
 #include "core/base/error.h"
+#include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/shard_document.h"
 #include "core/exchange/export_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"
@@ -22,6 +25,8 @@ struct Found {
   std::vector<ExportSurface> surfaces;
   std::vector<std::string> datasets;
   bool refused = false, failed = false;
+  std::size_t inputs = 0;  // of the whole run
+  std::string list;        // digest of them, of a shard
 };
 
 // The result for one input: a surface, or the reason why there is none.
@@ -69,8 +74,10 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
   const TableOptions tables = table_options(arguments.tables);
   const unsigned threads = thread_count(arguments.threads);
   Found out;
-  const std::vector<MaterialInput> inputs =
+  std::vector<MaterialInput> inputs =
       find_tables(arguments.inputs, arguments.library, threads, arguments.output);
+  out.inputs = inputs.size();
+  if (const auto shard = asked_shard(arguments.shard)) out.list = keep_inputs(inputs, *shard);
   for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
   std::vector<Answer> answers(inputs.size());
   parallel_chunks(inputs.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
@@ -96,6 +103,32 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
   return out;
 }
 
+// The values of a shard, as JSON and in the other form that is made of rows.
+std::string shard_values(const ExportArguments& a, const Found& found, const std::vector<ExportedValues>& all,
+                         Fit fit, const std::string& policy) {
+  ContentHash options;
+  const auto typed = [](const std::optional<double>& value) { return value ? number(*value, 17) : ""; };
+  for (const std::string& text :
+       {policy, a.fit, a.tables.unit, a.tables.columns, a.tables.duplicates, a.inputs.dataset,
+        joined(a.targets), number(a.opacity, 17), typed(a.rough.gloss), typed(a.rough.roughness)})
+    options.add_part(text);
+  for (const double value : a.diffuse) options.add_part(number(value, 17));
+  for (const bool flag : {a.inputs.all, a.inputs.all_datasets}) options.add_part(flag ? "1" : "0");
+  ShardMember member;
+  member.says = {{}, *asked_shard(a.shard), ETAK_VERSION, options.hex(), found.list, {}};
+  member.counts = {{"inputs", found.inputs},
+                   {"rows", all.size()},
+                   {"failed", found.failed ? 1 : 0},
+                   {"refused", found.refused ? 1 : 0},
+                   {"allowEmpty", 1}};
+  ShardForm& lines = member.forms["csv"];
+  lines.head = export_csv({});
+  lines.rows = export_csv(all).substr(lines.head.size());
+  remark(a.output, "shard " + member.says.shard.text() + ": " + std::to_string(all.size()) +
+                       " materials of " + std::to_string(found.inputs) + " inputs");
+  return shard_document(export_json(all, fit, policy), "materials", member);
+}
+
 std::string values(const ExportArguments& arguments, Found& found, Fit fit, const std::string& policy) {
   std::vector<const EngineTarget*> targets;
   for (const std::string& id : arguments.targets) {
@@ -112,6 +145,7 @@ std::string values(const ExportArguments& arguments, Found& found, Fit fit, cons
   const std::vector<ExportedValues> all = exported_values(std::move(found.surfaces), found.datasets, targets,
                                                           fit, thread_count(arguments.threads));
   const std::string& format = arguments.output.format;
+  if (!arguments.shard.empty()) return shard_values(arguments, found, all, fit, policy);
   return format == "csv"    ? export_csv(all)
          : format == "json" ? export_json(all, fit, policy)
          : format == "text" ? export_text(all)
@@ -160,6 +194,15 @@ int export_materials(ExportArguments& arguments) {
   if (arguments.inputs.names.empty() && !arguments.inputs.all)
     throw Error::at("etak export", "no input", "a material or file, - for standard input, or --all");
   choose_format(arguments);
+  if (asked_shard(arguments.shard)) {
+    refuse_pipes_of_shard(arguments.inputs.names);
+    if (arguments.to != "values")
+      throw Error::at("--shard", "--to " + arguments.to + ", which is one document of all materials",
+                      "--to values");
+    if (arguments.output.format != "json")
+      throw Error::at(arguments.output.form_asked_by, arguments.output.format + " with --shard",
+                      "json, of which etak merge makes csv");
+  }
   const auto in_range = [](const char* option, double value) {
     if (!(value >= 0 && value <= 1)) throw Error::at(option, number(value, 6), "0 to 1");
   };
@@ -179,7 +222,7 @@ int export_materials(ExportArguments& arguments) {
   const F0Solver solver(options);
   const Fit fit = *fit_named(arguments.fit);
   Found found = find_surfaces(arguments, solver);
-  if (!found.surfaces.empty()) {
+  if (!found.surfaces.empty() || !arguments.shard.empty()) {
     std::vector<Changes> changes;
     if (arguments.to == "values") {
       write_output(arguments.output, values(arguments, found, fit, policy(options)));

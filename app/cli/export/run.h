@@ -23,6 +23,7 @@ struct ExportArguments {
   std::vector<double> diffuse;
   RoughnessArguments rough;
   double opacity = 1;
+  std::string shard;  // --shard as typed
   unsigned threads = 0;
 };
 

@@ -8,14 +8,17 @@
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/empty_list.h"
 #include "app/cli/options/options.h"
+#include "app/cli/options/shard.h"
 #include "app/cli/output/output.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/output/replace.h"
 #include "app/cli/output/terminal.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
+#include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/shard_document.h"
 #include "core/base/system.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"
@@ -185,6 +188,18 @@ void keep_worker_memory() {
   sys::keep_freed_memory(kept_bytes, kept_bytes);
 }
 
+// A digest of what decides the rows besides the inputs.
+std::string options_digest(const F0Arguments& a, const std::string& policy) {
+  ContentHash hash;
+  hash.add_part(policy);
+  for (const std::string* text : {&a.tables.unit, &a.tables.columns, &a.tables.duplicates, &a.inputs.dataset})
+    hash.add_part(*text);
+  for (const bool flag :
+       {a.axis_average, a.allow_empty, a.inputs.all_datasets, a.compute.allow_extrapolation})
+    hash.add_part(flag ? "1" : "0");
+  return hash.hex();
+}
+
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
@@ -196,7 +211,7 @@ double seconds_since(Clock::time_point begin) {
 class F0Run {
  public:
   F0Run(F0Arguments& arguments, const F0Job& job, unsigned threads)
-      : arguments_(arguments), job_(job), workers_(threads) {
+      : arguments_(arguments), job_(job), workers_(threads), shard_(asked_shard(arguments.shard)) {
     if (arguments.output.format == "csv") text_ = f0_csv_header();
   }
 
@@ -207,8 +222,8 @@ class F0Run {
     InputNames batch = arguments_.inputs;
     {
       Progress progress(arguments_.output, 0, "f0");
-      // The HTML page of all materials needs all inputs at once.
-      const std::size_t most = is_html() ? static_cast<std::size_t>(-1) : batch_names;
+      // The HTML page of all materials needs all inputs at once, and so does the cut into shards.
+      const std::size_t most = is_html() || shard_ ? static_cast<std::size_t>(-1) : batch_names;
       std::size_t names_left = list ? list->count() : 0;
       for (bool first = true;; first = false) {
         std::vector<std::string> listed;
@@ -222,6 +237,7 @@ class F0Run {
         batch.all = false;
       }
     }
+    if (shard_) return print_shard();
     if (inputs_ == 0 && !arguments_.allow_empty) throw empty_list(arguments_.files_from);
     if (tally_.rows == 0 && tally_.failed == 0 && inputs_ > 0)
       throw Error::at(
@@ -232,12 +248,37 @@ class F0Run {
     print_remarks(arguments_, inputs_, tally_);
     for (const F0Worker& worker : workers_) times_ += worker.times;
     if (arguments_.stats) print_stats(times_, find_seconds_, seconds_since(begin), inputs_, threads());
-    if (tally_.failed > 0) return exit_failure;
-    return tally_.refused_by_name > 0 ? exit_findings : exit_ok;
+    return status();
   }
 
  private:
   static constexpr std::size_t batch_names = 1024;
+
+  int status() const {
+    if (tally_.failed > 0) return exit_failure;
+    return tally_.refused_by_name > 0 ? exit_findings : exit_ok;
+  }
+
+  // Writes the rows of a shard, in every form that is made of rows. Whether all shards together have inputs and
+  // rows is for the merge to tell.
+  int print_shard() {
+    const F0Options& options = job_.solver.options();
+    ShardMember member;
+    member.says = {{}, *shard_, ETAK_VERSION, options_digest(arguments_, policy(options)), list_, {}};
+    member.counts = {{"inputs", inputs_},
+                     {"rows", tally_.rows},
+                     {"failed", tally_.failed},
+                     {"refused", tally_.refused_by_name},
+                     {"allowEmpty", arguments_.allow_empty ? 1 : 0}};
+    ShardForm& lines = member.forms["csv"];
+    lines.head = f0_csv_header();
+    for (const F0Row& row : rows_) append_f0_csv(lines.rows, row.path, row.result, row.kind);
+    member.forms["jsonl"].rows = f0_jsonl(rows_, options);
+    write_output(arguments_.output, shard_document(f0_json(rows_, options), "results", member));
+    remark(arguments_.output,
+           "shard " + shard_->text() + ": " + counted(kept_, "of ") + counted(inputs_, "inputs"));
+    return status();
+  }
 
   bool is_html() const { return arguments_.output.format == "html"; }
   unsigned threads() const { return static_cast<unsigned>(workers_.size()); }
@@ -247,13 +288,19 @@ class F0Run {
   void answer(const InputNames& batch, std::size_t names_left, Progress& progress) {
     const auto begin = Clock::now();
     std::vector<std::string> remarks;
-    const std::vector<MaterialInput> inputs =
+    std::vector<MaterialInput> inputs =
         find_inputs(batch, arguments_.library.when_asked(), threads(), &remarks);
     for (const std::string& each : alias_remarks(inputs))
       if (told_.insert(each).second) remarks.push_back(each);
     find_seconds_ += seconds_since(begin);
-    progress.set(inputs_, inputs_ + inputs.size() + names_left);
-    inputs_ += inputs.size();
+    if (shard_) {
+      inputs_ = inputs.size();
+      list_ = keep_inputs(inputs, *shard_);
+      kept_ = inputs.size();
+    } else {
+      inputs_ += inputs.size();
+    }
+    progress.set(inputs_ - inputs.size(), inputs_ + names_left);
     std::vector<Chunk> chunks(is_html() ? 1 : (inputs.size() + chunk_inputs - 1) / chunk_inputs);
     if (is_html())
       chunks[0].text = html(inputs, job_, workers_, chunks[0].errors, chunks[0].tally);
@@ -296,7 +343,10 @@ class F0Run {
   Tally tally_;
   F0StageTimes times_;
   double find_seconds_ = 0;
+  std::optional<Shard> shard_;  // only this part of the inputs is answered
+  std::string list_;            // digest of all inputs, of a shard
   std::size_t inputs_ = 0;      // number of inputs found so far
+  std::size_t kept_ = 0;        // of them by the shard
   std::set<std::string> told_;  // remarks on names that were made, so that each is made once
   std::string text_;            // output in forms made of lines
   std::vector<F0Row> rows_;     // output in other forms
@@ -306,6 +356,12 @@ class F0Run {
 
 int answer_f0(F0Arguments& arguments) {
   const OutputArguments& output = arguments.output;
+  if (asked_shard(arguments.shard)) {
+    refuse_pipes_of_shard(arguments.inputs.names);
+    if (output.format != "json")
+      throw Error::at(output.form_asked_by, output.format + " with --shard",
+                      "json, of which etak merge makes csv and jsonl");
+  }
   check_output(output);
   if (arguments.inputs.names.empty() && arguments.files_from.empty() && !arguments.inputs.all)
     throw Error::at("etak f0", "no input", "a material, file or folder, - for standard input, or --all");

@@ -22,6 +22,7 @@ struct F0Arguments {
   bool stats = false;
   bool verbose = false;
   bool allow_empty = false;  // the list of --files-from may be empty
+  std::string shard;         // --shard as typed
 };
 
 /// Does the work of the verb. Returns the exit status; throws Error.

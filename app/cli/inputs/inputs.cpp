@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
+#include "app/cli/options/shard.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/hash/content_hash.h"
+#include "core/base/system.h"
 
 namespace etak::cli {
 
@@ -43,6 +46,25 @@ std::vector<MaterialInput> find_tables(const InputNames& names, Library& library
     remarks.push_back(std::to_string(count) + (count == 1 ? " text is no table" : " texts are no tables"));
   for (const std::string& each : remarks) remark(output, each);
   return inputs;
+}
+
+std::string keep_inputs(std::vector<MaterialInput>& inputs, const Shard& shard) {
+  std::vector<std::uint64_t> bytes;
+  ContentHash hash;
+  for (const MaterialInput& input : inputs) {
+    const bool is_file = input.kind == MaterialInput::Kind::file;
+    if (is_file) refuse_pipes_of_shard({input.path});
+    sys::FileInfo info;
+    bytes.push_back(is_file && sys::file_info(input.path, info) ? info.size : 0);
+    hash.add_part(input.kind == MaterialInput::Kind::material ? input.material->id : input.label());
+    hash.add_part(input.dataset);
+    hash.add_part(std::to_string(bytes.back()));
+  }
+  const auto [first, last] = items_of(shard, bytes);
+  const auto at = [&](std::size_t i) { return inputs.begin() + static_cast<std::ptrdiff_t>(i); };
+  inputs.erase(at(last), inputs.end());
+  inputs.erase(inputs.begin(), at(first));
+  return hash.hex();
 }
 
 ListedNames::ListedNames(const std::string& path)

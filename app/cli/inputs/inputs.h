@@ -8,6 +8,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
+#include "core/base/shards.h"
 #include "core/exchange/material_input.h"
 
 namespace etak::cli {
@@ -19,6 +20,10 @@ void add_all_datasets_option(Command verb, InputNames& names);
 /// find_inputs() without the text files of folders that hold no table; remarks tell how many were left out.
 std::vector<MaterialInput> find_tables(const InputNames& names, Library& library, unsigned threads,
                                        const OutputArguments& output);
+
+/// Keeps the inputs of a shard and returns a digest of all of them, by name and size of file. Throws Error for a
+/// pipe, which one program alone can read.
+std::string keep_inputs(std::vector<MaterialInput>& inputs, const Shard& shard);
 
 /// The names in a list file ("-": standard input), separated by NUL bytes where the file has one, else by
 /// line ends. take() hands them out in parts, so that a run over a million names holds only the text of the

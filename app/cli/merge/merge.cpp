@@ -9,6 +9,8 @@
 namespace etak::cli {
 namespace {
 
+constexpr std::string_view validation_schema = "etak-validation/1";
+
 // The value of the member "schema", which the documents of etak begin with; empty where there is none.
 std::string_view schema_of(std::string_view text) {
   constexpr std::string_view begin = "{\n  \"schema\": \"";
@@ -25,12 +27,20 @@ int merge_shards(MergeArguments& arguments) {
   check_output(arguments.report.output);
   std::vector<ShardText> texts;
   for (const std::string& file : arguments.files) texts.push_back({file, read_file(file)});
-  for (const ShardText& each : texts)
-    if (schema_of(each.text) != "etak-validation/1")
+  const std::string schema(schema_of(texts.front().text));
+  for (const ShardText& each : texts) {
+    const std::string_view own = schema_of(each.text);
+    if (own != validation_schema && !is_list_schema(own))
       throw Error::at(
           each.file, "is no JSON output of a shard",
-          "what etak validate --shard I/N --format json wrote; etak merge makes every other form of it");
-  return merge_validation(arguments, std::move(texts));
+          "what a verb with --shard I/N --format json wrote; etak merge makes the other forms of it");
+    if (own != schema)
+      throw Error::at(each.file,
+                      "is " + in_quotes(own) + ", and " + texts.front().file + " is " + in_quotes(schema),
+                      "shards of one run");
+  }
+  if (schema == validation_schema) return merge_validation(arguments, std::move(texts));
+  return merge_list(arguments, texts, schema);
 }
 
 }  // namespace etak::cli

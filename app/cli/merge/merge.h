@@ -27,4 +27,9 @@ int merge_shards(MergeArguments& arguments);
 /// The same for shards of `etak validate`.
 int merge_validation(MergeArguments& arguments, std::vector<ShardText> texts);
 
+/// The same for a verb whose result is a list: that of the document's schema, etak-f0/1, etak-export/1 or
+/// etak-pack-batch/1.
+bool is_list_schema(std::string_view schema);
+int merge_list(MergeArguments& arguments, const std::vector<ShardText>& texts, std::string_view schema);
+
 }  // namespace etak::cli

@@ -5,17 +5,107 @@
 #include <filesystem>
 #include <map>
 
+#include "app/cli/options/shard.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/pack/kept.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
+#include "core/base/files/output_file.h"
+#include "core/base/files/output_target.h"
 #include "core/base/files/watched_files.h"
+#include "core/base/hash/content_hash.h"
+#include "core/base/json_text.h"
+#include "core/base/number.h"
+#include "core/base/shard_document.h"
 #include "core/base/system.h"
+#include "core/scene/gltf.h"
 
 namespace etak::cli {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// The bytes of the files that a job reads, as far as its input names them at once: the files of a folder, those
+// of a scene, else the input alone.
+std::uint64_t bytes_of(const std::string& input) {
+  std::vector<std::string> files{input};
+  std::error_code failure;
+  if (fs::is_directory(input, failure)) {
+    for (fs::recursive_directory_iterator it(input, failure), end; it != end && !failure;
+         it.increment(failure))
+      files.push_back(sys::path_text(it->path()));
+  } else if (is_gltf_file(input)) {
+    std::vector<std::string> named = files_of_gltf(input).all;
+    files.insert(files.end(), named.begin(), named.end());
+  }
+  std::uint64_t out = 0;
+  for (const std::string& file : files) {
+    sys::FileInfo info;
+    if (sys::file_info(file, info) && info.kind == sys::FileInfo::Kind::file) out += info.size;
+  }
+  return out;
+}
+
+std::vector<std::uint64_t> bytes_of(const std::vector<PackSettings>& jobs) {
+  std::vector<std::uint64_t> out;
+  for (const PackSettings& job : jobs) out.push_back(bytes_of(job.input));
+  return out;
+}
+
+std::string jobs_digest(const std::vector<PackSettings>& jobs, const std::vector<std::uint64_t>& bytes) {
+  ContentHash hash;
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    for (const std::string& text : {jobs[i].input, jobs[i].out, std::to_string(bytes[i])})
+      hash.add_part(text);
+  return hash.hex();
+}
+
+void add_part(ContentHash& hash, const std::string& text) {
+  hash.add_part(text);
+}
+void add_part(ContentHash& hash, double value) {
+  hash.add_part(number(value, 17));
+}
+void add_part(ContentHash& hash, const std::optional<double>& value) {
+  hash.add_part(value ? number(*value, 17) : "");
+}
+void add_part(ContentHash& hash, const std::vector<std::string>& texts) {
+  hash.add_part(std::to_string(texts.size()));
+  for (const std::string& text : texts) hash.add_part(text);
+}
+
+// A digest of what decides the atlases besides the inputs.
+std::string options_digest(const PackArguments& line, const std::vector<PackSettings>& jobs) {
+  ContentHash hash;
+  for (const PackSettings& job : jobs)
+    for (const PackSettingRow& row : pack_setting_rows())
+      std::visit([&](auto member) { add_part(hash, job.*member); }, row.value);
+  for (const std::string& text : {line.check.fail_on, line.check.config, line.memory}) hash.add_part(text);
+  for (const bool flag : {line.update, line.dry_run, line.no_validate, line.check.no_config})
+    hash.add_part(flag ? "1" : "0");
+  return hash.hex();
+}
+
+// A job in the report of all. The report of its atlas is moved in by six blanks, to stand below it.
+std::string job_json(const PackSettings& job, int status, const std::string& failure,
+                     const std::string& report) {
+  std::string moved;
+  for (const char c : report) {
+    moved += c;
+    if (c == '\n') moved += "      ";
+  }
+  while (!moved.empty() && (moved.back() == ' ' || moved.back() == '\n')) moved.pop_back();
+  return json_object({{"input", json(job.input)},
+                      {"out", json(job.out)},
+                      {"status", json(static_cast<std::size_t>(status))},
+                      {"failure", failure.empty() ? "null" : json(failure)},
+                      {"report", moved.empty() ? "null" : moved}},
+                     4);
+}
+
+}  // namespace
 
 int pack_batch(PackArguments& line) {
   if (!line.settings.input.empty() || !line.settings.out.empty())
@@ -29,24 +119,54 @@ int pack_batch(PackArguments& line) {
                       jobs[i].out + " is that of job " + std::to_string(same->second) + " too",
                       "a folder for each job");
   }
+  if (!line.batch_report.empty()) check_file_target(line.batch_report, true);
   OutputArguments shown;
   shown.quiet = line.quiet;
   shown.progress = line.progress;
-  Progress progress(shown, jobs.size(), "pack");
+  const auto shard = asked_shard(line.shard);
+  const std::vector<std::uint64_t> bytes = shard ? bytes_of(jobs) : std::vector<std::uint64_t>();
+  const auto [first, last] = shard ? items_of(*shard, bytes) : std::pair(std::size_t{0}, jobs.size());
+  const std::string options = shard ? options_digest(line, jobs) : "";
+  if (shard)
+    remark(shown, "shard " + shard->text() + ": " + std::to_string(last - first) + " of " +
+                      std::to_string(jobs.size()) + " jobs");
+  Progress progress(shown, last - first, "pack");
   int status = exit_ok;
   line.progress = "none";  // the line of all jobs is the only one
-  for (const PackSettings& job : jobs) {
+  std::vector<std::string> reports;
+  std::map<int, std::size_t> ended;  // jobs by status
+  for (std::size_t i = first; i < last; ++i) {
+    const PackSettings& job = jobs[i];
     line.settings = job;
+    line.told.clear();
     progress.stage(job.out);
+    int own = exit_failure;
+    std::string failure;
     try {
       if (line.report == "text" && !line.quiet) write_output({}, line_text(job.out) + ":\n");
-      status = std::max(status, pack_once(line));
+      own = pack_once(line);
     } catch (const Error& error) {
-      complain(error.what());
-      status = exit_failure;
+      failure = error.what();
+      complain(failure);
     }
+    status = std::max(status, own);
+    ++ended[own];
+    if (!line.batch_report.empty()) reports.push_back(job_json(job, own, failure, line.told));
     progress.advance(1, 0);
   }
+  if (line.batch_report.empty()) return status;
+  std::string report =
+      json_document("etak-pack-batch/1", {{"version", json(ETAK_VERSION)}, {"jobs", json_lines(reports, 2)}});
+  if (shard) {
+    ShardMember member;
+    member.says = {{}, *shard, ETAK_VERSION, options, jobs_digest(jobs, bytes), {}};
+    member.counts = {{"inputs", jobs.size()},
+                     {"rows", last - first},
+                     {"failed", ended[exit_failure]},
+                     {"refused", ended[exit_findings]}};
+    report = shard_document(report, "jobs", member);
+  }
+  OutputFile(line.batch_report, report, true).commit();
   return status;
 }
 

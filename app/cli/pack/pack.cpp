@@ -118,7 +118,10 @@ int pack_once(PackArguments& a) {
   };
   const std::string key = key_now();
   if (!key.empty())
-    if (const auto told = atlas_from_cache(a, key)) return say(a, *told);
+    if (const auto told = atlas_from_cache(a, key)) {
+      a.told = told->json;
+      return say(a, *told);
+    }
   std::optional<PackCheck> check;
   if (checking) check.emplace(a.settings.out, *checking).attach(options);
   PackPage page(a);
@@ -149,11 +152,15 @@ int pack_once(PackArguments& a) {
   progress.reset();
   // A file that changed meanwhile may have been read before or after.
   if (keeping && key_now() == key) keeping->keep();
+  if (!a.batch_report.empty()) a.told = report_json(report, false);
   return say(a, told_of(report, check ? &*check : nullptr, a.stats));
 }
 
 int pack_atlas(PackArguments& a) {
   keep_memory_of_regions();
+  for (const auto& [option, text] : {std::pair{"--shard", &a.shard}, {"--batch-report", &a.batch_report}})
+    if (!text->empty() && a.batch.empty())
+      throw Error::at(option, "without --batch", "--batch FILE, whose jobs it is about");
   if (!a.batch.empty()) return with_cache(a, pack_batch);
   if (a.watch) return pack_watch(a);
   return with_cache(a, pack_once);

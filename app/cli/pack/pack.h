@@ -22,7 +22,7 @@ namespace etak::cli {
 struct PackArguments {
   PackSettings settings;   // of the atlas; every job of --batch has its own
   ValidateSettings check;  // of its pages
-  std::string batch, memory, report = "text", page_report, progress = "auto";
+  std::string batch, batch_report, shard, memory, report = "text", page_report, progress = "auto";
   std::vector<std::string> page_links;
   bool update = false, dry_run = false, watch = false, stats = false, force = false, quiet = false;
   bool no_validate = false;
@@ -31,6 +31,7 @@ struct PackArguments {
   PackRectsArguments rects;
   CacheArguments cache;
   std::shared_ptr<PackCache> kept;  // of --cache, while a run goes on; null: none
+  std::string told;  // with --batch-report: the report of the atlas that was packed last, as JSON
 };
 
 /// Does the work of the verb. Returns the exit status; throws Error.

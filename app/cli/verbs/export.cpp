@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "app/cli/export/run.h"
+#include "app/cli/options/shard.h"
 #include "app/cli/verbs.h"
 #include "core/exchange/engine_values.h"
 
@@ -59,6 +60,7 @@ void add_export(CommandLine& line) {
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output,
                      {"auto", "table", "text", "csv", "json", "gltf", "glb", "mtlx"});
+  add_shard_option(verb, arguments->shard);
   add_thread_option(verb, arguments->threads);
   verb.footer(
       "--format auto is table for values, mtlx, and gltf (glb where -o ends in it); text is what to paste.\n"

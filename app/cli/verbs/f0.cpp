@@ -5,6 +5,7 @@
 #include "app/cli/inputs/inputs.h"
 #include "app/cli/options/empty_list.h"
 #include "app/cli/options/options.h"
+#include "app/cli/options/shard.h"
 #include "app/cli/output/output.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/verbs.h"
@@ -32,6 +33,7 @@ void add_f0(CommandLine& line) {
   add_table_options(verb, arguments->tables);
   add_library_options(verb, arguments->library);
   add_output_options(verb, arguments->output, {"table", "csv", "json", "jsonl", "html"});
+  add_shard_option(verb, arguments->shard);
   add_progress_option(verb, arguments->output.progress);
   add_thread_option(verb, arguments->threads);
   verb.flag("-v,--verbose", arguments->verbose,

@@ -16,7 +16,8 @@ void add_merge(CommandLine& line) {
   verb.option("file", a.files, "what each shard wrote with --format json, in any order")
       .reads_file()
       .value_name("SHARD.json...");
-  add_output_options(verb, a.report.output, {"text", "json", "sarif", "junit", "github", "csv", "html"});
+  add_output_options(verb, a.report.output,
+                     {"text", "json", "jsonl", "sarif", "junit", "github", "csv", "html"});
   verb.option("--write-baseline", a.report.write_baseline,
               "record all findings as known, as etak validate --write-baseline does")
       .value_name("FILE");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/options/files.h"
+#include "app/cli/options/shard.h"
 #include "app/cli/output/progress.h"
 #include "app/cli/pack/pack.h"
 #include "app/cli/verbs.h"
@@ -100,6 +101,11 @@ void add_run_options(Command verb, PackArguments& a) {
       .reads_file()
       .value_name("FILE")
       .group(group);
+  verb.option("--batch-report", a.batch_report,
+              "file for the reports of all jobs as JSON; with --shard what etak merge joins")
+      .value_name("FILE")
+      .group(group);
+  add_shard_option(verb, a.shard);
   verb.option("--memory", a.memory, "most that pages may take, such as 512M or 2G")
       .value_name("SIZE")
       .group(group);

@@ -21,6 +21,11 @@ class ContentHash {
 
   void add(const void* bytes, std::size_t count);
   void add(std::string_view text) { add(text.data(), text.size()); }
+  /// Adds a text as one of several: with its length, so that neighbours cannot be cut in another place.
+  void add_part(std::string_view text) {
+    add(std::to_string(text.size()) + ':');
+    add(text);
+  }
 
   /// High half first. More may be added afterwards.
   std::array<std::uint64_t, 2> value() const;

@@ -98,10 +98,7 @@ std::vector<TargetGroup> groups_of(const FoundTargets& found, unsigned threads) 
 
 std::string digest_of(const FoundTargets& found, const std::vector<TargetGroup>& groups) {
   ContentHash hash;
-  const auto add = [&](std::string_view text) {
-    hash.add(std::to_string(text.size()) + ':');
-    hash.add(text);
-  };
+  const auto add = [&](std::string_view text) { hash.add_part(text); };
   const auto add_files = [&](const std::vector<TargetFile>& files) {
     for (const TargetFile& file : files) {
       add(name(file.role));
