@@ -68,6 +68,7 @@ class Checks {
     for (std::size_t i = 0; i < files_.size(); ++i) {
       if (done_[i] == 0) continue;
       if (i < targets_.size()) {
+        if (request_.hashes) files_[i].sha256 = hash_of_first(i);
         files_[i].target = std::make_shared<const CheckTarget>(targets_[i].target);
         files_[i].place = targets_[i].place;
       }
@@ -77,6 +78,15 @@ class Checks {
   }
 
  private:
+  // Of the file that the report gives the hash of, where the look-up has read it; else empty.
+  std::string hash_of_first(std::size_t i) const {
+    const FoundTarget& found = targets_[i];
+    if (found.target.files.empty()) return {};
+    for (std::size_t at = 0; at < keys_[i].hashes.size(); ++at)
+      if (found.depends[at] == found.target.files.front().path) return keys_[i].hashes[at];
+    return {};
+  }
+
   void look_back(const std::string& settings) {
     request_.before->begin(settings);
     parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
@@ -138,7 +148,7 @@ void add_hashes(ValidationReport& report, unsigned threads) {
   parallel_chunks(report.files.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) {
       CheckedFile& file = report.files[i];
-      if (file.target && !file.target->files.empty())
+      if (file.sha256.empty() && file.target && !file.target->files.empty())
         file.sha256 = sha256_of_file(file.target->files.front().path);
     }
   });

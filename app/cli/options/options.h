@@ -24,6 +24,8 @@ class Library {
   const MaterialLibrary& get();
   /// Those of ETAK_LIBRARY and of --library.
   std::vector<std::string> all_folders() const;
+  /// The next get() reads the folders again.
+  void forget() { library_.reset(); }
   LibraryWhenAsked when_asked() {
     return [this]() -> const MaterialLibrary& { return get(); };
   }

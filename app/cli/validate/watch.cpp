@@ -60,6 +60,7 @@ int watch_files(ValidateArguments& a) {
     watch_inputs(a, watched);
     // What changes while the files are checked is seen by the next call.
     watched.wait_for_change();
+    a.library.forget();
     try {
       check_files(a);
       remark(a.output, "waiting for changes");

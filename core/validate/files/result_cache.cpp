@@ -67,9 +67,9 @@ CacheKey ResultCache::key_of(const FoundTarget& found) const {
   out.files.resize(found.depends.size());
   std::string text = settings_ + '\n' + identity_of(found);
   for (std::size_t i = 0; i < found.depends.size(); ++i) {
-    const std::string fingerprint = sha256_of_file(found.depends[i], out.files[i]);
-    if (fingerprint.empty()) return out;
-    text += fingerprint + '\n';
+    out.hashes.push_back(sha256_of_file(found.depends[i], out.files[i]));
+    if (out.hashes.back().empty()) return out;
+    text += out.hashes.back() + '\n';
   }
   out.digest = sha256(text);
   return out;

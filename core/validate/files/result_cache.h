@@ -16,9 +16,11 @@ namespace etak {
 /// The key of a result.
 ///   digest   SHA-256 of the bytes of the files, their labels and roles, the settings, and this program:
 ///            whatever could change the result. Empty when a file cannot be read: no result is kept then
+///   hashes   SHA-256 of each file
 ///   files    what was known of the files before their bytes were read
 struct CacheKey {
   std::string digest;
+  std::vector<std::string> hashes;
   std::vector<sys::FileInfo> files;
 };
 

@@ -11,7 +11,7 @@ using namespace etak;
 
 namespace {
 
-constexpr int side = 24;
+constexpr int picture_side = 24;
 
 FresnelTruth truth_of(const char* id) {
   const auto material = MaterialLibrary::builtin().find(id);
@@ -25,7 +25,7 @@ Environment even(float radiance) {
 
 std::vector<SphereLook> looks_of(const char* id, const Environment& around) {
   const FresnelForm* const forms[] = {fresnel_form("schlick"), fresnel_form("f82_tint")};
-  return sphere_looks(truth_of(id), forms, around, 0.5, 1, side);
+  return sphere_looks(truth_of(id), forms, around, 0.5, 1, picture_side);
 }
 
 }  // namespace
@@ -35,11 +35,11 @@ TEST_CASE("a sphere under even light shows F0 in its middle and is cut out of it
   REQUIRE(looks.size() == 3);
   const FresnelTruth truth = truth_of("copper");
   for (const SphereLook& look : looks) {
-    const auto middle = look.picture.at(side / 2, side / 2);
+    const auto middle = look.picture.at(picture_side / 2, picture_side / 2);
     for (std::size_t c = 0; c < 3; ++c) CHECK(std::abs(middle[c] - srgb_u8(0.5 * truth.f0[c])) <= 1);
     CHECK(middle[3] == 255);
     CHECK(look.picture.at(0, 0)[3] == 0);
-    CHECK(look.picture.at(side / 2, 0)[3] > 0);
+    CHECK(look.picture.at(picture_side / 2, 0)[3] > 0);
   }
 }
 
@@ -54,6 +54,6 @@ TEST_CASE("the exact sphere differs from itself by nothing, F82 misses chromium 
 TEST_CASE("where no light is, all spheres are black and equal") {
   for (const SphereLook& look : looks_of("gold", even(0))) {
     CHECK(look.worst_de == 0);
-    CHECK(look.picture.at(side / 2, side / 2)[0] == 0);
+    CHECK(look.picture.at(picture_side / 2, picture_side / 2)[0] == 0);
   }
 }
