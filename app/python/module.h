@@ -52,6 +52,9 @@ inline std::span<const double> values_of(const Array& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
+/// The number of threads that a keyword asks for; 0: all cores. Throws Error for a number that is none.
+unsigned threads_of(int asked);
+
 // ---- materials
 
 /// etak.Library: the materials that names stand for. It is opened when first asked, with ETAK_LIBRARY.
