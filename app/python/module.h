@@ -89,7 +89,7 @@ struct DatasetOf {
 };
 
 /// What a caller gives as a material: a name, a path, a Material or a Dataset.
-///   text   as a command line has it: "gold", "gold/johnson_1972", "page.yml"; of objects with '/' and the id
+///   text   as a command line has it: "gold", "gold/johnson-1972", "page.yml"; of objects with '/' and the id
 struct AskedMaterial {
   std::string text;
   std::shared_ptr<const Material> material;  // null: `text` is to be looked up
