@@ -5,7 +5,6 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/memory.h"
-#include "core/base/parallel.h"
 #include "core/base/setting.h"
 #include "core/color/gloss.h"
 #include "core/pages/choose_report.h"
@@ -56,7 +55,7 @@ Subjects asked_subjects(const py::object& materials) {
 }
 
 Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const std::optional<Gloss>& given,
-                   const std::string& costs, const Library& library, unsigned threads, LongWork& work) {
+                   const std::string& costs, const Library& library, int threads, LongWork& work) {
   Choices out;
   out.costs = costs.empty() ? shipped_costs() : parse_costs(read_file(costs), costs);
   out.scene = subjects.scene;
@@ -68,7 +67,7 @@ Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const
                       "a scene alone: it says its own");
     PackOptions pack;
     pack.input.pictures.door = picture_door_behind(&pictures);
-    pack.run.threads = thread_count(threads);
+    pack.run.threads = threads_of(threads);
     all = scene_subjects(subjects.scene, pack, library.get(), out.remarks);
   }
   for (const AskedMaterial& asked : subjects.asked) {
@@ -76,7 +75,7 @@ Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const
     all.push_back(library_subject(*found.material, found.dataset(), given, out.remarks));
   }
   std::atomic<std::size_t> done{0};
-  out.all = choose_each(all, options, out.costs, thread_count(threads), [&](unsigned) {
+  out.all = choose_each(all, options, out.costs, threads_of(threads), [&](unsigned) {
     work.tell(++done, all.size());
     work.go_on();
   });
@@ -88,7 +87,7 @@ Choices choose_for(const Subjects& subjects, const ChooseOptions& options, const
 
 Choices choose_call(const py::object& materials, double budget, bool codes, std::optional<double> gloss,
                     std::optional<double> roughness, const py::object& costs, const Library& library,
-                    unsigned threads, py::object progress) {
+                    int threads, py::object progress) {
   const Subjects subjects = asked_subjects(materials);
   const std::string cost_file = text_of(costs, "costs");
   const ChooseOptions options{budget, codes ? ErrorUnit::codes : ErrorUnit::delta_e};

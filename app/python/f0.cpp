@@ -234,15 +234,16 @@ class RowOptics {
 };
 
 // Linear colours of all rows into `colors`, three for each.
-void solve_rows(const Rows& rows, const F0Solver& solver, unsigned threads, LongWork& work,
+void solve_rows(const Rows& rows, const F0Solver& solver, int threads, LongWork& work,
                 std::span<double> colors) {
   const std::span<const double> nm = values_of(rows.wavelength), first = values_of(rows.first),
                                 second = rows.has_k ? values_of(rows.second) : std::span<const double>();
   validate(Spectrum{{nm.begin(), nm.end()}, std::vector<double>(nm.size())}, "wavelength");
   const double most = rows.is_reflectance ? 1 : most_n;
   // Below some thousand samples, starting a thread takes longer than the work.
+  const unsigned most_workers = threads_of(threads);
   constexpr std::size_t chunk = 8, least_samples = 1 << 14;
-  const unsigned workers = rows.count * rows.samples < least_samples ? 1 : thread_count(threads);
+  const unsigned workers = rows.count * rows.samples < least_samples ? 1 : most_workers;
   std::vector<std::optional<RowOptics>> rooms(workers);
   parallel_chunks(rows.count, workers, chunk, [&](std::size_t begin, std::size_t end, unsigned worker) {
     work.go_on();
@@ -266,8 +267,7 @@ void solve_rows(const Rows& rows, const F0Solver& solver, unsigned threads, Long
 }
 
 Array f0_of_rows(const py::object& n, const py::object& k, const py::object& reflectance,
-                 const py::object& wavelength, const py::dict& given, const Library& library,
-                 unsigned threads) {
+                 const py::object& wavelength, const py::dict& given, const Library& library, int threads) {
   const Rows rows = rows_of(n, k, reflectance, wavelength);
   const F0Settings settings = f0_settings(given);
   std::vector<py::ssize_t> shape{3};

@@ -22,7 +22,7 @@ const FresnelForm* form_named(const std::string& id) {
 }
 
 Array fresnel(const py::object& material, const py::object& cos_theta, const std::string& form_id,
-              const std::string& dataset, const py::dict& given, const Library& library, unsigned threads) {
+              const std::string& dataset, const py::dict& given, const Library& library, int threads) {
   const AskedMaterial asked = asked_material(material, dataset);
   const Array cosines = doubles(cos_theta, "cos_theta");
   const F0Settings settings = f0_settings(given);
@@ -45,13 +45,12 @@ Array fresnel(const py::object& material, const py::object& cos_theta, const std
     throw Error::at(found.label(), "refused: " + f0.refusal);
   constexpr std::size_t chunk = 16;
   const auto each = [&](const auto& value) {
-    parallel_chunks(
-        at.size(), thread_count(threads), chunk, [&](std::size_t begin, std::size_t end, unsigned) {
-          for (std::size_t i = begin; i < end; ++i) {
-            const Vec3 color = value(at[i]);
-            std::copy(color.begin(), color.end(), colors.begin() + static_cast<std::ptrdiff_t>(3 * i));
-          }
-        });
+    parallel_chunks(at.size(), threads_of(threads), chunk, [&](std::size_t begin, std::size_t end, unsigned) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Vec3 color = value(at[i]);
+        std::copy(color.begin(), color.end(), colors.begin() + static_cast<std::ptrdiff_t>(3 * i));
+      }
+    });
   };
   if (form == nullptr) {
     const SeenFresnel seen(*constants, found.label(), options);

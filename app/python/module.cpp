@@ -4,6 +4,7 @@
 
 #include "app/pictures/open_module.h"
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"
 
@@ -48,6 +49,13 @@ std::string text_of(const py::handle& value, const std::string& name) {
   if (py::hasattr(value, "__fspath__"))
     return py::module_::import("os").attr("fsdecode")(value).cast<std::string>();
   throw py::type_error(name + ": a word or a number is expected, not " + std::string(py::repr(value)));
+}
+
+unsigned threads_of(int asked) {
+  constexpr int most = 256;
+  if (asked < 0 || asked > most)
+    throw Error::at(setting("threads"), std::to_string(asked), "1 to 256, or 0 for all cores");
+  return thread_count(static_cast<unsigned>(asked));
 }
 
 const PictureDoors& pictures(const std::string& place) {

@@ -52,6 +52,9 @@ inline std::span<const double> values_of(const Array& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
+/// The number of threads that a keyword asks for; 0: all cores. Throws Error for a number that is none.
+unsigned threads_of(int asked);
+
 // ---- materials
 
 /// etak.Library: the materials that names stand for. It is opened when first asked, with ETAK_LIBRARY.
@@ -86,7 +89,7 @@ struct DatasetOf {
 };
 
 /// What a caller gives as a material: a name, a path, a Material or a Dataset.
-///   text   as a command line has it: "gold", "gold/johnson_1972", "page.yml"; of objects with '/' and the id
+///   text   as a command line has it: "gold", "gold/johnson-1972", "page.yml"; of objects with '/' and the id
 struct AskedMaterial {
   std::string text;
   std::shared_ptr<const Material> material;  // null: `text` is to be looked up

@@ -9,7 +9,6 @@
 #include "core/base/files/output.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
-#include "core/base/parallel.h"
 #include "core/base/setting.h"
 #include "core/project/project_pack.h"
 #include "core/validate/check_pack.h"
@@ -81,7 +80,7 @@ struct PackCall {
   ValidateSettings check;
   std::string memory;
   bool validate = true, overwrite = false, update = false, dry_run = false;
-  unsigned threads = 0;
+  int threads = 0;
 };
 
 PackOptions options_of(const PackCall& call) {
@@ -97,7 +96,7 @@ PackOptions options_of(const PackCall& call) {
   out.output.update = call.update;
   out.output.dry_run = call.dry_run;
   out.run.memory = memory_setting(call.memory);
-  out.run.threads = thread_count(call.threads);
+  out.run.threads = threads_of(call.threads);
   out.run.version = ETAK_VERSION;
   return out;
 }
@@ -135,7 +134,7 @@ Packed packed(const PackCall& call, const Library& library, LongWork& work) {
 }
 
 Packed pack_call(const py::object& input, const py::object& output, const py::dict& run,
-                 const py::dict& check, const py::dict& settings, const Library& library, unsigned threads,
+                 const py::dict& check, const py::dict& settings, const Library& library, int threads,
                  py::object progress) {
   PackCall call;
   call.settings = pack_settings(text_of(input, "input"), text_of(output, "output"), settings);

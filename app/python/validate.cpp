@@ -5,7 +5,6 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/parallel.h"
 #include "core/base/setting.h"
 #include "core/validate/baseline.h"
 #include "core/validate/output/explain.h"
@@ -86,7 +85,7 @@ std::string form_of(const Report& report, const std::string& format) {
 }
 
 ValidationRequest request_of(const py::object& paths, const py::dict& given, const Library& library,
-                             unsigned threads) {
+                             int threads) {
   ValidationRequest out;
   out.paths = texts_of(paths, "paths");
   if (out.paths.empty()) throw Error::at("paths", "nothing to check", "files or folders");
@@ -109,11 +108,11 @@ ValidationRequest request_of(const py::object& paths, const py::dict& given, con
   out.version = ETAK_VERSION;
   out.must_check = !yes("allow_empty");
   out.pass_unknown = yes("allow_empty");
-  out.threads = thread_count(threads);
+  out.threads = threads_of(threads);
   return out;
 }
 
-Report check(const py::object& paths, const py::dict& given, const Library& library, unsigned threads,
+Report check(const py::object& paths, const py::dict& given, const Library& library, int threads,
              py::object progress) {
   ValidationRequest request = request_of(paths, given, library, threads);
   LongWork work(std::move(progress));

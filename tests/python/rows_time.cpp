@@ -50,8 +50,7 @@ int main(int argc, char** argv) {
     etak::parallel_chunks(rows, threads, 8, [&](std::size_t first, std::size_t last, unsigned) {
       for (std::size_t i = first; i < last; ++i) out[i] = solver.solve(optics[i]).linear;
     });
-    best = std::min(
-        best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     sum = 0;
     for (const etak::LinearRgb& c : out) sum += c.r + c.g + c.b;
   }

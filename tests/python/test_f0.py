@@ -178,6 +178,11 @@ class Arrays(unittest.TestCase):
         for threads in (2, 3, 16, 0):
             np.testing.assert_array_equal(etak.f0(n=n, k=k, wavelength=NM, threads=threads), one)
 
+    def test_numbers_of_threads_that_are_none_are_refused(self):
+        for threads in (-1, 257):
+            with self.assertRaisesRegex(etak.Error, f"^threads: {threads}; expected 1 to 256, or 0 for all cores"):
+                etak.f0(n=[1.5, 1.5], wavelength=[380, 780], threads=threads)
+
     def test_wrong_shapes_are_refused(self):
         w = [400.0, 500.0, 700.0]
         for text, n, k, wavelength in [

@@ -24,6 +24,14 @@ class Install(unittest.TestCase):
                 env={**os.environ, "PYTHONPATH": str(folder)}).stdout.split()
             self.assertEqual(said, [str(folder / "etak/__init__.py"), "#ffe49c"])
 
+    def test_the_module_of_pictures_is_found_from_any_folder(self):
+        code = ("import os, sys; sys.path.insert(0, os.path.relpath(os.environ['MODULES'])); import etak; os.chdir('/');"
+                "print(etak.f0('gold', space='ACES2065-1').hex)")
+        environment = {**os.environ, "MODULES": os.environ["PYTHONPATH"]}
+        del environment["PYTHONPATH"]
+        said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
+        self.assertEqual((said.stdout, said.stderr), ("#ffe49c\n", ""))
+
     def test_without_the_module_of_pictures_the_message_names_it(self):
         with tempfile.TemporaryDirectory() as folder:
             package = Path(folder) / "etak"

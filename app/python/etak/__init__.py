@@ -16,6 +16,7 @@ from several threads at once; they compute without the interpreter's lock.
 
 from __future__ import annotations
 
+import os as _os
 from typing import TYPE_CHECKING, Any, Callable, Optional, Union, overload
 
 from . import _core
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
-_core._start(__path__[0])
+_core._start(_os.path.abspath(__path__[0]))
 
 __all__ = [
     "CheckedFile", "Choice", "Choices", "Citation", "Dataset", "Error", "F0", "Finding", "Library", "Material",
@@ -72,7 +73,7 @@ def f0(
     """Reflectance at normal incidence as a colour.
 
     Of a material, as an `etak.F0`:
-      material       a name ("gold", "Au", "gold/johnson_1972"), the path of a page, table or material file, or a
+      material       a name ("gold", "Au", "gold/johnson-1972"), the path of a page, table or material file, or a
                      Material or Dataset. A pathlib.Path is always a file
       dataset        its id or unique beginning, in place of the preferred one
       axis_average   crystals as random grains

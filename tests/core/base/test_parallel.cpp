@@ -16,6 +16,13 @@
 using namespace etak;
 using namespace etak::test;
 
+TEST_CASE("no number of threads means all cores, and 256 are the most") {
+  CHECK(thread_count(0) >= 1);
+  CHECK(thread_count(1) == 1);
+  CHECK(thread_count(7) == 7);
+  CHECK(thread_count(100000) == 256);
+}
+
 TEST_CASE("every index is visited exactly once, for any count, chunk and number of threads") {
   for (const std::size_t count : {0, 1, 7, 64, 1000})
     for (const unsigned threads : {1u, 2u, 8u})

@@ -14,6 +14,14 @@
 
 using namespace etak;
 
+TEST_CASE("a text falls into the parts between separators, without empty ones") {
+  using Parts = std::vector<std::string>;
+  CHECK(parts_of("a,b c,d", ',') == Parts{"a", "b c", "d"});
+  CHECK(parts_of(",a,,b,", ',') == Parts{"a", "b"});
+  CHECK(parts_of("", ':').empty());
+  CHECK(parts_of("::", ':').empty());
+}
+
 TEST_CASE("parts are joined as they are, by a function or by a member") {
   struct Named {
     std::string_view name;

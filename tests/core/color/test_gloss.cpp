@@ -87,3 +87,14 @@ TEST_CASE("found 1.06: what a gloss cannot hold is said in numbers") {
   CHECK(roughness_text(Gloss(0.75)) == "roughness 0.25 (gloss 0.75)");
   CHECK(roughness_text(Gloss::of_roughness(1)) == "roughness 1");
 }
+
+TEST_CASE("a gloss is given as gloss or as roughness, once and within its range") {
+  CHECK_FALSE(given_gloss(std::nullopt, std::nullopt).has_value());
+  CHECK(given_gloss(0.5, std::nullopt) == Gloss(0.5));
+  CHECK(given_gloss(std::nullopt, 0.05) == Gloss::of_roughness(0.05));
+  CHECK_THROWS_WITH(given_gloss(0.5, 0.5), Catch::StartsWith("roughness: given beside gloss"));
+  for (const double bad : {-0.1, 1.1, double{NAN}}) {
+    CHECK_THROWS_WITH(given_gloss(bad, std::nullopt), Catch::StartsWith("gloss: "));
+    CHECK_THROWS_WITH(given_gloss(std::nullopt, bad), Catch::StartsWith("roughness: "));
+  }
+}

@@ -145,3 +145,16 @@ TEST_CASE("a lobe has its mirror direction and is finite at the horizon") {
   // Two neighbouring angles never stand on one another.
   CHECK(std::adjacent_find(lobe.angle_deg.begin(), lobe.angle_deg.end()) == lobe.angle_deg.end());
 }
+
+TEST_CASE("F at one angle is that of the whole truth, in any medium and light") {
+  const Material copper = *MaterialLibrary::builtin().find("copper");
+  const auto& optics = std::get<OpticalConstants>(copper.preferred_dataset().optics);
+  F0Options options;
+  options.viewing.illuminant = Illuminant::a;
+  options.outside.index = 1.33;
+  const SeenFresnel seen(optics, "copper", options);
+  const FresnelTruth truth = fresnel_truth(optics, "copper", 30, options);
+  REQUIRE(truth.cosine.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(seen(truth.cosine[i]) == truth.rgb[i]);
+  CHECK(seen(1) == truth.f0);
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/choose/choose.h"
 
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -329,4 +330,42 @@ TEST_CASE("a cost table reads back, and says what is wrong with it") {
   CHECK(parse_costs(format_costs(shipped_costs()), "c").ns.size() == shipped_costs().ns.size());
   CHECK_THROWS_WITH(parse_costs("{\"schema\": \"etak-costs/1\", \"header\": \"\", \"ns\": {\"a\": -1}}", "c"),
                     Catch::Contains("c#/ns/a"));
+}
+
+TEST_CASE("choices for many are those for each, in their order, and an error of one is thrown") {
+  const MaterialLibrary library = MaterialLibrary::builtin();
+  std::vector<ChooseSubject> subjects;
+  std::vector<std::string> remarks;
+  for (const char* id : {"gold", "water", "silicon"}) {
+    const Material material = *library.find(id);
+    subjects.push_back(library_subject(material, material.preferred_dataset(), Gloss(0.5), remarks));
+  }
+  CHECK(remarks.empty());
+  std::atomic<int> told{0};
+  const std::vector<Choice> all = choose_each(subjects, {}, shipped_costs(), 2, [&](unsigned) { ++told; });
+  REQUIRE(all.size() == 3);
+  CHECK(told == 3);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CHECK(all[i].material == subjects[i].name);
+    CHECK(choice_json({all[i]}, shipped_costs()) ==
+          choice_json({choose(subjects[i], {}, shipped_costs())}, shipped_costs()));
+  }
+  CostTable costs = shipped_costs();
+  costs.ns.erase("fresnel/f82");
+  CHECK_THROWS_WITH(choose_each(subjects, {}, costs, 2), Catch::Contains("fresnel/f82"));
+}
+
+TEST_CASE("a budget that is no finite number of at least 0 is refused by its name") {
+  for (const double bad : {-1.0, double{NAN}, double{INFINITY}})
+    CHECK_THROWS_WITH(validate(ChooseOptions{bad}), Catch::StartsWith("budget: "));
+  CHECK_NOTHROW(validate(ChooseOptions{0}));
+}
+
+TEST_CASE("a material without a given gloss is compared with that of its class, which is told") {
+  const Material gold = *MaterialLibrary::builtin().find("gold");
+  std::vector<std::string> remarks;
+  const ChooseSubject subject = library_subject(gold, gold.preferred_dataset(), std::nullopt, remarks);
+  REQUIRE(remarks.size() == 1);
+  CHECK(remarks[0].starts_with("gold: "));
+  CHECK(subject.texel.gloss >= 0);
 }
