@@ -43,6 +43,7 @@ void CheckedBefore::keep(const FoundTarget& found, const std::vector<sys::FileIn
   if (file.unreadable || !are_unchanged(found.depends, before)) return;
   Kept kept{found.depends, before, file};
   kept.file.target = nullptr;
+  kept.file.stats = {};  // of work that the next run does not do
   const std::lock_guard guard(lock_);
   kept_.insert_or_assign(identity_of(found), std::move(kept));
 }
