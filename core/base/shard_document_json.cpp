@@ -20,6 +20,9 @@ std::string member_json(const ShardMember& member) {
                  {"version", member.says.version},   {"list", member.says.list},
                  {"options", member.says.options},   {"counts", Ordered::object()},
                  {"forms", Ordered::object()}};
+  out["items"] = member.says.items;
+  out["first"] = member.says.shard.items ? member.says.shard.items->first : 0;
+  out["last"] = member.says.shard.items ? member.says.shard.items->second : member.says.items;
   for (const auto& [key, count] : member.counts) out["counts"][key] = count;
   for (const auto& [key, form] : member.forms) out["forms"][key] = {{"head", form.head}, {"rows", form.rows}};
   try {
@@ -36,9 +39,12 @@ std::size_t whole_number(const JsonNode& node) {
 }
 
 ShardMember read_member(const JsonNode& node) {
-  node.expect_object({"index", "count", "version", "list", "options", "counts", "forms"});
+  node.expect_object(
+      {"index", "count", "version", "list", "options", "items", "first", "last", "counts", "forms"});
   ShardMember out;
   out.says.shard = {whole_number(node.at("index")), whole_number(node.at("count"))};
+  out.says.shard.items.emplace(whole_number(node.at("first")), whole_number(node.at("last")));
+  out.says.items = whole_number(node.at("items"));
   if (!shard_named(out.says.shard.text())) node.at("index").fail_type("from 1 to count");
   out.says.version = node.at("version").text();
   out.says.list = node.at("list").text();
