@@ -3,6 +3,7 @@
 #include "core/base/hash/content_hash.h"
 #include "core/base/json_text.h"
 #include "core/base/node_json.h"
+#include "core/base/setting.h"
 #include "core/base/shard_document.h"
 
 namespace etak {
@@ -20,13 +21,16 @@ std::string member_json(const ShardMember& member) {
                  {"version", member.says.version},   {"list", member.says.list},
                  {"options", member.says.options},   {"counts", Ordered::object()},
                  {"forms", Ordered::object()}};
+  out["items"] = member.says.items;
+  out["first"] = member.says.shard.items ? member.says.shard.items->first : 0;
+  out["last"] = member.says.shard.items ? member.says.shard.items->second : member.says.items;
   for (const auto& [key, count] : member.counts) out["counts"][key] = count;
   for (const auto& [key, form] : member.forms) out["forms"][key] = {{"head", form.head}, {"rows", form.rows}};
   try {
     return quiet_json(out.dump());
   } catch (const Ordered::exception&) {
-    throw Error::at("--shard", "a name that is no UTF-8, which the JSON of a shard cannot hold",
-                    "another name, or a run without --shard");
+    throw Error::at(setting("shard"), "a name that is no UTF-8, which the JSON of a shard cannot hold",
+                    "another name, or a run without " + setting("shard"));
   }
 }
 
@@ -36,9 +40,12 @@ std::size_t whole_number(const JsonNode& node) {
 }
 
 ShardMember read_member(const JsonNode& node) {
-  node.expect_object({"index", "count", "version", "list", "options", "counts", "forms"});
+  node.expect_object(
+      {"index", "count", "version", "list", "options", "items", "first", "last", "counts", "forms"});
   ShardMember out;
   out.says.shard = {whole_number(node.at("index")), whole_number(node.at("count"))};
+  out.says.shard.items.emplace(whole_number(node.at("first")), whole_number(node.at("last")));
+  out.says.items = whole_number(node.at("items"));
   if (!shard_named(out.says.shard.text())) node.at("index").fail_type("from 1 to count");
   out.says.version = node.at("version").text();
   out.says.list = node.at("list").text();
@@ -66,7 +73,9 @@ ShardDocument read_shard_document(std::string_view text, std::string_view list, 
   constexpr int most_depth = 100;
   constexpr std::string_view closing = "\n  ]\n}\n", empty = "[]\n}\n";
   const auto refuse = [&](const char* found) {
-    throw Error::at(file, found, "what a verb with --shard I/N --format json wrote, whole and unchanged");
+    throw Error::at(file, found,
+                    "what a verb with " + setting("shard") + " I/N " + setting("format") +
+                        " json wrote, whole and unchanged");
   };
   const std::string of_shard = begin_of("shard"), of_list = begin_of(list);
   const std::size_t shard_at = text.find(of_shard);

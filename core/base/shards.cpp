@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/shards.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "core/base/error.h"
@@ -21,14 +22,26 @@ std::optional<std::size_t> whole_number(std::string_view text) {
 }  // namespace
 
 std::optional<Shard> shard_named(std::string_view text) {
+  std::optional<std::pair<std::size_t, std::size_t>> items;
+  if (const std::size_t colon = text.find(':'); colon != text.npos) {
+    const std::string_view range = text.substr(colon + 1);
+    const std::size_t dash = range.find('-');
+    if (dash == range.npos) return std::nullopt;
+    const auto first = whole_number(range.substr(0, dash)), last = whole_number(range.substr(dash + 1));
+    if (!first || !last || *first > *last) return std::nullopt;
+    items.emplace(*first, *last);
+    text = text.substr(0, colon);
+  }
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos) return std::nullopt;
   const auto index = whole_number(text.substr(0, slash)), count = whole_number(text.substr(slash + 1));
   if (!index || !count || *index < 1 || *index > *count || *count > most_shards) return std::nullopt;
-  return Shard{*index, *count};
+  return Shard{*index, *count, items};
 }
 
 std::pair<std::size_t, std::size_t> items_of(const Shard& shard, std::span<const std::uint64_t> bytes) {
+  if (shard.items)
+    return {std::min(shard.items->first, bytes.size()), std::min(shard.items->second, bytes.size())};
   std::uint64_t all = 0;
   for (const std::uint64_t each : bytes) all += each + bytes_of_opening;
   // An item belongs to the shard in whose share of all bytes its middle lies. Shares are whole numbers: the
@@ -91,6 +104,16 @@ std::vector<std::size_t> complete_shards(std::span<const ShardOutput> outputs, s
     throw Error::at(
         "etak merge", (count == 1 ? "missing: shard " : "missing: shards ") + missing,
         "every shard from 1/" + std::to_string(out.size()) + " on; run what is missing and merge again");
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const ShardOutput& each = outputs[out[i]];
+    const auto [from, to] = each.shard.items.value_or(std::pair(next, next));
+    const bool fits = from == next && (i + 1 < out.size() || to == each.items);
+    if (!fits)
+      throw Error::at(each.file, "holds other items than follow those of the shards before it",
+                      "files whose sizes stay the same while the shards run; run all shards again");
+    next = to;
+  }
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "core/base/files/links.h"
 #include "core/base/hash/content_hash.h"
@@ -230,11 +231,33 @@ std::shared_ptr<ReportShard> cut(FoundTargets& found, const RunCounts& run,
   out->run = run;
   out->settings = request.config.settings;
   out->verdict = request.verdict;
-  keep_groups(found, groups, out->shard);
+  out->shard.items = keep_groups(found, groups, out->shard);
   return out;
 }
 
 }  // namespace
+
+std::vector<ShardPlan> plan_shards(ValidationRequest request, std::size_t count) {
+  FoundTargets found = find_targets(request);
+  join_scenes(found.targets);
+  const std::vector<TargetGroup> groups = groups_of(found, request.threads);
+  std::vector<std::uint64_t> bytes;
+  for (const TargetGroup& group : groups) bytes.push_back(group.bytes);
+  const std::string list = digest_of(found, groups);
+  std::vector<ShardPlan> out;
+  for (std::size_t i = 1; i <= count; ++i) {
+    ShardPlan& plan = out.emplace_back(ShardPlan{{i, count, {}}, list, 0, {}});
+    plan.shard.items = items_of(plan.shard, bytes);
+    std::set<std::string> files;
+    for (std::size_t g = plan.shard.items->first; g < plan.shard.items->second; ++g) {
+      plan.bytes += groups[g].bytes;
+      for (const std::size_t t : groups[g].targets)
+        files.insert(found.targets[t].depends.begin(), found.targets[t].depends.end());
+    }
+    plan.files.assign(files.begin(), files.end());
+  }
+  return out;
+}
 
 FileList list_files(ValidationRequest request) {
   request.list_files = true;

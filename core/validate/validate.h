@@ -82,6 +82,9 @@ struct ValidationRequest {
 /// opened.
 FileList list_files(ValidationRequest request);
 
+/// How validate() would cut the run into `count` shards, and what each reads. No picture is opened.
+std::vector<ShardPlan> plan_shards(ValidationRequest request, std::size_t count);
+
 /// Checks what the request names. A file that cannot be read is a finding (ETK001), never an exception; an
 /// error of a rule is ETK901. Throws Error where the path of the cache leads to something that is no folder.
 ValidationReport validate(ValidationRequest request);

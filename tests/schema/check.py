@@ -179,6 +179,10 @@ with tempfile.TemporaryDirectory() as folder:
         check(schema("pack-report"), report, "pack")
         if "validation" in report:
             check(schema("validation"), report["validation"], "pack, validation")
+        plan = os.path.join(folder, "plan")
+        run("plan", "--tasks", "3", "--format", "json", "-o", plan, "--", "validate", folder)
+        with open(os.path.join(plan, "plan.json"), encoding="utf-8") as file:
+            check(schema("plan"), json.load(file), "plan")
         jobs, batch = os.path.join(folder, "jobs.json"), os.path.join(folder, "batch.json")
         with open(jobs, "w", encoding="utf-8") as file:
             json.dump({"jobs": [{"input": "manifest.json", "out": "batch-1"}, {"input": "none.json", "out": "x"}]}, file)

@@ -26,7 +26,7 @@ struct Found {
   std::vector<std::string> datasets;
   bool refused = false, failed = false;
   std::size_t inputs = 0;  // of the whole run
-  std::string list;        // digest of them, of a shard
+  ShardOutput says;        // of a shard
 };
 
 // The result for one input: a surface, or the reason why there is none.
@@ -77,7 +77,7 @@ Found find_surfaces(ExportArguments& arguments, const F0Solver& solver) {
   std::vector<MaterialInput> inputs =
       find_tables(arguments.inputs, arguments.library, threads, arguments.output);
   out.inputs = inputs.size();
-  if (const auto shard = asked_shard(arguments.shard)) out.list = keep_inputs(inputs, *shard);
+  if (const auto shard = asked_shard(arguments.shard)) out.says = keep_inputs(inputs, *shard);
   for (const std::string& each : alias_remarks(inputs)) remark(arguments.output, each);
   std::vector<Answer> answers(inputs.size());
   parallel_chunks(inputs.size(), threads, 8, [&](std::size_t begin, std::size_t end, unsigned) {
@@ -115,7 +115,8 @@ std::string shard_values(const ExportArguments& a, const Found& found, const std
   for (const double value : a.diffuse) options.add_part(number(value, 17));
   for (const bool flag : {a.inputs.all, a.inputs.all_datasets}) options.add_part(flag ? "1" : "0");
   ShardMember member;
-  member.says = {{}, *asked_shard(a.shard), ETAK_VERSION, options.hex(), found.list, {}};
+  member.says = found.says;
+  member.says.options = options.hex();
   member.counts = {{"inputs", found.inputs},
                    {"rows", all.size()},
                    {"failed", found.failed ? 1 : 0},

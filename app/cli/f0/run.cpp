@@ -264,7 +264,8 @@ class F0Run {
   int print_shard() {
     const F0Options& options = job_.solver.options();
     ShardMember member;
-    member.says = {{}, *shard_, ETAK_VERSION, options_digest(arguments_, policy(options)), list_, {}};
+    member.says = says_;
+    member.says.options = options_digest(arguments_, policy(options));
     member.counts = {{"inputs", inputs_},
                      {"rows", tally_.rows},
                      {"failed", tally_.failed},
@@ -295,7 +296,7 @@ class F0Run {
     find_seconds_ += seconds_since(begin);
     if (shard_) {
       inputs_ = inputs.size();
-      list_ = keep_inputs(inputs, *shard_);
+      says_ = keep_inputs(inputs, *shard_);
       kept_ = inputs.size();
     } else {
       inputs_ += inputs.size();
@@ -344,7 +345,7 @@ class F0Run {
   F0StageTimes times_;
   double find_seconds_ = 0;
   std::optional<Shard> shard_;  // only this part of the inputs is answered
-  std::string list_;            // digest of all inputs, of a shard
+  ShardOutput says_;            // of a shard
   std::size_t inputs_ = 0;      // number of inputs found so far
   std::size_t kept_ = 0;        // of them by the shard
   std::set<std::string> told_;  // remarks on names that were made, so that each is made once

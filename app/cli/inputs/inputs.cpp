@@ -48,7 +48,7 @@ std::vector<MaterialInput> find_tables(const InputNames& names, Library& library
   return inputs;
 }
 
-std::string keep_inputs(std::vector<MaterialInput>& inputs, const Shard& shard) {
+ShardOutput keep_inputs(std::vector<MaterialInput>& inputs, const Shard& shard) {
   std::vector<std::uint64_t> bytes;
   ContentHash hash;
   for (const MaterialInput& input : inputs) {
@@ -58,13 +58,17 @@ std::string keep_inputs(std::vector<MaterialInput>& inputs, const Shard& shard) 
     bytes.push_back(is_file && sys::file_info(input.path, info) ? info.size : 0);
     hash.add_part(input.kind == MaterialInput::Kind::material ? input.material->id : input.label());
     hash.add_part(input.dataset);
-    hash.add_part(std::to_string(bytes.back()));
   }
   const auto [first, last] = items_of(shard, bytes);
   const auto at = [&](std::size_t i) { return inputs.begin() + static_cast<std::ptrdiff_t>(i); };
+  ShardOutput out;
+  out.shard = {shard.index, shard.count, std::pair(first, last)};
+  out.version = ETAK_VERSION;
+  out.list = hash.hex();
+  out.items = inputs.size();
   inputs.erase(at(last), inputs.end());
   inputs.erase(inputs.begin(), at(first));
-  return hash.hex();
+  return out;
 }
 
 ListedNames::ListedNames(const std::string& path)

@@ -21,9 +21,9 @@ void add_all_datasets_option(Command verb, InputNames& names);
 std::vector<MaterialInput> find_tables(const InputNames& names, Library& library, unsigned threads,
                                        const OutputArguments& output);
 
-/// Keeps the inputs of a shard and returns a digest of all of them, by name and size of file. Throws Error for a
-/// pipe, which one program alone can read.
-std::string keep_inputs(std::vector<MaterialInput>& inputs, const Shard& shard);
+/// Keeps the inputs of a shard. Returns what the shard says of itself: which inputs it takes of how many, and
+/// the digest of their names. Throws Error for a pipe, which one program alone can read.
+ShardOutput keep_inputs(std::vector<MaterialInput>& inputs, const Shard& shard);
 
 /// The names in a list file ("-": standard input), separated by NUL bytes where the file has one, else by
 /// line ends. take() hands them out in parts, so that a run over a million names holds only the text of the

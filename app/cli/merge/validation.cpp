@@ -22,7 +22,7 @@ ReadOutput read_output(const ShardText& text) {
   const ReportShard& shard = *out.read.report.shard;
   ContentHash hash;
   hash.add(text.text);
-  out.says = {text.file, shard.shard, out.read.version, shard.options, shard.list, hash.hex()};
+  out.says = {text.file, shard.shard, out.read.version, shard.options, shard.list, hash.hex(), shard.groups};
   return out;
 }
 

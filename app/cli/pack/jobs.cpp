@@ -27,21 +27,44 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The bytes of the files that a job reads, as far as its input names them at once: the files of a folder, those
-// of a scene, else the input alone.
-std::uint64_t bytes_of(const std::string& input) {
-  std::vector<std::string> files{input};
+std::vector<PackSettings> read_jobs(const PackArguments& line) {
+  const std::vector<PackSettings> jobs = parse_pack_jobs(read_file(line.batch), line.batch, line.settings);
+  std::map<std::string, std::size_t> outs;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const auto [same, fresh] = outs.try_emplace(sys::path_text(fs::path(jobs[i].out).lexically_normal()), i);
+    if (!fresh)
+      throw Error::at(line.batch + "#/jobs/" + std::to_string(i) + "/out",
+                      jobs[i].out + " is that of job " + std::to_string(same->second) + " too",
+                      "a folder for each job");
+  }
+  return jobs;
+}
+
+// The files that a job reads, as far as its input names them at once: the files of a folder, those of a scene,
+// else the input alone.
+std::vector<std::string> files_of(const std::string& input) {
+  std::vector<std::string> files;
   std::error_code failure;
   if (fs::is_directory(input, failure)) {
     for (fs::recursive_directory_iterator it(input, failure), end; it != end && !failure;
-         it.increment(failure))
-      files.push_back(sys::path_text(it->path()));
-  } else if (is_gltf_file(input)) {
-    std::vector<std::string> named = files_of_gltf(input).all;
-    files.insert(files.end(), named.begin(), named.end());
+         it.increment(failure)) {
+      std::error_code gone;
+      if (it->is_regular_file(gone)) files.push_back(sys::path_text(it->path()));
+    }
+  } else {
+    files.push_back(input);
+    if (is_gltf_file(input)) {
+      std::vector<std::string> named = files_of_gltf(input).all;
+      files.insert(files.end(), named.begin(), named.end());
+    }
   }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::uint64_t bytes_of(const std::string& input) {
   std::uint64_t out = 0;
-  for (const std::string& file : files) {
+  for (const std::string& file : files_of(input)) {
     sys::FileInfo info;
     if (sys::file_info(file, info) && info.kind == sys::FileInfo::Kind::file) out += info.size;
   }
@@ -54,11 +77,10 @@ std::vector<std::uint64_t> bytes_of(const std::vector<PackSettings>& jobs) {
   return out;
 }
 
-std::string jobs_digest(const std::vector<PackSettings>& jobs, const std::vector<std::uint64_t>& bytes) {
+std::string jobs_digest(const std::vector<PackSettings>& jobs) {
   ContentHash hash;
-  for (std::size_t i = 0; i < jobs.size(); ++i)
-    for (const std::string& text : {jobs[i].input, jobs[i].out, std::to_string(bytes[i])})
-      hash.add_part(text);
+  for (const PackSettings& job : jobs)
+    for (const std::string& text : {job.input, job.out}) hash.add_part(text);
   return hash.hex();
 }
 
@@ -110,15 +132,7 @@ std::string job_json(const PackSettings& job, int status, const std::string& fai
 int pack_batch(PackArguments& line) {
   if (!line.settings.input.empty() || !line.settings.out.empty())
     throw Error::at("--batch", "an input or -o beside it", "both in the jobs of the file");
-  const std::vector<PackSettings> jobs = parse_pack_jobs(read_file(line.batch), line.batch, line.settings);
-  std::map<std::string, std::size_t> outs;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    const auto [same, fresh] = outs.try_emplace(sys::path_text(fs::path(jobs[i].out).lexically_normal()), i);
-    if (!fresh)
-      throw Error::at(line.batch + "#/jobs/" + std::to_string(i) + "/out",
-                      jobs[i].out + " is that of job " + std::to_string(same->second) + " too",
-                      "a folder for each job");
-  }
+  const std::vector<PackSettings> jobs = read_jobs(line);
   if (!line.batch_report.empty()) check_file_target(line.batch_report, true);
   OutputArguments shown;
   shown.quiet = line.quiet;
@@ -159,7 +173,8 @@ int pack_batch(PackArguments& line) {
       json_document("etak-pack-batch/1", {{"version", json(ETAK_VERSION)}, {"jobs", json_lines(reports, 2)}});
   if (shard) {
     ShardMember member;
-    member.says = {{}, *shard, ETAK_VERSION, options, jobs_digest(jobs, bytes), {}};
+    member.says = {{}, *shard, ETAK_VERSION, options, jobs_digest(jobs), {}, jobs.size()};
+    member.says.shard.items.emplace(first, last);
     member.counts = {{"inputs", jobs.size()},
                      {"rows", last - first},
                      {"failed", ended[exit_failure]},
@@ -168,6 +183,23 @@ int pack_batch(PackArguments& line) {
   }
   OutputFile(line.batch_report, report, true).commit();
   return status;
+}
+
+std::vector<ShardPlan> plan_batch(const PackArguments& line, std::size_t count) {
+  const std::vector<PackSettings> jobs = read_jobs(line);
+  const std::vector<std::uint64_t> bytes = bytes_of(jobs);
+  std::vector<ShardPlan> out;
+  for (std::size_t i = 1; i <= count; ++i) {
+    ShardPlan& plan = out.emplace_back(ShardPlan{{i, count, {}}, jobs_digest(jobs), 0, {}});
+    plan.shard.items = items_of(plan.shard, bytes);
+    std::set<std::string> files;
+    for (std::size_t j = plan.shard.items->first; j < plan.shard.items->second; ++j) {
+      plan.bytes += bytes[j];
+      for (std::string& file : files_of(jobs[j].input)) files.insert(std::move(file));
+    }
+    plan.files.assign(files.begin(), files.end());
+  }
+  return out;
 }
 
 int pack_watch(PackArguments& arguments) {

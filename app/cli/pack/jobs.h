@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/pack/pack.h"
+#include "core/base/shards.h"
 
 namespace etak::cli {
 
@@ -13,6 +14,9 @@ int pack_once(PackArguments& arguments);
 /// that fails is reported, and the next job begins. Returns the highest exit status of all jobs. Throws Error
 /// for a file of jobs that is not valid.
 int pack_batch(PackArguments& arguments);
+
+/// How pack_batch() would cut the jobs into `count` shards, and what each reads. Throws as it does.
+std::vector<ShardPlan> plan_batch(const PackArguments& arguments, std::size_t count);
 
 /// Packs the atlas, and packs it again whenever an input changes, until the process is interrupted.
 int pack_watch(PackArguments& arguments);

@@ -34,6 +34,9 @@ struct PackArguments {
   std::string told;  // with --batch-report: the report of the atlas that was packed last, as JSON
 };
 
+/// Adds the verb to `line`, which reads its options into `arguments`.
+void declare_pack(CommandLine& line, const std::shared_ptr<PackArguments>& arguments);
+
 /// Does the work of the verb. Returns the exit status; throws Error.
 int pack_atlas(PackArguments& arguments);
 

@@ -39,6 +39,9 @@ struct ValidateArguments {
   OutputArguments output;
 };
 
+/// Adds the verb to `line`, which reads its options into `arguments`.
+void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments>& arguments);
+
 /// Checks files, or lists them with --list-files. Returns the exit status; throws Error.
 int check_files(ValidateArguments& arguments);
 

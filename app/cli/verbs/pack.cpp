@@ -119,8 +119,7 @@ void add_run_options(Command verb, PackArguments& a) {
 
 }  // namespace
 
-void add_pack(CommandLine& line) {
-  const auto arguments = std::make_shared<PackArguments>();
+void declare_pack(CommandLine& line, const std::shared_ptr<PackArguments>& arguments) {
   Command verb = line.verb("pack", "materials into one atlas: texture pair, layout and glTF");
   verb.option("input", arguments->settings.input,
               "manifest or project (.json), glTF scene (.gltf, .glb), or folder of pictures")
@@ -143,6 +142,10 @@ void add_pack(CommandLine& line) {
     if (arguments->rects.asked) return pack_rects_command(arguments->rects);
     return pack_atlas(*arguments);
   });
+}
+
+void add_pack(CommandLine& line) {
+  declare_pack(line, std::make_shared<PackArguments>());
 }
 
 }  // namespace etak::cli

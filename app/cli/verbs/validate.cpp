@@ -73,8 +73,7 @@ void add_verdict_options(Command verb, ValidateArguments& a) {
 
 }  // namespace
 
-void add_validate(CommandLine& line) {
-  const auto arguments = std::make_shared<ValidateArguments>();
+void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments>& arguments) {
   ValidateArguments& a = *arguments;
   Command verb = line.verb("validate", "find impossible materials in textures, atlases, scenes and data");
   verb.option("path", a.paths,
@@ -135,6 +134,10 @@ void add_validate(CommandLine& line) {
       "-q with the text form prints the verdict alone.\n"
       "Example:\n  etak validate textures --format sarif -o findings.sarif");
   verb.runs([arguments] { return run(*arguments); });
+}
+
+void add_validate(CommandLine& line) {
+  declare_validate(line, std::make_shared<ValidateArguments>());
 }
 
 }  // namespace etak::cli

@@ -106,7 +106,7 @@ std::string digest_of(const FoundTargets& found, const std::vector<TargetGroup>&
     }
   };
   for (const TargetGroup& group : groups) {
-    add("group " + std::to_string(group.bytes));
+    add("group");
     for (const std::size_t i : group.targets) {
       add(found.targets[i].target.label);
       add_files(found.targets[i].target.files);
@@ -122,7 +122,8 @@ std::string digest_of(const FoundTargets& found, const std::vector<TargetGroup>&
   return hash.hex();
 }
 
-void keep_groups(FoundTargets& found, const std::vector<TargetGroup>& groups, const Shard& shard) {
+std::pair<std::size_t, std::size_t> keep_groups(FoundTargets& found, const std::vector<TargetGroup>& groups,
+                                                const Shard& shard) {
   // The order of results in validate(): targets, sets of tiles by their labels, lone sets, failures.
   std::size_t next = 0;
   std::map<std::string_view, std::vector<FoundTarget*>> sets;
@@ -159,9 +160,11 @@ void keep_groups(FoundTargets& found, const std::vector<TargetGroup>& groups, co
   keep(found.targets, targets);
   keep(found.lone, lone);
   keep(found.failed, failed);
-  if (shard.index == 1) return;
-  found.unknown.clear();
-  found.no_files.clear();
+  if (shard.index > 1) {
+    found.unknown.clear();
+    found.no_files.clear();
+  }
+  return {first, last};
 }
 
 }  // namespace etak

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/shards.h"
@@ -24,11 +25,13 @@ struct TargetGroup {
 /// colours. Two scenes that share a texture are two groups.
 std::vector<TargetGroup> groups_of(const FoundTargets& found, unsigned threads);
 
-/// A digest of what was found, with the sizes of files: equal where the same groups are made of it.
+/// A digest of what was found, by names and roles: equal where the same groups are made of it. Sizes are left
+/// out, so that a file that changes concerns its own shard alone.
 std::string digest_of(const FoundTargets& found, const std::vector<TargetGroup>& groups);
 
 /// Keeps what the shard takes of `found`, with the place of each result in the run of all. What belongs to no
-/// group stays in the first shard alone.
-void keep_groups(FoundTargets& found, const std::vector<TargetGroup>& groups, const Shard& shard);
+/// group stays in the first shard alone. Returns which groups the shard takes.
+std::pair<std::size_t, std::size_t> keep_groups(FoundTargets& found, const std::vector<TargetGroup>& groups,
+                                                const Shard& shard);
 
 }  // namespace etak

@@ -148,6 +148,8 @@ Json shard_json(const ValidationReport& report) {
       {"list", shard.list},
       {"options", shard.options},
       {"groups", shard.groups},
+      {"first", shard.shard.items ? shard.shard.items->first : 0},
+      {"last", shard.shard.items ? shard.shard.items->second : shard.groups},
       {"run",
        {{"files", shard.run.files},
         {"skipped", shard.run.skipped},

@@ -234,6 +234,7 @@ ReportShard read_shard_member(const Json& json, const Json& settings) {
   json.at("list").get_to(out.list);
   json.at("options").get_to(out.options);
   json.at("groups").get_to(out.groups);
+  out.shard.items.emplace(json.at("first").get<std::size_t>(), json.at("last").get<std::size_t>());
   const Json& run = json.at("run");
   run.at("files").get_to(out.run.files);
   run.at("skipped").get_to(out.run.skipped);

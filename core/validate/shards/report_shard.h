@@ -26,8 +26,9 @@ struct VerdictOptions {
 };
 
 /// What a report of a shard holds besides its findings: what merged_report() needs.
-///   list         digest of everything that the whole run found, with sizes: equal where the shards were cut
-///                from the same files
+///   shard        with the groups of files that it takes
+///   list         digest of everything that the whole run found: equal where the shards were cut from files of
+///                the same names
 ///   options      digest of what decides the result besides the files
 ///   groups       number of groups of files of the whole run; a group is never cut
 ///   run          counts of the whole run

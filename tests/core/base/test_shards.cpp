@@ -15,7 +15,7 @@ using namespace etak::test;
 namespace {
 
 ShardOutput output_of(const std::string& file, Shard shard, const std::string& content = "c") {
-  return {file, shard, "1.0", "options", "list", content};
+  return {file, shard, "1.0", "options", "list", content, 0};
 }
 
 }  // namespace
@@ -23,8 +23,13 @@ ShardOutput output_of(const std::string& file, Shard shard, const std::string& c
 TEST_CASE("a shard is named by two numbers and nothing else") {
   CHECK(shard_named("2/4") == Shard{2, 4});
   CHECK(shard_named("1/1") == Shard{1, 1});
-  for (const char* text : {"", "2", "/", "0/4", "5/4", "2/", "/4", "-1/4", "2/4/", " 2/4", "2/4 ", "a/b",
-                           "1/1000001", "2.0/4", "+1/4", "99999999999999999999/99999999999999999999"}) {
+  CHECK(shard_named("2/4:25-50") == Shard{2, 4, std::pair<std::size_t, std::size_t>(25, 50)});
+  for (const char* text : {"",          "2",     "/",      "0/4",
+                           "5/4",       "2/",    "/4",     "-1/4",
+                           "2/4/",      " 2/4",  "2/4 ",   "a/b",
+                           "1/1000001", "2.0/4", "+1/4",   "99999999999999999999/99999999999999999999",
+                           "2/4:",      "2/4:5", "2/4:5-", "2/4:6-5",
+                           "2/4:a-b"}) {
     INFO(text);
     CHECK(!shard_named(text));
   }
@@ -67,6 +72,8 @@ TEST_CASE("more shards than items leave some empty, and sums of petabytes do not
     items += last - first;
   }
   CHECK(items == 3);
+  CHECK(items_of({2, 3, std::pair<std::size_t, std::size_t>(1, 2)}, three) ==
+        std::pair<std::size_t, std::size_t>(1, 2));
   CHECK(items_of({1, 3}, {}) == std::pair<std::size_t, std::size_t>(0, 0));
   const std::vector<std::uint64_t> large(1000, std::uint64_t{1} << 50);
   const auto [first, last] = items_of({500000, 1000000}, large);
@@ -101,6 +108,14 @@ TEST_CASE("missing, foreign, mixed and differing shards are named") {
   foreign = two;
   foreign.version = "0.9";
   CHECK(contains(why({one, foreign}), "b: was written by etak 0.9; expected all shards of etak 1.0"));
+  ShardOutput first = output_of("a", {1, 2, std::pair<std::size_t, std::size_t>(0, 3)});
+  ShardOutput second = output_of("b", {2, 2, std::pair<std::size_t, std::size_t>(3, 5)});
+  first.items = second.items = 5;
+  CHECK(why({first, second}).empty());
+  second.shard.items = {4, 5};
+  CHECK(contains(why({first, second}), "b: holds other items than follow those of the shards before it"));
+  second.shard.items = {3, 4};
+  CHECK(contains(why({first, second}), "b: holds other items"));
   const std::string many = why({output_of("a", {1, 1000})});
   CHECK(contains(many, "and 979 more"));
 }
