@@ -79,7 +79,7 @@ class Threads(unittest.TestCase):
 
     def test_an_interrupt_stops_a_batch(self):
         n = np.broadcast_to(np.full(471, 1.5), (20000, 471)).copy()
-        timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
+        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
         timer.start()
         try:
             with self.assertRaises(KeyboardInterrupt):
