@@ -25,7 +25,7 @@ namespace {
 // The checks of a run, one for each target and each material, in that order.
 class Checks {
  public:
-  Checks(const ValidationRequest& request, const std::vector<FoundTarget>& targets)
+  Checks(const ValidationRequest& request, std::vector<FoundTarget>& targets)
       : request_(request), targets_(targets), files_(targets.size() + request.materials.materials.size()) {
     done_.resize(files_.size());
     keys_.resize(targets.size());
@@ -63,15 +63,15 @@ class Checks {
   std::size_t from_cache() const { return from_cache_; }
   std::size_t unchanged() const { return unchanged_; }
 
-  /// The results of the checks that were made, each with its target.
+  /// The results of the checks that were made, each with its target, which is moved there.
   std::vector<CheckedFile> take_files() {
     std::vector<CheckedFile> out;
     for (std::size_t i = 0; i < files_.size(); ++i) {
       if (done_[i] == 0) continue;
       if (i < targets_.size()) {
         if (request_.hashes) files_[i].sha256 = hash_of_first(i);
-        files_[i].target = std::make_shared<const CheckTarget>(targets_[i].target);
         files_[i].place = targets_[i].place;
+        files_[i].target = std::make_shared<const CheckTarget>(std::move(targets_[i].target));
       }
       out.push_back(std::move(files_[i]));
     }
@@ -136,7 +136,7 @@ class Checks {
   }
 
   const ValidationRequest& request_;
-  const std::vector<FoundTarget>& targets_;
+  std::vector<FoundTarget>& targets_;
   std::vector<CheckedFile> files_;
   std::vector<char> done_;
   std::optional<ResultCache> cache_;

@@ -12,6 +12,7 @@
 
 #include "core/base/ascii.h"
 #include "core/base/error.h"
+#include "core/base/files/descriptor.h"
 #include "core/base/files/input.h"
 #include "core/base/system.h"
 #include "core/exchange/data_folder.h"
@@ -317,38 +318,45 @@ class Finder {
   // Adds possible companions from the folders of the run's pictures. Each folder is listed once.
   void add_companions() {
     if (request_.role) return;
-    std::unordered_set<std::string> have, keys, keys_of_maps;
-    std::set<std::string> folders;
+    std::unordered_set<std::string_view> have, keys, keys_of_maps;
+    std::set<std::string_view> folders;
+    have.reserve(pictures_.size());
+    keys.reserve(pictures_.size());
     for (const NamedPicture& picture : pictures_) {
       have.insert(picture.path);
       keys.insert(picture.key);
       if (is_map(picture.name.role)) keys_of_maps.insert(picture.key);
-      folders.insert(std::string(folder_of(picture.path)));
+      folders.insert(folder_of(picture.path));
     }
-    for (const std::string& folder : folders) {
-      std::error_code failure;
-      for (fs::directory_iterator at(folder.empty() ? "." : folder, failure), end; !failure && at != end;
-           at.increment(failure)) {
-        const std::string path = folder + sys::path_text(at->path().filename());
+    std::vector<NamedPicture> companions;  // added at the end, because the sets refer to the pictures
+    std::string path;
+    for (const std::string_view folder : folders) {
+      Descriptor opened(sys::open_file(folder.empty() ? "." : std::string(folder), sys::Open::folder));
+      sys::FolderReader list(opened.get());
+      if (!list) continue;
+      (void)opened.release();
+      for (sys::FolderReader::Entry entry; list.next(entry);) {
+        path.assign(folder).append(entry.name);
         if (have.contains(path) || claimed_.contains(path)) continue;
         auto picture = named_picture(path);
         if (!picture || !(is_judged(picture->name.role) ? keys : keys_of_maps).contains(picture->key) ||
             !(is_judged(picture->name.role) || is_map(picture->name.role)))
           continue;
         std::error_code gone;
-        if (path.ends_with(".json") || (at->exists(gone) && !at->is_regular_file(gone))) continue;
+        if (path.ends_with(".json") || (fs::exists(path, gone) && !fs::is_regular_file(path, gone))) continue;
         const auto kind = role_of_file(path);
         if (!kind || !is_picture(*kind)) continue;
         try {
-          check_links(folder, path);
+          check_links(std::string(folder), path);
         } catch (const Error& error) {
           fail(path, error.what());
           continue;
         }
         picture->companion = true;
-        pictures_.push_back(std::move(*picture));
+        companions.push_back(std::move(*picture));
       }
     }
+    std::move(companions.begin(), companions.end(), std::back_inserter(pictures_));
   }
 
   void group_pictures() {
