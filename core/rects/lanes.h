@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/base/clones.h"
+
 namespace etak::rects {
 
 // Eight numbers at a time through the compiler's vector types: plain C++ wherever these have no registers.
@@ -13,13 +15,7 @@ namespace etak::rects {
 using Lanes [[gnu::vector_size(32)]] = int;
 inline constexpr int lane_count = 8;
 
-// Not under the thread sanitizer, which is not ready yet when the choice is made.
-#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_THREAD__)
-#define LANES_FUNCTION __attribute__((target_clones("default", "avx2")))
-#else
-#define LANES_FUNCTION
-#endif
+#define LANES_FUNCTION ETAK_CLONES("avx2")
 
 /// One bit for each lane of a comparison that holds.
 [[gnu::always_inline]] inline unsigned lane_bits(const Lanes& holds) {

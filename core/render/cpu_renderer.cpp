@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/clones.h"
 #include "core/base/parallel.h"
 #include "core/color/luminance.h"
 #include "core/render/backdrop.h"
@@ -14,15 +15,8 @@
 #include "core/render/display.h"
 #include "core/render/surface_textures.h"
 
-// The loops over a chunk are compiled for several instruction sets; the best one for the processor is chosen
-// when the program starts.
-#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define ETAK_RENDER_CLONES \
-  __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), optimize("O3")))
-#else
-#define ETAK_RENDER_CLONES
-#endif
+// The loops over a chunk are compiled for several instruction sets.
+#define ETAK_RENDER_CLONES ETAK_CLONES_O3("arch=x86-64-v3", "arch=x86-64-v4")
 
 namespace etak {
 namespace {

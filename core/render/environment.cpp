@@ -9,20 +9,13 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/clones.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
-
-// Compiled for two instruction sets, without fused operations, so that both give the same sums.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define ETAK_ENVIRONMENT_CLONES __attribute__((target_clones("default", "avx2"), optimize("O3")))
-#else
-#define ETAK_ENVIRONMENT_CLONES
-#endif
 
 namespace etak {
 namespace {
@@ -98,8 +91,9 @@ Image filled(int width, unsigned threads, Value value) {
   return out;
 }
 
-// Adds `from`, times a weight.
-ETAK_ENVIRONMENT_CLONES void add_weighted(double* to, const float* from, double weight, int count) {
+// Adds `from`, times a weight. Without fused operations, so that all instruction sets give the same sums.
+ETAK_CLONES_O3("avx2")
+void add_weighted(double* to, const float* from, double weight, int count) {
   for (int i = 0; i < count; ++i) to[i] += weight * double{from[i]};
 }
 
