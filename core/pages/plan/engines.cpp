@@ -13,12 +13,24 @@ std::string shell_line(const std::vector<std::string>& words) {
   return joined(words, " ", shell_word);
 }
 
-// A task in one line. An older output is removed first: whether the task has succeeded is told by its output,
-// because the status of a run with findings is that of a failure.
+// Whether a task has succeeded is told by its output, because the status of a run with findings is that of a
+// failure. The output is therefore written under a new name and put in its place in one step: an older one
+// proves nothing, and must not be missing while the merge reads it because the task runs twice.
+constexpr std::string_view new_name = "new=$part.$(hostname).$$";
+constexpr std::string_view put_in_place = "test -e \"$new\" && mv -f \"$new\" \"$part\"";
+
+// The words of a task that writes to $new.
+std::string task_words(const PlanTask& task) {
+  return joined(task.words, " ", [&](const std::string& word) {
+    return word == task.writes ? std::string("\"$new\"") : shell_word(word);
+  });
+}
+
+// A task in one line.
 std::string task_line(const RunPlan& plan, const PlanTask& task) {
-  const std::string file = shell_word(task.writes);
-  return "cd " + shell_word(plan.folder) + " && rm -f " + file + " && { " + shell_line(task.words) +
-         "; test -e " + file + "; }";
+  std::string out = "cd " + shell_word(plan.folder) + " && part=" + shell_word(task.writes) + " && ";
+  append(out, new_name, " && { ", task_words(task), "; ", put_in_place, "; }");
+  return out;
 }
 
 void refuse_line_ends(const std::vector<std::string>& words, const char* engine) {
@@ -82,8 +94,8 @@ PlanFiles slurm_plan(const RunPlan& plan) {
   const std::size_t count = plan.tasks.size();
   for (std::size_t i = 0; i < count; ++i) {
     const PlanTask& task = plan.tasks[i];
-    append(cases, "  ", std::to_string(i + 1), ")\n    part=", shell_word(task.writes), "\n    set -- ",
-           shell_line(task.words), " ;;\n");
+    append(cases, "  ", std::to_string(i + 1), ")\n    part=", shell_word(task.writes), "\n    ", new_name,
+           "\n    set -- ", task_words(task), " ;;\n");
   }
   std::string tasks =
       "#!/bin/sh\n# A task of the array: the shard of its number. It may run again at any time.\ncd " +
@@ -91,9 +103,10 @@ PlanFiles slurm_plan(const RunPlan& plan) {
       "  *) echo \"no task $SLURM_ARRAY_TASK_ID in this plan\" >&2; exit 2 ;;\nesac\n";
   if (!plan.threads)
     tasks += "if [ -n \"${SLURM_CPUS_PER_TASK:-}\" ]; then set -- \"$@\" -j \"$SLURM_CPUS_PER_TASK\"; fi\n";
-  tasks +=
-      "# Success is told by the output, because the status of a run with findings is that of a failure.\n"
-      "rm -f \"$part\"\n\"$@\"\nstatus=$?\n[ -e \"$part\" ] && exit 0\nexit \"$status\"\n";
+  append(tasks,
+         "# Success is told by the output, because the status of a run with findings is that of a failure.\n"
+         "\"$@\"\nstatus=$?\n",
+         put_in_place, " && exit 0\n[ \"$status\" -gt 1 ] || status=2\nexit \"$status\"\n");
   // Slurm replaces what follows a '%' in the names of logs.
   std::string logs = plan.out + '/';
   for (std::size_t at = 0; (at = logs.find('%', at)) != logs.npos; at += 2) logs.insert(at, 1, '%');
