@@ -16,7 +16,6 @@
 #include "core/base/files/watched_files.h"
 #include "core/base/hash/content_hash.h"
 #include "core/base/json_text.h"
-#include "core/base/number.h"
 #include "core/base/shard_document.h"
 #include "core/base/system.h"
 #include "core/scene/gltf.h"
@@ -84,26 +83,10 @@ std::string jobs_digest(const std::vector<PackSettings>& jobs) {
   return hash.hex();
 }
 
-void add_part(ContentHash& hash, const std::string& text) {
-  hash.add_part(text);
-}
-void add_part(ContentHash& hash, double value) {
-  hash.add_part(number(value, 17));
-}
-void add_part(ContentHash& hash, const std::optional<double>& value) {
-  hash.add_part(value ? number(*value, 17) : "");
-}
-void add_part(ContentHash& hash, const std::vector<std::string>& texts) {
-  hash.add_part(std::to_string(texts.size()));
-  for (const std::string& text : texts) hash.add_part(text);
-}
-
 // A digest of what decides the atlases besides the inputs.
 std::string options_digest(const PackArguments& line, const std::vector<PackSettings>& jobs) {
   ContentHash hash;
-  for (const PackSettings& job : jobs)
-    for (const PackSettingRow& row : pack_setting_rows())
-      std::visit([&](auto member) { add_part(hash, job.*member); }, row.value);
+  for (const PackSettings& job : jobs) hash.add_part(settings_text(job));
   for (const std::string& text : {line.check.fail_on, line.check.config, line.memory}) hash.add_part(text);
   for (const bool flag : {line.update, line.dry_run, line.no_validate, line.check.no_config})
     hash.add_part(flag ? "1" : "0");

@@ -2,38 +2,15 @@
 #include "app/cli/pack/kept.h"
 
 #include <array>
-#include <type_traits>
-#include <variant>
 
 #include "app/cli/output/replace.h"
 #include "core/base/files/output_file.h"
-#include "core/base/number.h"
 #include "core/exchange/data_folder.h"
 #include "core/scene/gltf.h"
 #include "core/validate/files/file_hints.h"
 #include "core/validate/settings.h"
 
 namespace etak::cli {
-namespace {
-
-template <class Value>
-std::string setting_text(const Value& value) {
-  if constexpr (std::is_same_v<Value, std::string>) {
-    return value;
-  } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
-    std::string out;
-    for (const std::string& each : value) out += std::to_string(each.size()) + ':' + each;
-    return out;
-  } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
-    return value ? number(*value, 17) : "none";
-  } else if constexpr (std::is_same_v<Value, double>) {
-    return number(value, 17);
-  } else {
-    return std::to_string(value);
-  }
-}
-
-}  // namespace
 
 PackJobIdentity identity_of(const PackArguments& a, const ValidateConfig* config,
                             const std::string& space_config) {
@@ -43,10 +20,9 @@ PackJobIdentity identity_of(const PackArguments& a, const ValidateConfig* config
   const auto add = [&](const std::string& name, const std::string& value) {
     out.settings += name + '=' + std::to_string(value.size()) + ':' + value + '\n';
   };
-  for (const PackSettingRow& row : pack_setting_rows())
-    std::visit([&](auto member) { add(std::string(row.name), setting_text(a.settings.*member)); }, row.value);
+  out.settings += settings_text(a.settings);
   add("page-report", a.page_report);
-  add("page-link", setting_text(a.page_links));
+  for (const std::string& link : a.page_links) add("page-link", link);
   add("checked", config == nullptr ? "no" : settings_hash(config->settings));
   if (config != nullptr) {
     add("fail-on",

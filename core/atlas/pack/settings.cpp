@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/atlas/pack/settings.h"
 
+#include <type_traits>
+
+#include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/image/image.h"
@@ -106,6 +109,34 @@ std::string PackSettingRow::help_text() const {
 
 std::span<const PackSettingRow> pack_setting_rows() {
   return settings_table::setting_rows;
+}
+
+std::string settings_text(const PackSettings& settings) {
+  std::string out;
+  const auto text_of = [](const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, std::string>) {
+      return value;
+    } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+      std::string all;
+      for (const std::string& each : value) append(all, std::to_string(each.size()), ':', each);
+      return all;
+    } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+      return value ? number(*value, 17) : std::string("none");
+    } else if constexpr (std::is_same_v<Value, double>) {
+      return number(value, 17);
+    } else {
+      return std::to_string(value);
+    }
+  };
+  for (const PackSettingRow& row : pack_setting_rows())
+    std::visit(
+        [&](auto member) {
+          const std::string text = text_of(settings.*member);
+          append(out, row.name, '=', std::to_string(text.size()), ':', text, '\n');
+        },
+        row.value);
+  return out;
 }
 
 }  // namespace etak

@@ -73,6 +73,9 @@ struct PackSettingRow {
 /// Every setting but input and output, in the order of the help.
 std::span<const PackSettingRow> pack_setting_rows();
 
+/// All settings but input and output as text, which is equal for equal settings only.
+std::string settings_text(const PackSettings& settings);
+
 /// Reads a file of jobs: {"jobs": [{"input", "out", and settings by their names}, ...]}. Paths are
 /// relative to the file. Throws Error with the JSON pointer.
 ///   usual   the settings that a job does not name
