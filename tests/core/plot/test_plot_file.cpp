@@ -22,12 +22,6 @@ LinePlot small() {
   return plot;
 }
 
-std::size_t count(std::string_view text, std::string_view part) {
-  std::size_t out = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != text.npos; at += part.size()) ++out;
-  return out;
-}
-
 }  // namespace
 
 TEST_CASE("a plot as CSV has a row per x and an empty field where a curve has no value") {
@@ -54,11 +48,11 @@ TEST_CASE("an SVG file stands by itself: namespace, colours written out, legend"
     const std::string text = svg_file(small(), dark);
     CHECK(text.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
     CHECK(text.ends_with("</svg>\n"));
-    CHECK(count(text, "<svg") == 1);
-    CHECK(count(text, "<title>a &amp; b</title>") == 1);
+    CHECK(count_of(text, "<svg") == 1);
+    CHECK(count_of(text, "<title>a &amp; b</title>") == 1);
     CHECK(!contains(text, "var(--"));
     CHECK(contains(text, plot_colors(dark).background));
-    CHECK(count(text, "class=\"curve c2 dashed\"") == 2);  // curve and legend
+    CHECK(count_of(text, "class=\"curve c2 dashed\"") == 2);  // curve and legend
   }
 }
 
