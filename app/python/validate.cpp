@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
+#include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/validate/baseline.h"
 #include "core/validate/output/explain.h"
@@ -104,6 +105,8 @@ ValidationRequest request_of(const py::object& paths, const py::dict& given, con
   if (const std::string baseline = text("baseline"); !baseline.empty())
     out.known = read_baseline(read_file(baseline), baseline);
   out.cache.path = text("cache");
+  if (const std::string size = text("cache_size"); !size.empty())
+    out.cache.most_bytes = byte_size(size, setting("cache-size"));
   out.door = picture_door_behind(&pictures);
   out.version = ETAK_VERSION;
   out.must_check = !yes("allow_empty");

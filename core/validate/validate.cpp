@@ -18,6 +18,7 @@
 #include "core/validate/files/find_targets.h"
 #include "core/validate/files/project_check.h"
 #include "core/validate/files/result_cache.h"
+#include "core/validate/shards/report_shard.h"
 
 namespace etak {
 namespace {

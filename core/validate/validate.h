@@ -8,15 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "core/base/files/cache_folder.h"
+#include "core/base/files/cache_use.h"
+#include "core/base/shards.h"
 #include "core/image/picture.h"
 #include "core/project/project.h"
 #include "core/validate/baseline.h"
 #include "core/validate/config.h"
 #include "core/validate/finding.h"
 #include "core/validate/names/listing.h"
-#include "core/validate/shards/report_shard.h"
 #include "core/validate/target.h"
+#include "core/validate/verdict_options.h"
 
 namespace etak {
 
@@ -63,11 +64,11 @@ struct ValidationRequest {
   CacheOptions cache;  // results of earlier runs; without a path: none
   // Of a program that checks the same files again and again: what they were the last time; null: none.
   std::shared_ptr<CheckedBefore> before;
-  std::string version;        // of the program: results of other versions do not count
-  bool hashes = false;        // the report gives the SHA-256 of every file, which reads all files once more
-  bool must_check = false;    // a run that checks nothing is incomplete
-  bool pass_unknown = false;  // named files of no known kind are passed over, as those of folders are
-  bool list_files = false;    // for list_files()
+  std::string version;         // of the program: results of other versions do not count
+  bool hashes = false;         // the report gives the SHA-256 of every file, which reads all files once more
+  bool must_check = false;     // a run that checks nothing is incomplete
+  bool pass_unknown = false;   // named files of no known kind are passed over, as those of folders are
+  bool list_files = false;     // for list_files()
   std::optional<Shard> shard;  // only this part of what is found is checked
   VerdictOptions verdict;      // of a shard, which keeps it for the merge
   unsigned threads = 1;        // the report is the same for any number of them

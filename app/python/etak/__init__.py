@@ -178,7 +178,8 @@ def validate(
     transfer: Optional[str] = None, alpha: Optional[str] = None, profile: Optional[str] = None, only: Any = None,
     select: Any = None, extend_select: Any = None, ignore: Any = None, fail_on: Optional[str] = None,
     config: Optional[Path] = None, no_config: bool = False, baseline: Optional[Path] = None,
-    today: Optional[str] = None, allow_empty: bool = False, cache: Optional[Path] = None, library: Library = library,
+    today: Optional[str] = None, allow_empty: bool = False, cache: Optional[Path] = None,
+    cache_size: Optional[Number] = None, library: Library = library,
     threads: int = 0, progress: Optional[Callable[[int, int], object]] = None,
 ) -> Report:
     """Finds impossible materials in textures, atlases, scenes and data.
@@ -188,6 +189,8 @@ def validate(
       only, select, extend_select, ignore   rules: ids, or prefixes such as "ETK1"
       fail_on    the least severity that fails: error, warning, info or never
       config     the configuration; without it the etak.toml of the first folder upwards, unless no_config is true
+      cache      folder that keeps results, so that the same files are not checked again; cache_size: the most that it
+                 may take, in bytes or as "500M"
       progress   called as progress(done, all)
 
     The report is a sequence of findings. What cannot be read is a finding as well, and makes it incomplete.
@@ -202,7 +205,7 @@ def validate(
         "role": role, "material": material, "surface": surface, "transfer": transfer, "alpha": alpha,
         "profile": profile, "only": only, "select": select, "extend_select": extend_select, "ignore": ignore,
         "fail_on": fail_on, "config": config, "no_config": no_config, "baseline": baseline, "today": today,
-        "allow_empty": allow_empty, "cache": cache}
+        "allow_empty": allow_empty, "cache": cache, "cache_size": cache_size}
     return _core.validate(paths, settings, library, threads, progress)
 
 

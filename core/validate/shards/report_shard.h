@@ -10,20 +10,9 @@
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
 #include "core/validate/suppress.h"
+#include "core/validate/verdict_options.h"
 
 namespace etak {
-
-/// What the program is asked for besides the findings, so that the merge of shards gives the same verdict and
-/// text as the whole run.
-///   never_fails, exit_zero   findings do not change the exit status
-///   max_warnings             more warnings than this fail the run
-///   min_severity             the text form leaves out findings below it; empty: none
-struct VerdictOptions {
-  bool never_fails = false, exit_zero = false;
-  std::optional<std::size_t> max_warnings;
-  std::string min_severity;
-  friend bool operator==(const VerdictOptions&, const VerdictOptions&) = default;
-};
 
 /// What a report of a shard holds besides its findings: what merged_report() needs.
 ///   shard        with the groups of files that it takes
