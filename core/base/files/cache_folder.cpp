@@ -16,6 +16,7 @@
 #include "core/base/hex.h"
 #include "core/base/json_text.h"
 #include "core/base/number.h"
+#include "core/base/setting.h"
 #include "core/base/signals.h"
 #include "core/base/text.h"
 
@@ -251,7 +252,7 @@ CacheFolder::CacheFolder(CacheOptions options) : state_(std::make_unique<State>(
   if (s.root) return;
   const int error = errno;
   if (std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored))
-    throw Error::at("--cache", printable(path, 200) + " is no folder", "a folder");
+    throw Error::at(setting("cache"), printable(path, 200) + " is no folder", "a folder");
   s.why = failure ? failure.message() : reason_of(error);
   s.closed = true;
 }
