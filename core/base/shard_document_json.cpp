@@ -30,7 +30,7 @@ std::string member_json(const ShardMember& member) {
     return quiet_json(out.dump());
   } catch (const Ordered::exception&) {
     throw Error::at(setting("shard"), "a name that is no UTF-8, which the JSON of a shard cannot hold",
-                    "another name, or a run without " + setting("shard"));
+                    "another name, or a run that is not cut");
   }
 }
 
@@ -73,9 +73,7 @@ ShardDocument read_shard_document(std::string_view text, std::string_view list, 
   constexpr int most_depth = 100;
   constexpr std::string_view closing = "\n  ]\n}\n", empty = "[]\n}\n";
   const auto refuse = [&](const char* found) {
-    throw Error::at(file, found,
-                    "what a verb with " + setting("shard") + " I/N " + setting("format") +
-                        " json wrote, whole and unchanged");
+    throw Error::at(file, found, "what a shard wrote as JSON, whole and unchanged");
   };
   const std::string of_shard = begin_of("shard"), of_list = begin_of(list);
   const std::size_t shard_at = text.find(of_shard);

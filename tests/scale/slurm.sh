@@ -95,28 +95,32 @@ sed -i 's/^cd .*/&\n[ "$SLURMD_NODENAME" != n2 ] || sleep 5/' plans/slurm/task.s
 begin=$(now)
 merge=$(sh plans/slurm/submit.sh)
 array=$((merge - 1))
+find_on_n2() { # the processes that n2 has started, which are known by their environment
+  on_n2=
+  for process in /proc/[0-9]*; do
+    { tr '\0' '\n' <"$process/environ"; } 2>/dev/null | awk -v conf="SLURM_CONF=$cluster/slurm.conf" '
+      $0 == "SLURMD_NODENAME=n2" { node = 1 } $0 == conf { own = 1 } END { exit !(node && own) }' || continue
+    on_n2="$on_n2 ${process#/proc/}"
+  done
+}
 tries=0
-until squeue -h -t running -w n2 -j "$array" 2>/dev/null | grep -q .; do
+on_n2=
+until [ -n "$on_n2" ]; do
   tries=$((tries + 1))
-  [ $tries -lt 300 ] || { wrong "nothing runs on n2"; break; }
-  sleep 0.05
+  [ $tries -lt 100 ] || { wrong "nothing runs on n2"; break; }
+  sleep 0.1
+  find_on_n2
 done
 victim=$(squeue -h -t running -w n2 -j "$array" -o %K)
-# The node goes: its daemon, the step and what that has started, which are known by their environment. The step goes
-# first, so that it cannot tell Slurm how its script ended.
+# The node goes: its daemon, the step and what that has started. The step goes before its script, so that it cannot
+# tell Slurm how the script ended.
 kill -KILL "$(cat "$cluster/run/n2.pid")"
-on_n2=
-for process in /proc/[0-9]*; do
-  { tr '\0' '\n' <"$process/environ"; } 2>/dev/null | awk -v conf="SLURM_CONF=$cluster/slurm.conf" '
-    $0 == "SLURMD_NODENAME=n2" { node = 1 } $0 == conf { own = 1 } END { exit !(node && own) }' || continue
-  on_n2="$on_n2 ${process#/proc/}"
-done
 for process in $on_n2; do
   parent=$(awk '$1 == "PPid:" { print $2 }' "/proc/$process/status" 2>/dev/null || :)
   if [ -n "$parent" ] && grep -q slurmstepd "/proc/$parent/comm" 2>/dev/null; then kill -KILL "$parent" || :; fi
 done
 for process in $on_n2; do kill -KILL "$process" 2>/dev/null || :; done
-[ -n "$on_n2" ] || wrong "no process of n2 was found"
+[ -n "$victim" ] || wrong "n2 had no task"
 scontrol update nodename=n2 state=down reason=killed
 # Slurm waits two minutes before it starts the task of a dead node again; the test does not.
 scontrol update jobid="${array}_$victim" starttime=now 2>/dev/null || :

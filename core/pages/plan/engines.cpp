@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_text.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/pages/plan/plan.h"
 
@@ -39,7 +40,7 @@ void refuse_line_ends(const std::vector<std::string>& words, const char* engine)
       throw Error::at(
           printable(word, 200),
           std::string("a line end in a name, which ") + engine + " takes for the end of a command",
-          "another name, or --format slurm");
+          "another name, or " + setting("format") + " slurm");
 }
 
 void refuse_line_ends(const RunPlan& plan, const char* engine) {
@@ -55,7 +56,7 @@ void refuse_other_text(const RunPlan& plan, const char* engine) {
       if (valid_utf8(word) != word)
         throw Error::at(printable(word, 200),
                         std::string("a name that is no UTF-8, as ") + engine + " needs it",
-                        "another name, or --format slurm");
+                        "another name, or " + setting("format") + " slurm");
   };
   check({plan.folder, plan.out});
   for (const PlanTask& task : plan.tasks) {

@@ -33,7 +33,7 @@ Json tile_json(const CheckTile& tile) {
   if (tile.typical_gloss) out["typicalGloss"] = *tile.typical_gloss;
   if (tile.gutter) out["gutter"] = *tile.gutter;
   if (tile.mips) out["mips"] = *tile.mips;
-  for (const std::size_t texture : {0, 1})
+  for (std::size_t texture = 0; texture < 2; ++texture)
     if (tile.flat[texture]) out[texture == 0 ? "flatA" : "flatB"] = *tile.flat[texture];
   if (!tile.island_of.empty()) out["islandOf"] = tile.island_of;
   if (tile.own_around != 0) out["ownAround"] = tile.own_around;

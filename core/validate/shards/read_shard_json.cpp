@@ -137,7 +137,7 @@ CheckTile read_tile(const Json& json) {
   if (json.contains("typicalGloss")) out.typical_gloss = json.at("typicalGloss").get<double>();
   if (json.contains("gutter")) out.gutter = json.at("gutter").get<int>();
   if (json.contains("mips")) out.mips = json.at("mips").get<int>();
-  for (const std::size_t texture : {0, 1})
+  for (std::size_t texture = 0; texture < 2; ++texture)
     if (const char* key = texture == 0 ? "flatA" : "flatB"; json.contains(key))
       out.flat[texture] = json.at(key).get<std::array<std::uint8_t, 4>>();
   out.island_of = text_at(json, "islandOf");
