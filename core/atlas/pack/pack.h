@@ -21,7 +21,7 @@
 #include "core/atlas/plan.h"
 #include "core/atlas/sources/sources.h"
 #include "core/atlas/variant.h"
-#include "core/base/files/steady_file.h"
+#include "core/base/files/file_stamp.h"
 #include "core/material/library.h"
 
 namespace etak {

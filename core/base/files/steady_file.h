@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/files/file_stamp.h"
 #include "core/base/files/input.h"
 
 namespace etak {
@@ -30,17 +31,6 @@ class BytesInMemory : public ByteSource {
  private:
   std::string_view bytes_;
 };
-
-/// What tells one state of a file from another: the file itself, its size, and its time of change.
-struct FileStamp {
-  std::uint64_t device = 0, inode = 0, size = 0;
-  std::int64_t seconds = 0, nanoseconds = 0;
-  friend bool operator==(const FileStamp&, const FileStamp&) = default;
-};
-
-/// The stamp of the file behind `path`; zeros where there is none, and for the bytes of a pipe, which are
-/// kept in memory and do not change.
-FileStamp stamp_of(const std::string& path);
 
 /// A file that must stay as it is while it is read, such as a picture that another program may be exporting
 /// anew. It is read and never mapped into memory: a mapped file that somebody shortens ends the program.
