@@ -3,8 +3,8 @@
 #include <map>
 
 #include "core/base/hex.h"
-#include "core/base/text.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/validate/output/formats.h"
 
 namespace etak {

@@ -3,8 +3,8 @@
 #include <set>
 #include <string_view>
 
-#include "core/base/text.h"
 #include "core/base/number.h"
+#include "core/base/text.h"
 #include "core/validate/output/formats.h"
 
 namespace etak {
