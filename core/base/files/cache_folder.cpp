@@ -376,7 +376,16 @@ void CacheFolder::NewEntry::keep() {
   if (open->got != open->expected) return;
   const int folder = s.folder_of(open->digest, true);
   if (folder < 0) return s.fail(errno);
-  if (!open->rename_to(folder, entry_name(open->digest))) return s.fail(open->error);
+  const std::string name = entry_name(open->digest);
+  if (!open->rename_to(folder, name)) {
+    // Windows does not replace a file that another program has open; the entry that is there holds the same result.
+    sys::FileInfo there;
+    if (open->error == EACCES && sys::file_info_in(folder, name.c_str(), there)) {
+      ++s.not_written;
+      return;
+    }
+    return s.fail(open->error);
+  }
   ++s.written;
   s.added += in_blocks(open->expected);
 }
