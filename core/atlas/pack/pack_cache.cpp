@@ -205,24 +205,25 @@ std::optional<PackCache::Keeping> PackCache::gather(const std::string& key, cons
   MemberWriter bytes;
   bytes.member(text);
   Keeping out;
-  out.atlas = folder_.begin(second, bytes.bytes, all);
-  if (!out.atlas) return std::nullopt;
+  out.atlas_ = folder_.begin(second, bytes.bytes, all);
+  if (!out.atlas_) return std::nullopt;
   for (const KeptAtlas::File& kept : text.files) {
     const Descriptor file(sys::open_file(folder.path_until_commit(kept.name), sys::Open::read));
-    if (!file || !for_bytes(file.get(), 0, kept.size, [&](std::string_view piece) { out.atlas->add(piece); }))
+    if (!file ||
+        !for_bytes(file.get(), 0, kept.size, [&](std::string_view piece) { out.atlas_->add(piece); }))
       return std::nullopt;
   }
   MemberWriter list;
   list.member(inputs);
-  out.first = key;
-  out.list = std::move(list.bytes);
-  out.cache = this;
+  out.first_ = key;
+  out.list_ = std::move(list.bytes);
+  out.cache_ = this;
   return out;
 }
 
 void PackCache::Keeping::keep() {
-  atlas->keep();
-  cache->folder_.keep(first, list);
+  atlas_->keep();
+  cache_->folder_.keep(first_, list_);
 }
 
 }  // namespace etak

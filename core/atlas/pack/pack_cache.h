@@ -74,10 +74,9 @@ class PackCache {
 
    private:
     friend class PackCache;
-    std::string first;
-    std::string list;
-    PackCache* cache = nullptr;
-    std::optional<CacheFolder::NewEntry> atlas;
+    std::string first_, list_;
+    PackCache* cache_ = nullptr;
+    std::optional<CacheFolder::NewEntry> atlas_;
   };
   /// Takes the files of an atlas before they are put in place. None where an input has changed since it was
   /// packed, and where there is nothing to keep them in.
