@@ -5,6 +5,8 @@ import os
 import re
 import struct
 import subprocess
+import tempfile
+import unittest
 import zlib
 from pathlib import Path
 
@@ -35,6 +37,18 @@ def work_folder(folder):
         '{"schema": "etak-atlas-manifest/1", "materials": [\n'
         '  {"name": "ring", "specular": "silver", "gloss": 0.7, "width": 96, "height": 64},\n'
         '  {"name": "paint", "diffuse": [0.5, 0.1, 0.1], "specular": 0.04, "gloss": 0.5, "width": 64, "height": 64}]}\n')
+
+
+class InWorkFolder(unittest.TestCase):
+    """Tests that run in a folder of their own, self.folder, which holds what work_folder() makes."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        work_folder(self.folder)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
 
 
 def told(*words, cwd=None):

@@ -9,13 +9,12 @@ import os
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 import etak
 import etak.convert
-from support import work_folder
+from support import InWorkFolder
 
 PAGE = Path(__file__).parents[2] / "resources/doc/python.md"
 
@@ -26,15 +25,7 @@ def recipes():
     return re.findall(r"^## ([^\n]*)\n(?:(?!^## ).)*?^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
 
 
-class Documentation(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        work_folder(self.folder)
-        self.addCleanup(os.chdir, os.getcwd())
-        os.chdir(self.folder)
-
+class Documentation(InWorkFolder):
     def test_examples_of_the_docstrings_are_true(self):
         for module in (etak, etak.convert):
             tests = [t for t in doctest.DocTestFinder().find(module, module.__name__, extraglobs={"etak": etak})

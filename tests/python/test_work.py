@@ -4,24 +4,15 @@ import json
 import os
 import signal
 import subprocess
-import tempfile
 import threading
 import unittest
 from pathlib import Path
 
 import etak
-from support import PROGRAM, png, told, work_folder
+from support import PROGRAM, InWorkFolder, png, told
 
 
-class Work(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        work_folder(self.folder)
-        self.addCleanup(os.chdir, os.getcwd())
-        os.chdir(self.folder)
-
+class Work(InWorkFolder):
     def said(self, *words):
         return subprocess.run([PROGRAM, *words], capture_output=True, text=True).stdout
 
