@@ -2,22 +2,15 @@
 #include "core/base/shards.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/base/error.h"
+#include "core/base/number.h"
 
 namespace etak {
 namespace {
 
 // To open and close an item takes about the time of reading so many bytes.
 constexpr std::uint64_t bytes_of_opening = 16384;
-
-std::optional<std::size_t> whole_number(std::string_view text) {
-  std::size_t value = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failure != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 }  // namespace
 
@@ -27,14 +20,16 @@ std::optional<Shard> shard_named(std::string_view text) {
     const std::string_view range = text.substr(colon + 1);
     const std::size_t dash = range.find('-');
     if (dash == range.npos) return std::nullopt;
-    const auto first = whole_number(range.substr(0, dash)), last = whole_number(range.substr(dash + 1));
+    const auto first = whole_number<std::size_t>(range.substr(0, dash)),
+               last = whole_number<std::size_t>(range.substr(dash + 1));
     if (!first || !last || *first > *last) return std::nullopt;
     items.emplace(*first, *last);
     text = text.substr(0, colon);
   }
   const std::size_t slash = text.find('/');
   if (slash == std::string_view::npos) return std::nullopt;
-  const auto index = whole_number(text.substr(0, slash)), count = whole_number(text.substr(slash + 1));
+  const auto index = whole_number<std::size_t>(text.substr(0, slash)),
+             count = whole_number<std::size_t>(text.substr(slash + 1));
   if (!index || !count || *index < 1 || *index > *count || *count > most_shards) return std::nullopt;
   return Shard{*index, *count, items};
 }

@@ -2,10 +2,10 @@
 #include "core/rects/text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number.h"
 
 namespace etak {
 namespace {
@@ -21,13 +21,6 @@ std::string_view next_word(std::string_view& rest) {
 
 }  // namespace
 
-std::optional<int> whole_number(std::string_view text) {
-  int value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::vector<RectSize> parse_rects(std::string_view text, std::string_view file) {
   std::vector<RectSize> out;
   std::string_view rest = text;
@@ -38,7 +31,7 @@ std::vector<RectSize> parse_rects(std::string_view text, std::string_view file) 
     const std::string_view whole = words;
     const std::string_view first = next_word(words);
     if (first.empty() || first.front() == '#') continue;
-    const std::optional<int> w = whole_number(first), h = whole_number(next_word(words));
+    const std::optional<int> w = whole_number<int>(first), h = whole_number<int>(next_word(words));
     if (!w || !h || !next_word(words).empty())
       throw Error::at_line(file, line, "'" + printable(whole) + "'", "two whole numbers, width and height");
     if (*w < 1 || *h < 1 || *w > largest_rect_side || *h > largest_rect_side)

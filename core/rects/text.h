@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -11,9 +10,6 @@ namespace etak {
 
 /// Largest width or height that a list of rectangles may ask for.
 inline constexpr int largest_rect_side = 1 << 22;
-
-/// The whole of `text` as a whole number in decimal digits; none for anything else and beyond int.
-std::optional<int> whole_number(std::string_view text);
 
 /// The rectangles of a list as packing benchmarks exchange them: a line "w h" each, in whole texels from 1 to
 /// largest_rect_side; empty lines and lines that begin with '#' are skipped. Throws Error naming `file` and

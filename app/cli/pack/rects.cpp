@@ -45,7 +45,7 @@ std::optional<RectOptions> options_of(const std::string& mode, int pad) {
   if (with_side != (colon != std::string::npos))
     throw Error::at("--mode", "'" + printable(mode) + "'", "square, pot, free, strip:W, pages:S or mixed:S");
   if (!with_side) return out;
-  const std::optional<int> side = whole_number(std::string_view(mode).substr(colon + 1));
+  const std::optional<int> side = whole_number<int>(std::string_view(mode).substr(colon + 1));
   if (!side || *side < 1 || *side > largest_side)
     throw Error::at("--mode", "'" + printable(mode) + "'", "a side of 1 to " + std::to_string(largest_side));
   // Every rectangle has its padding on two sides; the page is larger by one padding, so that its far sides
@@ -77,10 +77,10 @@ void add_pack_rects_options(Command verb, PackRectsArguments& a) {
   if (!listen("--out", [&a](const std::string& text) { a.out = text; }))
     verb.option("-o,--output,--out", a.out, "file to write").value_name("FILE").group(group);
   if (!listen("--effort",
-              [&a](const std::string& text) { a.effort = whole_number(text).value_or(a.effort); }))
+              [&a](const std::string& text) { a.effort = whole_number<int>(text).value_or(a.effort); }))
     verb.option("--effort", a.effort, "tries").range(1, 1000000).show_default().group(group);
   const auto hear_threads = [&a](const std::string& text) {
-    a.threads = static_cast<unsigned>(whole_number(text).value_or(0));
+    a.threads = static_cast<unsigned>(whole_number<int>(text).value_or(0));
   };
   listen("--jobs", hear_threads);
   if (!listen("--threads", hear_threads))

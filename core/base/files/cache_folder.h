@@ -101,8 +101,4 @@ std::string read_cache_key(const std::string& path);
 /// The version and a hash of the running program: a rebuilt etak may give other results under the same version.
 std::string program_fingerprint(const std::string& version);
 
-/// The numbers as one line of text, and as JSON (resources/schema/cache.schema.json).
-std::string cache_text(const CacheUse& use);
-std::string cache_json(const CacheUse& use);
-
 }  // namespace etak

@@ -43,4 +43,8 @@ struct CacheUse {
   std::string fault;
 };
 
+/// The numbers as one line of text, and as JSON (resources/schema/cache.schema.json).
+std::string cache_text(const CacheUse& use);
+std::string cache_json(const CacheUse& use);
+
 }  // namespace etak
