@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -102,7 +103,10 @@ class MemberReader {
   }
   template <class Value>
   void member(std::vector<Value>& values) {
+    // Room for more is made when there turns out to be more: the number may be anybody's.
+    constexpr std::size_t most_at_once = 64;
     const std::size_t count = length();
+    values.reserve(std::min(count, most_at_once));
     for (std::size_t i = 0; i < count && good_; ++i) member(values.emplace_back());
   }
   template <class Value>

@@ -24,6 +24,7 @@ using Kind = sys::FileInfo::Kind;
 struct Listing {
   Identity identity{};
   std::vector<std::string> files, linked, folders, linked_folders, skipped;
+  bool hides = false;  // it holds something whose name begins with a dot
   std::string failure;
 };
 
@@ -65,7 +66,10 @@ Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
   sys::FileInfo info;
   if (sys::file_info(folder.folder(), info)) out.identity = {info.device, info.number};
   for (sys::FolderReader::Entry entry; folder.next(entry);) {
-    if (entry.name[0] == '.') continue;
+    if (entry.name[0] == '.') {
+      out.hides = true;
+      continue;
+    }
     const EntryKind kind = entry_kind(folder.folder(), entry);
     if ((kind == EntryKind::file || kind == EntryKind::other) && keep(entry.name))
       (kind == EntryKind::file ? out.files : out.skipped).push_back(path + entry.name);
@@ -76,6 +80,9 @@ Listing read_folder(const std::string& path, bool (*keep)(std::string_view)) {
     else if (kind == EntryKind::linked_folder)
       out.linked_folders.push_back(path + entry.name + '/');
   }
+  // Here, because each folder is read by a thread; what folders hold is then in order for the most part.
+  for (std::vector<std::string>* names : {&out.files, &out.linked, &out.folders})
+    std::sort(names->begin(), names->end());
   return out;
 }
 
@@ -96,6 +103,7 @@ void descend(std::vector<std::string> level, unsigned threads, bool (*keep)(std:
         continue;
       }
       if (!seen.insert(found.identity).second) continue;
+      if (found.hides) out.hiding.push_back(level[i]);
       const std::vector<std::string>& linked_files = through_link ? found.files : found.linked;
       out.linked.insert(out.linked.end(), linked_files.begin(), linked_files.end());
       std::move(found.files.begin(), found.files.end(), std::back_inserter(out.files));
@@ -131,8 +139,8 @@ Folder list_folder(const std::string& path, unsigned threads, bool (*keep)(std::
     for (const std::string& folder : linked) descend({folder}, threads, keep, true, seen, out, deeper);
     linked = std::move(deeper);
   }
-  std::sort(out.files.begin(), out.files.end());
-  std::sort(out.linked.begin(), out.linked.end());
+  for (std::vector<std::string>* names : {&out.files, &out.linked})
+    if (!std::is_sorted(names->begin(), names->end())) std::sort(names->begin(), names->end());
   std::sort(out.skipped.begin(), out.skipped.end());
   return out;
 }

@@ -16,12 +16,14 @@ namespace etak {
 ///   unreadable   one message per subfolder that could not be read
 ///   skipped      whole paths, sorted, of what `keep` would have listed but is no file: pipes, sockets and
 ///                devices
+///   hiding       folders that hold hidden entries, with '/' at the end
 struct Folder {
   std::string root;
   std::vector<std::string> files;
   std::vector<std::string> linked;
   std::vector<std::string> unreadable;
   std::vector<std::string> skipped;
+  std::vector<std::string> hiding;
 };
 
 /// Whether a file's name is that of a page, a table or a material file.

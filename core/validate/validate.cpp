@@ -66,16 +66,20 @@ class Checks {
 
   /// The results of the checks that were made, each with its target, which is moved there.
   std::vector<CheckedFile> take_files() {
+    parallel_chunks(targets_.size(), request_.threads, 256,
+                    [&](std::size_t begin, std::size_t end, unsigned) {
+                      for (std::size_t i = begin; i < end; ++i) {
+                        if (done_[i] == 0) continue;
+                        if (request_.hashes) files_[i].sha256 = hash_of_first(i);
+                        files_[i].place = targets_[i].place;
+                        files_[i].target = std::make_shared<const CheckTarget>(std::move(targets_[i].target));
+                        targets_[i].depends = {};
+                      }
+                    });
+    if (std::ranges::count(done_, 0) == 0) return std::move(files_);
     std::vector<CheckedFile> out;
-    for (std::size_t i = 0; i < files_.size(); ++i) {
-      if (done_[i] == 0) continue;
-      if (i < targets_.size()) {
-        if (request_.hashes) files_[i].sha256 = hash_of_first(i);
-        files_[i].place = targets_[i].place;
-        files_[i].target = std::make_shared<const CheckTarget>(std::move(targets_[i].target));
-      }
-      out.push_back(std::move(files_[i]));
-    }
+    for (std::size_t i = 0; i < files_.size(); ++i)
+      if (done_[i] != 0) out.push_back(std::move(files_[i]));
     return out;
   }
 
@@ -115,6 +119,8 @@ class Checks {
         if (request_.before) request_.before->keep(targets_[i], before, *file);
         files_[i] = std::move(*file);
         done_[i] = 1;
+        // Only the hashes are still needed, and freed here it costs a part of one thread alone.
+        if (!request_.hashes) keys_[i] = {};
       }
     });
     from_cache_ = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), 1)) - unchanged_;
@@ -158,12 +164,11 @@ void add_hashes(ValidationReport& report, unsigned threads) {
 
 // The results, with the tiles of each UDIM set joined to one.
 std::vector<CheckedFile> with_tiles_joined(std::vector<CheckedFile> files) {
+  const auto is_tile = [](const CheckedFile& file) { return file.target && !file.target->udim.empty(); };
+  if (std::ranges::none_of(files, is_tile)) return files;
   std::vector<CheckedFile> out;
   std::map<std::string, std::vector<CheckedFile>> sets;
-  for (CheckedFile& file : files) {
-    const bool is_tile = file.target && !file.target->udim.empty();
-    (is_tile ? sets[file.target->udim] : out).push_back(std::move(file));
-  }
+  for (CheckedFile& file : files) (is_tile(file) ? sets[file.target->udim] : out).push_back(std::move(file));
   for (auto& [label, tiles] : sets) out.push_back(joined_tiles(std::move(tiles)));
   return out;
 }
@@ -270,7 +275,7 @@ FileList list_files(ValidationRequest request) {
 ValidationReport validate(ValidationRequest request) {
   FoundTargets found = find_targets(request);
   for (const CheckTarget& target : request.targets) {
-    FoundTarget& added = found.targets.emplace_back(FoundTarget{target, {}, 0});
+    FoundTarget& added = found.targets.emplace_back(FoundTarget{target, {}, false, 0});
     for (const TargetFile& file : target.files) added.depends.push_back(file.path);
   }
   join_scenes(found.targets);

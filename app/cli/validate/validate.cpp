@@ -18,6 +18,7 @@
 #include "core/base/files/output_file.h"
 #include "core/base/files/output_target.h"
 #include "core/base/files/output_tree.h"
+#include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/pages/finding_pictures.h"
 #include "core/pages/repair_page.h"
@@ -233,6 +234,7 @@ int check_files(ValidateArguments& arguments) {
                                    {copies.get(), marks.get(), use.get()});
   if (report.cache) tell_cache(arguments.cache, *report.cache, arguments.output);
   if (arguments.stats) tell_stats(report, std::chrono::duration<double>(Clock::now() - start).count());
+  if (!arguments.watch) keep_to_end(std::move(report));
   return status;
 }
 

@@ -205,11 +205,11 @@ void refuse_git_lfs_pointer(const std::string& path, const OpenedInput& opened) 
     throw Error::at(path, git_lfs_pointer, "the file, which `git lfs pull` fetches");
 }
 
-OpenedInput open_regular(const std::string& path) {
+OpenedInput open_regular(const std::string& path, SeenAsFile seen = SeenAsFile::no) {
   OpenedInput out;
-  // Looked at before it is opened, because the writer of a pipe notices that it is opened.
   sys::FileInfo info;
-  if (sys::file_info(path, info) && info.kind != sys::FileInfo::Kind::file) refuse(path, info.kind);
+  if (seen == SeenAsFile::no && sys::file_info(path, info) && info.kind != sys::FileInfo::Kind::file)
+    refuse(path, info.kind);
   // This call does not hang if the file has become a pipe.
   out.file = Descriptor(sys::open_file(path, sys::Open::read));
   if (!out.file) throw Error::at(path, "cannot be opened: " + reason_of(errno));
@@ -276,9 +276,9 @@ void set_input_timeout(double seconds) {
   all.timeout = seconds;
 }
 
-OpenedInput open_input(const std::string& path, std::size_t most) {
+OpenedInput open_input(const std::string& path, std::size_t most, SeenAsFile seen) {
   if (Pipe* const pipe = accepted_pipe(path)) return pipe->open(most, timeout_of_inputs());
-  OpenedInput out = open_regular(path);
+  OpenedInput out = open_regular(path, seen);
   if (out.size > most) throw Error::at(path, "holds " + mebibytes(out.size), "at most " + mebibytes(most));
   return out;
 }

@@ -51,10 +51,14 @@ struct OpenedInput {
 /// What a message says of a file that Git LFS has left in the place of a large one.
 inline constexpr std::string_view git_lfs_pointer = "is a pointer of Git LFS and not the file itself";
 
+/// Whether a search has seen just before that a path leads to a regular file. Else it is looked at before it is
+/// opened, because the writer of a pipe notices that it is opened.
+enum class SeenAsFile { no, yes };
+
 /// Opens `path`. Throws Error that names it when it cannot be opened, is none of the above, holds more than
 /// `most` bytes (a pipe is not read further than that), is a pipe that nothing came from in time, or is a
 /// pointer of Git LFS.
-OpenedInput open_input(const std::string& path, std::size_t most);
+OpenedInput open_input(const std::string& path, std::size_t most, SeenAsFile seen = SeenAsFile::no);
 
 /// The first `count` bytes, fewer where the file is shorter; of a pipe no more is read. Throws as
 /// open_input().

@@ -164,11 +164,11 @@ std::string sha256_of_file(const std::string& path) {
   return sha256_of_file(path, info);
 }
 
-std::string sha256_of_file(const std::string& path, sys::FileInfo& info) {
+std::string sha256_of_file(const std::string& path, sys::FileInfo& info, SeenAsFile seen) {
   // Not filled with zeros, which would take longer than the reading of a small file.
   constexpr std::size_t most_at_once = std::size_t{1} << 18;
   try {
-    const OpenedInput input = open_input(path, SIZE_MAX);
+    const OpenedInput input = open_input(path, SIZE_MAX, seen);
     info = input.info;
     Sha256 hash;
     // One byte more than there is, so that one call sees the end of a small file.

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/files/input.h"
 #include "core/base/system.h"
 
 namespace etak {
@@ -36,7 +37,7 @@ std::string sha256(std::string_view bytes);
 /// Of a whole file; empty when it cannot be read.
 ///   info   what was known of the file before its bytes were read
 std::string sha256_of_file(const std::string& path);
-std::string sha256_of_file(const std::string& path, sys::FileInfo& info);
+std::string sha256_of_file(const std::string& path, sys::FileInfo& info, SeenAsFile seen = SeenAsFile::no);
 
 /// HMAC-SHA-256 (RFC 2104) of `bytes`: 64 hexadecimal digits that nobody can make without the key.
 ///   key   of any length; 32 random bytes are enough

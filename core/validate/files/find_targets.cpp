@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <tuple>
@@ -14,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/files/input.h"
+#include "core/base/parallel.h"
 #include "core/base/system.h"
 #include "core/exchange/data_folder.h"
 #include "core/scene/gltf.h"
@@ -21,24 +23,24 @@
 #include "core/validate/files/candidates.h"
 #include "core/validate/files/file_hints.h"
 #include "core/validate/files/files.h"
+#include "core/validate/files/picture_namer.h"
 #include "core/validate/files/picture_sets.h"
 #include "core/validate/names/names.h"
 #include "core/validate/rules.h"
-#include "core/validate/suppress.h"
 
 namespace etak {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string_view folder_of(std::string_view path) {
-  return path.substr(0, path.rfind('/') + 1);  // npos + 1 is 0
-}
-
 // Whether lexically_normal() would leave the path as it is. Most are, and to ask that takes far less time.
 bool is_normal(std::string_view path) {
   return !path.starts_with('.') && path.find("//") == path.npos && path.find("/.") == path.npos &&
          path.find('\\') == path.npos;
+}
+
+void make_normal(std::string& path) {
+  if (!is_normal(path)) path = sys::path_text(fs::path(path).lexically_normal());
 }
 
 // Stable. Lists of files are mostly in order already, because folders were listed so.
@@ -56,7 +58,8 @@ constexpr const char* missing_fix = "Correct the path, or write the file first."
 
 class Finder {
  public:
-  explicit Finder(ValidationRequest& request) : request_(request), reader_(request.config.names) {}
+  explicit Finder(ValidationRequest& request)
+      : request_(request), reader_(request.config.names), namer_(request.config, reader_) {}
 
   FoundTargets find() {
     for (const std::string& path : request_.paths) add_path(path);
@@ -81,21 +84,7 @@ class Finder {
   }
 
  private:
-  std::string label(const std::string& path) const {
-    // Input from a pipe lies in no folder and keeps its name.
-    if (is_pipe_input(path)) return path;
-    // Labels of one folder begin alike.
-    const std::string_view folder = folder_of(path);
-    if (labelled_ != folder || label_.empty()) {
-      labelled_ = folder;
-      label_ = relative_label(labelled_ + 'x', request_.config.root);
-      if (label_.ends_with("/x") || label_ == "x")
-        label_.pop_back();
-      else
-        return std::exchange(label_, {}), relative_label(path, request_.config.root);
-    }
-    return label_ + path.substr(folder.size());
-  }
+  std::string label(const std::string& path) { return namer_.label(path); }
 
   void fail(const std::string& path, const std::string& message, const std::string& fix = {}) {
     // A file that fails here may be found again as a companion.
@@ -143,6 +132,11 @@ class Finder {
       fail(message.substr(0, reason), "the folder" + message.substr(std::min(message.size(), reason + 1)));
     }
     std::move(folder.skipped.begin(), folder.skipped.end(), std::back_inserter(out_.no_files));
+    for (std::string& hiding : folder.hiding) {
+      make_normal(hiding);
+      not_all_seen_.insert(std::move(hiding));
+    }
+    candidates_.reserve(candidates_.size() + folder.files.size());
     const std::string searched = sys::path_text(fs::path(path).lexically_normal());
     // A database of spectra is searched in a folder below, to which a link could lead.
     const bool searched_here = folder.root == path || folder.root == path + '/';
@@ -155,9 +149,7 @@ class Finder {
 
   // A file that was named twice is checked once; named by hand wins.
   void drop_doubles() {
-    for (FileCandidate& candidate : candidates_)
-      if (!is_normal(candidate.path))
-        candidate.path = sys::path_text(fs::path(candidate.path).lexically_normal());
+    for (FileCandidate& candidate : candidates_) make_normal(candidate.path);
     sort_where_needed(candidates_, [](const FileCandidate& a, const FileCandidate& b) {
       return std::tie(a.path, a.named) < std::tie(b.path, b.named);
     });
@@ -171,6 +163,7 @@ class Finder {
   void classify() {
     const std::vector<KindOfFile> kinds = kinds_of(candidates_, request_.threads);
     std::vector<const FileCandidate*> pictures;
+    pictures.reserve(candidates_.size());
     std::size_t missing_reported = 0, missing_more = 0;
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const FileCandidate& candidate = candidates_[i];
@@ -198,11 +191,14 @@ class Finder {
     }
     if (missing_more > 0)
       fail(request_.list, std::to_string(missing_more) + " more of its names lead to no file");
-    for (const FileCandidate* picture : pictures)
-      if (!claimed_.contains(picture->path) && !claimed_.contains(level_0_of(picture->path)))
-        add_picture(*picture);
-      else if (request_.list_files)
-        list_document(label(picture->path), "", ListedAs::judged, "with the scene or layout that names it");
+    if (!claimed_.empty())
+      std::erase_if(pictures, [&](const FileCandidate* picture) {
+        if (!claimed_.contains(picture->path) && !claimed_.contains(level_0_of(picture->path))) return false;
+        if (request_.list_files)
+          list_document(label(picture->path), "", ListedAs::judged, "with the scene or layout that names it");
+        return true;
+      });
+    add_pictures(pictures);
   }
 
   void list_document(const std::string& file, std::string_view role, ListedAs as,
@@ -254,48 +250,36 @@ class Finder {
     out_.targets.push_back(std::move(found));
   }
 
-  // The picture with what its name tells; nullopt where that is no role.
-  std::optional<NamedPicture> named_picture(const std::string& path) const {
-    const std::string_view folder = folder_of(path), name = std::string_view(path).substr(folder.size());
+  // With --role each picture is checked alone, because all of them have the same role.
+  NamedPicture picture_of_role(const std::string& path) const {
     NamedPicture out;
-    out.path = path;
-    if (!request_.config.roles.empty()) {
-      const std::string relative = label(path);
-      for (const RolePattern& pattern : request_.config.roles) {
-        if (!glob_matches(pattern.pattern, relative)) continue;
-        out.name.role = pattern.role;
-        out.name.convention = Convention::own;
-        out.name.set =
-            pattern_stem(pattern.pattern.substr(folder_of(pattern.pattern).size()), std::string(name));
-        out.key = lower_case(std::string(folder) + out.name.set);
-        return out;
-      }
-    }
-    auto parsed = reader_.read(name);
-    if (!parsed) return std::nullopt;
-    out.name = std::move(*parsed);
-    out.guessed = out.name.convention != Convention::own;
-    out.key = lower_case(std::string(folder) + out.name.set);
-    // Each part begins with a line end, so that keys with and without it differ.
-    if (!out.name.tile.empty()) out.key += '\n' + out.name.tile;
-    if (!out.name.lod.empty()) out.key += '\n' + out.name.lod;
+    out.path = out.key = path;
+    out.name.role = *request_.role;
     return out;
   }
 
-  void add_picture(const FileCandidate& candidate) {
-    if (request_.role) {
-      // With --role each picture is checked alone, because all of them have the same role.
-      NamedPicture picture;
-      picture.path = picture.key = candidate.path;
-      picture.name.role = *request_.role;
-      picture.by_hand = candidate.named == Named::by_hand;
-      pictures_.push_back(std::move(picture));
-      return;
-    }
-    auto picture = named_picture(candidate.path);
-    if (!picture) return unknown_picture(candidate.path, candidate.named == Named::by_hand);
-    picture->by_hand = candidate.named == Named::by_hand;
-    pictures_.push_back(std::move(*picture));
+  // Reads the names of pictures, by all threads.
+  void add_pictures(const std::vector<const FileCandidate*>& found) {
+    pictures_.resize(found.size());
+    std::vector<char> known(found.size(), 0);
+    parallel_chunks(found.size(), request_.threads, 256, [&](std::size_t begin, std::size_t end, unsigned) {
+      PictureNamer namer(request_.config, reader_);
+      for (std::size_t i = begin; i < end; ++i) {
+        auto picture = request_.role ? picture_of_role(found[i]->path) : namer.named(found[i]->path);
+        if (!picture) continue;
+        picture->by_hand = found[i]->named == Named::by_hand;
+        picture->plain = found[i]->plain;
+        pictures_[i] = std::move(*picture);
+        known[i] = 1;
+      }
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (known[i] == 0)
+        unknown_picture(found[i]->path, found[i]->named == Named::by_hand);
+      else if (kept++ != i)
+        pictures_[kept - 1] = std::move(pictures_[i]);
+    pictures_.resize(kept);
   }
 
   // A picture whose name tells no role. Its texels tell none either: grey may be F0, roughness or a mask.
@@ -315,18 +299,32 @@ class Finder {
     list_document(out_.unknown.back(), "", ListedAs::unknown, why);
   }
 
+  // The folders of the run's pictures that may hold files that are no candidates. Of a folder that a search has
+  // read all files are candidates already, except what it leaves out.
+  std::set<std::string_view> folders_to_list() {
+    for (const FileCandidate& candidate : candidates_)
+      if (!candidate.plain) not_all_seen_.emplace(folder_of(candidate.path));
+    std::set<std::string_view> out;
+    if (not_all_seen_.empty() && claimed_.empty()) return out;
+    for (const NamedPicture& picture : pictures_) {
+      const std::string_view folder = folder_of(picture.path);
+      if (!claimed_.empty() || not_all_seen_.contains(folder)) out.insert(folder);
+    }
+    return out;
+  }
+
   // Adds possible companions from the folders of the run's pictures. Each folder is listed once.
   void add_companions() {
     if (request_.role) return;
+    const std::set<std::string_view> folders = folders_to_list();
+    if (folders.empty()) return;
     std::unordered_set<std::string_view> have, keys, keys_of_maps;
-    std::set<std::string_view> folders;
     have.reserve(pictures_.size());
     keys.reserve(pictures_.size());
     for (const NamedPicture& picture : pictures_) {
       have.insert(picture.path);
       keys.insert(picture.key);
       if (is_map(picture.name.role)) keys_of_maps.insert(picture.key);
-      folders.insert(folder_of(picture.path));
     }
     std::vector<NamedPicture> companions;  // added at the end, because the sets refer to the pictures
     std::string path;
@@ -338,7 +336,7 @@ class Finder {
       for (sys::FolderReader::Entry entry; list.next(entry);) {
         path.assign(folder).append(entry.name);
         if (have.contains(path) || claimed_.contains(path)) continue;
-        auto picture = named_picture(path);
+        auto picture = namer_.named(path);
         if (!picture || !(is_judged(picture->name.role) ? keys : keys_of_maps).contains(picture->key) ||
             !(is_judged(picture->name.role) || is_map(picture->name.role)))
           continue;
@@ -361,10 +359,11 @@ class Finder {
 
   void group_pictures() {
     add_companions();
-    std::sort(pictures_.begin(), pictures_.end(), [](const NamedPicture& a, const NamedPicture& b) {
+    sort_where_needed(pictures_, [](const NamedPicture& a, const NamedPicture& b) {
       return std::tie(a.key, a.name.role, a.companion, a.path) <
              std::tie(b.key, b.name.role, b.companion, b.path);
     });
+    out_.targets.reserve(out_.targets.size() + pictures_.size() / 2);
     for (std::size_t begin = 0, end = 0; begin < pictures_.size(); begin = end) {
       while (end < pictures_.size() && pictures_[end].key == pictures_[begin].key) ++end;
       const std::span<NamedPicture> same(pictures_.data() + begin, end - begin);
@@ -397,6 +396,7 @@ class Finder {
 
   void add_set(const PictureSet& set) {
     FoundTarget found;
+    found.plain = true;
     found.target.manifest = request_.manifest;
     CheckTarget& target = found.target;
     for (auto [pictures, files] :
@@ -405,6 +405,7 @@ class Finder {
         files->push_back({member->name.role, member->path, label(member->path), member->guessed,
                           member->name.channels, member->name.green});
         found.depends.push_back(member->path);
+        found.plain = found.plain && member->plain;
       }
     target.label = target.files.front().label;
     if (!set.missing.empty()) return add_lone(target, set.missing);
@@ -448,12 +449,13 @@ class Finder {
 
   ValidationRequest& request_;
   const NameReader reader_;
+  PictureNamer namer_;
   std::vector<FileCandidate> candidates_;
   std::vector<NamedPicture> pictures_;
   std::unordered_set<std::string> claimed_, failed_;  // claimed: named by a scene or a layout
   std::unordered_set<std::string> of_manifests_;      // pictures that manifests of etak pack name
+  std::set<std::string, std::less<>> not_all_seen_;   // folders that hold more than a search has told
   std::string last_typed_;
-  mutable std::string labelled_, label_;  // a folder, and how the labels of its files begin
   FoundTargets out_;
 };
 

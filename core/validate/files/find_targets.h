@@ -15,10 +15,12 @@ namespace etak {
 // The first step of validate().
 
 /// A target and the files its result depends on, for the cache.
+///   plain   a search of folders has seen that all of these are files
 ///   place   of CheckedFile, where the run is cut into shards
 struct FoundTarget {
   CheckTarget target;
   std::vector<std::string> depends;
+  bool plain = false;
   std::size_t place = 0;
 };
 

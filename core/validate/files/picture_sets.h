@@ -18,6 +18,7 @@ struct NamedPicture {
   bool guessed = false;    // the role comes from the name, not from [roles] or --role
   bool companion = false;  // found beside what was named: judged with that or not at all
   bool by_hand = false;
+  bool plain = false;  // of FileCandidate
   ListedAs as = ListedAs::not_judged;
   std::string note;
 };

@@ -65,9 +65,10 @@ ResultCache::ResultCache(CacheOptions options, const std::string& settings, cons
 CacheKey ResultCache::key_of(const FoundTarget& found) const {
   CacheKey out;
   out.files.resize(found.depends.size());
+  const SeenAsFile seen = found.plain ? SeenAsFile::yes : SeenAsFile::no;
   std::string text = settings_ + '\n' + identity_of(found);
   for (std::size_t i = 0; i < found.depends.size(); ++i) {
-    out.hashes.push_back(sha256_of_file(found.depends[i], out.files[i]));
+    out.hashes.push_back(sha256_of_file(found.depends[i], out.files[i], seen));
     if (out.hashes.back().empty()) return out;
     text += out.hashes.back() + '\n';
   }
