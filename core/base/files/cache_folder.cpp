@@ -43,11 +43,16 @@ bool is_of_one_entry(int error) {
 
 std::string CacheFolder::State::seal(std::string_view digest, std::string_view sizes,
                                      std::string_view text) const {
-  std::string sealed(cache_format);
+  std::string sealed;
+  sealed.reserve(longest_head + (options.key.empty() ? 0 : text.size()));
+  sealed += cache_format;
   for (const std::string_view part : {std::string_view(options.kind), digest, sizes}) (sealed += ' ') += part;
   sealed += '\n';
-  sealed += text;
-  return options.key.empty() ? sha256(sealed) : hmac_sha256(options.key, sealed);
+  if (!options.key.empty()) return hmac_sha256(options.key, sealed += text);
+  Sha256 hash;
+  hash.add(sealed);
+  hash.add(text);
+  return hash.finish();
 }
 
 int CacheFolder::State::folder_of(std::string_view digest, bool make) {
@@ -158,12 +163,13 @@ std::optional<CacheEntry> CacheFolder::State::look_up(const std::string& digest,
   sys::FileInfo info;
   if (!sys::file_info(out.file.get(), info) || info.kind != sys::FileInfo::Kind::file) return std::nullopt;
   // Most entries are read by one call.
-  constexpr std::uint64_t usual = 16 << 10;
-  std::string bytes(static_cast<std::size_t>(std::min(info.size, usual)), '\0');
-  if (!fill_from(out.file.get(), bytes, 0)) return std::nullopt;
-  const std::size_t end = std::string_view(bytes).substr(0, longest_head).find('\n');
-  if (end == std::string::npos) return std::nullopt;
-  std::string_view head(bytes.data(), end);
+  std::array<char, std::size_t{16} << 10> usual;
+  const std::string_view begin(usual.data(),
+                               static_cast<std::size_t>(std::min<std::uint64_t>(info.size, usual.size())));
+  if (!fill_from(out.file.get(), {usual.data(), begin.size()})) return std::nullopt;
+  const std::size_t end = begin.substr(0, longest_head).find('\n');
+  if (end == begin.npos) return std::nullopt;
+  std::string_view head = begin.substr(0, end);
   if (take_word(head) != cache_format || take_word(head) != options.kind) return std::nullopt;
   const std::string seal_there(take_word(head)), sizes(head);
   const auto text_size = whole_number<std::uint64_t>(take_word(head)),
@@ -171,14 +177,13 @@ std::optional<CacheEntry> CacheFolder::State::look_up(const std::string& digest,
   if (!text_size || !rest_size || *text_size > largest_text || *rest_size > info.size ||
       info.size != end + 1 + *text_size + *rest_size)
     return std::nullopt;
-  const std::size_t have = bytes.size();
   out.rest_at = end + 1 + *text_size;
   out.rest_size = *rest_size;
-  bytes.resize(static_cast<std::size_t>(out.rest_at));
-  if (!fill_from(out.file.get(), bytes, have)) return std::nullopt;
-  bytes.erase(0, end + 1);
-  if (!same_digest(seal_there, seal(digest, sizes, bytes))) return std::nullopt;
-  out.text = std::move(bytes);
+  out.text = begin.substr(end + 1, static_cast<std::size_t>(*text_size));
+  const std::size_t have = out.text.size();
+  out.text.resize(static_cast<std::size_t>(*text_size));
+  if (!fill_from(out.file.get(), std::span(out.text).subspan(have))) return std::nullopt;
+  if (!same_digest(seal_there, seal(digest, sizes, out.text))) return std::nullopt;
   // By this machine's clock: a wrong one costs a call, no more.
   const std::int64_t age = clock_seconds() - info.written.seconds;
   if (age > hour || age < -hour) (void)sys::touch_in(folder, name.c_str());

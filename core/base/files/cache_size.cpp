@@ -124,7 +124,7 @@ void CacheFolder::settle() {
         info.size > longest_head)
       return std::nullopt;
     std::string text(static_cast<std::size_t>(info.size), '\0');
-    if (!fill_from(file.get(), text, 0) || !text.ends_with('\n')) return std::nullopt;
+    if (!fill_from(file.get(), text) || !text.ends_with('\n')) return std::nullopt;
     std::string_view line(text.data(), text.size() - 1);
     if (take_word(line) != cache_format) return std::nullopt;
     const auto bytes = whole_number<std::uint64_t>(take_word(line)), runs = whole_number<std::uint64_t>(line);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,11 +44,11 @@ inline std::string_view take_word(std::string_view& text) {
 }
 
 // Reads until `out` is full; false where the file ends before.
-inline bool fill_from(int file, std::string& out, std::size_t from) {
-  while (from < out.size()) {
-    const std::ptrdiff_t got = sys::read(file, out.data() + from, out.size() - from);
+inline bool fill_from(int file, std::span<char> out) {
+  while (!out.empty()) {
+    const std::ptrdiff_t got = sys::read(file, out.data(), out.size());
     if (got <= 0) return false;
-    from += static_cast<std::size_t>(got);
+    out = out.subspan(static_cast<std::size_t>(got));
   }
   return true;
 }

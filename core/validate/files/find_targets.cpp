@@ -6,8 +6,8 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <span>
 #include <tuple>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -25,6 +25,7 @@
 #include "core/validate/files/files.h"
 #include "core/validate/files/picture_namer.h"
 #include "core/validate/files/picture_sets.h"
+#include "core/validate/files/set_targets.h"
 #include "core/validate/names/names.h"
 #include "core/validate/rules.h"
 
@@ -357,23 +358,48 @@ class Finder {
     std::move(companions.begin(), companions.end(), std::back_inserter(pictures_));
   }
 
+  // Pictures of one key, and what is to be judged of them.
+  struct Group {
+    std::span<NamedPicture> pictures;
+    std::vector<std::pair<FoundTarget, std::string>> sets;  // with what is missing; empty: nothing
+  };
+
+  void find_sets(Group& group, PictureNamer& namer) const {
+    std::vector<PictureSet> sets = sets_of(group.pictures);
+    group.sets.reserve(sets.size());
+    for (PictureSet& set : sets) {
+      // A base colour that was named by --role is checked without its companions.
+      if (request_.role == FileRole::base_color) set.missing.clear();
+      // A set is judged only where at least one of its pictures belongs to the run.
+      if (!std::ranges::all_of(set.members, &NamedPicture::companion))
+        group.sets.emplace_back(target_of_set(set, request_.manifest, namer), std::move(set.missing));
+    }
+  }
+
   void group_pictures() {
     add_companions();
     sort_where_needed(pictures_, [](const NamedPicture& a, const NamedPicture& b) {
       return std::tie(a.key, a.name.role, a.companion, a.path) <
              std::tie(b.key, b.name.role, b.companion, b.path);
     });
-    out_.targets.reserve(out_.targets.size() + pictures_.size() / 2);
+    std::vector<Group> groups;
+    groups.reserve(pictures_.size() / 2);
     for (std::size_t begin = 0, end = 0; begin < pictures_.size(); begin = end) {
       while (end < pictures_.size() && pictures_[end].key == pictures_[begin].key) ++end;
-      const std::span<NamedPicture> same(pictures_.data() + begin, end - begin);
-      for (PictureSet& set : sets_of(same)) {
-        // A base colour that was named by --role is checked without its companions.
-        if (request_.role == FileRole::base_color) set.missing.clear();
-        // A set is judged only where at least one of its pictures belongs to the run.
-        if (!std::ranges::all_of(set.members, &NamedPicture::companion)) add_set(set);
-      }
-      for (const NamedPicture& picture : same)
+      groups.push_back({{pictures_.data() + begin, end - begin}, {}});
+    }
+    parallel_chunks(groups.size(), request_.threads, 256, [&](std::size_t begin, std::size_t end, unsigned) {
+      PictureNamer namer(request_.config, reader_);
+      for (std::size_t i = begin; i < end; ++i) find_sets(groups[i], namer);
+    });
+    out_.targets.reserve(out_.targets.size() + groups.size());
+    for (Group& group : groups) {
+      for (auto& [found, missing] : group.sets)
+        if (missing.empty())
+          out_.targets.push_back(std::move(found));
+        else
+          out_.lone.push_back(lone_set(found.target, missing, request_.config.settings));
+      for (const NamedPicture& picture : group.pictures)
         if (picture.as == ListedAs::unknown) {
           if (!picture.companion) unknown_picture(picture.path, picture.by_hand, picture.note);
         } else {
@@ -381,7 +407,7 @@ class Finder {
           if (request_.list_files) list_picture(picture);
         }
     }
-    settle_tiles();
+    settle_tiles(out_.targets);
   }
 
   void list_picture(const NamedPicture& picture) {
@@ -392,59 +418,6 @@ class Finder {
     row.parsed = picture.name;
     row.as = picture.as;
     row.note = picture.note;
-  }
-
-  void add_set(const PictureSet& set) {
-    FoundTarget found;
-    found.plain = true;
-    found.target.manifest = request_.manifest;
-    CheckTarget& target = found.target;
-    for (auto [pictures, files] :
-         {std::pair(&set.members, &target.files), std::pair(&set.beside, &target.beside)})
-      for (const NamedPicture* member : *pictures) {
-        files->push_back({member->name.role, member->path, label(member->path), member->guessed,
-                          member->name.channels, member->name.green});
-        found.depends.push_back(member->path);
-        found.plain = found.plain && member->plain;
-      }
-    target.label = target.files.front().label;
-    if (!set.missing.empty()) return add_lone(target, set.missing);
-    const ParsedName& name = set.members.front()->name;
-    if (!name.tile.empty()) {
-      target.tile = name.tile;
-      target.udim = target.label;
-      const std::size_t at = lower_case(target.label).rfind(name.tile);
-      target.udim.replace(at, name.tile.size(), "<UDIM>");
-    }
-    out_.targets.push_back(std::move(found));
-  }
-
-  void add_lone(const CheckTarget& target, const std::string& missing) {
-    const Rule& rule = *find_rule("ETK002");
-    CheckedFile file = checked_file_of(target);
-    if (const Severity severity = severity_of(rule, request_.config.settings); severity != Severity::off) {
-      Finding& finding = file.findings.emplace_back(finding_of(rule, severity));
-      finding.file = file.path;
-      finding.value = missing;
-      finding.limit = "the whole set";
-      finding.message = missing + ": nothing of it was judged";
-      finding.fix =
-          "Add the missing picture under the name of its set, or say in [names] of etak.toml what "
-          "the endings of the names mean; etak validate --list-files shows what was understood.";
-    }
-    out_.lone.push_back(std::move(file));
-  }
-
-  // A number alone, such as that of chair_1234_diff.png, makes no set of tiles.
-  void settle_tiles() {
-    std::unordered_map<std::string, std::size_t> tiles;
-    for (const FoundTarget& found : out_.targets)
-      if (!found.target.udim.empty()) ++tiles[found.target.udim];
-    for (FoundTarget& found : out_.targets)
-      if (!found.target.udim.empty() && tiles[found.target.udim] < 2) {
-        found.target.udim.clear();
-        found.target.tile.clear();
-      }
   }
 
   ValidationRequest& request_;

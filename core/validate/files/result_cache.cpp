@@ -39,11 +39,15 @@ bool same_file(const sys::FileInfo& a, const sys::FileInfo& b) {
 }  // namespace
 
 std::string identity_of(const FoundTarget& found) {
-  std::string text = found.target.label + '\n';
+  std::string text;
+  text.reserve(512);
+  (text += found.target.label) += '\n';
   for (const auto* files : {&found.target.files, &found.target.beside})
-    for (const TargetFile& file : *files)
-      text += file.label + '\n' + std::string(name(file.role)) + (file.guessed ? " guessed " : " ") +
-              file.channels + ' ' + std::string(name(file.green)) + '\n';
+    for (const TargetFile& file : *files) {
+      ((text += file.label) += '\n') += name(file.role);
+      ((text += file.guessed ? " guessed " : " ") += file.channels) += ' ';
+      (text += name(file.green)) += '\n';
+    }
   add_manifest(text, found.target.manifest);
   return text;
 }
@@ -64,15 +68,16 @@ ResultCache::ResultCache(CacheOptions options, const std::string& settings, cons
 
 CacheKey ResultCache::key_of(const FoundTarget& found) const {
   CacheKey out;
-  out.files.resize(found.depends.size());
-  const SeenAsFile seen = found.plain ? SeenAsFile::yes : SeenAsFile::no;
-  std::string text = settings_ + '\n' + identity_of(found);
-  for (std::size_t i = 0; i < found.depends.size(); ++i) {
-    out.hashes.push_back(sha256_of_file(found.depends[i], out.files[i], seen));
-    if (out.hashes.back().empty()) return out;
-    text += out.hashes.back() + '\n';
-  }
-  out.digest = sha256(text);
+  out.hashes = sha256_of_files(found.depends, out.files, found.plain ? SeenAsFile::yes : SeenAsFile::no);
+  if (!out.hashes.empty() && out.hashes.back().empty()) return out;
+  std::string hashes;
+  for (const std::string& hash : out.hashes) (hashes += hash) += '\n';
+  Sha256 all;
+  all.add(settings_);
+  all.add("\n");
+  all.add(identity_of(found));
+  all.add(hashes);
+  out.digest = all.finish();
   return out;
 }
 
