@@ -77,7 +77,7 @@ void mark_known(ValidationReport& report, std::span<const KnownDefect> known) {
   if (known.empty()) {
     for (CheckedFile& file : report.files)
       for (Finding& finding : file.findings)
-        if (!is_of_the_tool(finding.rule)) finding.baseline = false;
+        if (finding.baseline && !is_of_the_tool(finding.rule)) finding.baseline = false;
     return;
   }
   std::vector<const KnownDefect*> sorted;

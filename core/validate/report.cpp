@@ -33,6 +33,19 @@ void judge_allowances(ValidationReport& report, const ValidateConfig& config, co
     add_unused_allowances(report, uses);
 }
 
+// The files in the order of a report, of which nothing is counted yet.
+ValidationReport report_in_order(std::vector<CheckedFile> files, const Settings& settings) {
+  ValidationReport report;
+  report.profile = name(settings.profile);
+  report.transfer = name(settings.transfer);
+  report.files = std::move(files);
+  // They mostly are in order, because targets are.
+  const auto in_order = [](const CheckedFile& a, const CheckedFile& b) { return a.path < b.path; };
+  if (!std::is_sorted(report.files.begin(), report.files.end(), in_order))
+    std::stable_sort(report.files.begin(), report.files.end(), in_order);
+  return report;
+}
+
 }  // namespace
 
 std::string today_here() {
@@ -42,14 +55,7 @@ std::string today_here() {
 }
 
 ValidationReport report_of(std::vector<CheckedFile> files, const Settings& settings) {
-  ValidationReport report;
-  report.profile = name(settings.profile);
-  report.transfer = name(settings.transfer);
-  report.files = std::move(files);
-  // They mostly are in order, because targets are.
-  const auto in_order = [](const CheckedFile& a, const CheckedFile& b) { return a.path < b.path; };
-  if (!std::is_sorted(report.files.begin(), report.files.end(), in_order))
-    std::stable_sort(report.files.begin(), report.files.end(), in_order);
+  ValidationReport report = report_in_order(std::move(files), settings);
   std::size_t failing = 0;
   for (const CheckedFile& file : report.files) {
     report.incomplete = report.incomplete || file.unreadable;
@@ -67,7 +73,7 @@ ValidationReport report_of(std::vector<CheckedFile> files, const Settings& setti
 
 ValidationReport report_of_run(std::vector<CheckedFile> files, const ValidateConfig& config,
                                const ReportRun& run) {
-  ValidationReport out = report_of(std::move(files), config.settings);
+  ValidationReport out = report_in_order(std::move(files), config.settings);
   judge_allowances(out, config, run);
   if (run.renew_known)
     mark_known(out, baseline_of(out));

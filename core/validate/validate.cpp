@@ -64,18 +64,8 @@ class Checks {
   std::size_t from_cache() const { return from_cache_; }
   std::size_t unchanged() const { return unchanged_; }
 
-  /// The results of the checks that were made, each with its target, which is moved there.
+  /// The results of the checks that were made, each with its target.
   std::vector<CheckedFile> take_files() {
-    parallel_chunks(targets_.size(), request_.threads, 256,
-                    [&](std::size_t begin, std::size_t end, unsigned) {
-                      for (std::size_t i = begin; i < end; ++i) {
-                        if (done_[i] == 0) continue;
-                        if (request_.hashes) files_[i].sha256 = hash_of_first(i);
-                        files_[i].place = targets_[i].place;
-                        files_[i].target = std::make_shared<const CheckTarget>(std::move(targets_[i].target));
-                        targets_[i].depends = {};
-                      }
-                    });
     if (std::ranges::count(done_, 0) == 0) return std::move(files_);
     std::vector<CheckedFile> out;
     for (std::size_t i = 0; i < files_.size(); ++i)
@@ -93,14 +83,26 @@ class Checks {
     return {};
   }
 
+  // Keeps the result of a target and moves the target there. What only its check needed is freed here, by the
+  // thread that has made it.
+  void finish(std::size_t i, CheckedFile file) {
+    FoundTarget& found = targets_[i];
+    if (request_.hashes) file.sha256 = hash_of_first(i);
+    file.place = found.place;
+    file.target = std::make_shared<const CheckTarget>(std::move(found.target));
+    files_[i] = std::move(file);
+    found.depends = {};
+    keys_[i] = {};
+    done_[i] = 1;
+  }
+
   void look_back(const std::string& settings) {
     request_.before->begin(settings);
     parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
         auto file = request_.before->find(targets_[i]);
         if (!file) continue;
-        files_[i] = std::move(*file);
-        done_[i] = 1;
+        finish(i, std::move(*file));
       }
     });
     unchanged_ = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), 1));
@@ -117,10 +119,7 @@ class Checks {
         auto file = cache_->find(keys_[i]);
         if (!file) continue;
         if (request_.before) request_.before->keep(targets_[i], before, *file);
-        files_[i] = std::move(*file);
-        done_[i] = 1;
-        // Only the hashes are still needed, and freed here it costs a part of one thread alone.
-        if (!request_.hashes) keys_[i] = {};
+        finish(i, std::move(*file));
       }
     });
     from_cache_ = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), 1)) - unchanged_;
@@ -135,9 +134,10 @@ class Checks {
     } else {
       std::vector<sys::FileInfo> before;
       if (request_.before) before = CheckedBefore::look_at(targets_[i]);
-      files_[i] = check(targets_[i].target, request_.door, settings, threads);
-      if (request_.before) request_.before->keep(targets_[i], before, files_[i]);
-      if (cache_) cache_->keep(keys_[i], targets_[i], files_[i]);
+      CheckedFile file = check(targets_[i].target, request_.door, settings, threads);
+      if (request_.before) request_.before->keep(targets_[i], before, file);
+      if (cache_) cache_->keep(keys_[i], targets_[i], file);
+      return finish(i, std::move(file));
     }
     done_[i] = 1;
   }

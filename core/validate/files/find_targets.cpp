@@ -150,7 +150,14 @@ class Finder {
 
   // A file that was named twice is checked once; named by hand wins.
   void drop_doubles() {
-    for (FileCandidate& candidate : candidates_) make_normal(candidate.path);
+    std::string normal;  // the last folder that was found to be normal
+    for (FileCandidate& candidate : candidates_) {
+      const std::string_view folder = folder_of(candidate.path);
+      const std::string_view name = std::string_view(candidate.path).substr(folder.size());
+      if (folder == normal && !name.starts_with('.') && name.find('\\') == name.npos) continue;
+      make_normal(candidate.path);
+      normal = folder_of(candidate.path);
+    }
     sort_where_needed(candidates_, [](const FileCandidate& a, const FileCandidate& b) {
       return std::tie(a.path, a.named) < std::tie(b.path, b.named);
     });
