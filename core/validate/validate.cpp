@@ -110,6 +110,7 @@ class Checks {
 
   void look_up(const std::string& settings) {
     cache_.emplace(request_.cache, settings, request_.version);
+    cache_->folder().expect(targets_.size());
     parallel_chunks(targets_.size(), request_.threads, 16, [&](std::size_t begin, std::size_t end, unsigned) {
       for (std::size_t i = begin; i < end; ++i) {
         if (done_[i] != 0) continue;

@@ -151,42 +151,52 @@ CacheFolder::~CacheFolder() {
   }
 }
 
-std::optional<CacheEntry> CacheFolder::State::look_up(const std::string& digest, bool& damaged) {
-  const int folder = root ? folder_of(digest, false) : -1;
-  if (folder < 0) return std::nullopt;
-  const std::string name = entry_name(digest);
-  CacheEntry out;
-  out.file = Descriptor(sys::open_in(folder, name, sys::OpenIn::read));
-  damaged = errno != ENOENT;
-  if (!out.file) return std::nullopt;
-  damaged = true;
-  sys::FileInfo info;
-  if (!sys::file_info(out.file.get(), info) || info.kind != sys::FileInfo::Kind::file) return std::nullopt;
-  // Most entries are read by one call.
-  std::array<char, std::size_t{16} << 10> usual;
-  const std::string_view begin(usual.data(),
-                               static_cast<std::size_t>(std::min<std::uint64_t>(info.size, usual.size())));
-  if (!fill_from(out.file.get(), {usual.data(), begin.size()})) return std::nullopt;
-  const std::size_t end = begin.substr(0, longest_head).find('\n');
-  if (end == begin.npos) return std::nullopt;
-  std::string_view head = begin.substr(0, end);
+std::optional<CacheEntry> CacheFolder::State::read_entry(const std::string& digest, std::string_view bytes,
+                                                         std::uint64_t size, int file) const {
+  const std::size_t end = bytes.substr(0, longest_head).find('\n');
+  if (end == bytes.npos) return std::nullopt;
+  std::string_view head = bytes.substr(0, end);
   if (take_word(head) != cache_format || take_word(head) != options.kind) return std::nullopt;
   const std::string seal_there(take_word(head)), sizes(head);
   const auto text_size = whole_number<std::uint64_t>(take_word(head)),
              rest_size = whole_number<std::uint64_t>(head);
-  if (!text_size || !rest_size || *text_size > largest_text || *rest_size > info.size ||
-      info.size != end + 1 + *text_size + *rest_size)
+  if (!text_size || !rest_size || *text_size > largest_text || *rest_size > size ||
+      size != end + 1 + *text_size + *rest_size)
     return std::nullopt;
+  CacheEntry out;
   out.rest_at = end + 1 + *text_size;
   out.rest_size = *rest_size;
-  out.text = begin.substr(end + 1, static_cast<std::size_t>(*text_size));
+  out.text = bytes.substr(end + 1, static_cast<std::size_t>(*text_size));
   const std::size_t have = out.text.size();
   out.text.resize(static_cast<std::size_t>(*text_size));
-  if (!fill_from(out.file.get(), std::span(out.text).subspan(have))) return std::nullopt;
+  if (!fill_from(file, std::span(out.text).subspan(have))) return std::nullopt;
   if (!same_digest(seal_there, seal(digest, sizes, out.text))) return std::nullopt;
-  // By this machine's clock: a wrong one costs a call, no more.
-  const std::int64_t age = clock_seconds() - info.written.seconds;
-  if (age > hour || age < -hour) (void)sys::touch_in(folder, name.c_str());
+  return out;
+}
+
+std::optional<CacheEntry> CacheFolder::State::look_up(const std::string& digest, bool& damaged) {
+  bool damaged_copy = false;
+  if (auto out = look_up_in_bundles(digest, damaged_copy)) return out;
+  damaged = damaged_copy;
+  const int folder = root ? folder_of(digest, false) : -1;
+  if (folder < 0) return std::nullopt;
+  const std::string name = entry_name(digest);
+  Descriptor file(sys::open_in(folder, name, sys::OpenIn::read));
+  damaged = damaged || errno != ENOENT;
+  if (!file) return std::nullopt;
+  damaged = true;
+  sys::FileInfo info;
+  if (!sys::file_info(file.get(), info) || info.kind != sys::FileInfo::Kind::file) return std::nullopt;
+  std::array<char, usual_entry> usual;
+  const std::span<char> begin(usual.data(),
+                              static_cast<std::size_t>(std::min<std::uint64_t>(info.size, usual.size())));
+  if (!fill_from(file.get(), begin)) return std::nullopt;
+  const std::string_view bytes(begin.data(), begin.size());
+  auto out = read_entry(digest, bytes, info.size, file.get());
+  if (!out) return std::nullopt;
+  if (is_old(info.written)) (void)sys::touch_in(folder, name.c_str());
+  if (out->rest_size == 0 && bytes.size() == info.size) add_to_bundle(digest, bytes);
+  out->file = std::move(file);
   return out;
 }
 

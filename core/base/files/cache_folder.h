@@ -17,14 +17,14 @@
 
 namespace etak {
 
-/// An entry that was found: its text, and an open file that holds more bytes from `rest_at` on.
+/// An entry that was found: its text, and where there is a rest, an open file that holds it from `rest_at` on.
 struct CacheEntry {
   std::string text;
   Descriptor file;
   std::uint64_t rest_at = 0, rest_size = 0;
 };
 
-/// A folder of results of earlier runs, one file for each, that any number of programs on any number of
+/// A folder of results of earlier runs, a file for each, that any number of programs on any number of
 /// machines read and write at the same time. Any thread may call.
 ///   names    an entry is found by a digest: 64 hexadecimal digits that tell all that its content depends on
 ///   seals    it begins with a checksum of its text and of that digest, so that damage and an entry under
@@ -38,6 +38,11 @@ struct CacheEntry {
 ///            entries that were used longest ago go until nine tenths are left. Every 256th time, and where
 ///            there is no number, all entries are counted anew, because runs that were killed have not
 ///            added theirs
+///   bundles  where a run has found a thousand small entries or more in files of their own, it leaves copies of
+///            them in one file in DIR/bundles, of which each entry is read by one call. Of a bundle only entries
+///            count whose seal is right; where one does not, its own file is read. A bundle is counted and goes
+///            like an entry, by its own use, and takes a quarter of the cache at most. There are 32 at most: the
+///            one that was used longest ago makes room
 ///   use      a hit sets the time of an entry where that is more than an hour old. Times are compared with
 ///            those that the folder's own file system gives, so clocks of machines do not matter. A time in
 ///            its future is set to now, so that such an entry ages like others
@@ -50,6 +55,9 @@ class CacheFolder {
   ~CacheFolder();
   CacheFolder(const CacheFolder&) = delete;
   CacheFolder& operator=(const CacheFolder&) = delete;
+
+  /// To be called before so many look-ups, by one thread. From a thousand on bundles are read and made.
+  void expect(std::size_t look_ups);
 
   /// The entry of that digest; none where there is none that counts.
   std::optional<CacheEntry> find(const std::string& digest);
@@ -90,8 +98,10 @@ class CacheFolder {
   /// What was done so far, settled.
   CacheUse use();
 
- private:
+  /// For the sources of this class.
   struct State;
+
+ private:
   std::unique_ptr<State> state_;
 };
 

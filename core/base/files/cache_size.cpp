@@ -55,6 +55,16 @@ std::vector<FoundEntry> CacheFolder::State::list(std::vector<Descriptor>& opened
     }
     opened.push_back(std::move(again));
   }
+  if (Descriptor folder = open_bundles()) {
+    for (const std::string& name : names_in(folder.get())) {
+      sys::FileInfo info;
+      if (is_bundle_name(name) && sys::file_info_in(folder.get(), name.c_str(), info) &&
+          info.kind == sys::FileInfo::Kind::file)
+        out.push_back(
+            {opened.size(), name, info.number, in_blocks(info.size), info.written, info.written, true});
+    }
+    opened.push_back(std::move(folder));
+  }
   return out;
 }
 
@@ -103,7 +113,7 @@ std::uint64_t CacheFolder::State::count_and_trim() {
       if (!sys::remove_in(folder, entry.name.c_str())) {
         if (errno != ENOENT) continue;
       } else {
-        ++evicted;
+        evicted += !entry.is_bundle;
       }
     }
     total -= entry.bytes;
@@ -114,6 +124,7 @@ std::uint64_t CacheFolder::State::count_and_trim() {
 void CacheFolder::settle() {
   State& s = *state_;
   const std::lock_guard guard(s.settling);
+  s.keep_bundle();
   const std::uint64_t mine = s.added.exchange(0);
   if (!s.root || mine == 0) return;
   const FolderLock lock(s.root.get(), most_wait_to_settle);
@@ -149,7 +160,7 @@ CacheUse CacheFolder::use() {
     std::vector<Descriptor> opened;
     CacheSize& size = out.size.emplace();
     for (const FoundEntry& entry : s.list(opened)) {
-      ++size.entries;
+      size.entries += !entry.is_bundle;
       size.bytes += entry.bytes;
     }
   }

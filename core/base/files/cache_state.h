@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -24,6 +25,8 @@ namespace etak {
 inline constexpr std::string_view cache_format = "etak-cache/1", entry_ending = ".entry";
 inline constexpr std::size_t folder_digits = 2, digest_digits = 64, longest_head = 256;
 inline constexpr std::int64_t hour = 3600;
+// Most entries are not larger, and are read by one call.
+inline constexpr std::size_t usual_entry = std::size_t{16} << 10;
 
 // What a file of so many bytes takes on a disk.
 inline std::uint64_t in_blocks(std::uint64_t bytes) {
@@ -58,7 +61,16 @@ inline std::int64_t clock_seconds() {
       .count();
 }
 
-// Where an entry is, what it takes, and when it was used.
+// Whether a time is so long ago that a use is worth a new one. By this machine's clock: a wrong one costs a call.
+inline bool is_old(const sys::FileInfo::Time& time) {
+  const std::int64_t age = clock_seconds() - time.seconds;
+  return age > hour || age < -hour;
+}
+
+// Of a file in the folder of bundles.
+bool is_bundle_name(std::string_view name);
+
+// Where an entry or a bundle is, what it takes, and when it was used.
 //   folder    of the list of folders
 //   written   the time of the file
 //   used      the same, but never in the future
@@ -67,6 +79,32 @@ struct FoundEntry {
   std::string name;
   std::uint64_t number = 0, bytes = 0;
   sys::FileInfo::Time written, used;
+  bool is_bundle = false;
+};
+
+// A file in DIR/new that becomes an entry, a bundle, or the account.
+struct CacheFolder::NewEntry::Open {
+  State& state;
+  int folder = -1;  // DIR/new
+  std::string name, digest;
+  Descriptor file;
+  int remembered = -1;
+  std::string waiting;
+  std::uint64_t expected = 0, got = 0;
+  int error = 0;
+
+  explicit Open(State& of) : state(of) {}
+  ~Open() { remove(); }
+  Open(const Open&) = delete;
+  Open& operator=(const Open&) = delete;
+
+  // False where the folder takes no file; errno tells why.
+  bool create();
+  void add(std::string_view bytes);
+  void flush();
+  // False where it cannot be put in place; `error` tells why.
+  bool rename_to(int to, const std::string& final_name);
+  void remove();
 };
 
 struct CacheFolder::State {
@@ -95,35 +133,37 @@ struct CacheFolder::State {
   void fail(int error);
 
   std::optional<CacheEntry> look_up(const std::string& digest, bool& damaged);
+  // The entry that begins with `bytes`, whose seal is looked at; none where it does not count.
+  //   size   of the whole entry
+  //   file   that goes on behind `bytes`; -1: none
+  std::optional<CacheEntry> read_entry(const std::string& digest, std::string_view bytes, std::uint64_t size,
+                                       int file) const;
+
+  // An open bundle of another run, with its index as it was read.
+  struct Bundle {
+    Descriptor file;
+    std::string name, index;
+    std::uint64_t entries_end = 0;
+    sys::FileInfo::Time written;
+    std::atomic<bool> used{false};
+  };
+  Descriptor bundles_folder;
+  std::vector<std::unique_ptr<Bundle>> bundles;
+  std::mutex bundle_lock;  // of what follows
+  bool bundling = false;
+  std::unique_ptr<NewEntry::Open> new_bundle;
+  std::vector<std::string> bundle_rows;
+
+  Descriptor open_bundles();
+  void read_bundles();
+  std::optional<CacheEntry> look_up_in_bundles(const std::string& digest, bool& damaged);
+  void add_to_bundle(const std::string& digest, std::string_view bytes);
+  void keep_bundle();
+
   std::vector<FoundEntry> list(std::vector<Descriptor>& opened);
   sys::FileInfo::Time now();
   void clean_new(const sys::FileInfo::Time& now);
   std::uint64_t count_and_trim();
-};
-
-// A file in DIR/new that becomes an entry, or the account.
-struct CacheFolder::NewEntry::Open {
-  State& state;
-  int folder = -1;  // DIR/new
-  std::string name, digest;
-  Descriptor file;
-  int remembered = -1;
-  std::string waiting;
-  std::uint64_t expected = 0, got = 0;
-  int error = 0;
-
-  explicit Open(State& of) : state(of) {}
-  ~Open() { remove(); }
-  Open(const Open&) = delete;
-  Open& operator=(const Open&) = delete;
-
-  // False where the folder takes no file; errno tells why.
-  bool create();
-  void add(std::string_view bytes);
-  void flush();
-  // False where it cannot be put in place; `error` tells why.
-  bool rename_to(int to, const std::string& final_name);
-  void remove();
 };
 
 }  // namespace etak
