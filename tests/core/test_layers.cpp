@@ -199,6 +199,21 @@ TEST_CASE("no message of core names an option of a command line: setting() names
   }
 }
 
+TEST_CASE(
+    "what stands in a thread has no destructor, which GCC for Windows calls after the memory is freed") {
+  std::size_t seen = 0;
+  for (const auto* root : {"core", "app"})
+    for (const auto& file : files_below(root))
+      for (std::size_t i = 0; i < file.lines.size(); ++i) {
+        if (!contains(parts_of(file.lines[i]).code, "thread_local ")) continue;
+        ++seen;
+        INFO(file.path << ": " << file.lines[i] << "; core/base/spares.h is for what has a destructor");
+        REQUIRE(i + 1 < file.lines.size());
+        CHECK(contains(file.lines[i + 1], "static_assert(std::is_trivially_destructible_v<decltype("));
+      }
+  CHECK(seen > 0);
+}
+
 TEST_CASE("every source file opens with its licence line") {
   for (const auto* root : {"core", "app", "tests"})
     for (const auto& file : files_below(root)) {
