@@ -12,7 +12,7 @@
 #include "app/cli/usage.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace etak::cli {
 Option Option::group(const std::string& name) {

@@ -12,7 +12,7 @@
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/setting.h"
 #include "core/base/signals.h"
 #include "core/base/system.h"

@@ -9,11 +9,11 @@
 
 #include "app/cli/output/output.h"
 #include "app/cli/output/terminal.h"
-#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/system.h"
-#include "core/base/text.h"
-#include "core/base/wrap.h"
+#include "core/base/text/edit_distance.h"
+#include "core/base/text/text.h"
+#include "core/base/text/wrap.h"
 
 namespace etak::cli {
 namespace {

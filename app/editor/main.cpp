@@ -17,7 +17,7 @@
 #include "core/base/files/input.h"
 #include "core/base/files/links.h"
 #include "core/base/signals.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/render/environment.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include "app/pictures/doors.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/base/setting.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/color/srgb.h"
 #include "core/material/limits.h"
 #include "core/material/quality.h"

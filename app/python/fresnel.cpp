@@ -6,7 +6,7 @@
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/base/setting.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/study/fresnel_forms.h"
 
 namespace etak::python {

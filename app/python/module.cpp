@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/setting.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace etak::python {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "core/base/files/output_folder.h"
-#include "core/base/json_text.h"
-#include "core/base/node_json.h"
+#include "core/base/json/json_text.h"
+#include "core/base/json/node_json.h"
 #include "core/image/image.h"
 
 namespace etak {

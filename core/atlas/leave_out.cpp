@@ -9,7 +9,7 @@
 #include "core/atlas/plan.h"
 #include "core/base/error.h"
 #include "core/base/setting.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 namespace {

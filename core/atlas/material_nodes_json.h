@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/files/links.h"
-#include "core/base/node_json.h"
+#include "core/base/json/node_json.h"
 #include "core/base/system.h"
 #include "core/material/limits.h"
 #include "core/scene/gltf.h"

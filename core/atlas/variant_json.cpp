@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/node_json.h"
+#include "core/base/json/node_json.h"
 
 namespace etak {
 namespace {

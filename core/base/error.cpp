@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 

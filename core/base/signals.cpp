@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 #include "core/base/files/descriptor.h"
 
@@ -25,6 +26,7 @@ constexpr std::size_t most_entries = 64;
 std::array<Entry, most_entries> entries;
 std::atomic<int> held{0};  // threads that hold signals
 thread_local int held_here = 0;
+static_assert(std::is_trivially_destructible_v<decltype(held_here)>);
 std::atomic<int> ending{0};  // the signal that ends the program
 
 void remove_entry(const Entry& entry) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 namespace etak {
 namespace {
@@ -77,6 +78,7 @@ const double* entry_numbers(const Model& model, const double* values) {
     double numbers[most_numbers] = {};
   };
   thread_local Last last;
+  static_assert(std::is_trivially_destructible_v<decltype(last)>);
   const std::size_t count = model.value_count();
   if (last.model != &model || std::memcmp(last.numbers, values, count * sizeof(double)) != 0) {
     last.model = &model;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/base/ascii.h"
+#include "core/base/text/ascii.h"
 
 namespace etak {
 namespace {

@@ -10,12 +10,12 @@
 #include <locale>
 #include <sstream>
 
-#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/setting.h"
-#include "core/base/text.h"
+#include "core/base/text/edit_distance.h"
+#include "core/base/text/text.h"
 #include "core/color/colorspace.h"
 #include "core/color/ocio_config.h"
 #include "core/color/ocio_files.inc"

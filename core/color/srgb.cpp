@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/ascii.h"
+#include "core/base/bytes/hex.h"
 #include "core/base/error.h"
-#include "core/base/hex.h"
+#include "core/base/text/ascii.h"
 
 namespace etak {
 double srgb_encode(double linear) {

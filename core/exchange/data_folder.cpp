@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/parallel.h"
+#include "core/base/text/ascii.h"
 #include "core/exchange/material_file.h"
 
 namespace etak {

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
 #include "core/material/dispersion.h"

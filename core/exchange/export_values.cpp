@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "core/base/csv.h"
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
-#include "core/base/text.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 namespace {

@@ -5,11 +5,11 @@
 #include <array>
 #include <cstdint>
 
-#include "core/base/base64.h"
-#include "core/base/bytes_le.h"
+#include "core/base/bytes/base64.h"
+#include "core/base/bytes/bytes_le.h"
 #include "core/base/error.h"
-#include "core/base/json_text.h"
-#include "core/base/text.h"
+#include "core/base/json/json_text.h"
+#include "core/base/text/text.h"
 #include "core/exchange/engine_values.h"
 #include "core/math/sphere_mesh.h"
 

@@ -6,11 +6,11 @@
 #include <cassert>
 #include <utility>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/memory.h"
+#include "core/base/text/ascii.h"
 #include "core/exchange/rii/rii_page.h"
 #include "core/material/json.h"
 #include "core/material/limits.h"

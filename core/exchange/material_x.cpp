@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
 #include "core/exchange/engine_values.h"
 
 namespace etak {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
-#include "core/base/text.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
 #include "core/exchange/table_columns.h"
 #include "core/material/limits.h"
 #include "core/material/medium.h"

@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
+#include "core/base/text/ascii.h"
 
 namespace etak {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
+#include "core/base/text/ascii.h"
 #include "core/image/files/png.h"
 #include "core/image/files/png_chunks.h"
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
 #include "core/color/gloss.h"
 #include "core/light/function_rows.h"
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/base/ascii.h"
-#include "core/base/csv.h"
-#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/edit_distance.h"
 
 namespace etak {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/json_text.h"
-#include "core/base/node_json.h"
+#include "core/base/json/json_text.h"
+#include "core/base/json/node_json.h"
 #include "core/light/lights.h"
 
 namespace etak {

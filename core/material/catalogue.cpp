@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/base/ascii.h"
 #include "core/base/parallel.h"
-#include "core/base/text.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 #include "core/material/names.h"

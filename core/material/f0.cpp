@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
+#include "core/base/spares.h"
 #include "core/material/coverage.h"
 #include "core/material/f0_steps.h"
 #include "core/spectrum/refinement.h"
@@ -119,6 +120,7 @@ F0Setup setup_of(F0Options options) {
 
 struct F0Solver::State {
   const F0Setup setup;
+  mutable Spares<F0Spectra> rooms;
 
   // Made when it is first needed: few data are finer than the reference grid.
   mutable std::once_flag refinement_made;
@@ -209,7 +211,8 @@ F0Result F0Solver::solve(const Optics& optics, Flags data_flags, F0Timing* timin
   F0Timing& times = timing ? *timing : ignored;
   Stopwatch watch(timing != nullptr);
   const F0Setup& setup = state_->setup;
-  thread_local F0Spectra room;
+  const Spares<F0Spectra>::Taken taken(state_->rooms);
+  F0Spectra& room = *taken;
 
   F0Result result;
   const auto* table = std::get_if<Reflectance>(&optics);

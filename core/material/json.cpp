@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/json_text.h"
-#include "core/base/node_json.h"
+#include "core/base/json/json_text.h"
+#include "core/base/json/node_json.h"
 #include "core/base/number.h"
 #include "core/material/dispersion.h"
 #include "core/material/limits.h"

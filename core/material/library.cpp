@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/system.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/material/embedded/blob.h"
 #include "core/material/embedded/library_words.h"
 #include "core/material/json.h"

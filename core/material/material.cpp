@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/free_names.h"
+#include "core/base/text/free_names.h"
 
 namespace etak {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/ascii.h"
-#include "core/base/edit_distance.h"
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/edit_distance.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/pages/atlas_page.h"
 
 namespace etak {

@@ -3,9 +3,9 @@
 
 #include <string_view>
 
-#include "core/base/base64.h"
+#include "core/base/bytes/base64.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/pages/page_style.h"
 #include "core/validate/output/formats.h"
 

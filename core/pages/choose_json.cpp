@@ -2,9 +2,9 @@
 // The JSON form of choices (resources/schema/choose.schema.json).
 #include <cmath>
 
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/pages/choose_report.h"
 
 namespace etak {

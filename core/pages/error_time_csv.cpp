@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/csv.h"
 #include "core/base/number.h"
+#include "core/base/text/csv.h"
 #include "core/pages/error_time_report.h"
 
 namespace etak {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The JSON form of `etak report`, as resources/schema/error-time.schema.json describes it.
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/pages/error_time_report.h"
 
 namespace etak {

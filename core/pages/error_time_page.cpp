@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/pages/error_time_report.h"
 #include "core/pages/page_style.h"
 

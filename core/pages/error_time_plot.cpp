@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/pages/error_time_report.h"
 #include "core/plot/plot_file.h"
 

@@ -8,9 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/base/files/output_folder.h"
-#include "core/base/free_names.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
+#include "core/base/text/free_names.h"
 #include "core/image/files/png.h"
 #include "core/pages/mask.h"
 #include "core/pages/validation_pictures.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/base/base64.h"
+#include "core/base/bytes/base64.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/image/files/png.h"
 #include "core/pages/page_style.h"
 #include "core/pages/validation_pictures.h"

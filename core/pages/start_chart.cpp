@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/pages/start_page.h"
 
 namespace etak {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <string_view>
 
-#include "core/base/base64.h"
+#include "core/base/bytes/base64.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/pages/f0/page_parts.h"
 #include "core/pages/page_style.h"
 #include "core/pages/start_page_style.h"

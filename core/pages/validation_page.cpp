@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/base64.h"
+#include "core/base/bytes/base64.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/pages/page_style.h"
 #include "core/pages/validation_pictures.h"
 #include "core/validate/output/formats.h"

@@ -6,9 +6,9 @@
 #include <limits>
 #include <set>
 
-#include "core/base/csv.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 namespace {

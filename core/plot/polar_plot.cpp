@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/plot/plot_file.h"
 
 namespace etak {

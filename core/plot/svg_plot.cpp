@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/plot/plot_file.h"
 
 namespace etak {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/free_names.h"
 #include "core/base/number.h"
+#include "core/base/text/free_names.h"
 #include "core/material/appearance.h"
 #include "core/material/find.h"
 #include "core/material/limits.h"

@@ -17,7 +17,7 @@
 
 namespace etak {
 
-class FreeNames;  // core/base/free_names.h
+class FreeNames;  // core/base/text/free_names.h
 
 // The materials that an author works on, as the editor saves them (resources/schema/project.schema.json).
 // `etak pack` takes a project where it takes a manifest, because manifest_of() makes an AtlasManifest of it.

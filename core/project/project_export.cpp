@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/free_names.h"
 #include "core/base/system.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/free_names.h"
 #include "core/exchange/engine_values.h"
 #include "core/exchange/gltf_material.h"
 #include "core/exchange/material_x.h"

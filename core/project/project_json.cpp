@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/atlas/material_nodes_json.h"
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/system.h"
 #include "core/image/image.h"
 #include "core/light/studio.h"

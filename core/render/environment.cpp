@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/color/gloss.h"
 #include "core/color/luminance.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/fresnel/fresnel.h"
 #include "core/image/image.h"
 #include "core/render/surface_textures.h"

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/color/delta_e.h"
 #include "core/math/mat3.h"
 #include "core/render/font.h"

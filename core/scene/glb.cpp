@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/base/bytes_le.h"
+#include "core/base/bytes/bytes_le.h"
 #include "core/base/error.h"
 
 namespace etak {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/node_json.h"
+#include "core/base/json/node_json.h"
 #include "core/scene/gltf.h"
 
 namespace etak {

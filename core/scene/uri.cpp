@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdint>
 
-#include "core/base/ascii.h"
+#include "core/base/bytes/hex.h"
 #include "core/base/error.h"
-#include "core/base/hex.h"
+#include "core/base/text/ascii.h"
 
 namespace etak {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "core/base/hex.h"
+#include "core/base/bytes/hex.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/rules.h"
 

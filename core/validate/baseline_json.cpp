@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/node_json.h"
+#include "core/base/json/node_json.h"
 #include "core/validate/baseline.h"
 
 namespace etak {

@@ -10,7 +10,7 @@
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/system.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/validate/nearest.h"
 #include "core/validate/rules.h"
 

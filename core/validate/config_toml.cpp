@@ -33,7 +33,7 @@ struct NoToml {};
 #include "core/base/files/file.h"
 #include "core/base/number.h"
 #include "core/base/system.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/validate/config.h"
 #include "core/validate/rules.h"
 #include "core/validate/suppress.h"

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <string>
 
-#include "core/base/edit_distance.h"
 #include "core/base/files/input.h"
+#include "core/base/text/edit_distance.h"
 #include "core/validate/rules/rows.h"
 
 namespace etak {

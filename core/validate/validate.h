@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/files/cache_use.h"
-#include "core/base/shards.h"
+#include "core/base/shards/shards.h"
 #include "core/image/picture.h"
 #include "core/project/project.h"
 #include "core/validate/baseline.h"

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/bytes_le.h"
-#include "core/base/json_text.h"
+#include "core/base/bytes/bytes_le.h"
+#include "core/base/json/json_text.h"
 #include "core/math/sphere_mesh.h"
 
 namespace etak::demo {

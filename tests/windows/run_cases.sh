@@ -17,6 +17,7 @@ for cmd in "$here"/cases/*/cmd "$here"/../cli/*/cmd; do
   [ $# -eq 0 ] || [[ " $* " == *" ${case##*/} "* ]] || continue
   cases+=("$case")
 done
+[ ${#cases[@]} -gt 0 ] || { echo "run_cases.sh: $*: no such case" >&2; exit 2; }
 rm -f "$out"/*.status "$out"/*.out
 run_one() { # ETAK OUT SKIPPED CASE
   local name=${4##*/} reason status=0

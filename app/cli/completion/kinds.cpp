@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/brdf/models.h"
 #include "core/color/colorspace.h"
 #include "core/exchange/engine_values.h"

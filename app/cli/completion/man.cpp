@@ -5,8 +5,8 @@
 
 #include "app/cli/completion/kinds.h"
 #include "app/cli/usage.h"
-#include "core/base/ascii.h"
-#include "core/base/text.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
 
 namespace etak::cli {
 namespace {

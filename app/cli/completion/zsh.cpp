@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/completion/kinds.h"
 #include "app/cli/completion/shells.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace etak::cli {
 namespace {

@@ -18,7 +18,7 @@
 #include "core/base/hash/content_hash.h"
 #include "core/base/number.h"
 #include "core/base/parallel.h"
-#include "core/base/shard_document.h"
+#include "core/base/shards/shard_document.h"
 #include "core/base/system.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"

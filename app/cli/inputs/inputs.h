@@ -8,7 +8,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
-#include "core/base/shards.h"
+#include "core/base/shards/shards.h"
 #include "core/exchange/material_input.h"
 
 namespace etak::cli {

@@ -4,7 +4,7 @@
 
 #include "app/cli/merge/merge.h"
 #include "core/base/error.h"
-#include "core/base/shard_document.h"
+#include "core/base/shards/shard_document.h"
 
 namespace etak::cli {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "app/cli/output/output.h"
 #include "app/cli/pictures/pictures.h"
-#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/number.h"
+#include "core/base/text/edit_distance.h"
 #include "core/material/find.h"
 
 namespace etak::cli {

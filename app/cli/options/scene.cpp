@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "app/cli/inputs/inputs.h"
-#include "core/base/edit_distance.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/edit_distance.h"
+#include "core/base/text/text.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/appearance.h"
 #include "core/material/names.h"

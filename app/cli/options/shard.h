@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
-#include "core/base/shards.h"
+#include "core/base/shards/shards.h"
 
 namespace etak::cli {
 

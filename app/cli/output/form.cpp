@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "app/cli/output/output.h"
-#include "core/base/ascii.h"
 #include "core/base/error.h"
+#include "core/base/text/ascii.h"
 
 namespace etak::cli {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "app/cli/arguments.h"
-#include "core/base/csv.h"
 #include "core/base/files/output.h"
-#include "core/base/text.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/text.h"
 
 namespace etak::cli {
 

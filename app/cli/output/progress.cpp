@@ -5,9 +5,9 @@
 
 #include "app/cli/output/terminal.h"
 #include "core/base/files/descriptor.h"
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace etak::cli {
 namespace {

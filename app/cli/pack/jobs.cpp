@@ -15,8 +15,8 @@
 #include "core/base/files/output_target.h"
 #include "core/base/files/watched_files.h"
 #include "core/base/hash/content_hash.h"
-#include "core/base/json_text.h"
-#include "core/base/shard_document.h"
+#include "core/base/json/json_text.h"
+#include "core/base/shards/shard_document.h"
 #include "core/base/system.h"
 #include "core/scene/gltf.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/pack/pack.h"
-#include "core/base/shards.h"
+#include "core/base/shards/shards.h"
 
 namespace etak::cli {
 

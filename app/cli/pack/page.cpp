@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "core/atlas/texels/page_pixels.h"
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/output_file.h"
 #include "core/base/system.h"
+#include "core/base/text/ascii.h"
 #include "core/image/files/png.h"
 #include "core/pages/validation_pictures.h"
 

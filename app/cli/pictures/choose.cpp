@@ -11,7 +11,7 @@
 #include "core/base/files/file.h"
 #include "core/base/memory.h"
 #include "core/base/parallel.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/material/names.h"
 #include "core/pages/choose_report.h"
 #include "core/study/choose/choose_scene.h"

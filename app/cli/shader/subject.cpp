@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace etak::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/cli/verbs.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/memory.h"
 #include "core/base/number.h"
 #include "core/light/functions_csv.h"

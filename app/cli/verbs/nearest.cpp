@@ -5,9 +5,9 @@
 #include "app/cli/options/options.h"
 #include "app/cli/output/output.h"
 #include "app/cli/verbs.h"
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text/ascii.h"
 #include "core/color/srgb.h"
 #include "core/pages/lists/lists.h"
 

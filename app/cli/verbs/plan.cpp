@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/cli/verbs.h"
-#include "core/base/shards.h"
+#include "core/base/shards/shards.h"
 
 namespace etak::cli {
 

@@ -81,7 +81,8 @@ void declare_validate(CommandLine& line, const std::shared_ptr<ValidateArguments
               "scenes, material files, spectra; - is standard input")
       .reads_file()
       .value_name("PATH...");
-  verb.option("--files-from", a.files_from, "file with one path a line; - is standard input")
+  verb.option("--files-from", a.files_from,
+              "file with the paths, one a line or separated by NUL bytes; - is standard input")
       .reads_file()
       .value_name("FILE");
   verb.option("--changed-since", a.changed_since,

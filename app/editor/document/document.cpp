@@ -7,7 +7,7 @@
 #include "app/editor/document/commands.h"
 #include "app/editor/fields/press_id.h"
 #include "core/base/error.h"
-#include "core/base/free_names.h"
+#include "core/base/text/free_names.h"
 
 namespace etak::editor {
 

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
-#include "core/base/free_names.h"
+#include "core/base/text/free_names.h"
 #include "core/exchange/material_file.h"
 #include "core/image/picture_endings.h"
 #include "core/material/appearance.h"

@@ -9,7 +9,7 @@
 #include "app/viewport/background.h"
 #include "app/viewport/qt_text.h"
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/color/srgb.h"
 #include "core/material/quality.h"
 #include "core/pages/f0/report.h"

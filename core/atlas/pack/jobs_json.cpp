@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/atlas/pack/setting_reader.h"
-#include "core/base/node_json.h"
+#include "core/base/json/node_json.h"
 #include "core/base/system.h"
 
 namespace etak {

@@ -9,10 +9,10 @@
 
 #include "core/atlas/pack/earlier.h"
 #include "core/atlas/pack/pack.h"
+#include "core/base/bytes/member_bytes.h"
 #include "core/base/files/input.h"
 #include "core/base/files/temporary.h"
 #include "core/base/hash/sha256.h"
-#include "core/base/member_bytes.h"
 #include "core/base/parallel.h"
 
 namespace etak {

@@ -5,7 +5,7 @@
 
 #include "core/base/number.h"
 #include "core/base/setting.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/image/image.h"
 
 namespace etak {

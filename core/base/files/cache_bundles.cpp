@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "core/base/bytes_le.h"
+#include "core/base/bytes/bytes_le.h"
+#include "core/base/bytes/hex.h"
 #include "core/base/files/cache_state.h"
-#include "core/base/hex.h"
 
 namespace etak {
 namespace {
@@ -22,7 +22,7 @@ constexpr std::size_t number_size = 8, row_size = digest_digits + 2 * number_siz
 constexpr std::size_t trailer_size = magic.size() + number_size;  // with the number of rows
 constexpr std::size_t fewest_entries = 1000;
 // Of all bundles that a run reads, so that an index that somebody has made takes no more memory than this.
-constexpr std::size_t most_entries = std::size_t{1} << 20;
+constexpr std::size_t most_rows = std::size_t{1} << 20;
 constexpr std::size_t most_bundles = 32;
 
 bool read_all_at(int file, std::span<char> out, std::uint64_t at) {
@@ -99,7 +99,7 @@ void CacheFolder::State::read_bundles() {
     auto bundle = std::make_unique<Bundle>();
     bundle->name = name;
     bundle->file = Descriptor(sys::open_in(bundles_folder.get(), name, sys::OpenIn::read));
-    if (!read_index(*bundle, most_entries - rows)) continue;
+    if (!read_index(*bundle, most_rows - rows)) continue;
     rows += bundle->index.size() / row_size;
     bundles.push_back(std::move(bundle));
   }
@@ -127,7 +127,7 @@ std::optional<CacheEntry> CacheFolder::State::look_up_in_bundles(const std::stri
 
 void CacheFolder::State::add_to_bundle(const std::string& digest, std::string_view bytes) {
   const std::lock_guard guard(bundle_lock);
-  if (!bundling || bundle_rows.size() == most_entries) return;
+  if (!bundling || bundle_rows.size() == most_rows) return;
   if (!new_bundle) {
     new_bundle = std::make_unique<NewEntry::Open>(*this);
     bundling = new_bundle->create();

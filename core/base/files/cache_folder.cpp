@@ -6,16 +6,16 @@
 #include <filesystem>
 #include <new>
 
-#include "core/base/ascii.h"
+#include "core/base/bytes/hex.h"
 #include "core/base/error.h"
 #include "core/base/files/cache_state.h"
 #include "core/base/files/file.h"
 #include "core/base/hash/sha256.h"
-#include "core/base/hex.h"
 #include "core/base/number.h"
 #include "core/base/setting.h"
 #include "core/base/signals.h"
-#include "core/base/text.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 namespace {

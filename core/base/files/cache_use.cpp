@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/number.h"
 
 namespace etak {

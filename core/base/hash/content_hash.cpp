@@ -5,7 +5,7 @@
 
 #include <new>
 
-#include "core/base/hex.h"
+#include "core/base/bytes/hex.h"
 
 namespace etak {
 namespace {

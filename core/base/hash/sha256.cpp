@@ -11,10 +11,10 @@
 #include <memory>
 #include <optional>
 
+#include "core/base/bytes/hex.h"
 #include "core/base/error.h"
 #include "core/base/files/input.h"
 #include "core/base/hash/sha256_blocks.h"
-#include "core/base/hex.h"
 
 namespace etak {
 

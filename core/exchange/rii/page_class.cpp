@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/ascii.h"
+#include "core/base/text/ascii.h"
 #include "core/fresnel/fresnel.h"
 #include "core/material/dispersion.h"
 #include "core/material/f0.h"

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/spares.h"
 #include "core/exchange/rii/rii_rows.h"
 #include "core/exchange/rii/yaml_lines.h"
 #include "core/material/dispersion.h"
@@ -284,8 +285,9 @@ class PageReader {
 
 void parse_rii_page(std::string_view text, std::string_view file, RiiPage& page) {
   // Working memory: how long a table is shows only at its end.
-  thread_local Rows rows;
-  PageReader(text, file, page, rows).read();
+  static Spares<Rows> spares;
+  const Spares<Rows>::Taken rows(spares);
+  PageReader(text, file, page, *rows).read();
 }
 
 }  // namespace etak

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/number.h"
+#include "core/base/text/ascii.h"
 #include "core/exchange/rii/axis_pages.h"
 #include "core/exchange/rii/page_class.h"
 #include "core/exchange/rii/rii_page.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
+#include "core/base/text/ascii.h"
 
 namespace etak {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/ascii.h"
+#include "core/base/text/ascii.h"
 
 namespace etak {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstring>
 
-#include "core/base/bytes_le.h"
+#include "core/base/bytes/bytes_le.h"
 #include "core/base/error.h"
 #include "core/image/files/containers.h"
 #include "core/image/mips.h"

@@ -10,7 +10,7 @@
 #ifdef ETAK_HAS_ZSTD
 #include <zstd.h>
 #endif
-#include "core/base/bytes_le.h"
+#include "core/base/bytes/bytes_le.h"
 #include "core/base/error.h"
 #include "core/image/files/containers.h"
 #include "core/image/mips.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <set>
 
-#include "core/base/node_json.h"
+#include "core/base/json/node_json.h"
 #include "core/material/embedded/unmeasured.h"
 #include "core/material/names.h"
 

@@ -3,8 +3,8 @@
 // them: std::to_chars gives the shortest text that reads back equal, and a colour stays on one line.
 #include <array>
 
-#include "core/base/json_text.h"
-#include "core/base/text.h"
+#include "core/base/json/json_text.h"
+#include "core/base/text/text.h"
 #include "core/color/colorspace.h"
 #include "core/color/srgb.h"
 #include "core/fresnel/fresnel.h"

@@ -2,8 +2,8 @@
 // The text below a table of F0: what its flags mean, and how its numbers were computed.
 #include <algorithm>
 
-#include "core/base/text.h"
-#include "core/base/wrap.h"
+#include "core/base/text/text.h"
+#include "core/base/text/wrap.h"
 #include "core/pages/f0/report.h"
 
 namespace etak {

@@ -6,9 +6,9 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/base/ascii.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/ascii.h"
+#include "core/base/text/text.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"
 #include "core/pages/f0/page_parts.h"

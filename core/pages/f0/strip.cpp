@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/color/srgb.h"
 #include "core/pages/f0/page_parts.h"
 

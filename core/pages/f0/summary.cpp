@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/color/srgb.h"
 #include "core/pages/f0/page_parts.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/base/csv.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/text.h"
 #include "core/color/srgb.h"
 #include "core/pages/f0/report.h"
 #include "core/pages/swatch.h"

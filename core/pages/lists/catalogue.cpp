@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/csv.h"
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/number.h"
-#include "core/base/text_table.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/text_table.h"
 #include "core/color/srgb.h"
 #include "core/pages/lists/lists.h"
 #include "core/pages/swatch.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brdf/models.h"
-#include "core/base/csv.h"
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/number.h"
-#include "core/base/text_table.h"
+#include "core/base/text/csv.h"
+#include "core/base/text/text_table.h"
 #include "core/light/rows.h"
 #include "core/pages/lists/lists.h"
 

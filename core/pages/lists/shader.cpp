@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/number.h"
 #include "core/pages/lists/lists.h"
 #include "core/render/glsl/glsl_text.h"

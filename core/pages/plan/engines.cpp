@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/setting.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/pages/plan/plan.h"
 
 namespace etak {

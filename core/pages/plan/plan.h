@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/shards.h"
+#include "core/base/shards/shards.h"
 
 namespace etak {
 

@@ -4,8 +4,8 @@
 #include <set>
 #include <vector>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
+#include "core/base/text/ascii.h"
 
 namespace etak {
 namespace {

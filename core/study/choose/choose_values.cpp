@@ -8,7 +8,7 @@
 #include "core/base/number.h"
 #include "core/base/parallel.h"
 #include "core/base/setting.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/brdf/parameters.h"
 #include "core/color/delta_e.h"
 #include "core/color/srgb.h"

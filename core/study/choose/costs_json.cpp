@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cost table's file: resources/costs.json.
-#include "core/base/json_text.h"
-#include "core/base/node_json.h"
+#include "core/base/json/json_text.h"
+#include "core/base/json/node_json.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/study/choose/choose.h"
 #include "core/study/choose/costs_file.h"
 

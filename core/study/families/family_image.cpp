@@ -8,7 +8,7 @@
 
 #include "core/base/number.h"
 #include "core/base/parallel.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/brdf/models.h"
 #include "core/render/cpu_renderer.h"
 #include "core/render/glsl/gl_runner.h"

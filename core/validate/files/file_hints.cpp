@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/base/ascii.h"
 #include "core/base/files/input.h"
 #include "core/base/files/links.h"
 #include "core/base/system.h"
+#include "core/base/text/ascii.h"
 
 namespace etak {
 

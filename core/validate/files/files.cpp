@@ -6,11 +6,11 @@
 #include <map>
 #include <tuple>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/input.h"
 #include "core/base/system.h"
+#include "core/base/text/ascii.h"
 #include "core/exchange/content_kind.h"
 #include "core/exchange/material_file.h"
 #include "core/image/load.h"

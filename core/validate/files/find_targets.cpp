@@ -11,12 +11,12 @@
 #include <unordered_set>
 #include <utility>
 
-#include "core/base/ascii.h"
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/files/input.h"
 #include "core/base/parallel.h"
 #include "core/base/system.h"
+#include "core/base/text/ascii.h"
 #include "core/exchange/data_folder.h"
 #include "core/scene/gltf.h"
 #include "core/validate/engine.h"

@@ -8,7 +8,7 @@
 #include "core/atlas/layout.h"
 #include "core/base/files/file.h"
 #include "core/base/files/links.h"
-#include "core/base/node_json.h"
+#include "core/base/json/node_json.h"
 #include "core/base/system.h"
 #include "core/image/channels.h"
 #include "core/image/image.h"

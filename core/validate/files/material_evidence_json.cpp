@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/files/input.h"
-#include "core/base/node_json.h"
+#include "core/base/json/node_json.h"
 #include "core/exchange/content_kind.h"
 #include "core/exchange/material_file.h"
 #include "core/exchange/rii/rii_page.h"

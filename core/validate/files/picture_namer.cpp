@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "core/base/ascii.h"
 #include "core/base/files/input.h"
+#include "core/base/text/ascii.h"
 #include "core/validate/files/file_hints.h"
 #include "core/validate/suppress.h"
 

@@ -2,7 +2,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/base/member_bytes.h"
+#include "core/base/bytes/member_bytes.h"
 #include "core/validate/files/result_cache.h"
 
 namespace etak {

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/base/ascii.h"
+#include "core/base/text/ascii.h"
 #include "core/validate/engine.h"
 #include "core/validate/rules.h"
 

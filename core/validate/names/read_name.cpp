@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/ascii.h"
+#include "core/base/text/ascii.h"
 #include "core/validate/names/names.h"
 
 namespace etak {

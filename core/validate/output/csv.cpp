@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/csv.h"
+#include "core/base/text/csv.h"
 #include "core/base/number.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/shards/report_shard.h"

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
-#include "core/base/wrap.h"
+#include "core/base/text/text.h"
+#include "core/base/text/wrap.h"
 #include "core/validate/rules.h"
 
 namespace etak {

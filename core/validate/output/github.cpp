@@ -2,9 +2,9 @@
 #include <array>
 #include <map>
 
-#include "core/base/hex.h"
+#include "core/base/bytes/hex.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/validate/output/formats.h"
 
 namespace etak {

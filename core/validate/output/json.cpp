@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The JSON form, as resources/schema/validation.schema.json describes it.
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/shards/carrier_json.h"
 

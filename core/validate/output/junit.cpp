@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/shards/report_shard.h"
 

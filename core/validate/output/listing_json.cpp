@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/validate/names/listing.h"
 #include "core/validate/output/formats.h"
 

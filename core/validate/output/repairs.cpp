@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/validate/output/formats.h"
 
 namespace etak {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/scene/uri.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/rules.h"

@@ -7,7 +7,7 @@
 
 #include "core/base/files/input.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/validate/output/formats.h"
 #include "core/validate/shards/report_shard.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/shards.h"
+#include "core/base/shards/shards.h"
 #include "core/validate/finding.h"
 #include "core/validate/settings.h"
 #include "core/validate/suppress.h"

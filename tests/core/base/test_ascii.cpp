@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/ascii.h"
+#include "core/base/text/ascii.h"
 
 #include <catch2/catch.hpp>
 

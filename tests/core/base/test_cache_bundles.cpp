@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/base/bytes_le.h"
+#include "core/base/bytes/bytes_le.h"
 #include "core/base/files/cache_folder.h"
 #include "core/base/hash/sha256.h"
 #include "tests/support.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/csv.h"
+#include "core/base/text/csv.h"
 
 #include <catch2/catch.hpp>
 

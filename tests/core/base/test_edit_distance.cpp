@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/edit_distance.h"
+#include "core/base/text/edit_distance.h"
 
 #include <catch2/catch.hpp>
 #include <random>

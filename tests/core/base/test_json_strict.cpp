@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "core/base/node_json.h"
+#include "core/base/json/node_json.h"
 #include "tests/growth.h"
 #include "tests/support.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/text_table.h"
+#include "core/base/text/text_table.h"
 
 #include <catch2/catch.hpp>
 
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 
 using namespace etak;
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "core/base/bytes_le.h"
+#include "core/base/bytes/bytes_le.h"
 #include "core/image/image_io.h"
 #include "core/image/mips.h"
 #include "tests/core/image/container_bytes.h"

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <random>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "tests/core/pages/sample_rows.h"
 #include "tests/support.h"
 

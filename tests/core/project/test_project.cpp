@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/base/files/file.h"
-#include "core/base/free_names.h"
+#include "core/base/text/free_names.h"
 #include "core/color/gamut.h"
 #include "core/color/srgb.h"
 #include "core/project/project.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/base64.h"
+#include "core/base/bytes/base64.h"
 #include "core/scene/gltf.h"
 
 namespace etak::test {

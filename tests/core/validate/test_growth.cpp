@@ -10,7 +10,7 @@
 #include "core/atlas/leave_out.h"
 #include "core/atlas/manifest.h"
 #include "core/atlas/variant.h"
-#include "core/base/free_names.h"
+#include "core/base/text/free_names.h"
 #include "core/exchange/rii/rii_page.h"
 #include "core/exchange/table.h"
 #include "core/material/json.h"

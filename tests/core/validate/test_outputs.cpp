@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/hash/sha256.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/pages/validation_page.h"
 #include "core/validate/output/formats.h"
 #include "tests/core/pages/json_schema.h"

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 
-#include "core/base/base64.h"
+#include "core/base/bytes/base64.h"
 #include "core/color/srgb.h"
 #include "core/image/files/png.h"
 #include "core/validate/files/files.h"

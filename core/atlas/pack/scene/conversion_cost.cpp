@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 #include "core/color/gloss.h"
 #include "core/color/srgb.h"
 #include "core/image/linear_tables.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "core/base/hex.h"
+#include "core/base/bytes/hex.h"
 #include "core/image/files/png.h"
 
 namespace etak {

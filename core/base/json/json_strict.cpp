@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/json/node_json.h"
 #include "core/base/memory.h"
-#include "core/base/node_json.h"
 
 namespace etak {
 namespace {

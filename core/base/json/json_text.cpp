@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/json_text.h"
+#include "core/base/json/json_text.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 
-#include "core/base/hex.h"
-#include "core/base/text.h"
+#include "core/base/bytes/hex.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 namespace {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/bytes_le.h"
+#include "core/base/bytes/bytes_le.h"
 
 // Structs as bytes and back: each member in a fixed order, numbers in eight bytes, texts and lists with their
 // length before them, and a byte before what may be missing. A small struct is read in a microsecond or two,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/csv.h"
+#include "core/base/text/csv.h"
 
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number.h"
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 namespace {

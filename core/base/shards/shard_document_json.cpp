@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.h"
 #include "core/base/hash/content_hash.h"
-#include "core/base/json_text.h"
-#include "core/base/node_json.h"
+#include "core/base/json/json_text.h"
+#include "core/base/json/node_json.h"
 #include "core/base/setting.h"
-#include "core/base/shard_document.h"
+#include "core/base/shards/shard_document.h"
 
 namespace etak {
 namespace {

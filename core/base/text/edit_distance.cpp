@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/edit_distance.h"
+#include "core/base/text/edit_distance.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-#include "core/base/ascii.h"
+#include "core/base/text/ascii.h"
 
 namespace etak {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/shards.h"
+#include "core/base/shards/shards.h"
 
 namespace etak {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/text_table.h"
+#include "core/base/text/text_table.h"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 namespace etak {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/text.h"
+#include "core/base/text/text.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/base/hex.h"
+#include "core/base/bytes/hex.h"
 #include "core/base/number.h"
 
 namespace etak {
