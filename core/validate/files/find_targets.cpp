@@ -55,7 +55,12 @@ void sort_where_needed(std::vector<Value>& values, Less less) {
 // million wrong names is one mistake.
 constexpr std::size_t most_missing_reported = 1000;
 
-constexpr const char* missing_fix = "Correct the path, or write the file first.";
+// What helps where a path leads to nothing. Without -z git writes a name beyond ASCII in quotes.
+const char* missing_fix(std::string_view path) {
+  return path.starts_with('"') && path.ends_with('"')
+             ? "Give the name without quotes; git writes it so with -z."
+             : "Correct the path, or write the file first.";
+}
 
 class Finder {
  public:
@@ -107,7 +112,7 @@ class Finder {
     const fs::file_status status = fs::status(path, failure);
     if (fs::is_directory(status)) return add_folder(path);
     remember_typed(folder_of(path));
-    if (!fs::exists(status) && !is_pipe_input(path)) return fail(path, why_missing(path), missing_fix);
+    if (!fs::exists(status) && !is_pipe_input(path)) return fail(path, why_missing(path), missing_fix(path));
     candidates_.push_back({path, request_.pass_unknown ? Named::by_list : Named::by_hand, {}, false});
   }
 
@@ -183,7 +188,7 @@ class Finder {
       else if (missing && candidate.named == Named::by_list && missing_reported == most_missing_reported)
         ++missing_more;
       else if (missing) {
-        fail(candidate.path, why_missing(candidate.path), missing_fix);
+        fail(candidate.path, why_missing(candidate.path), missing_fix(candidate.path));
         ++missing_reported;
       } else if (!failure.empty())
         fail(candidate.path, failure);
