@@ -11,11 +11,13 @@
 #include "core/base/bytes/bytes_le.h"
 #include "core/base/files/cache_folder.h"
 #include "core/base/hash/sha256.h"
+#include "tests/core/base/cache_support.h"
 #include "tests/support.h"
 
 namespace etak {
 namespace {
 
+using test::cache_at;
 using test::slurp;
 using test::spit;
 using test::TempFolder;
@@ -23,15 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr int many = 1200;  // enough for a bundle
 constexpr std::size_t row_size = 80, trailer_size = 28;
-
-CacheOptions options_at(const std::string& path, std::uint64_t most = std::uint64_t{1} << 30) {
-  CacheOptions out;
-  out.path = path;
-  out.kind = "test";
-  out.most_bytes = most;
-  out.counted = true;
-  return out;
-}
 
 std::string bundled_digest(int number) {
   return sha256("bundled " + std::to_string(number));
@@ -55,7 +48,7 @@ void remove_single_files(const std::string& cache) {
 }
 
 void fill(const std::string& path, int from = 0, int to = many) {
-  CacheFolder cache(options_at(path));
+  CacheFolder cache(cache_at(path));
   for (int i = from; i < to; ++i) cache.keep(bundled_digest(i), text_for(i));
 }
 
@@ -75,7 +68,7 @@ CacheUse looked_up(CacheOptions options, int from = 0, int to = many) {
 // Makes a cache with one bundle.
 void fill_and_bundle(const std::string& path) {
   fill(path);
-  looked_up(options_at(path));
+  looked_up(cache_at(path));
   REQUIRE(bundles_of(path).size() == 1);
 }
 
@@ -85,17 +78,17 @@ TEST_CASE("a thousand entries that were found are copied to a bundle, which hold
   const TempFolder folder;
   fill(folder.path());
   CHECK(bundles_of(folder.path()).empty());
-  const CacheUse first = looked_up(options_at(folder.path()));
+  const CacheUse first = looked_up(cache_at(folder.path()));
   CHECK(first.counts == CacheCounts{many, 0, 0, 0, 0, 0, 0});
   REQUIRE(bundles_of(folder.path()).size() == 1);
   CHECK(first.size->entries == many);
   CHECK(first.size->bytes ==
         many * 4096u + (fs::file_size(bundles_of(folder.path())[0]) + 4095) / 4096 * 4096);
   // The next run reads the bundle and makes no other one.
-  CHECK(looked_up(options_at(folder.path())).counts == CacheCounts{many, 0, 0, 0, 0, 0, 0});
+  CHECK(looked_up(cache_at(folder.path())).counts == CacheCounts{many, 0, 0, 0, 0, 0, 0});
   CHECK(bundles_of(folder.path()).size() == 1);
   remove_single_files(folder.path());
-  CHECK(looked_up(options_at(folder.path())).counts == CacheCounts{many, 0, 0, 0, 0, 0, 0});
+  CHECK(looked_up(cache_at(folder.path())).counts == CacheCounts{many, 0, 0, 0, 0, 0, 0});
   CHECK(bundles_of(folder.path()).size() == 1);
   CHECK(fs::is_empty(folder.file("new")));
 }
@@ -104,18 +97,18 @@ TEST_CASE("few look-ups, and entries of another kind or key, take nothing from a
   const TempFolder folder;
   fill_and_bundle(folder.path());
   remove_single_files(folder.path());
-  CHECK(looked_up(options_at(folder.path()), 0, 10).counts == CacheCounts{0, 10, 0, 0, 0, 0, 0});
-  CacheOptions other = options_at(folder.path());
+  CHECK(looked_up(cache_at(folder.path()), 0, 10).counts == CacheCounts{0, 10, 0, 0, 0, 0, 0});
+  CacheOptions other = cache_at(folder.path());
   other.kind = "other";
   CHECK(looked_up(other).counts == CacheCounts{0, many, many, 0, 0, 0, 0});
-  CacheOptions keyed = options_at(folder.path());
+  CacheOptions keyed = cache_at(folder.path());
   keyed.key = "a key of some bytes";
   CHECK(looked_up(keyed).counts == CacheCounts{0, many, many, 0, 0, 0, 0});
 }
 
 TEST_CASE("entries with a key are bundled as they are, and count with that key alone") {
   const TempFolder folder;
-  CacheOptions keyed = options_at(folder.path());
+  CacheOptions keyed = cache_at(folder.path());
   keyed.key = "a key of some bytes";
   {
     CacheFolder cache(keyed);
@@ -124,7 +117,7 @@ TEST_CASE("entries with a key are bundled as they are, and count with that key a
   looked_up(keyed);
   remove_single_files(folder.path());
   CHECK(looked_up(keyed).counts.hits == many);
-  CHECK(looked_up(options_at(folder.path())).counts.hits == 0);
+  CHECK(looked_up(cache_at(folder.path())).counts.hits == 0);
 }
 
 TEST_CASE("a bundle that is cut, changed or made by an enemy gives misses, and never a wrong result") {
@@ -135,7 +128,7 @@ TEST_CASE("a bundle that is cut, changed or made by an enemy gives misses, and n
   remove_single_files(folder.path());
   const auto hits_of = [&](const std::string& bytes) {
     spit(path, bytes);
-    const CacheCounts counts = looked_up(options_at(folder.path())).counts;
+    const CacheCounts counts = looked_up(cache_at(folder.path())).counts;
     CHECK(counts.hits + counts.misses == many);
     return counts.hits;
   };
@@ -197,7 +190,7 @@ TEST_CASE("where the copy in a bundle is damaged, the entry's own file is read")
   std::string bytes = slurp(path);
   std::fill_n(bytes.begin(), bytes.size() / 2, 'x');
   spit(path, bytes);
-  CHECK(looked_up(options_at(folder.path())).counts == CacheCounts{many, 0, 0, 0, 0, 0, 0});
+  CHECK(looked_up(cache_at(folder.path())).counts == CacheCounts{many, 0, 0, 0, 0, 0, 0});
 }
 
 TEST_CASE("links, folders and pipes in the place of bundles are not followed") {
@@ -207,10 +200,10 @@ TEST_CASE("links, folders and pipes in the place of bundles are not followed") {
   fs::create_directory(folder.file("bundles"));
   fs::create_symlink(bundle, folder.file("bundles/" + name));
   fs::create_directory(folder.file("bundles/0123456789abcdef.bundle"));
-  CHECK(looked_up(options_at(folder.path())).counts.hits == 0);
+  CHECK(looked_up(cache_at(folder.path())).counts.hits == 0);
   fs::remove_all(folder.file("bundles"));
   fs::create_directory_symlink(elsewhere.file("bundles"), folder.file("bundles"));
-  CHECK(looked_up(options_at(folder.path())).counts.hits == 0);
+  CHECK(looked_up(cache_at(folder.path())).counts.hits == 0);
 }
 
 TEST_CASE("two runs that make bundles at once lose nothing") {
@@ -220,7 +213,7 @@ TEST_CASE("two runs that make bundles at once lose nothing") {
   std::vector<CacheUse> uses(2);
   for (std::size_t i = 0; i < uses.size(); ++i)
     runs.emplace_back([&, i] {
-      CacheFolder cache(options_at(folder.path()));
+      CacheFolder cache(cache_at(folder.path()));
       cache.expect(many);
       for (int n = 0; n < many; ++n) (void)cache.find(bundled_digest(n));
       for (int n = 0; n < 50; ++n) cache.keep(bundled_digest(many + n), text_for(many + n));
@@ -230,9 +223,9 @@ TEST_CASE("two runs that make bundles at once lose nothing") {
   for (const CacheUse& use : uses) CHECK(use.counts.hits == many);
   CHECK(!bundles_of(folder.path()).empty());
   CHECK(bundles_of(folder.path()).size() <= 2);
-  CHECK(looked_up(options_at(folder.path()), 0, many + 50).counts.hits == many + 50);
+  CHECK(looked_up(cache_at(folder.path()), 0, many + 50).counts.hits == many + 50);
   remove_single_files(folder.path());
-  CHECK(looked_up(options_at(folder.path())).counts.hits == many);
+  CHECK(looked_up(cache_at(folder.path())).counts.hits == many);
 }
 
 TEST_CASE("what a run that was killed has left of a bundle is no bundle, and goes when it is old") {
@@ -243,7 +236,7 @@ TEST_CASE("what a run that was killed has left of a bundle is no bundle, and goe
   const std::string left = folder.file("new/0123456789abcdef");
   spit(left, whole.substr(0, whole.size() / 2));
   fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::hours(2));
-  const CacheUse use = looked_up(options_at(folder.path()));
+  const CacheUse use = looked_up(cache_at(folder.path()));
   CHECK(use.counts.hits == many);
   CHECK(bundles_of(folder.path()).size() == 1);
   // Entries are counted anew where there is no account, and DIR/new is cleaned then.
@@ -261,17 +254,17 @@ TEST_CASE("a bundle counts in the size of a cache, goes by its use, and takes a 
   fs::last_write_time(bundle, fs::file_time_type::clock::now() - std::chrono::hours(50));
   const std::uint64_t all = many * 4096u + bundle_bytes;
   {
-    CacheFolder cache(options_at(folder.path(), all));
+    CacheFolder cache(cache_at(folder.path(), all));
     cache.keep(bundled_digest(many), text_for(many));
   }
   CHECK(!fs::exists(bundle));
-  const CacheUse after = looked_up(options_at(folder.path()), 0, 10);
+  const CacheUse after = looked_up(cache_at(folder.path()), 0, 10);
   CHECK(after.size->bytes <= all);
   CHECK(after.size->entries >= many * 8 / 10);
   // A cache that four bundles would fill has none.
   const TempFolder small;
   fill(small.path());
-  looked_up(options_at(small.path(), 3 * bundle_bytes));
+  looked_up(cache_at(small.path(), 3 * bundle_bytes));
   CHECK(bundles_of(small.path()).empty());
   CHECK(fs::is_empty(small.file("new")));
 }
@@ -283,14 +276,14 @@ TEST_CASE("a bundle that is used stays, and the entries that only it is asked fo
   for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
     if (entry.is_regular_file())
       fs::last_write_time(entry.path(), fs::file_time_type::clock::now() - std::chrono::hours(50));
-  looked_up(options_at(folder.path()));
+  looked_up(cache_at(folder.path()));
   CHECK(fs::last_write_time(bundle) > fs::file_time_type::clock::now() - std::chrono::hours(1));
   {
-    CacheFolder cache(options_at(folder.path(), many * 4096u));
+    CacheFolder cache(cache_at(folder.path(), many * 4096u));
     cache.keep(bundled_digest(many), text_for(many));
   }
   CHECK(fs::exists(bundle));
-  CHECK(looked_up(options_at(folder.path())).counts.hits == many);
+  CHECK(looked_up(cache_at(folder.path())).counts.hits == many);
 }
 
 TEST_CASE("there are at most 32 bundles: the one used longest ago makes room") {
@@ -303,7 +296,7 @@ TEST_CASE("there are at most 32 bundles: the one used longest ago makes room") {
     fs::last_write_time(other, fs::file_time_type::clock::now() - std::chrono::hours(i));
   }
   fs::remove(bundle);
-  looked_up(options_at(folder.path()));
+  looked_up(cache_at(folder.path()));
   CHECK(bundles_of(folder.path()).size() == 32);
   CHECK(!fs::exists(folder.file("bundles/0000000000000041.bundle")));
   CHECK(fs::exists(folder.file("bundles/0000000000000040.bundle")));
@@ -315,7 +308,7 @@ TEST_CASE("a cache that cannot be written gives what it has, with a bundle and w
   // Nothing can be made in the place of DIR/new while a file is there.
   fs::remove_all(folder.file("new"));
   spit(folder.file("new"), "");
-  const CacheUse use = looked_up(options_at(folder.path()));
+  const CacheUse use = looked_up(cache_at(folder.path()));
   CHECK(use.counts == CacheCounts{many, 0, 0, 0, 0, 0, 0});
   CHECK(use.fault.empty());
   CHECK(bundles_of(folder.path()).empty());

@@ -7,22 +7,15 @@
 #include <thread>
 
 #include "core/base/hash/sha256.h"
+#include "tests/core/base/cache_support.h"
 #include "tests/support.h"
 
 namespace etak {
 namespace {
 
+using test::cache_at;
 using test::TempFolder;
 namespace fs = std::filesystem;
-
-CacheOptions cache_at(const std::string& path, std::uint64_t most = std::uint64_t{1} << 30) {
-  CacheOptions out;
-  out.path = path;
-  out.kind = "test";
-  out.most_bytes = most;
-  out.counted = true;
-  return out;
-}
 
 std::string digest_of(int number) {
   return sha256("entry " + std::to_string(number));
