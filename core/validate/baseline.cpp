@@ -74,12 +74,6 @@ std::vector<KnownDefect> baseline_of(const ValidationReport& report) {
 }
 
 void mark_known(ValidationReport& report, std::span<const KnownDefect> known) {
-  if (known.empty()) {
-    for (CheckedFile& file : report.files)
-      for (Finding& finding : file.findings)
-        if (finding.baseline && !is_of_the_tool(finding.rule)) finding.baseline = false;
-    return;
-  }
   std::vector<const KnownDefect*> sorted;
   for (const KnownDefect& defect : known) sorted.push_back(&defect);
   std::sort(sorted.begin(), sorted.end(),
@@ -87,7 +81,7 @@ void mark_known(ValidationReport& report, std::span<const KnownDefect> known) {
   for (CheckedFile& file : report.files)
     for (Finding& finding : file.findings) {
       if (is_of_the_tool(finding.rule)) continue;
-      finding.baseline = is_known(sorted, known_defect(finding, file.width, file.height));
+      finding.baseline = !sorted.empty() && is_known(sorted, known_defect(finding, file.width, file.height));
     }
 }
 

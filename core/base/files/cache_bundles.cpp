@@ -25,14 +25,9 @@ constexpr std::size_t fewest_entries = 1000;
 constexpr std::size_t most_rows = std::size_t{1} << 20;
 constexpr std::size_t most_bundles = 32;
 
-bool read_all_at(int file, std::span<char> out, std::uint64_t at) {
-  while (!out.empty()) {
-    const std::ptrdiff_t got = sys::read_at(file, out.data(), out.size(), static_cast<std::size_t>(at));
-    if (got <= 0) return false;
-    out = out.subspan(static_cast<std::size_t>(got));
-    at += static_cast<std::uint64_t>(got);
-  }
-  return true;
+// Whether all of `out` could be read from there.
+bool fill_at(int file, std::span<char> out, std::uint64_t at) {
+  return read_all_at(file, out, static_cast<std::size_t>(at)) == out.size();
 }
 
 // The index of an open bundle, with at most so many rows; false where it is none.
@@ -42,7 +37,7 @@ bool read_index(CacheFolder::State::Bundle& bundle, std::size_t most) {
       info.size < trailer_size)
     return false;
   std::array<char, trailer_size> bytes;
-  if (!read_all_at(bundle.file.get(), bytes, info.size - trailer_size)) return false;
+  if (!fill_at(bundle.file.get(), bytes, info.size - trailer_size)) return false;
   const std::string_view trailer(bytes.data(), bytes.size());
   const std::uint64_t rows = bytes_le::number64(trailer, magic.size());
   if (!trailer.starts_with(magic) || rows > most || rows > (info.size - trailer_size) / row_size)
@@ -50,7 +45,7 @@ bool read_index(CacheFolder::State::Bundle& bundle, std::size_t most) {
   bundle.index.resize(static_cast<std::size_t>(rows) * row_size);
   bundle.entries_end = info.size - trailer_size - bundle.index.size();
   bundle.written = info.written;
-  return read_all_at(bundle.file.get(), bundle.index, bundle.entries_end);
+  return fill_at(bundle.file.get(), bundle.index, bundle.entries_end);
 }
 
 // Offset and size of an entry; none where the index does not have it, or where they lead out of the entries.
@@ -111,7 +106,7 @@ std::optional<CacheEntry> CacheFolder::State::look_up_in_bundles(const std::stri
     if (!place) continue;
     std::array<char, usual_entry> bytes;
     const std::span<char> wanted(bytes.data(), place->second);
-    auto out = read_all_at(bundle->file.get(), wanted, place->first)
+    auto out = fill_at(bundle->file.get(), wanted, place->first)
                    ? read_entry(digest, {wanted.data(), wanted.size()}, wanted.size(), -1)
                    : std::nullopt;
     if (!out) {

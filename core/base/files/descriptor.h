@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -49,6 +50,18 @@ inline bool write_all(int fd, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(wrote));
   }
   return true;
+}
+
+/// Reads the bytes of a file from `at` on until `out` is full or the file ends, however often the system stops in
+/// between. Returns how many were read; where they are fewer and errno has changed, it tells why.
+inline std::size_t read_all_at(int file, std::span<char> out, std::size_t at) noexcept {
+  std::size_t there = 0;
+  while (there < out.size()) {
+    const std::ptrdiff_t got = sys::read_at(file, out.data() + there, out.size() - there, at + there);
+    if (got <= 0) break;
+    there += static_cast<std::size_t>(got);
+  }
+  return there;
 }
 
 }  // namespace etak

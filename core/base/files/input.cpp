@@ -54,12 +54,8 @@ class Pipe {
     const std::lock_guard guard(lock_);
     (void)fill(count - 1, timeout);
     std::string out(std::min(count, size_), '\0');
-    std::size_t at = 0;
-    while (at < out.size()) {
-      const std::ptrdiff_t got = sys::read_at(memory_, out.data() + at, out.size() - at, at);
-      if (got <= 0) throw Error::at(path_, "cannot be read: " + reason_of(errno));
-      at += static_cast<std::size_t>(got);
-    }
+    if (read_all_at(memory_, out, 0) < out.size())
+      throw Error::at(path_, "cannot be read: " + reason_of(errno));
     return out;
   }
 

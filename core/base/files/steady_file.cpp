@@ -36,13 +36,7 @@ SteadyFile::SteadyFile(const std::string& path, std::size_t most)
 }
 
 std::size_t SteadyFile::read_what_is_there(std::size_t at, char* to, std::size_t count) const noexcept {
-  std::size_t there = 0;
-  while (there < count) {
-    const std::ptrdiff_t got = sys::read_at(input_.file.get(), to + there, count - there, at + there);
-    if (got <= 0) break;
-    there += static_cast<std::size_t>(got);
-  }
-  return there;
+  return read_all_at(input_.file.get(), {to, count}, at);
 }
 
 void SteadyFile::read(std::size_t at, char* to, std::size_t count) const {
